@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+include(CMakePackageConfigHelpers)
+
+set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
+
+install(TARGETS granum_theory granum_fit granum_dem granum_io granum_granum
+  EXPORT granumTargets
+  FILE_SET HEADERS
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(EXPORT granumTargets NAMESPACE granum:: DESTINATION "${granum_config_dir}")
+
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/granumConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/granumConfig.cmake" INSTALL_DESTINATION "${granum_config_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/granumConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/granumConfigVersion.cmake"
+  DESTINATION "${granum_config_dir}")
+
+if(TARGET granum_cli)
+  install(TARGETS granum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()

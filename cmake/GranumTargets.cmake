@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Helpers that keep every CMakeLists of the project to a few lines.
+
+# Warnings of the project's own sources; never exported to users.
+add_library(granum_warnings INTERFACE)
+target_compile_options(granum_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion
+  $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
+# every machine computes the same bits.
+function(granum_compile_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
+endfunction()
+
+# granum_library(<name>): compiled library granum_<name>, exported as granum::<name>.
+function(granum_library name)
+  add_library(granum_${name})
+  add_library(granum::${name} ALIAS granum_${name})
+  set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name})
+  granum_compile_settings(granum_${name})
+  target_sources(granum_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include")
+endfunction()
+
+# granum_module(<library> <module> <concept>...): each concept is include/granum/<module>/<concept>.hpp and,
+# where it exists, src/<module>/<concept>.cpp.
+function(granum_module library module)
+  foreach(concept IN LISTS ARGN)
+    target_sources(granum_${library} PUBLIC FILE_SET HEADERS
+      FILES "${PROJECT_SOURCE_DIR}/include/granum/${module}/${concept}.hpp")
+    if(EXISTS "${PROJECT_SOURCE_DIR}/src/${module}/${concept}.cpp")
+      target_sources(granum_${library} PRIVATE "${PROJECT_SOURCE_DIR}/src/${module}/${concept}.cpp")
+    endif()
+  endforeach()
+endfunction()
+
+# granum_tests(<module> <concept>...): program test_<module> from tests/<module>/test_<concept>.cpp; each doctest
+# case becomes a ctest of label "unit".
+function(granum_tests module)
+  set(sources "")
+  foreach(concept IN LISTS ARGN)
+    list(APPEND sources "${PROJECT_SOURCE_DIR}/tests/${module}/test_${concept}.cpp")
+  endforeach()
+  add_executable(test_${module} ${sources})
+  granum_compile_settings(test_${module})
+  target_link_libraries(test_${module} PRIVATE granum::granum granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
+  target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
+endfunction()
+
+# granum_program(<name> <source>): an example or validation program.
+function(granum_program name source)
+  add_executable(${name} ${source})
+  granum_compile_settings(${name})
+  target_link_libraries(${name} PRIVATE granum::granum)
+endfunction()

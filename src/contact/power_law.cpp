@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: G, nu of the grain; A profile constant; c coefficient of the full approach d; c_half of Eq. 3, which is
+// written in half of d: c = c_half 2^-(1+1/alpha).
+#include <granum/contact/power_law.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+namespace granum::contact {
+
+namespace {
+
+const GrainMaterial& checked(const GrainMaterial& grain) {
+  require_positive("grain_shear_modulus", grain.shear_modulus, "Pa");
+  require_poisson_ratio("grain_poisson_ratio", grain.poisson_ratio);
+  return grain;
+}
+
+} // namespace
+
+PowerLaw::PowerLaw(const GrainMaterial& grain, double alpha, double coefficient)
+    : grain_(grain), alpha_(alpha), coefficient_(coefficient) {}
+
+PowerLaw PowerLaw::cone(const GrainMaterial& grain, double slope) {
+  const auto& [shear, nu] = checked(grain);
+  require_positive("slope", slope);
+  return {grain, 1.0, shear / (std::numbers::pi * (1 - nu) * slope)};
+}
+
+PowerLaw PowerLaw::sphere(const GrainMaterial& grain, double radius) {
+  const auto& [shear, nu] = checked(grain);
+  require_positive("radius", radius, "m");
+  return {grain, 2.0, 2 * shear * std::sqrt(2 * radius) / (3 * (1 - nu))};
+}
+
+PowerLaw PowerLaw::flat(const GrainMaterial& grain, double punch_radius) {
+  const auto& [shear, nu] = checked(grain);
+  require_positive("punch_radius", punch_radius, "m");
+  return {grain, std::numeric_limits<double>::infinity(), 2 * shear * punch_radius / (1 - nu)};
+}
+
+PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double profile_constant) {
+  const auto& [shear, nu] = checked(grain);
+  if (!(alpha >= 1) || std::isinf(alpha))
+    throw InvalidArgument("alpha", alpha, "", "[1, inf); a flat punch has its own constructor");
+  require_positive("profile_constant", profile_constant, "m^(1-alpha)");
+  const double log_ratio = std::lgamma((alpha + 1) / 2) - std::lgamma((alpha + 2) / 2);
+  const double log_root =
+      (log_ratio - 0.5 * std::log(std::numbers::pi) - std::log(profile_constant) - std::numbers::ln2) / alpha;
+  return {grain, alpha, 2 * shear / (1 - nu) * alpha / (alpha + 1) * std::exp(log_root)};
+}
+
+double PowerLaw::force(double overlap) const {
+  require_non_negative("overlap", overlap, "m");
+  return std::visit([&](const auto& law) { return law(overlap).force; }, kernel());
+}
+
+double PowerLaw::overlap(double force) const {
+  require_non_negative("force", force, "N");
+  return std::pow(force / coefficient_, 1 / force_exponent());
+}
+
+double PowerLaw::stiffness_at_overlap(double overlap) const {
+  require_non_negative("overlap", overlap, "m");
+  return std::visit([&](const auto& law) { return law(overlap).stiffness; }, kernel());
+}
+
+double PowerLaw::stiffness_at_force(double force) const {
+  require_non_negative("force", force, "N");
+  const double b = stiffness_exponent();
+  return force_exponent() * std::pow(coefficient_, 1 - b) * std::pow(force, b);
+}
+
+double PowerLaw::energy(double overlap) const { return force(overlap) * overlap / (1 + force_exponent()); }
+
+double PowerLaw::contact_radius(double overlap) const {
+  return stiffness_at_overlap(overlap) * (1 - grain_.poisson_ratio) / (2 * grain_.shear_modulus);
+}
+
+NormalKernel PowerLaw::kernel() const {
+  if (alpha_ == 1)
+    return ConeKernel{coefficient_};
+  if (alpha_ == 2)
+    return SphereKernel{coefficient_};
+  if (std::isinf(alpha_))
+    return FlatKernel{coefficient_};
+  return GeneralKernel{coefficient_, 1 / alpha_};
+}
+
+double mindlin_stiffness_ratio(double poisson_ratio) {
+  require_poisson_ratio("poisson_ratio", poisson_ratio);
+  return 2 * (1 - poisson_ratio) / (2 - poisson_ratio);
+}
+
+} // namespace granum::contact
