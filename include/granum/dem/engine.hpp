@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include <granum/core/vec3.hpp>
+#include <granum/dem/state.hpp>
+
+namespace granum::dem {
+
+/// Figures of the last step, from which runs steer and stop.
+struct StepFigures {
+  Mat3 stress;                       ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
+  double mean_normal_force = 0;      ///< over contacts that touch [N]
+  double mean_residual = 0;          ///< of sqrt(force^2 + (torque/R)^2), over grains that touch others [N]
+  double p_wave_modulus = 0;         ///< mean uniform-strain modulus of the network, (1/V) sum k_n l^2 (1/5 + 2r/15) [Pa]
+  std::size_t contacts = 0;
+  std::size_t sliding = 0;           ///< contacts at the Coulomb limit in this step
+
+  /// Mean residual force and torque on a grain / mean contact force; 0 without contacts.
+  [[nodiscard]] double unbalanced_force_ratio() const {
+    return contacts > 0 ? mean_residual / mean_normal_force : 0;
+  }
+};
+
+/// Explicit dynamics of equal spheres in a periodic cell that deforms with a given velocity gradient.
+///
+/// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried so far
+/// scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a contact: half of the
+/// branch. Grains move affinely with the cell plus their own velocity, which alone is damped: a mass-proportional drag
+/// of twice the lowest frequency that the motion shows (adaptive dynamic relaxation). The translational mass is
+/// density times volume, the rotational inertia m R^2 in place of 0.4 m R^2, which lengthens the stable time step and
+/// leaves quasi-static states as they are. The time step follows from the contact stiffnesses: 0.8 of the stability
+/// limit 2/omega, with a strict upper bound on omega.
+/// Without friction no rotations and no histories are modelled.
+/// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp
+class Engine {
+public:
+  /// \throws InvalidArgument for an empty state, a material or a radius that is impossible, a cell too small
+  Engine(State state, const Material& material);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  /// Velocity gradient of the cell from the next step on [1/s]; compression is negative here, as rates of length are.
+  void set_velocity_gradient(const Mat3& gradient);
+  /// Drag coefficient [1/s] from now on in place of the adaptive one; 0 switches damping off.
+  void set_damping(double coefficient);
+
+  /// One step: move, contact forces, velocities.
+  void step();
+
+  [[nodiscard]] const StepFigures& figures() const;
+  /// Time that the next step takes [s]; may change every 50 steps, as the contacts stiffen or soften.
+  [[nodiscard]] double time_step() const;
+  [[nodiscard]] double diameter() const;
+  [[nodiscard]] const Mat3& cell() const;
+  /// Kinetic energy of the motion beyond the affine one [J].
+  [[nodiscard]] double kinetic_energy() const;
+  [[nodiscard]] bool finite() const;
+  [[nodiscard]] std::size_t steps() const;
+  /// Stops all own motion of the grains.
+  void rest();
+  /// The state as it stands after the last step.
+  [[nodiscard]] State state() const;
+  [[nodiscard]] const Material& material() const;
+
+private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+} // namespace granum::dem

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <granum/core/vec3.hpp>
+
+namespace granum::dem {
+
+/// Two grains near each other: j stands at position[j] + shift_vectors(cell)[image].
+struct Pair {
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  std::uint32_t image = 13; ///< 0..26, 13 = no shift
+
+  bool operator==(const Pair&) const = default;
+};
+
+/// The 27 translations k1 a1 + k2 a2 + k3 a3, k in {-1, 0, 1}, of the cell whose columns are a1 a2 a3 [m].
+[[nodiscard]] std::array<Vec3, 27> shift_vectors(const Mat3& cell);
+
+/// Perpendicular widths of the cell [m].
+[[nodiscard]] Vec3 cell_widths(const Mat3& cell);
+
+/// Moves every centre into the cell by whole edge vectors.
+void wrap(const Mat3& cell, std::span<Vec3> position);
+
+/// All pairs i < j whose centres are nearer than cutoff, sorted by (i, j), each with its nearest image.
+/// Assumes   centres lie in the cell (call wrap first).
+/// \param    cutoff  [m], at most half of the smallest cell width, so that no pair meets twice
+/// \throws   InvalidArgument if the cell is too narrow for the cutoff
+/// Cost      O(N) by cells of the cutoff's size.  Checked against all pairs by tests/dem/test_neighbours.cpp
+[[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff);
+
+} // namespace granum::dem

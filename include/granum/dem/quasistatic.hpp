@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include <granum/core/vec3.hpp>
+#include <granum/dem/engine.hpp>
+
+/// Runs of the engine that end in equilibrium, with the figures that say how quasi-static they were.
+namespace granum::dem {
+
+struct QuasistaticOptions {
+  double inertial_number = 5e-4;  ///< largest strain rate times d sqrt(density/p), p the target's mean stress [1]
+  double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
+  double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
+  std::size_t max_steps = 400000;
+  /// Asked now and then; true ends the run early (the report then says `stopped`).
+  std::function<bool()> stop_requested = {};
+};
+
+enum class Outcome {
+  converged,
+  step_limit, ///< tolerances not reached within max_steps
+  unstable,   ///< a velocity or a stress was no longer finite
+  stopped,    ///< stop_requested said so
+};
+
+struct [[nodiscard]] QuasistaticReport {
+  Outcome outcome = Outcome::step_limit;
+  std::size_t steps = 0;
+  double unbalanced_force_ratio = 0;   ///< at the end [1]
+  double largest_inertial_number = 0;  ///< over the run [1]
+  Mat3 stress;                         ///< at the end [Pa]
+
+  [[nodiscard]] bool converged() const { return outcome == Outcome::converged; }
+};
+
+/// Brings the normal stresses of the three axes to their targets, each by a servo on its cell edge, and the grains to
+/// rest.
+/// Assumes   an orthogonal cell along the axes.
+/// \param    target  normal stresses [Pa], each > 0
+/// \throws   InvalidArgument for a target or option that is not positive
+/// Checked by tests/dem/test_quasistatic.cpp
+QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options = {});
+
+/// Deforms the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps, and lets the grains come to rest
+/// at fixed cell. Strain is here the displacement gradient, extension positive.
+QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
+                         const QuasistaticOptions& options = {});
+
+} // namespace granum::dem

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <granum/assembly/assembly.hpp>
+#include <granum/contact/power_law.hpp>
+#include <granum/core/vec3.hpp>
+
+namespace granum::dem {
+
+/// What the grains are made of and how they touch.
+struct Material {
+  contact::PowerLaw law;                    ///< normal contact of two equal grains
+  double tangential_stiffness_ratio = 0;    ///< k_t/k_n >= 0 [1]
+  double friction_coefficient = 0;          ///< mu >= 0 [1]; infinity: no contact slides
+  double density = 2650;                    ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
+
+  /// True when contacts carry tangential forces; else rotations and histories are not modelled at all.
+  [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_stiffness_ratio > 0; }
+};
+
+/// \throws InvalidArgument naming the value that no material can have.
+void require_valid(const Material& material);
+
+/// Memory of one contact, i < j.
+struct ContactHistory {
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  Vec3 tangential_force;           ///< exerted by i on j [N]
+  double tangential_stiffness = 0; ///< at the last step [N/m]
+
+  bool operator==(const ContactHistory&) const = default;
+};
+
+/// Everything that a run of equal spheres in a periodic cell needs to go on.
+struct State {
+  Mat3 cell;         ///< columns are the edge vectors [m]
+  double radius = 0; ///< [m], all grains
+  std::vector<Vec3> position;
+  std::vector<Vec3> velocity;         ///< beyond the affine motion of the cell [m/s]
+  std::vector<Vec3> angular_velocity; ///< [1/s]
+  std::vector<ContactHistory> history; ///< sorted by (i, j)
+
+  [[nodiscard]] std::size_t grain_count() const { return position.size(); }
+  bool operator==(const State&) const = default;
+};
+
+/// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
+[[nodiscard]] double void_ratio(const State& state);
+
+/// The contacts of a state, with forces and tangent stiffnesses from the material's law.
+[[nodiscard]] Assembly freeze(const State& state, const Material& material);
+
+} // namespace granum::dem

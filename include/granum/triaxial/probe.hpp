@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/dem/quasistatic.hpp>
+#include <granum/dem/state.hpp>
+
+namespace granum::triaxial {
+
+/// Small-strain shear of a frozen copy; the cell's faces move as the name says (first index: the direction that the
+/// sheared layers are stacked in, second: the direction that they move in). z is vertical.
+enum class ShearMode {
+  hh, ///< layers stacked along x move along y
+  hv, ///< layers stacked along x move along z
+  vh, ///< layers stacked along z move along x
+};
+
+struct ProbeOptions {
+  /// Shear strain of the cycle [1]; 0: chosen from the mean overlap, 0.005 overlap/diameter, well below the strain at
+  /// which contacts slide or open.
+  double amplitude = 0;
+  /// false: no contact may slide during the probe, the response of the frozen network; true: the material's friction.
+  bool sliding = false;
+  std::size_t ramp_steps = 200;
+  double force_tolerance = 2e-7; ///< unbalanced force ratio after each leg [1]; 1e-9 moves G by less than 1e-3
+  std::size_t max_steps = 100000;
+};
+
+struct [[nodiscard]] ProbeResult {
+  bool converged = false;
+  double shear_modulus = 0; ///< secant between the two ends of the cycle [Pa]
+  double amplitude = 0;     ///< shear strain used [1]
+  /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
+  double opening = 0;
+  std::size_t steps = 0;
+};
+
+/// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
+/// Assumes   the state is in equilibrium; a rest first removes what is left of its creep.
+/// Checked against the network's answer by tests/triaxial/test_probe.cpp
+ProbeResult probe(const dem::State& state, const dem::Material& material, ShearMode mode,
+                  const ProbeOptions& options = {});
+
+} // namespace granum::triaxial

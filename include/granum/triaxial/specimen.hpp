@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
+#include <granum/dem/state.hpp>
+
+/// Specimens of equal spheres in a periodic cell: preparation, isotropic compression, frozen states.
+namespace granum::triaxial {
+
+/// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ in how
+/// many contacts carry it.
+enum class Density {
+  dense, ///< without friction until the first pressure is reached; friction is switched on there
+  loose, ///< just below jamming friction is switched on, and the specimen is compressed with it
+};
+
+struct SpecimenRecipe {
+  dem::Material material;
+  double radius = 0;           ///< R > 0 [m]
+  std::size_t grains = 1000;   ///< at least 40, so that the cell is wider than four diameters
+  std::uint64_t seed = 1;
+  double expansion_void_ratio = 0.56; ///< of the fixed cell in which the grains grow, overlaps uncorrected [1]
+  double first_pressure = 10e3;       ///< [Pa]
+  /// Loose specimens: the jammed packing is opened by this linear strain, just below jamming ...
+  double unjamming_strain = 0.003;
+  /// ... and each centre moved at random by up to this share of R, so that old contacts are forgotten.
+  double agitation = 0.03;
+};
+
+/// \throws InvalidArgument naming the value that no specimen can have.
+void require_valid(const SpecimenRecipe& recipe);
+
+/// A specimen and how well each stage of its preparation converged.
+struct Preparation {
+  dem::State state;
+  std::size_t minimiser_steps = 0;
+  dem::RelaxReport last; ///< of the stage at first_pressure
+};
+
+/// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a cube grow
+/// in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and the enthalpy is
+/// minimised at 100, 10 and 1 times the first pressure.
+/// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
+/// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive
+[[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe);
+
+/// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and removes
+/// overlaps: no contact carries force afterwards.
+[[nodiscard]] dem::State unjam(dem::State jammed, const SpecimenRecipe& recipe);
+
+/// The state from which compression with friction starts: the jammed one (dense) or the opened one (loose).
+[[nodiscard]] dem::State start_of_compression(const dem::State& frictionless, Density density,
+                                              const SpecimenRecipe& recipe);
+
+/// Options that suit isotropic compression of either kind.
+[[nodiscard]] dem::QuasistaticOptions compression_options();
+
+/// One equilibrium state on a stress path.
+struct Snapshot {
+  double pressure = 0; ///< target [Pa]
+  dem::State state;
+  dem::QuasistaticReport report;
+};
+
+/// Compresses with friction through the pressures in turn, each a fresh start from the state before, so that a run
+/// that is taken up from any snapshot ends in the same bits.
+/// \param    visit  called with each snapshot as it is reached; returning false ends the path
+/// \return   false if the path ended early: a stage did not converge, or visit said so
+bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
+                    const dem::QuasistaticOptions& options, const std::function<bool(const Snapshot&)>& visit);
+
+} // namespace granum::triaxial

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: b branch from i to j, l = |b|, n = b/l, d overlap; v own velocity of a grain beyond the affine motion of
+// the cell, w angular velocity; L velocity gradient of the cell; f and t force and torque on a grain; r = k_t/k_n.
+#include <granum/dem/engine.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <variant>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+#include "verlet_list.hpp"
+
+namespace granum::dem {
+
+namespace {
+
+struct Motion {
+  Vec3 x, v, w;
+};
+struct Load {
+  Vec3 f, t;
+};
+struct Memory {
+  Vec3 force; ///< tangential, on j
+  double stiffness = 0;
+};
+
+/// Sums over one sweep.
+struct Sums {
+  Mat3 stress; ///< sum of force (x) branch
+  double normal_force = 0;
+  double stiffness = 0; ///< sum of k_n l^2
+  double stiffest = 0;  ///< largest k_n
+  std::size_t contacts = 0;
+  std::size_t sliding = 0;
+};
+
+struct SweepInput {
+  const std::vector<Pair>& pairs;
+  const std::vector<Motion>& motion;
+  std::array<Vec3, 27> shifts;
+  Mat3 gradient;
+  double diameter;
+  double dt; ///< time that the grains have moved since the last sweep [s]
+  double tangential_ratio;
+  double friction;
+};
+
+/// Contact forces of all pairs; tangential false leaves rotations and memory untouched.
+template <bool tangential, class Law>
+Sums contact_sweep(const Law& law, const SweepInput& in, std::vector<Memory>& memory, std::vector<Load>& load) {
+  Sums sums;
+  std::fill(load.begin(), load.end(), Load{});
+  const double diameter = in.diameter, ratio = in.tangential_ratio, friction = in.friction, dt = in.dt;
+  const Mat3 gradient = in.gradient;
+  const Motion* const motion = in.motion.data();
+  // Row i of the sorted list is gathered in registers: g is grain i, on_i what its partners do to it.
+  std::uint32_t i = 0;
+  Motion g = motion[0];
+  Load on_i;
+  Vec3 stress_x, stress_y, stress_z;
+  for (std::size_t k = 0; k < in.pairs.size(); ++k) {
+    const Pair pair = in.pairs[k];
+    if (pair.i != i) {
+      load[i].f += on_i.f;
+      load[i].t += on_i.t;
+      i = pair.i;
+      g = motion[i];
+      on_i = Load{};
+    }
+    const Motion& h = motion[pair.j];
+    const Vec3 branch = h.x + in.shifts[pair.image] - g.x;
+    const double squared = dot(branch, branch);
+    if (squared >= diameter * diameter) {
+      if constexpr (tangential)
+        memory[k] = Memory{};
+      continue;
+    }
+    const double length = std::sqrt(squared);
+    const contact::NormalResponse response = law(diameter - length);
+    Vec3 force = (response.force / length) * branch;
+    if constexpr (tangential) {
+      // Relative displacement of the two surfaces since the last sweep, j against i, in the contact plane.
+      const Vec3 relative = h.v - g.v + gradient * branch - 0.5 * cross(g.w + h.w, branch);
+      const double stiffness = ratio * response.stiffness;
+      const Memory past = memory[k];
+      const double keep = stiffness < past.stiffness ? stiffness / past.stiffness : 1;
+      Vec3 shear = keep * past.force - (stiffness * dt) * relative;
+      shear -= (dot(shear, branch) / squared) * branch;
+      const double limit = friction * response.force;
+      const double shear_squared = dot(shear, shear);
+      if (shear_squared > limit * limit) {
+        shear *= limit / std::sqrt(shear_squared);
+        ++sums.sliding;
+      }
+      memory[k] = {shear, stiffness};
+      force += shear;
+      const Vec3 torque = -0.5 * cross(branch, shear);
+      on_i.t += torque;
+      load[pair.j].t += torque;
+    }
+    on_i.f -= force;
+    load[pair.j].f += force;
+    stress_x += force.x * branch;
+    stress_y += force.y * branch;
+    stress_z += force.z * branch;
+    sums.normal_force += response.force;
+    sums.stiffness += response.stiffness * squared;
+    sums.stiffest = std::max(sums.stiffest, response.stiffness);
+    ++sums.contacts;
+  }
+  load[i].f += on_i.f;
+  load[i].t += on_i.t;
+  sums.stress = {{{stress_x.x, stress_x.y, stress_x.z},
+                  {stress_y.x, stress_y.y, stress_y.z},
+                  {stress_z.x, stress_z.y, stress_z.z}}};
+  return sums;
+}
+
+} // namespace
+
+struct Engine::Data {
+  Data(State initial, const Material& m);
+
+  void rebuild();
+  void sweep(double dt);
+  void choose_time_step();
+  [[nodiscard]] bool time_step_is_due() const;
+  void integrate();
+  void move();
+  void take_figures(const Sums& sums);
+  [[nodiscard]] std::vector<ContactHistory> history() const;
+
+  Material material;
+  contact::NormalKernel law;
+  bool tangential;
+  double friction; ///< finite stand-in for an infinite coefficient
+  State cold;      ///< cell and radius are current; the rest only between steps of rebuild and in state()
+  double mass = 0;
+  double inertia = 0;
+  VerletList list;
+  std::vector<Motion> motion;
+  std::vector<Memory> memory;
+  std::vector<Load> load;
+  std::vector<Load> last_load;
+  Mat3 gradient;
+  double dt = 0;
+  double fixed_damping = -1; ///< negative: adaptive
+  double damping = 0;
+  double travelled = 0; ///< upper bound of own displacement since the list was checked [m]
+  double strained = 0;  ///< upper bound of the cell's strain since then [1]
+  double speed_squared = 0;
+  double stiffest = 0;        ///< k_n in the last sweep [N/m]
+  double stiffest_chosen = 0; ///< the same when the time step was chosen
+  std::size_t contacts_chosen = 0;
+  StepFigures figures;
+  std::size_t steps = 0;
+};
+
+namespace {
+
+/// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
+constexpr std::size_t time_step_interval = 50;
+constexpr double stability_fraction = 0.8;
+
+} // namespace
+
+Engine::Data::Data(State initial, const Material& m)
+    : material(m), law(m.law.kernel()), tangential(m.tangential()),
+      friction(std::min(m.friction_coefficient, 1e100)), cold(std::move(initial)),
+      list(2 * cold.radius, 0.06 * cold.radius) {
+  require_valid(m);
+  require_positive("radius", cold.radius, "m");
+  const std::size_t count = cold.grain_count();
+  if (count == 0)
+    throw InvalidArgument("engine: the state has no grains");
+  mass = m.density * 4.0 / 3.0 * std::numbers::pi * std::pow(cold.radius, 3);
+  inertia = mass * cold.radius * cold.radius;
+  cold.velocity.resize(count);
+  cold.angular_velocity.resize(count);
+  motion.resize(count);
+  load.resize(count);
+  last_load.resize(count);
+  rebuild();
+  sweep(0);
+  choose_time_step();
+}
+
+std::vector<ContactHistory> Engine::Data::history() const {
+  std::vector<ContactHistory> out;
+  if (!tangential)
+    return out;
+  for (std::size_t k = 0; k < memory.size(); ++k)
+    if (memory[k].stiffness > 0)
+      out.push_back({list.pairs()[k].i, list.pairs()[k].j, memory[k].force, memory[k].stiffness});
+  return out;
+}
+
+/// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
+void Engine::Data::rebuild() {
+  if (!memory.empty())
+    cold.history = history();
+  const bool running = steps > 0;
+  for (std::size_t g = 0; running && g < motion.size(); ++g)
+    cold.position[g] = motion[g].x;
+  list.build(cold.cell, cold.position);
+  for (std::size_t g = 0; g < motion.size(); ++g) {
+    motion[g].x = cold.position[g];
+    if (!running) {
+      motion[g].v = cold.velocity[g];
+      motion[g].w = tangential ? cold.angular_velocity[g] : Vec3{};
+      speed_squared = std::max(speed_squared, dot(motion[g].v, motion[g].v));
+    }
+  }
+  if (tangential) {
+    memory.assign(list.pairs().size(), Memory{});
+    auto past = cold.history.begin();
+    for (std::size_t k = 0; k < memory.size(); ++k) {
+      const Pair& pair = list.pairs()[k];
+      while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(pair.i, pair.j))
+        ++past;
+      if (past != cold.history.end() && past->i == pair.i && past->j == pair.j)
+        memory[k] = {past->tangential_force, past->tangential_stiffness};
+    }
+  }
+  travelled = 0;
+  strained = 0;
+}
+
+void Engine::Data::sweep(double elapsed) {
+  const SweepInput input{list.pairs(), motion, shift_vectors(cold.cell), gradient,
+                         2 * cold.radius, elapsed, material.tangential_stiffness_ratio, friction};
+  const Sums sums = std::visit(
+      [&](const auto& kernel) {
+        return tangential ? contact_sweep<true>(kernel, input, memory, load)
+                          : contact_sweep<false>(kernel, input, memory, load);
+      },
+      law);
+  take_figures(sums);
+}
+
+void Engine::Data::take_figures(const Sums& sums) {
+  const double volume = determinant(cold.cell);
+  stiffest = sums.stiffest;
+  figures.stress = (1 / volume) * sums.stress;
+  figures.contacts = sums.contacts;
+  figures.sliding = sums.sliding;
+  figures.mean_normal_force = sums.contacts > 0 ? sums.normal_force / static_cast<double>(sums.contacts) : 0;
+  // <n1^4> = 1/5, <n1^2 (1 - n1^2)> = 2/15 for isotropic normals.
+  const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
+  figures.p_wave_modulus = sums.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
+}
+
+/// Now and then, and at once when contacts have become stiffer or more by a tenth.
+bool Engine::Data::time_step_is_due() const {
+  return steps % time_step_interval == 0 || stiffest > 1.1 * stiffest_chosen ||
+         10 * figures.contacts > 11 * contacts_chosen;
+}
+
+/// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most twice its
+/// block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n (translation, or
+/// k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3 blocks.
+void Engine::Data::choose_time_step() {
+  std::vector<Mat3> translation(motion.size()), rotation(tangential ? motion.size() : 0);
+  const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);
+  const double diameter = 2 * cold.radius;
+  const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
+  for (const Pair& pair : list.pairs()) {
+    const Vec3 branch = motion[pair.j].x + shifts[pair.image] - motion[pair.i].x;
+    const double squared = dot(branch, branch);
+    if (squared >= diameter * diameter)
+      continue;
+    const double length = std::sqrt(squared);
+    const double k_n = std::visit([&](const auto& kernel) { return kernel(diameter - length).stiffness; }, law);
+    const Mat3 nn = (1 / squared) * outer(branch, branch);
+    const Mat3 plane = Mat3::identity() + -1.0 * nn;
+    const Mat3 block = k_n * nn + (ratio * k_n) * plane;
+    translation[pair.i] += block;
+    translation[pair.j] += block;
+    if (tangential) {
+      const Mat3 turn = (ratio * k_n * squared / 4) * plane;
+      rotation[pair.i] += turn;
+      rotation[pair.j] += turn;
+    }
+  }
+  const auto row_sum = [](const Mat3& m) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+      largest = std::max(largest, std::abs(m(i, 0)) + std::abs(m(i, 1)) + std::abs(m(i, 2)));
+    return largest;
+  };
+  stiffest_chosen = stiffest;
+  contacts_chosen = figures.contacts;
+  double omega_squared = 0;
+  for (std::size_t g = 0; g < motion.size(); ++g)
+    omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
+                                                 (tangential ? row_sum(rotation[g]) / inertia : 0)));
+  if (omega_squared > 0) {
+    dt = stability_fraction * 2 / std::sqrt(omega_squared);
+  } else if (dt == 0) {
+    // Nothing touches yet: the stiffness that an overlap of 1e-4 R would have.
+    const double k_n = material.law.stiffness_at_overlap(1e-4 * cold.radius);
+    dt = stability_fraction * 2 / std::sqrt(20 * k_n / mass);
+  }
+}
+
+/// Cell and grains move; the pair list is renewed before a pair outside it could touch.
+void Engine::Data::move() {
+  const Mat3 stretch = Mat3::identity() + dt * gradient;
+  for (Motion& grain : motion)
+    grain.x = stretch * grain.x + dt * grain.v;
+  cold.cell = stretch * cold.cell;
+  double rate = 0;
+  for (const auto& row : gradient.m)
+    for (const double value : row)
+      rate += std::abs(value);
+  travelled += dt * std::sqrt(speed_squared);
+  strained += dt * rate;
+  if (2 * travelled + strained * (2 * cold.radius + list.skin()) > 0.9 * list.skin())
+    rebuild();
+}
+
+/// Velocities from forces with drag; the drag follows the lowest frequency that the last step's motion shows,
+/// omega^2 = -(change of force . velocity)/(dt sum m v^2).
+void Engine::Data::integrate() {
+  double kinetic = 0, work = 0;
+  for (std::size_t g = 0; g < motion.size(); ++g) {
+    const Motion& a = motion[g];
+    kinetic += mass * dot(a.v, a.v);
+    work -= dot(a.v, load[g].f - last_load[g].f);
+    if (tangential) {
+      kinetic += inertia * dot(a.w, a.w);
+      work -= dot(a.w, load[g].t - last_load[g].t);
+    }
+  }
+  if (fixed_damping >= 0)
+    damping = fixed_damping;
+  else if (kinetic > 0)
+    damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * kinetic))), 0.005 / dt, 0.5 / dt);
+  const double drag = 0.5 * damping * dt;
+  const double keep = (1 - drag) / (1 + drag);
+  const double push = dt / (1 + drag);
+  const double per_radius_squared = 1 / (cold.radius * cold.radius);
+  double residual = 0;
+  std::size_t touching = 0;
+  speed_squared = 0;
+  for (std::size_t g = 0; g < motion.size(); ++g) {
+    Motion& a = motion[g];
+    a.v = keep * a.v + (push / mass) * load[g].f;
+    if (tangential)
+      a.w = keep * a.w + (push / inertia) * load[g].t;
+    speed_squared = std::max(speed_squared, dot(a.v, a.v));
+    const double load_squared = dot(load[g].f, load[g].f) + per_radius_squared * dot(load[g].t, load[g].t);
+    if (load_squared > 0) {
+      residual += std::sqrt(load_squared);
+      ++touching;
+    }
+  }
+  figures.mean_residual = touching > 0 ? residual / static_cast<double>(touching) : 0;
+}
+
+Engine::Engine(State state, const Material& material)
+    : data_(std::make_unique<Data>(std::move(state), material)) {}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+void Engine::set_velocity_gradient(const Mat3& gradient) { data_->gradient = gradient; }
+void Engine::set_damping(double coefficient) {
+  data_->fixed_damping = require_non_negative("damping", coefficient, "1/s");
+}
+
+void Engine::step() {
+  Data& d = *data_;
+  ++d.steps;
+  d.move();
+  d.last_load.swap(d.load);
+  d.sweep(d.dt);
+  d.integrate();
+  if (d.time_step_is_due())
+    d.choose_time_step();
+}
+
+const StepFigures& Engine::figures() const { return data_->figures; }
+double Engine::time_step() const { return data_->dt; }
+double Engine::diameter() const { return 2 * data_->cold.radius; }
+const Mat3& Engine::cell() const { return data_->cold.cell; }
+std::size_t Engine::steps() const { return data_->steps; }
+const Material& Engine::material() const { return data_->material; }
+
+double Engine::kinetic_energy() const {
+  double twice = 0;
+  for (const Motion& a : data_->motion)
+    twice += data_->mass * dot(a.v, a.v) + (data_->tangential ? data_->inertia * dot(a.w, a.w) : 0);
+  return twice / 2;
+}
+
+bool Engine::finite() const {
+  return std::isfinite(data_->speed_squared) && std::isfinite(trace(data_->figures.stress));
+}
+
+void Engine::rest() {
+  for (Motion& a : data_->motion)
+    a.v = a.w = Vec3{};
+}
+
+State Engine::state() const {
+  State out = data_->cold;
+  for (std::size_t g = 0; g < data_->motion.size(); ++g) {
+    out.position[g] = data_->motion[g].x;
+    out.velocity[g] = data_->motion[g].v;
+    out.angular_velocity[g] = data_->motion[g].w;
+  }
+  out.history = data_->history();
+  return out;
+}
+
+} // namespace granum::dem

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: s fractional coordinates, x = cell s; bins are slices of s.
+#include <granum/dem/neighbours.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <granum/core/error.hpp>
+
+namespace granum::dem {
+
+namespace {
+
+int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
+
+struct Bins {
+  std::array<int, 3> count{};
+  std::vector<std::uint32_t> start; ///< first entry of a bin in grain
+  std::vector<std::uint32_t> grain;
+
+  [[nodiscard]] std::size_t index(int bx, int by, int bz) const {
+    return static_cast<std::size_t>((bx * count[1] + by) * count[2] + bz);
+  }
+};
+
+std::array<int, 3> bin_of(const Bins& bins, const Vec3& s) {
+  std::array<int, 3> b{};
+  for (int k = 0; k < 3; ++k)
+    b[static_cast<std::size_t>(k)] =
+        std::clamp(static_cast<int>(s[k] * bins.count[static_cast<std::size_t>(k)]), 0,
+                   bins.count[static_cast<std::size_t>(k)] - 1);
+  return b;
+}
+
+Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
+  const Vec3 widths = cell_widths(cell);
+  Bins bins;
+  for (int k = 0; k < 3; ++k)
+    bins.count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(widths[k] / cutoff), 1, 512);
+  const auto total = static_cast<std::size_t>(bins.count[0]) * static_cast<std::size_t>(bins.count[1]) *
+                     static_cast<std::size_t>(bins.count[2]);
+  const Mat3 to_fraction = inverse(cell);
+  std::vector<std::uint32_t> bin(position.size());
+  bins.start.assign(total + 1, 0);
+  for (std::size_t g = 0; g < position.size(); ++g) {
+    const auto [bx, by, bz] = bin_of(bins, to_fraction * position[g]);
+    bin[g] = static_cast<std::uint32_t>(bins.index(bx, by, bz));
+    ++bins.start[bin[g] + 1];
+  }
+  for (std::size_t b = 0; b < total; ++b)
+    bins.start[b + 1] += bins.start[b];
+  bins.grain.resize(position.size());
+  std::vector<std::uint32_t> next(bins.start.begin(), bins.start.end() - 1);
+  for (std::size_t g = 0; g < position.size(); ++g)
+    bins.grain[next[bin[g]]++] = static_cast<std::uint32_t>(g);
+  return bins;
+}
+
+/// Neighbour bin of b at offset d on an axis of count bins, and the whole cells crossed.
+struct Neighbour {
+  int bin;
+  int shift;
+};
+Neighbour neighbour(int b, int d, int count) {
+  const int raw = b + d;
+  if (raw < 0)
+    return {raw + count, -1};
+  if (raw >= count)
+    return {raw - count, 1};
+  return {raw, 0};
+}
+
+/// Offsets to visit on an axis: with 1 or 2 bins the outer ones repeat, but each with another shift, so none is lost.
+void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home, std::span<const Vec3> position,
+                    const std::array<Vec3, 27>& shifts, double cutoff_squared, std::vector<Pair>& out) {
+  for (int dx = -1; dx <= 1; ++dx)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dz = -1; dz <= 1; ++dz) {
+        const Neighbour nx = neighbour(home[0], dx, bins.count[0]);
+        const Neighbour ny = neighbour(home[1], dy, bins.count[1]);
+        const Neighbour nz = neighbour(home[2], dz, bins.count[2]);
+        const auto image = static_cast<std::uint32_t>(image_index(nx.shift, ny.shift, nz.shift));
+        const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
+        for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k) {
+          const std::uint32_t j = bins.grain[k];
+          if (j <= i)
+            continue;
+          const Vec3 branch = position[j] + shifts[image] - position[i];
+          if (dot(branch, branch) < cutoff_squared)
+            out.push_back({i, j, image});
+        }
+      }
+}
+
+} // namespace
+
+std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
+  std::array<Vec3, 27> shifts;
+  for (int kx = -1; kx <= 1; ++kx)
+    for (int ky = -1; ky <= 1; ++ky)
+      for (int kz = -1; kz <= 1; ++kz)
+        shifts[static_cast<std::size_t>(image_index(kx, ky, kz))] =
+            cell * Vec3{static_cast<double>(kx), static_cast<double>(ky), static_cast<double>(kz)};
+  return shifts;
+}
+
+Vec3 cell_widths(const Mat3& cell) {
+  const double volume = determinant(cell);
+  Vec3 widths;
+  for (int k = 0; k < 3; ++k)
+    widths[k] = volume / norm(cross(column(cell, (k + 1) % 3), column(cell, (k + 2) % 3)));
+  return widths;
+}
+
+void wrap(const Mat3& cell, std::span<Vec3> position) {
+  const Mat3 to_fraction = inverse(cell);
+  for (Vec3& x : position) {
+    const Vec3 s = to_fraction * x;
+    const Vec3 whole{std::floor(s.x), std::floor(s.y), std::floor(s.z)};
+    if (whole != Vec3{})
+      x -= cell * whole;
+  }
+}
+
+std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
+  const Vec3 widths = cell_widths(cell);
+  const double narrowest = std::min({widths.x, widths.y, widths.z});
+  if (!(cutoff > 0) || !(2 * cutoff <= narrowest))
+    throw InvalidArgument("neighbour cutoff", cutoff, "m",
+                          "(0, half of the smallest cell width " + std::to_string(narrowest) +
+                              " m]; the specimen has too few grains");
+  const Bins bins = fill_bins(cell, position, cutoff);
+  const std::array<Vec3, 27> shifts = shift_vectors(cell);
+  const Mat3 to_fraction = inverse(cell);
+  std::vector<Pair> pairs;
+  pairs.reserve(position.size() * 4);
+  for (std::uint32_t i = 0; i < position.size(); ++i) {
+    const std::size_t first = pairs.size();
+    pairs_of_grain(i, bins, bin_of(bins, to_fraction * position[i]), position, shifts, cutoff * cutoff, pairs);
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
+              [](const Pair& a, const Pair& b) { return a.j < b.j; });
+  }
+  return pairs;
+}
+
+} // namespace granum::dem

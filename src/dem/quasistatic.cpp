@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/quasistatic.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <granum/core/check.hpp>
+
+namespace granum::dem {
+
+namespace {
+
+/// The servo closes the gap between stress and target in about this many steps.
+constexpr double servo_steps = 40;
+/// Steps between two looks at the stop criteria.
+constexpr std::size_t check_interval = 10;
+/// Steps between two questions whether to stop, and whether the motion is finite.
+constexpr std::size_t watch_interval = 500;
+
+double square(double x) { return x * x; }
+
+struct Rates {
+  double largest;     ///< of strain [1/s]
+  double to_inertial; ///< inertial number of a unit strain rate [s]
+};
+
+Rates rates(const Engine& engine, double pressure, double diameter, const QuasistaticOptions& options) {
+  const double to_inertial = diameter * std::sqrt(engine.material().density / pressure);
+  return {options.inertial_number / to_inertial, to_inertial};
+}
+
+bool interrupted(const Engine& engine, const QuasistaticOptions& options, QuasistaticReport& report) {
+  if (report.steps % watch_interval != 0)
+    return false;
+  if (!engine.finite()) {
+    report.outcome = Outcome::unstable;
+    return true;
+  }
+  if (options.stop_requested && options.stop_requested()) {
+    report.outcome = Outcome::stopped;
+    return true;
+  }
+  return false;
+}
+
+void conclude(const Engine& engine, QuasistaticReport& report) {
+  report.unbalanced_force_ratio = engine.figures().unbalanced_force_ratio();
+  report.stress = engine.figures().stress;
+  if (!engine.finite())
+    report.outcome = Outcome::unstable;
+}
+
+void require_valid(const QuasistaticOptions& options) {
+  require_positive("inertial_number", options.inertial_number);
+  require_positive("force_tolerance", options.force_tolerance);
+  require_positive("stress_tolerance", options.stress_tolerance);
+}
+
+} // namespace
+
+QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options) {
+  require_valid(options);
+  for (int axis = 0; axis < 3; ++axis)
+    require_positive("target stress", target[axis], "Pa");
+  const double pressure = (target.x + target.y + target.z) / 3;
+  const Rates rate = rates(engine, pressure, engine.diameter(), options);
+  QuasistaticReport report;
+  for (; report.steps < options.max_steps; ++report.steps) {
+    if (interrupted(engine, options, report))
+      break;
+    const StepFigures& now = engine.figures();
+    Mat3 gradient;
+    double worst = 0, norm_squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double gap = target[axis] - now.stress(axis, axis);
+      worst = std::max(worst, std::abs(gap));
+      const double modulus = std::max(now.p_wave_modulus, pressure);
+      const double strain_rate =
+          std::clamp(gap / (modulus * servo_steps * engine.time_step()), -rate.largest, rate.largest);
+      gradient(axis, axis) = -strain_rate;
+      norm_squared += square(strain_rate);
+    }
+    if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts > 0 &&
+        worst < options.stress_tolerance * pressure && now.unbalanced_force_ratio() < options.force_tolerance) {
+      report.outcome = Outcome::converged;
+      break;
+    }
+    report.largest_inertial_number =
+        std::max(report.largest_inertial_number, std::sqrt(norm_squared / 3) * rate.to_inertial);
+    engine.set_velocity_gradient(gradient);
+    engine.step();
+  }
+  engine.set_velocity_gradient(Mat3{});
+  conclude(engine, report);
+  return report;
+}
+
+QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
+                         const QuasistaticOptions& options) {
+  require_valid(options);
+  const double pressure = std::max(trace(engine.figures().stress) / 3, 1e-300);
+  const double to_inertial = rates(engine, pressure, engine.diameter(), options).to_inertial;
+  double strain_squared = 0;
+  for (const auto& row : strain.m)
+    for (const double value : row)
+      strain_squared += square(value);
+  QuasistaticReport report;
+  for (; report.steps < ramp_steps; ++report.steps) {
+    // The time step may change on the way, so the rate is set from the strain of each step.
+    const double rate = 1 / (static_cast<double>(ramp_steps) * engine.time_step());
+    report.largest_inertial_number =
+        std::max(report.largest_inertial_number, std::sqrt(strain_squared) * rate * to_inertial);
+    engine.set_velocity_gradient(rate * strain);
+    engine.step();
+  }
+  engine.set_velocity_gradient(Mat3{});
+  for (; report.steps < options.max_steps; ++report.steps) {
+    if (interrupted(engine, options, report))
+      break;
+    if (report.steps % check_interval == 0 && engine.figures().contacts > 0 &&
+        engine.figures().unbalanced_force_ratio() < options.force_tolerance) {
+      report.outcome = Outcome::converged;
+      break;
+    }
+    engine.step();
+  }
+  conclude(engine, report);
+  return report;
+}
+
+} // namespace granum::dem

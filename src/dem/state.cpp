@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/state.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <variant>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/dem/neighbours.hpp>
+
+namespace granum::dem {
+
+void require_valid(const Material& material) {
+  require_non_negative("tangential_stiffness_ratio", material.tangential_stiffness_ratio);
+  require_positive("density", material.density, "kg/m^3");
+  if (!(material.friction_coefficient >= 0))
+    throw InvalidArgument("friction_coefficient", material.friction_coefficient, "", "[0, inf]");
+}
+
+double void_ratio(const State& state) {
+  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(state.radius, 3);
+  return determinant(state.cell) / (grain * static_cast<double>(state.grain_count())) - 1;
+}
+
+Assembly freeze(const State& state, const Material& material) {
+  // At the Coulomb limit up to the rounding of the return to it.
+  constexpr double at_limit = 1 - 1e-9;
+  Assembly assembly;
+  assembly.cell = state.cell;
+  assembly.position = state.position;
+  assembly.radius.assign(state.grain_count(), state.radius);
+  wrap(assembly.cell, assembly.position);
+  const std::array<Vec3, 27> shifts = shift_vectors(assembly.cell);
+  const contact::NormalKernel kernel = material.law.kernel();
+  auto memory = state.history.begin();
+  for (const Pair& pair : neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius)) {
+    Contact c;
+    c.i = pair.i;
+    c.j = pair.j;
+    c.branch = assembly.position[pair.j] + shifts[pair.image] - assembly.position[pair.i];
+    c.overlap = 2 * state.radius - norm(c.branch);
+    const contact::NormalResponse response = std::visit([&](const auto& law) { return law(c.overlap); }, kernel);
+    c.normal_force = response.force;
+    c.normal_stiffness = response.stiffness;
+    c.tangential_stiffness = material.tangential_stiffness_ratio * response.stiffness;
+    while (memory != state.history.end() && std::tie(memory->i, memory->j) < std::tie(c.i, c.j))
+      ++memory;
+    if (memory != state.history.end() && memory->i == c.i && memory->j == c.j) {
+      c.tangential_force = memory->tangential_force;
+      const double limit = material.friction_coefficient * c.normal_force;
+      c.sliding = material.tangential() && norm(c.tangential_force) >= at_limit * limit;
+    }
+    assembly.contacts.push_back(c);
+  }
+  return assembly;
+}
+
+} // namespace granum::dem

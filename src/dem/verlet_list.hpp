@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <granum/core/vec3.hpp>
+#include <granum/dem/neighbours.hpp>
+
+namespace granum::dem {
+
+/// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.
+class VerletList {
+public:
+  VerletList(double contact_distance, double skin) : contact_distance_(contact_distance), skin_(skin) {}
+
+  /// Wraps the centres and lists the pairs anew.
+  void build(const Mat3& cell, std::span<Vec3> position) {
+    wrap(cell, position);
+    pairs_ = neighbour_pairs(cell, position, contact_distance_ + skin_);
+    reference_.assign(position.begin(), position.end());
+    reference_inverse_ = inverse(cell);
+  }
+
+  /// False when two grains that are not listed could have come into contact since build: a pair nears by at most twice
+  /// the largest non-affine displacement plus what the cell's strain takes from the cutoff.
+  [[nodiscard]] bool valid(const Mat3& cell, std::span<const Vec3> position) const {
+    const Mat3 gradient = cell * reference_inverse_;
+    double strain = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        strain += std::abs(gradient(i, j) - (i == j ? 1 : 0));
+    double farthest = 0;
+    for (std::size_t g = 0; g < position.size(); ++g) {
+      const Vec3 moved = position[g] - gradient * reference_[g];
+      farthest = std::max(farthest, dot(moved, moved));
+    }
+    return 2 * std::sqrt(farthest) + strain * (contact_distance_ + skin_) < skin_;
+  }
+
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  [[nodiscard]] double skin() const { return skin_; }
+
+private:
+  double contact_distance_;
+  double skin_;
+  std::vector<Pair> pairs_;
+  std::vector<Vec3> reference_;
+  Mat3 reference_inverse_;
+};
+
+} // namespace granum::dem

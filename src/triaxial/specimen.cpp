@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/triaxial/specimen.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include <boost/random/uniform_real_distribution.hpp>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+namespace granum::triaxial {
+
+namespace {
+
+using Random = std::mt19937_64;
+
+/// Boost's distribution: the same numbers from the same bits on every standard library.
+Vec3 uniform_in_cube(Random& random, double low, double high) {
+  boost::random::uniform_real_distribution<double> along(low, high);
+  const double x = along(random);
+  const double y = along(random);
+  const double z = along(random);
+  return {x, y, z};
+}
+
+dem::State seeds(const SpecimenRecipe& recipe) {
+  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
+  const double edge = std::cbrt(static_cast<double>(recipe.grains) * grain * (1 + recipe.expansion_void_ratio));
+  Random random(recipe.seed);
+  dem::State state;
+  state.cell = Mat3::diagonal(edge, edge, edge);
+  state.radius = recipe.radius;
+  for (std::size_t g = 0; g < recipe.grains; ++g)
+    state.position.push_back(uniform_in_cube(random, 0, edge));
+  return state;
+}
+
+/// Overlaps are only to vanish here, so a linear law of any stiffness will do.
+contact::PowerLaw linear_law(const SpecimenRecipe& recipe) {
+  return contact::PowerLaw::flat(recipe.material.law.grain(), 0.01 * recipe.radius);
+}
+
+dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stage) {
+  if (!report.converged)
+    throw NotConverged("specimen preparation, " + stage + ": unbalanced force ratio " +
+                       std::to_string(report.unbalanced_force_ratio) + " after " + std::to_string(report.steps) +
+                       " steps");
+  return report;
+}
+
+/// Grains grow at fixed cell from a solid fraction of 0.2 to the whole of the recipe's.
+std::size_t expand(dem::State& state, const SpecimenRecipe& recipe) {
+  constexpr double first_fraction = 0.2, last_stage = 0.55, stage = 0.05;
+  const double full = 1 / (1 + recipe.expansion_void_ratio);
+  const contact::PowerLaw law = linear_law(recipe);
+  dem::MinimiseOptions options;
+  options.overlap_tolerance = 1e-3;
+  options.force_tolerance = 1e-2;
+  std::size_t steps = 0;
+  const auto relax_at = [&](double fraction) {
+    state.radius = recipe.radius * std::cbrt(fraction / full);
+    steps += arrived(dem::minimise_energy(state, law, options), "growth").steps;
+  };
+  for (double fraction = first_fraction; fraction < std::min(last_stage, full); fraction += stage)
+    relax_at(fraction);
+  relax_at(full);
+  state.radius = recipe.radius;
+  return steps;
+}
+
+} // namespace
+
+void require_valid(const SpecimenRecipe& recipe) {
+  dem::require_valid(recipe.material);
+  require_positive("radius", recipe.radius, "m");
+  if (recipe.grains < 40 || recipe.grains > 10'000'000)
+    throw InvalidArgument("grains", static_cast<double>(recipe.grains), "", "[40, 1e7]");
+  require_open("expansion_void_ratio", recipe.expansion_void_ratio, 0.4, 1.0);
+  require_positive("first_pressure", recipe.first_pressure, "Pa");
+  require_open("unjamming_strain", recipe.unjamming_strain, 0, 0.1);
+  require_closed("agitation", recipe.agitation, 0, 0.5);
+}
+
+Preparation frictionless_specimen(const SpecimenRecipe& recipe) {
+  require_valid(recipe);
+  Preparation preparation;
+  preparation.state = seeds(recipe);
+  preparation.minimiser_steps = expand(preparation.state, recipe);
+  for (const double factor : {100.0, 10.0, 1.0}) {
+    dem::MinimiseOptions options;
+    options.force_tolerance = options.pressure_tolerance = factor > 1 ? 1e-3 : 1e-6;
+    preparation.last = arrived(
+        dem::minimise_enthalpy(preparation.state, recipe.material.law, factor * recipe.first_pressure, options),
+        "frictionless compression");
+    preparation.minimiser_steps += preparation.last.steps;
+  }
+  return preparation;
+}
+
+dem::State unjam(dem::State state, const SpecimenRecipe& recipe) {
+  require_valid(recipe);
+  const double growth = 1 + recipe.unjamming_strain;
+  const double reach = recipe.agitation * recipe.radius;
+  Random random(recipe.seed ^ 0x9e3779b97f4a7c15ULL);
+  state.cell = growth * state.cell;
+  for (Vec3& x : state.position) {
+    x = growth * x;
+    if (reach > 0)
+      x += uniform_in_cube(random, -reach, reach);
+  }
+  dem::MinimiseOptions options;
+  options.overlap_tolerance = 1e-6;
+  const dem::RelaxReport report = arrived(dem::minimise_energy(state, linear_law(recipe), options), "unjamming");
+  if (report.unbalanced_force_ratio < options.force_tolerance && report.pressure > 0)
+    throw NotConverged("unjamming_strain " + std::to_string(recipe.unjamming_strain) +
+                       " does not unjam this specimen; make it larger");
+  return state;
+}
+
+dem::State start_of_compression(const dem::State& frictionless, Density density, const SpecimenRecipe& recipe) {
+  return density == Density::loose ? unjam(frictionless, recipe) : frictionless;
+}
+
+dem::QuasistaticOptions compression_options() {
+  dem::QuasistaticOptions options;
+  options.inertial_number = 5e-4;
+  options.force_tolerance = 1e-5;
+  options.stress_tolerance = 1e-5;
+  return options;
+}
+
+bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
+                    const dem::QuasistaticOptions& options, const std::function<bool(const Snapshot&)>& visit) {
+  for (const double pressure : pressures) {
+    dem::Engine engine(std::move(state), material);
+    Snapshot snapshot;
+    snapshot.pressure = pressure;
+    snapshot.report = dem::equilibrate(engine, {pressure, pressure, pressure}, options);
+    engine.rest();
+    snapshot.state = engine.state();
+    state = snapshot.state;
+    if (!visit(snapshot) || !snapshot.report.converged())
+      return false;
+  }
+  return true;
+}
+
+} // namespace granum::triaxial

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/minimise.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+/// Elastic energy of all contacts of a state whose cell and centres are stretched by (1 + strain) along one axis.
+double energy(const State& state, const Material& material, int axis, double strain) {
+  State stretched = state;
+  Mat3 stretch = Mat3::identity();
+  stretch(axis, axis) += strain;
+  stretched.cell = stretch * stretched.cell;
+  for (Vec3& x : stretched.position)
+    x = stretch * x;
+  double sum = 0;
+  for (const Contact& c : freeze(stretched, material).contacts)
+    sum += material.law.energy(c.overlap);
+  return sum;
+}
+
+State disordered(double radius) {
+  State state = test::fcc(radius, 3, 0.03 * radius);
+  std::mt19937_64 random(11);
+  for (Vec3& x : state.position)
+    for (int axis = 0; axis < 3; ++axis)
+      x[axis] += 0.02 * radius * (static_cast<double>(random() >> 11) * 0x1p-52 - 1);
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("two overlapping spheres move apart along their line until no overlap is left") {
+  State state;
+  state.radius = 1e-3;
+  state.cell = Mat3::diagonal(10e-3, 10e-3, 10e-3);
+  state.position = {{5e-3, 5e-3, 5e-3}, {6e-3, 5.5e-3, 5e-3}};
+  const Vec3 direction = state.position[1] - state.position[0];
+  const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3));
+  CHECK(report.converged);
+  const Vec3 branch = state.position[1] - state.position[0];
+  // They may coast on after the last touch, by no more than the 0.02 R of one step for each step that it takes to stop.
+  CHECK(norm(branch) >= 2e-3 * (1 - 1e-7));
+  CHECK(norm(branch) < 2.1e-3);
+  CHECK(norm(cross(branch, direction)) < 1e-12 * norm(branch) * norm(direction));
+}
+
+TEST_CASE("a prescribed pressure is reached, and equals the work of the cell on every axis") {
+  const double radius = 0.5e-3;
+  State state = disordered(radius);
+  const Material material = test::quartz(radius, 0);
+  for (const double pressure : {1e8, 1e5}) {
+    const RelaxReport report = minimise_enthalpy(state, material.law, pressure);
+    REQUIRE(report.converged);
+    CHECK(report.pressure == doctest::Approx(pressure).epsilon(2e-9));
+    CHECK(report.unbalanced_force_ratio < 1e-9);
+    double mean = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Central difference of the energy; its error is of the order (step/overlap strain)^2.
+      const double step = 1e-3 * material.law.overlap(pressure * radius * radius) / radius;
+      const double work = energy(state, material, axis, -step) - energy(state, material, axis, step);
+      mean += work / (2 * step * determinant(state.cell)) / 3;
+    }
+    CHECK(mean == doctest::Approx(pressure).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("frictionless stages clear rotations and histories") {
+  State state = disordered(1e-3);
+  state.history = {{0, 1, {1, 0, 0}, 1}};
+  state.angular_velocity.assign(state.grain_count(), Vec3{1, 2, 3});
+  const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3));
+  CHECK(report.converged);
+  CHECK(state.history.empty());
+  CHECK(state.angular_velocity == std::vector<Vec3>(state.grain_count()));
+}
+
+TEST_CASE("a minimiser that may not run says that it did not arrive") {
+  State state = disordered(1e-3);
+  MinimiseOptions options;
+  options.max_steps = 3;
+  const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3), options);
+  CHECK_FALSE(report.converged);
+  CHECK(report.steps == 3);
+  CHECK(std::isfinite(report.unbalanced_force_ratio));
+}
+
+TEST_CASE("impossible minimisations are refused") {
+  State state = disordered(1e-3);
+  const contact::PowerLaw law = test::quartz_sphere(1e-3);
+  CHECK_THROWS_AS((void)minimise_enthalpy(state, law, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)minimise_enthalpy(state, law, std::numeric_limits<double>::quiet_NaN()), InvalidArgument);
+  State empty;
+  empty.radius = 1e-3;
+  CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);
+}

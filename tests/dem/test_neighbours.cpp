@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The slow exact twin of the cell list: all pairs over all images.
+#include <granum/dem/neighbours.hpp>
+
+#include <random>
+#include <set>
+#include <tuple>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+std::vector<Vec3> random_points(const Mat3& cell, std::size_t count, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    Vec3 s;
+    for (int axis = 0; axis < 3; ++axis)
+      s[axis] = static_cast<double>(random() >> 11) * 0x1p-53;
+    points.push_back(cell * s);
+  }
+  return points;
+}
+
+std::vector<Pair> all_pairs(const Mat3& cell, const std::vector<Vec3>& x, double cutoff) {
+  const auto shifts = shift_vectors(cell);
+  std::vector<Pair> pairs;
+  for (std::uint32_t i = 0; i < x.size(); ++i)
+    for (std::uint32_t j = i + 1; j < x.size(); ++j)
+      for (std::uint32_t image = 0; image < 27; ++image)
+        if (norm(x[j] + shifts[image] - x[i]) < cutoff)
+          pairs.push_back({i, j, image});
+  return pairs;
+}
+
+} // namespace
+
+TEST_CASE("the cell list finds exactly the pairs that a search over all images finds") {
+  const Mat3 cube = Mat3::diagonal(1, 1, 1);
+  const Mat3 slab = Mat3::diagonal(0.9, 1.7, 3.1);
+  const Mat3 skew{{{1.2, 0.3, -0.2}, {0, 1.1, 0.25}, {0.1, 0, 1.3}}};
+  for (const Mat3& cell : {cube, slab, skew})
+    for (const double cutoff : {0.12, 0.2, 0.29, 0.4}) {
+      const std::vector<Vec3> x = random_points(cell, 300, 7);
+      CHECK(neighbour_pairs(cell, x, cutoff) == all_pairs(cell, x, cutoff));
+    }
+}
+
+TEST_CASE("wrapping moves by whole edge vectors into the cell") {
+  const Mat3 cell{{{1.2, 0.3, -0.2}, {0, 1.1, 0.25}, {0.1, 0, 1.3}}};
+  std::vector<Vec3> x = random_points(cell, 50, 3);
+  const std::vector<Vec3> inside = x;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] += cell * Vec3{static_cast<double>(k % 3) - 1, static_cast<double>(k % 5) - 2, 1};
+  wrap(cell, x);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    CHECK(norm(x[k] - inside[k]) < 1e-14);
+}
+
+TEST_CASE("a cell too narrow for the cutoff is refused, for no pair may meet twice") {
+  const std::vector<Vec3> x{{0.1, 0.1, 0.1}};
+  CHECK_THROWS_AS((void)neighbour_pairs(Mat3::diagonal(1, 1, 1), x, 0.51), InvalidArgument);
+  CHECK_THROWS_AS((void)neighbour_pairs(Mat3::diagonal(1, 1, 1), x, 0), InvalidArgument);
+  CHECK(neighbour_pairs(Mat3::diagonal(1, 1, 1), x, 0.5).empty());
+  CHECK(neighbour_pairs(Mat3::diagonal(1, 1, 1), {}, 0.5).empty());
+}

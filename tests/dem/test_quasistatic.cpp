@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/quasistatic.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+constexpr double radius = 0.5e-3;
+}
+
+TEST_CASE("the servo brings a lattice to an isotropic pressure, where its overlaps are those of the closed form") {
+  const Material material = test::quartz(radius, 0.5);
+  Engine engine(test::fcc(radius, 3, 1e-8), material);
+  const double pressure = 50e3;
+  const QuasistaticReport report = equilibrate(engine, {pressure, pressure, pressure});
+  REQUIRE(report.converged());
+  for (int axis = 0; axis < 3; ++axis)
+    CHECK(report.stress(axis, axis) == doctest::Approx(pressure).epsilon(1e-6));
+  CHECK(report.unbalanced_force_ratio < 1e-6);
+  CHECK(report.largest_inertial_number <= 5e-4 * (1 + 1e-12));
+  const double overlap = material.law.overlap(std::numbers::sqrt2 * radius * radius * pressure);
+  const Assembly assembly = freeze(engine.state(), material);
+  // R in p = f/(sqrt 2 R^2) is half of the branch: 2 overlap/R apart from the radius.
+  CHECK(assembly.contacts.front().overlap == doctest::Approx(overlap).epsilon(1e-3));
+}
+
+TEST_CASE("small strains of a lattice give the closed-form moduli") {
+  const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
+  const double overlap = 2e-7;
+  const State state = test::fcc(radius, 3, overlap);
+  const double k_n = material.law.stiffness_at_overlap(overlap);
+  const double k_t = material.tangential_stiffness_ratio * k_n;
+  const double half_branch = radius - overlap / 2;
+  const double strain = 1e-9;
+  // Half of the stress swing between +strain and -strain over the strain.
+  const auto modulus = [&](Mat3 direction, int row, int column) {
+    double swing = 0;
+    for (const double sign : {1.0, -1.0}) {
+      Engine engine(state, material);
+      swing -= sign * deform(engine, (sign * strain) * direction, 50, {.force_tolerance = 1e-9}).stress(row, column);
+    }
+    return swing / (2 * strain);
+  };
+  Mat3 axial, shear;
+  axial(0, 0) = 1;
+  shear(0, 2) = 1;
+  const double c11 = (k_n + k_t) / (std::numbers::sqrt2 * half_branch);
+  // Terms of order stress / modulus, about overlap/R = 4e-4, stand between Cauchy stress rates and the stiffness.
+  CHECK(modulus(axial, 0, 0) == doctest::Approx(c11).epsilon(1e-3));
+  CHECK(modulus(axial, 1, 1) == doctest::Approx((k_n - k_t) / (2 * std::numbers::sqrt2 * half_branch)).epsilon(1e-2));
+  CHECK(modulus(shear, 0, 2) == doctest::Approx(c11 / 2).epsilon(1e-3));
+}
+
+TEST_CASE("runs that cannot arrive say so") {
+  const Material material = test::quartz(radius, 0.5);
+  Engine engine(test::fcc(radius, 3, 1e-8), material);
+  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.max_steps = 20}).outcome == Outcome::step_limit);
+  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.stop_requested = [] { return true; }}).outcome == Outcome::stopped);
+  CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
+  CHECK_THROWS_AS((void)equilibrate(engine, {1e5, 1e5, 1e5}, {.inertial_number = 0}), InvalidArgument);
+}

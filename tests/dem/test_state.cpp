@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/state.hpp>
+
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+
+namespace {
+
+/// Three spheres in a bent chain, R = 0.5 mm, G = 30 GPa, nu = 0.15, overlaps 1e-7 m and 2e-7 m: LAMMPS, LIGGGHTS and
+/// YADE all print the forces below for it.
+dem::State chain() {
+  dem::State state;
+  state.radius = 0.5e-3;
+  state.cell = Mat3::diagonal(4e-3, 4e-3, 4e-3);
+  state.position = {{1.0e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2.9998e-3}};
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("forces of a three-sphere chain are those that three other codes print") {
+  const Assembly assembly = dem::freeze(chain(), test::quartz(0.5e-3, 0.5));
+  REQUIRE(assembly.contacts.size() == 2);
+  const Contact& ab = assembly.contacts[0];
+  const Contact& bc = assembly.contacts[1];
+  // Printed to 10 digits; the overlaps themselves are differences of lengths 1e4 times as large.
+  CHECK(ab.normal_force == doctest::Approx(0.0235294118).epsilon(1e-9));
+  CHECK(bc.normal_force == doctest::Approx(0.0665512265).epsilon(1e-9));
+  CHECK(bc.overlap == doctest::Approx(2e-7).epsilon(1e-10));
+  CHECK(bc.branch.z == doctest::Approx(0.9998e-3).epsilon(1e-14));
+  CHECK(bc.normal_stiffness == doctest::Approx(1.5 * bc.normal_force / bc.overlap).epsilon(1e-14));
+  CHECK(bc.tangential_stiffness / bc.normal_stiffness == doctest::Approx(2 * 0.85 / 1.85).epsilon(1e-15));
+  require_valid(assembly);
+}
+
+TEST_CASE("a frozen state carries tangential forces and says which contacts slide") {
+  dem::State state = chain();
+  const dem::Material material = test::quartz(0.5e-3, 0.5);
+  state.history = {{0, 1, {0, 0.5 * 0.0235294118 * 1.1, 0}, 1.0}, {1, 2, {1e-3, 0, 0}, 1.0}};
+  const Assembly assembly = dem::freeze(state, material);
+  CHECK(assembly.contacts[0].sliding);
+  CHECK_FALSE(assembly.contacts[1].sliding);
+  CHECK(assembly.contacts[1].tangential_force == Vec3{1e-3, 0, 0});
+  dem::Material sticking = material;
+  sticking.friction_coefficient = std::numeric_limits<double>::infinity();
+  CHECK_FALSE(dem::freeze(state, sticking).contacts[0].sliding);
+}
+
+TEST_CASE("contacts across the border of the cell have the same branch as inside") {
+  const dem::Material material = test::quartz(0.5e-3, 0.5);
+  dem::State state = chain();
+  const Assembly inside = dem::freeze(state, material);
+  for (Vec3& x : state.position)
+    x += Vec3{2.5e-3, -2.1e-3, 1.2e-3};
+  const Assembly across = dem::freeze(state, material);
+  REQUIRE(across.contacts.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    CHECK(norm(across.contacts[k].branch - inside.contacts[k].branch) < 1e-17);
+}
+
+TEST_CASE("void ratio of a touching face-centred cubic lattice") {
+  const double expected = 3 * std::sqrt(2.0) / 3.14159265358979323846 - 1;
+  CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == doctest::Approx(expected).epsilon(1e-14));
+}
+
+TEST_CASE("impossible materials are named") {
+  dem::Material material = test::quartz(1e-3, -0.1);
+  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
+  material = test::quartz(1e-3, 0.5);
+  material.density = 0;
+  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
+  material = test::quartz(1e-3, 0.5);
+  material.tangential_stiffness_ratio = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
+}
