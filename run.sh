@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The main job, from nothing: sets the machine up, builds build/release/granum, and runs `granum verify`.
+# Arguments go to `granum verify`; standard output is the program's alone.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+
+"$root/scripts/setup.sh" run
+(cd -- "$root" && cmake --preset release && cmake --build --preset release) >&2
+exec "$root/build/release/granum" verify "$@"

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what granum needs and this machine lacks:  scripts/setup.sh run|test|tidy
+# This is the only place that names the packages. Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
+set -euo pipefail
+
+run_packages=(
+  g++ cmake ninja-build
+  libeigen3-dev libboost-dev libgsl-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
+)
+test_packages=("${run_packages[@]}" doctest-dev clang-format)
+tidy_packages=("${test_packages[@]}" clang-tidy)
+
+case "${1:-}" in
+run) packages=("${run_packages[@]}") ;;
+test) packages=("${test_packages[@]}") ;;
+tidy) packages=("${tidy_packages[@]}") ;;
+*)
+  echo "usage: scripts/setup.sh run|test|tidy" >&2
+  exit 2
+  ;;
+esac
+
+[ "${GRANUM_SKIP_SETUP:-0}" = 1 ] && exit 0
+
+# dpkg's own scripts need an exported PATH with the sbin folders.
+export PATH="${PATH:-/usr/bin:/bin}:/usr/local/sbin:/usr/sbin:/sbin"
+
+missing=()
+if command -v dpkg-query >/dev/null; then
+  for package in "${packages[@]}"; do
+    state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$state" = installed ] || missing+=("$package")
+  done
+  [ "${#missing[@]}" -gt 0 ] || exit 0
+else
+  missing=("${packages[@]}")
+fi
+
+give_up() {
+  {
+    echo "granum: $1"
+    echo "  needed, by their Debian 12 names: ${missing[*]}"
+    echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, and the small libraries named)"
+    echo "  Install them, then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
+  } >&2
+  exit 3
+}
+
+system=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-0}" || echo "unknown 0")
+case "$system" in
+"debian 12" | "debian 13") ;;
+*) give_up "this system ($system) is not Debian 12, so packages are not installed automatically." ;;
+esac
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || give_up "packages are missing, and installing them needs root."
+  as_root=(sudo)
+  [ -t 0 ] || as_root=(sudo -n)
+fi
+
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null >&2
+}
+
+echo "granum: installing ${missing[*]}" >&2
+# The package lists are fetched only where they do not yet know, or no longer serve, what is missing.
+if ! apt-get -qq -s install --no-install-recommends "${missing[@]}" >/dev/null 2>&1; then
+  apt update || give_up "the package lists cannot be fetched."
+fi
+install=(install -y --no-install-recommends "${missing[@]}")
+apt "${install[@]}" || { apt update && apt "${install[@]}"; } || give_up "the packages cannot be installed."
