@@ -12,6 +12,16 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
+
+# A header that no granum_module() line names would be neither checked nor installed.
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+file(GLOB_RECURSE written RELATIVE "${root}/include" "${root}/include/*")
+file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/include/*")
+if(NOT installed OR NOT written STREQUAL installed)
+  list(REMOVE_ITEM written ${installed})
+  message(FATAL_ERROR "not installed: ${written}")
+endif()
+
 run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${build}" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${prefix}" "-DGRANUM_EXPECTED_VERSION=${VERSION}")
 run("${CMAKE_COMMAND}" --build "${build}")
