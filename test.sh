@@ -3,6 +3,7 @@
 # All tests, from nothing: sets the machine up, then formatting, the unit tests under the sanitizers, and every test of
 # the release build with warnings as errors. Each step runs even where an earlier one failed; exit code 1 if any did.
 set -uo pipefail
+export PATH # bash supplies one where the environment has none; cmake needs to see it
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")" || exit 1
 
 scripts/setup.sh test || exit
@@ -21,7 +22,7 @@ step() {
     failed=1
   fi
   summary+=$(printf '%-12s %s in %d s' "$name" "$verdict" $((SECONDS - start)))$'\n'
-  summary+=$(sed -n '/% tests passed/p; /The following tests FAILED/,/^Errors/{/^\t/p}' "$log")$'\n'
+  summary+=$(sed -n '/% tests passed/p; /The following tests FAILED/,/^Errors/{/^\t/p}' "$log" | sed '$s/$/\n/')
 }
 
 step formatting scripts/format.sh --check

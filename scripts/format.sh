@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Formats every C++ source in place; with --check changes nothing and fails if one is not formatted.
+# Formats every C++ source in place; with --check changes nothing and fails if one is not formatted. Comments are left as
+# they are written, except that --check also refuses lines of more than 110 characters.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
@@ -12,5 +13,9 @@ case "${1:-}" in
   exit 2
   ;;
 esac
-find include src tests examples validation \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
-  xargs -0 clang-format "${action[@]}"
+mapfile -d '' sources < <(find include src tests examples validation \( -name '*.hpp' -o -name '*.cpp' \) -print0)
+clang-format "${action[@]}" "${sources[@]}"
+if [ "${1:-}" = --check ] && LC_ALL=C.UTF-8 grep -nE '^.{111,}' "${sources[@]}"; then
+  echo "these lines are longer than 110 characters" >&2
+  exit 1
+fi

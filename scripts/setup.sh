@@ -25,7 +25,7 @@ esac
 [ "${GRANUM_SKIP_SETUP:-0}" = 1 ] && exit 0
 
 # dpkg's own scripts need an exported PATH with the sbin folders.
-export PATH="${PATH:-/usr/bin:/bin}:/usr/local/sbin:/usr/sbin:/sbin"
+export PATH="$PATH:/usr/local/sbin:/usr/sbin:/sbin"
 
 missing=()
 if command -v dpkg-query >/dev/null; then

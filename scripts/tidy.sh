@@ -3,6 +3,7 @@
 # clang-tidy over the library and the program, after the whitelist in .clang-tidy; any finding fails.
 # With arguments, over those sources only:  scripts/tidy.sh src/contact/power_law.cpp
 set -euo pipefail
+export PATH # bash supplies one where the environment has none; cmake needs to see it
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 scripts/setup.sh tidy

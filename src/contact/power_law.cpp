@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: G, nu of the grain; A profile constant; c coefficient of the full approach d; c_half of Eq. 3, which is
-// written in half of d: c = c_half 2^-(1+1/alpha).
+// Notation: G, nu of the grain; A profile constant; c coefficient of the full approach d; c_half of Eq. 3,
+// which is written in half of d: c = c_half 2^-(1+1/alpha).
 #include <granum/contact/power_law.hpp>
 
 #include <cmath>

@@ -11,7 +11,8 @@ namespace granum {
 
 namespace {
 
-double require(bool ok, std::string_view name, double value, std::string_view unit, const std::string& range) {
+double require(bool ok, std::string_view name, double value, std::string_view unit,
+               const std::string& range) {
   if (!ok)
     throw InvalidArgument(std::string(name), value, std::string(unit), range);
   return value;

@@ -7,7 +7,8 @@ namespace granum {
 
 namespace {
 
-std::string out_of_range_text(const std::string& name, double value, const std::string& unit, const std::string& range) {
+std::string out_of_range_text(const std::string& name, double value, const std::string& unit,
+                              const std::string& range) {
   char number[40];
   std::snprintf(number, sizeof number, "%.10g", value);
   return name + " = " + number + (unit.empty() ? "" : " " + unit) + " is outside " + range;

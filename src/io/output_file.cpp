@@ -31,8 +31,8 @@ void write_file(const std::filesystem::path& path, std::string_view text, Existi
   std::FILE* file = std::fopen(temporary.c_str(), "wb");
   if (file == nullptr)
     fail(path, temporary, errno);
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
-                       fsync(fileno(file)) == 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
+                       std::fflush(file) == 0 && fsync(fileno(file)) == 0;
   const int write_error = errno;
   const bool closed = std::fclose(file) == 0;
   if (!written || !closed)

@@ -31,9 +31,9 @@ struct Contact {
 
 /// Grains, contacts and the periodic cell that holds them. Contacts are sorted by (i, j).
 struct Assembly {
-  Mat3 cell;                   ///< columns are the three periodic edge vectors [m]
-  std::vector<Vec3> position;  ///< centres [m]
-  std::vector<double> radius;  ///< [m], one for each centre
+  Mat3 cell;                  ///< columns are the three periodic edge vectors [m]
+  std::vector<Vec3> position; ///< centres [m]
+  std::vector<double> radius; ///< [m], one for each centre
   std::vector<Contact> contacts;
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
@@ -43,8 +43,8 @@ struct Assembly {
   bool operator==(const Assembly&) const = default;
 };
 
-/// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0, indices in range
-/// and i < j, branches and stiffnesses finite, forces finite.
+/// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0,
+/// indices in range and i < j, branches and stiffnesses finite, forces finite.
 /// \throws   InvalidArgument naming the first grain or contact that is not.
 void require_valid(const Assembly& assembly);
 

@@ -20,8 +20,8 @@ struct NormalResponse {
   double stiffness = 0; ///< k_n = df/dd [N/m]
 };
 
-/// The kernels f = c d^(1+1/alpha), k_n = (1+1/alpha) f/d: unchecked, noexcept, one small type a law so that a sweep
-/// over contacts is compiled for its law. Assumes overlap >= 0.
+/// The kernels f = c d^(1+1/alpha), k_n = (1+1/alpha) f/d: unchecked, noexcept, one small type a law so that
+/// a sweep over contacts is compiled for its law. Assumes overlap >= 0.
 struct ConeKernel {
   double coefficient;
   NormalResponse operator()(double overlap) const noexcept {
@@ -50,11 +50,12 @@ struct GeneralKernel {
 };
 using NormalKernel = std::variant<ConeKernel, SphereKernel, FlatKernel, GeneralKernel>;
 
-/// Power-law contact f = c d^(1+1/alpha) of two identical elastic grains.       [paper Eq. 3; theory: Galin, Sneddon]
+/// Power-law contact f = c d^(1+1/alpha) of two identical elastic grains.
+/// [paper Eq. 3; Galin1946; Sneddon1965]
 /// Assumes   identical grains, contact radius small against the grain, monotonic loading.
 /// Checked by tests/contact/test_power_law.cpp
 class PowerLaw {
-public:
+ public:
   /// alpha = 1: cones of slope A_1 > 0 (tangent of the flank angle) [1].
   static PowerLaw cone(const GrainMaterial& grain, double slope);
   /// alpha = 2: spheres of radius R > 0 [m], A_2 = 1/(2R); Hertz's law.
@@ -81,7 +82,7 @@ public:
   [[nodiscard]] double overlap(double force) const;
   /// k_n = df/dd [N/m] at overlap d >= 0 [m].
   [[nodiscard]] double stiffness_at_overlap(double overlap) const;
-  /// k_n [N/m] at force f >= 0 [N]: (1+1/alpha) c^(alpha/(1+alpha)) f^(1/(1+alpha)).            [paper Eq. 4, halved]
+  /// k_n [N/m] at force f >= 0 [N]: (1+1/alpha) c^(alpha/(1+alpha)) f^(1/(1+alpha)).    [paper Eq. 4, halved]
   [[nodiscard]] double stiffness_at_force(double force) const;
   /// Elastic energy alpha/(2 alpha+1) f d [J] stored at overlap d >= 0 [m].
   [[nodiscard]] double energy(double overlap) const;
@@ -91,7 +92,7 @@ public:
   /// The unchecked kernel of this law, for sweeps.
   [[nodiscard]] NormalKernel kernel() const;
 
-private:
+ private:
   PowerLaw(const GrainMaterial& grain, double alpha, double coefficient);
 
   GrainMaterial grain_;
@@ -99,7 +100,8 @@ private:
   double coefficient_ = 0;
 };
 
-/// k_t/k_n = 2(1-nu)/(2-nu) of the no-slip contact of identical grains, any axisymmetric profile.  [paper Eq. 8]
+/// k_t/k_n = 2(1-nu)/(2-nu) of the no-slip contact of identical grains, any axisymmetric profile.
+/// [paper Eq. 8]
 /// \throws InvalidArgument unless -1 < poisson_ratio <= 0.5.
 [[nodiscard]] double mindlin_stiffness_ratio(double poisson_ratio);
 

@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-/// Range checks of public functions. Each returns its value, so that a check can stand where the value is used.
+/// Range checks of public functions. Each returns its value, so that a check can stand where the value is
+/// used.
 /// Assumes   name and unit are what the user knows the argument by; unit "" for a pure number.
 /// \throws   InvalidArgument with name, value, unit and the allowed range; NaN and infinity never pass.
 /// Checked by tests/core/test_check.cpp
@@ -16,7 +17,8 @@ double require_positive(std::string_view name, double value, std::string_view un
 /// value >= 0 and finite.
 double require_non_negative(std::string_view name, double value, std::string_view unit = "");
 /// low <= value <= high.
-double require_closed(std::string_view name, double value, double low, double high, std::string_view unit = "");
+double require_closed(std::string_view name, double value, double low, double high,
+                      std::string_view unit = "");
 /// low < value < high.
 double require_open(std::string_view name, double value, double low, double high, std::string_view unit = "");
 

@@ -6,7 +6,8 @@
 
 namespace granum {
 
-/// Notes on a value that is possible but lies outside the range for which its formula was derived or measured.
+/// Notes on a value that is possible but lies outside the range for which its formula was derived or
+/// measured.
 /// Empty: nothing to say. The program prints the notes as warnings; `--strict` makes them an error.
 struct Validity {
   std::vector<std::string> notes;

@@ -11,9 +11,10 @@ enum class Existing {
   replace, ///< an existing file is replaced, whole, at the end
 };
 
-/// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text goes to a
-/// temporary name in the same folder, is flushed to disk, and is renamed.
-/// \throws   FileError if the file exists and existing is keep, or if writing fails (no temporary file stays behind)
+/// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text goes
+/// to a temporary name in the same folder, is flushed to disk, and is renamed.
+/// \throws   FileError if the file exists and existing is keep, or if writing fails (no temporary file
+///                     stays behind)
 /// Checked by tests/io/test_output_file.cpp
 void write_file(const std::filesystem::path& path, std::string_view text, Existing existing);
 
