@@ -9,25 +9,28 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")" || exit 1
 scripts/setup.sh test || exit
 mkdir -p build
 
-summary=""
 failed=0
-# step <name> <command>...: runs it, keeps its output in build/test-<name>.log, notes the verdict and ctest's own summary.
+declare -A verdict
+# step <name> <command>...: runs it, keeps its output in build/test-<name>.log, and notes the verdict.
 step() {
-  local name=$1 log="build/test-$1.log" start=$SECONDS verdict=passed
+  local name=$1 start=$SECONDS outcome=passed
   shift
   printf '\n===== %s\n' "$name"
-  "$@" 2>&1 </dev/null | tee "$log"
-  if [ "${PIPESTATUS[0]}" -ne 0 ]; then
-    verdict=FAILED
+  if ! "$@" 2>&1 </dev/null | tee "build/test-$name.log"; then
+    outcome=FAILED
     failed=1
   fi
-  summary+=$(printf '%-12s %s in %d s' "$name" "$verdict" $((SECONDS - start)))$'\n'
-  summary+=$(sed -n '/% tests passed/p; /The following tests FAILED/,/^Errors/{/^\t/p}' "$log" | sed '$s/$/\n/')
+  verdict[$name]="$outcome in $((SECONDS - start)) s"
 }
 
 step formatting scripts/format.sh --check
 step sanitizers cmake --workflow --preset sanitize
 step tests cmake --workflow --preset ci
 
-printf '\n===== summary\n%s' "$summary" | cat -s
+printf '\n===== summary\n'
+for name in formatting sanitizers tests; do
+  printf '%-10s  %s\n' "$name" "${verdict[$name]}"
+  # ctest's own words: what failed, and how many
+  sed -n '/% tests passed/p; /The following tests FAILED/,/^Errors/{/^\t/p}' "build/test-$name.log"
+done
 exit "$failed"
