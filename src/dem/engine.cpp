@@ -53,7 +53,8 @@ struct SweepInput {
 
 /// Contact forces of all pairs; tangential false leaves rotations and memory untouched.
 template <bool tangential, class Law>
-Sums contact_sweep(const Law& law, const SweepInput& in, std::vector<Memory>& memory, std::vector<Load>& load) {
+Sums contact_sweep(const Law& law, const SweepInput& in, std::vector<Memory>& memory,
+                   std::vector<Load>& load) {
   Sums sums;
   std::fill(load.begin(), load.end(), Load{});
   const double diameter = in.diameter, ratio = in.tangential_ratio, friction = in.friction, dt = in.dt;
@@ -233,8 +234,14 @@ void Engine::Data::rebuild() {
 }
 
 void Engine::Data::sweep(double elapsed) {
-  const SweepInput input{list.pairs(), motion, shift_vectors(cold.cell), gradient,
-                         2 * cold.radius, elapsed, material.tangential_stiffness_ratio, friction};
+  const SweepInput input{list.pairs(),
+                         motion,
+                         shift_vectors(cold.cell),
+                         gradient,
+                         2 * cold.radius,
+                         elapsed,
+                         material.tangential_stiffness_ratio,
+                         friction};
   const Sums sums = std::visit(
       [&](const auto& kernel) {
         return tangential ? contact_sweep<true>(kernel, input, memory, load)
@@ -276,7 +283,8 @@ void Engine::Data::choose_time_step() {
     if (squared >= diameter * diameter)
       continue;
     const double length = std::sqrt(squared);
-    const double k_n = std::visit([&](const auto& kernel) { return kernel(diameter - length).stiffness; }, law);
+    const double k_n =
+        std::visit([&](const auto& kernel) { return kernel(diameter - length).stiffness; }, law);
     const Mat3 nn = (1 / squared) * outer(branch, branch);
     const Mat3 plane = Mat3::identity() + -1.0 * nn;
     const Mat3 block = k_n * nn + (ratio * k_n) * plane;

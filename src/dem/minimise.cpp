@@ -74,11 +74,12 @@ struct FireRule {
 };
 
 class Minimiser {
-public:
+ public:
   Minimiser(State& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : state_(state), law_(law.kernel()), pressure_(pressure), options_(options),
-        list_(2 * state.radius, 0.1 * state.radius), force_(state.grain_count()), velocity_(state.grain_count()),
+        list_(2 * state.radius, 0.1 * state.radius), force_(state.grain_count()),
+        velocity_(state.grain_count()),
         cell_inertia_(cell_inertia_per_grain * static_cast<double>(state.grain_count()) * state.radius *
                       state.radius) {
     list_.build(state_.cell, state_.position);
@@ -102,7 +103,7 @@ public:
     return report;
   }
 
-private:
+ private:
   /// W/(m N R^2): the cell's period is then that of the specimen's slow sound waves.
   static constexpr double cell_inertia_per_grain = 500;
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
@@ -114,7 +115,8 @@ private:
     double residual = 0;
     for (const Vec3& f : force_)
       residual += norm(f);
-    return residual / static_cast<double>(force_.size()) * static_cast<double>(sweep.contacts) / sweep.force_sum;
+    return residual / static_cast<double>(force_.size()) * static_cast<double>(sweep.contacts) /
+           sweep.force_sum;
   }
 
   [[nodiscard]] bool arrived(const Sweep& sweep, const RelaxReport& report) const {
@@ -127,7 +129,8 @@ private:
   /// One FIRE step: semi-implicit Euler, velocities turned towards the force while the power is positive.
   void advance(const Sweep& sweep) {
     const double volume = determinant(state_.cell);
-    const double cell_force = pressure_ ? (sweep.virial - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
+    const double cell_force =
+        pressure_ ? (sweep.virial - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
     // Unit mass: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen lately.
     stiffness_scale_ = std::max(sweep.stiffest, 0.98 * stiffness_scale_);
     if (!(stiffness_scale_ > 0))

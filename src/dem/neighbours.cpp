@@ -71,8 +71,9 @@ Neighbour neighbour(int b, int d, int count) {
 }
 
 /// Offsets to visit on an axis: with 1 or 2 bins the outer ones repeat, but each with another shift, so none is lost.
-void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home, std::span<const Vec3> position,
-                    const std::array<Vec3, 27>& shifts, double cutoff_squared, std::vector<Pair>& out) {
+void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home,
+                    std::span<const Vec3> position, const std::array<Vec3, 27>& shifts, double cutoff_squared,
+                    std::vector<Pair>& out) {
   for (int dx = -1; dx <= 1; ++dx)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dz = -1; dz <= 1; ++dz) {
@@ -136,7 +137,8 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   pairs.reserve(position.size() * 4);
   for (std::uint32_t i = 0; i < position.size(); ++i) {
     const std::size_t first = pairs.size();
-    pairs_of_grain(i, bins, bin_of(bins, to_fraction * position[i]), position, shifts, cutoff * cutoff, pairs);
+    pairs_of_grain(i, bins, bin_of(bins, to_fraction * position[i]), position, shifts, cutoff * cutoff,
+                   pairs);
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
               [](const Pair& a, const Pair& b) { return a.j < b.j; });
   }

@@ -81,7 +81,8 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
       norm_squared += square(strain_rate);
     }
     if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts > 0 &&
-        worst < options.stress_tolerance * pressure && now.unbalanced_force_ratio() < options.force_tolerance) {
+        worst < options.stress_tolerance * pressure &&
+        now.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;
       break;
     }

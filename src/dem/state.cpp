@@ -42,7 +42,8 @@ Assembly freeze(const State& state, const Material& material) {
     c.j = pair.j;
     c.branch = assembly.position[pair.j] + shifts[pair.image] - assembly.position[pair.i];
     c.overlap = 2 * state.radius - norm(c.branch);
-    const contact::NormalResponse response = std::visit([&](const auto& law) { return law(c.overlap); }, kernel);
+    const contact::NormalResponse response =
+        std::visit([&](const auto& law) { return law(c.overlap); }, kernel);
     c.normal_force = response.force;
     c.normal_stiffness = response.stiffness;
     c.tangential_stiffness = material.tangential_stiffness_ratio * response.stiffness;

@@ -13,7 +13,7 @@ namespace granum::dem {
 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.
 class VerletList {
-public:
+ public:
   VerletList(double contact_distance, double skin) : contact_distance_(contact_distance), skin_(skin) {}
 
   /// Wraps the centres and lists the pairs anew.
@@ -43,7 +43,7 @@ public:
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double skin() const { return skin_; }
 
-private:
+ private:
   double contact_distance_;
   double skin_;
   std::vector<Pair> pairs_;

@@ -28,7 +28,8 @@ Vec3 uniform_in_cube(Random& random, double low, double high) {
 
 dem::State seeds(const SpecimenRecipe& recipe) {
   const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
-  const double edge = std::cbrt(static_cast<double>(recipe.grains) * grain * (1 + recipe.expansion_void_ratio));
+  const double edge =
+      std::cbrt(static_cast<double>(recipe.grains) * grain * (1 + recipe.expansion_void_ratio));
   Random random(recipe.seed);
   dem::State state;
   state.cell = Mat3::diagonal(edge, edge, edge);
@@ -46,8 +47,8 @@ contact::PowerLaw linear_law(const SpecimenRecipe& recipe) {
 dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stage) {
   if (!report.converged)
     throw NotConverged("specimen preparation, " + stage + ": unbalanced force ratio " +
-                       std::to_string(report.unbalanced_force_ratio) + " after " + std::to_string(report.steps) +
-                       " steps");
+                       std::to_string(report.unbalanced_force_ratio) + " after " +
+                       std::to_string(report.steps) + " steps");
   return report;
 }
 
@@ -92,9 +93,9 @@ Preparation frictionless_specimen(const SpecimenRecipe& recipe) {
   for (const double factor : {100.0, 10.0, 1.0}) {
     dem::MinimiseOptions options;
     options.force_tolerance = options.pressure_tolerance = factor > 1 ? 1e-3 : 1e-6;
-    preparation.last = arrived(
-        dem::minimise_enthalpy(preparation.state, recipe.material.law, factor * recipe.first_pressure, options),
-        "frictionless compression");
+    preparation.last = arrived(dem::minimise_enthalpy(preparation.state, recipe.material.law,
+                                                      factor * recipe.first_pressure, options),
+                               "frictionless compression");
     preparation.minimiser_steps += preparation.last.steps;
   }
   return preparation;
@@ -113,14 +114,16 @@ dem::State unjam(dem::State state, const SpecimenRecipe& recipe) {
   }
   dem::MinimiseOptions options;
   options.overlap_tolerance = 1e-6;
-  const dem::RelaxReport report = arrived(dem::minimise_energy(state, linear_law(recipe), options), "unjamming");
+  const dem::RelaxReport report =
+      arrived(dem::minimise_energy(state, linear_law(recipe), options), "unjamming");
   if (report.unbalanced_force_ratio < options.force_tolerance && report.pressure > 0)
     throw NotConverged("unjamming_strain " + std::to_string(recipe.unjamming_strain) +
                        " does not unjam this specimen; make it larger");
   return state;
 }
 
-dem::State start_of_compression(const dem::State& frictionless, Density density, const SpecimenRecipe& recipe) {
+dem::State start_of_compression(const dem::State& frictionless, Density density,
+                                const SpecimenRecipe& recipe) {
   return density == Density::loose ? unjam(frictionless, recipe) : frictionless;
 }
 
@@ -133,7 +136,8 @@ dem::QuasistaticOptions compression_options() {
 }
 
 bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
-                    const dem::QuasistaticOptions& options, const std::function<bool(const Snapshot&)>& visit) {
+                    const dem::QuasistaticOptions& options,
+                    const std::function<bool(const Snapshot&)>& visit) {
   for (const double pressure : pressures) {
     dem::Engine engine(std::move(state), material);
     Snapshot snapshot;

@@ -59,7 +59,8 @@ TEST_CASE("an undamped frictionless collision conserves energy and momentum") {
   CHECK(norm(momentum - Vec3{0, 0.002, 0.001}) < 1e-14);
 }
 
-TEST_CASE("tangential force: k_t times the relative displacement of the surfaces, equal and opposite torques") {
+TEST_CASE(
+    "tangential force: k_t times the relative displacement of the surfaces, equal and opposite torques") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const double overlap = 1e-7;
   State state = pair_state(overlap);
@@ -130,8 +131,9 @@ TEST_CASE("the chosen time step stays below the stability limit of a stiff, regu
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   State state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g)
-    state.velocity[g] = 1e-6 * Vec3{std::sin(7.0 * static_cast<double>(g)), std::cos(3.0 * static_cast<double>(g)),
-                                    std::sin(11.0 * static_cast<double>(g) + 1)};
+    state.velocity[g] =
+        1e-6 * Vec3{std::sin(7.0 * static_cast<double>(g)), std::cos(3.0 * static_cast<double>(g)),
+                    std::sin(11.0 * static_cast<double>(g) + 1)};
   Engine engine(state, material);
   engine.set_damping(0);
   const double start = engine.kinetic_energy();
@@ -144,11 +146,13 @@ TEST_CASE("the chosen time step stays below the stability limit of a stiff, regu
   CHECK(engine.finite());
 }
 
-TEST_CASE("the same start gives the same bits, and a state taken out and put back goes on with the same forces") {
+TEST_CASE(
+    "the same start gives the same bits, and a state taken out and put back goes on with the same forces") {
   const Material material = test::quartz(radius, 0.5);
   State state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g)
-    state.velocity[g] = {1e-4 * std::sin(5.0 * static_cast<double>(g)), 0, 1e-4 * std::cos(2.0 * static_cast<double>(g))};
+    state.velocity[g] = {1e-4 * std::sin(5.0 * static_cast<double>(g)), 0,
+                         1e-4 * std::cos(2.0 * static_cast<double>(g))};
   const auto run = [&](State start, int steps) {
     Engine engine(std::move(start), material);
     for (int k = 0; k < steps; ++k)
@@ -162,7 +166,8 @@ TEST_CASE("the same start gives the same bits, and a state taken out and put bac
   const Assembly after = freeze(again.state(), material);
   REQUIRE(before.contacts.size() == after.contacts.size());
   for (std::size_t k = 0; k < before.contacts.size(); ++k)
-    CHECK(norm(force(before.contacts[k]) - force(after.contacts[k])) <= 1e-9 * norm(force(before.contacts[k])));
+    CHECK(norm(force(before.contacts[k]) - force(after.contacts[k])) <=
+          1e-9 * norm(force(before.contacts[k])));
 }
 
 TEST_CASE("own velocities are measured against the cell: a deforming cell does not drag its grains") {

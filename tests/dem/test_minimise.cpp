@@ -99,7 +99,8 @@ TEST_CASE("impossible minimisations are refused") {
   State state = disordered(1e-3);
   const contact::PowerLaw law = test::quartz_sphere(1e-3);
   CHECK_THROWS_AS((void)minimise_enthalpy(state, law, 0), InvalidArgument);
-  CHECK_THROWS_AS((void)minimise_enthalpy(state, law, std::numeric_limits<double>::quiet_NaN()), InvalidArgument);
+  CHECK_THROWS_AS((void)minimise_enthalpy(state, law, std::numeric_limits<double>::quiet_NaN()),
+                  InvalidArgument);
   State empty;
   empty.radius = 1e-3;
   CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);

@@ -17,7 +17,8 @@ namespace {
 constexpr double radius = 0.5e-3;
 }
 
-TEST_CASE("the servo brings a lattice to an isotropic pressure, where its overlaps are those of the closed form") {
+TEST_CASE(
+    "the servo brings a lattice to an isotropic pressure, where its overlaps are those of the closed form") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(test::fcc(radius, 3, 1e-8), material);
   const double pressure = 50e3;
@@ -46,7 +47,8 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
     double swing = 0;
     for (const double sign : {1.0, -1.0}) {
       Engine engine(state, material);
-      swing -= sign * deform(engine, (sign * strain) * direction, 50, {.force_tolerance = 1e-9}).stress(row, column);
+      swing -= sign *
+               deform(engine, (sign * strain) * direction, 50, {.force_tolerance = 1e-9}).stress(row, column);
     }
     return swing / (2 * strain);
   };
@@ -56,7 +58,8 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   const double c11 = (k_n + k_t) / (std::numbers::sqrt2 * half_branch);
   // Terms of order stress / modulus, about overlap/R = 4e-4, stand between Cauchy stress rates and the stiffness.
   CHECK(modulus(axial, 0, 0) == doctest::Approx(c11).epsilon(1e-3));
-  CHECK(modulus(axial, 1, 1) == doctest::Approx((k_n - k_t) / (2 * std::numbers::sqrt2 * half_branch)).epsilon(1e-2));
+  CHECK(modulus(axial, 1, 1) ==
+        doctest::Approx((k_n - k_t) / (2 * std::numbers::sqrt2 * half_branch)).epsilon(1e-2));
   CHECK(modulus(shear, 0, 2) == doctest::Approx(c11 / 2).epsilon(1e-3));
 }
 
@@ -64,7 +67,8 @@ TEST_CASE("runs that cannot arrive say so") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(test::fcc(radius, 3, 1e-8), material);
   CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.max_steps = 20}).outcome == Outcome::step_limit);
-  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.stop_requested = [] { return true; }}).outcome == Outcome::stopped);
+  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.stop_requested = [] { return true; }}).outcome ==
+        Outcome::stopped);
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, 1e5, 1e5}, {.inertial_number = 0}), InvalidArgument);
 }

@@ -11,12 +11,13 @@ namespace granum::dem {
 
 /// Figures of the last step, from which runs steer and stop.
 struct StepFigures {
-  Mat3 stress;                       ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
-  double mean_normal_force = 0;      ///< over contacts that touch [N]
-  double mean_residual = 0;          ///< of sqrt(force^2 + (torque/R)^2), over grains that touch others [N]
-  double p_wave_modulus = 0;         ///< mean uniform-strain modulus of the network, (1/V) sum k_n l^2 (1/5 + 2r/15) [Pa]
+  Mat3 stress;                  ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
+  double mean_normal_force = 0; ///< over contacts that touch [N]
+  double mean_residual = 0;     ///< of sqrt(force^2 + (torque/R)^2), over grains that touch others [N]
+  double p_wave_modulus =
+      0; ///< mean uniform-strain modulus of the network, (1/V) sum k_n l^2 (1/5 + 2r/15) [Pa]
   std::size_t contacts = 0;
-  std::size_t sliding = 0;           ///< contacts at the Coulomb limit in this step
+  std::size_t sliding = 0; ///< contacts at the Coulomb limit in this step
 
   /// Mean residual force and torque on a grain / mean contact force; 0 without contacts.
   [[nodiscard]] double unbalanced_force_ratio() const {
@@ -36,7 +37,7 @@ struct StepFigures {
 /// Without friction no rotations and no histories are modelled.
 /// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp
 class Engine {
-public:
+ public:
   /// \throws InvalidArgument for an empty state, a material or a radius that is impossible, a cell too small
   Engine(State state, const Material& material);
   ~Engine();
@@ -66,7 +67,7 @@ public:
   [[nodiscard]] State state() const;
   [[nodiscard]] const Material& material() const;
 
-private:
+ private:
   struct Data;
   std::unique_ptr<Data> data_;
 };

@@ -19,8 +19,9 @@ struct MinimiseOptions {
 struct [[nodiscard]] RelaxReport {
   bool converged = false;
   std::size_t steps = 0;
-  double unbalanced_force_ratio = 0; ///< mean residual force on a grain / mean contact force; 0 without contacts
-  double pressure = 0;               ///< mean contact stress [Pa]
+  double unbalanced_force_ratio =
+      0;               ///< mean residual force on a grain / mean contact force; 0 without contacts
+  double pressure = 0; ///< mean contact stress [Pa]
 };
 
 /// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.                         [Bitzek2006]

@@ -33,6 +33,7 @@ void wrap(const Mat3& cell, std::span<Vec3> position);
 /// \param    cutoff  [m], at most half of the smallest cell width, so that no pair meets twice
 /// \throws   InvalidArgument if the cell is too narrow for the cutoff
 /// Cost      O(N) by cells of the cutoff's size.  Checked against all pairs by tests/dem/test_neighbours.cpp
-[[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff);
+[[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
+                                                double cutoff);
 
 } // namespace granum::dem

@@ -11,7 +11,8 @@
 namespace granum::dem {
 
 struct QuasistaticOptions {
-  double inertial_number = 5e-4;  ///< largest strain rate times d sqrt(density/p), p the target's mean stress [1]
+  double inertial_number =
+      5e-4; ///< largest strain rate times d sqrt(density/p), p the target's mean stress [1]
   double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
   double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
   std::size_t max_steps = 400000;
@@ -29,9 +30,9 @@ enum class Outcome {
 struct [[nodiscard]] QuasistaticReport {
   Outcome outcome = Outcome::step_limit;
   std::size_t steps = 0;
-  double unbalanced_force_ratio = 0;   ///< at the end [1]
-  double largest_inertial_number = 0;  ///< over the run [1]
-  Mat3 stress;                         ///< at the end [Pa]
+  double unbalanced_force_ratio = 0;  ///< at the end [1]
+  double largest_inertial_number = 0; ///< over the run [1]
+  Mat3 stress;                        ///< at the end [Pa]
 
   [[nodiscard]] bool converged() const { return outcome == Outcome::converged; }
 };

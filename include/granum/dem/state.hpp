@@ -12,10 +12,10 @@ namespace granum::dem {
 
 /// What the grains are made of and how they touch.
 struct Material {
-  contact::PowerLaw law;                    ///< normal contact of two equal grains
-  double tangential_stiffness_ratio = 0;    ///< k_t/k_n >= 0 [1]
-  double friction_coefficient = 0;          ///< mu >= 0 [1]; infinity: no contact slides
-  double density = 2650;                    ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
+  contact::PowerLaw law;                 ///< normal contact of two equal grains
+  double tangential_stiffness_ratio = 0; ///< k_t/k_n >= 0 [1]
+  double friction_coefficient = 0;       ///< mu >= 0 [1]; infinity: no contact slides
+  double density = 2650; ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
 
   /// True when contacts carry tangential forces; else rotations and histories are not modelled at all.
   [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_stiffness_ratio > 0; }
@@ -39,8 +39,8 @@ struct State {
   Mat3 cell;         ///< columns are the edge vectors [m]
   double radius = 0; ///< [m], all grains
   std::vector<Vec3> position;
-  std::vector<Vec3> velocity;         ///< beyond the affine motion of the cell [m/s]
-  std::vector<Vec3> angular_velocity; ///< [1/s]
+  std::vector<Vec3> velocity;          ///< beyond the affine motion of the cell [m/s]
+  std::vector<Vec3> angular_velocity;  ///< [1/s]
   std::vector<ContactHistory> history; ///< sorted by (i, j)
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }

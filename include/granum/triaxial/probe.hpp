@@ -21,7 +21,8 @@ struct ProbeOptions {
   /// false: no contact may slide during the probe, the response of the frozen network; true: the material's friction.
   bool sliding = false;
   std::size_t ramp_steps = 200;
-  double force_tolerance = 2e-7; ///< unbalanced force ratio after each leg [1]; 1e-9 moves G by less than 1e-3
+  double force_tolerance =
+      2e-7; ///< unbalanced force ratio after each leg [1]; 1e-9 moves G by less than 1e-3
   std::size_t max_steps = 100000;
 };
 

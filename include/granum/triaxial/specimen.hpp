@@ -22,11 +22,12 @@ enum class Density {
 
 struct SpecimenRecipe {
   dem::Material material;
-  double radius = 0;           ///< R > 0 [m]
-  std::size_t grains = 1000;   ///< at least 40, so that the cell is wider than four diameters
+  double radius = 0;         ///< R > 0 [m]
+  std::size_t grains = 1000; ///< at least 40, so that the cell is wider than four diameters
   std::uint64_t seed = 1;
-  double expansion_void_ratio = 0.56; ///< of the fixed cell in which the grains grow, overlaps uncorrected [1]
-  double first_pressure = 10e3;       ///< [Pa]
+  double expansion_void_ratio =
+      0.56;                     ///< of the fixed cell in which the grains grow, overlaps uncorrected [1]
+  double first_pressure = 10e3; ///< [Pa]
   /// Loose specimens: the jammed packing is opened by this linear strain, just below jamming ...
   double unjamming_strain = 0.003;
   /// ... and each centre moved at random by up to this share of R, so that old contacts are forgotten.
@@ -73,6 +74,7 @@ struct Snapshot {
 /// \param    visit  called with each snapshot as it is reached; returning false ends the path
 /// \return   false if the path ended early: a stage did not converge, or visit said so
 bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
-                    const dem::QuasistaticOptions& options, const std::function<bool(const Snapshot&)>& visit);
+                    const dem::QuasistaticOptions& options,
+                    const std::function<bool(const Snapshot&)>& visit);
 
 } // namespace granum::triaxial

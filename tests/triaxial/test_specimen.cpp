@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/triaxial/specimen.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::triaxial;
+
+namespace {
+
+SpecimenRecipe small_recipe() {
+  SpecimenRecipe recipe{.material = test::quartz(0.5e-3, 0.4986), .radius = 0.5e-3};
+  recipe.grains = 200;
+  recipe.seed = 5;
+  return recipe;
+}
+
+double coordination(const Assembly& assembly) {
+  return 2 * static_cast<double>(assembly.contacts.size()) / static_cast<double>(assembly.grain_count());
+}
+
+} // namespace
+
+TEST_CASE("a frictionless specimen stands at its first pressure just above the isostatic coordination") {
+  const SpecimenRecipe recipe = small_recipe();
+  const Preparation preparation = frictionless_specimen(recipe);
+  CHECK(preparation.last.converged);
+  CHECK(preparation.last.pressure == doctest::Approx(10e3).epsilon(2e-6));
+  CHECK(preparation.last.unbalanced_force_ratio < 1e-6);
+  // Random close packing of equal spheres: solid fraction 0.62-0.65 at this size, six contacts a grain less rattlers.
+  const double solid_fraction = 1 / (1 + dem::void_ratio(preparation.state));
+  CHECK(solid_fraction > 0.62);
+  CHECK(solid_fraction < 0.65);
+  const double c_n = coordination(dem::freeze(preparation.state, recipe.material));
+  CHECK(c_n > 5.6);
+  CHECK(c_n < 6.3);
+}
+
+TEST_CASE("dense and loose specimens have almost one void ratio but not one coordination number") {
+  const SpecimenRecipe recipe = small_recipe();
+  const dem::State jammed = frictionless_specimen(recipe).state;
+  double c_n[2] = {}, e[2] = {};
+  for (const Density density : {Density::dense, Density::loose}) {
+    const auto kind = static_cast<std::size_t>(density);
+    const bool whole = isotropic_path(start_of_compression(jammed, density, recipe), recipe.material, {10e3},
+                                      compression_options(), [&](const Snapshot& snapshot) {
+                                        c_n[kind] =
+                                            coordination(dem::freeze(snapshot.state, recipe.material));
+                                        e[kind] = dem::void_ratio(snapshot.state);
+                                        return true;
+                                      });
+    CHECK(whole);
+  }
+  CHECK(c_n[0] - c_n[1] > 1.0);
+  CHECK(e[1] - e[0] > 0);
+  CHECK(e[1] - e[0] < 0.02);
+}
+
+TEST_CASE("opening below jamming leaves no force anywhere") {
+  const SpecimenRecipe recipe = small_recipe();
+  const dem::State opened = unjam(frictionless_specimen(recipe).state, recipe);
+  for (const Contact& c : dem::freeze(opened, recipe.material).contacts)
+    CHECK(c.overlap < 1e-6 * recipe.radius);
+}
+
+TEST_CASE("the same recipe gives the same bits, another seed another packing, and a path can be taken up") {
+  const SpecimenRecipe recipe = small_recipe();
+  const dem::State jammed = frictionless_specimen(recipe).state;
+  CHECK(jammed == frictionless_specimen(recipe).state);
+  SpecimenRecipe other = recipe;
+  other.seed = 6;
+  CHECK_FALSE(jammed == frictionless_specimen(other).state);
+
+  const auto path = [&](const dem::State& start, const std::vector<double>& pressures) {
+    std::vector<dem::State> states;
+    const bool whole = isotropic_path(start, recipe.material, pressures, compression_options(),
+                                      [&](const Snapshot& snapshot) {
+                                        states.push_back(snapshot.state);
+                                        return true;
+                                      });
+    CHECK(whole);
+    return states;
+  };
+  const std::vector<dem::State> straight = path(jammed, {10e3, 20e3, 30e3});
+  const std::vector<dem::State> resumed = path(straight.at(0), {20e3, 30e3});
+  CHECK(straight.at(2) == resumed.at(1));
+}
+
+TEST_CASE("impossible recipes are refused by name") {
+  SpecimenRecipe recipe = small_recipe();
+  const auto refused = [&](auto change) {
+    SpecimenRecipe bad = recipe;
+    change(bad);
+    CHECK_THROWS_AS((void)frictionless_specimen(bad), InvalidArgument);
+  };
+  refused([](SpecimenRecipe& r) { r.grains = 0; });
+  refused([](SpecimenRecipe& r) { r.grains = 1; });
+  refused([](SpecimenRecipe& r) { r.radius = -1; });
+  refused([](SpecimenRecipe& r) { r.first_pressure = 0; });
+  refused([](SpecimenRecipe& r) { r.first_pressure = std::numeric_limits<double>::quiet_NaN(); });
+  refused([](SpecimenRecipe& r) { r.expansion_void_ratio = -0.1; });
+  refused([](SpecimenRecipe& r) { r.unjamming_strain = 0; });
+  refused([](SpecimenRecipe& r) { r.agitation = 2; });
+}
