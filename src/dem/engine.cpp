@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: b branch from i to j, l = |b|, n = b/l, d overlap; v own velocity of a grain beyond the affine motion of
-// the cell, w angular velocity; L velocity gradient of the cell; f and t force and torque on a grain; r = k_t/k_n.
+// Notation: b branch from i to j, l = |b|, n = b/l, d overlap; v own velocity of a grain beyond the affine
+// motion of the cell, w angular velocity; L velocity gradient of the cell; f and t force and torque on a
+// grain; r = k_t/k_n.
 #include <granum/dem/engine.hpp>
 
 #include <algorithm>
@@ -269,9 +270,10 @@ bool Engine::Data::time_step_is_due() const {
          10 * figures.contacts > 11 * contacts_chosen;
 }
 
-/// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most twice its
-/// block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n (translation, or
-/// k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3 blocks.
+/// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most
+/// twice its block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n
+/// (translation, or k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3
+/// blocks.
 void Engine::Data::choose_time_step() {
   std::vector<Mat3> translation(motion.size()), rotation(tangential ? motion.size() : 0);
   const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass, q = sqrt(W) ln(size), where W sets
-// how fast the cell answers beside the grains. Time is measured in sqrt(mass/stiffness).
+// FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass, q = sqrt(W) ln(size),
+// where W sets how fast the cell answers beside the grains. Time is measured in sqrt(mass/stiffness).
 #include <granum/dem/minimise.hpp>
 
 #include <algorithm>

@@ -70,7 +70,8 @@ Neighbour neighbour(int b, int d, int count) {
   return {raw, 0};
 }
 
-/// Offsets to visit on an axis: with 1 or 2 bins the outer ones repeat, but each with another shift, so none is lost.
+/// Offsets to visit on an axis: with 1 or 2 bins the outer ones repeat, but each with another shift, so none
+/// is lost.
 void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home,
                     std::span<const Vec3> position, const std::array<Vec3, 27>& shifts, double cutoff_squared,
                     std::vector<Pair>& out) {

@@ -24,8 +24,8 @@ class VerletList {
     reference_inverse_ = inverse(cell);
   }
 
-  /// False when two grains that are not listed could have come into contact since build: a pair nears by at most twice
-  /// the largest non-affine displacement plus what the cell's strain takes from the cutoff.
+  /// False when two grains that are not listed could have come into contact since build: a pair nears by at
+  /// most twice the largest non-affine displacement plus what the cell's strain takes from the cutoff.
   [[nodiscard]] bool valid(const Mat3& cell, std::span<const Vec3> position) const {
     const Mat3 gradient = cell * reference_inverse_;
     double strain = 0;

@@ -17,7 +17,8 @@ inline dem::Material quartz(double radius, double friction) {
           .friction_coefficient = friction};
 }
 
-/// Face-centred cubic lattice of edges^3 cubic cells, spheres of radius R whose contacts overlap by `overlap`.
+/// Face-centred cubic lattice of edges^3 cubic cells, spheres of radius R whose contacts overlap by
+/// `overlap`.
 inline dem::State fcc(double radius, int edges, double overlap) {
   dem::State state;
   state.radius = radius;

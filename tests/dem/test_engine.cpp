@@ -51,8 +51,8 @@ TEST_CASE("an undamped frictionless collision conserves energy and momentum") {
   }
   CHECK(largest_elastic > 0.5 * before);
   CHECK(elastic_energy(engine.state(), material) == 0);
-  // The leapfrog's energy error over one collision is second order in the step, which is 0.8 of the stability limit
-  // of the stiffest contact at most.
+  // The leapfrog's energy error over one collision is second order in the step, which is 0.8 of the
+  // stability limit of the stiffest contact at most.
   CHECK(engine.kinetic_energy() == doctest::Approx(before).epsilon(2e-2));
   const State after = engine.state();
   const Vec3 momentum = after.velocity[0] + after.velocity[1];
@@ -126,8 +126,8 @@ TEST_CASE("stress of a compressed face-centred cubic lattice") {
 }
 
 TEST_CASE("the chosen time step stays below the stability limit of a stiff, regular packing") {
-  // The highest frequency of the lattice shows as growth when the step is too long: give a random kick and watch the
-  // energy for many steps without damping.
+  // The highest frequency of the lattice shows as growth when the step is too long: give a random kick and
+  // watch the energy for many steps without damping.
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   State state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g)

@@ -15,7 +15,8 @@ using namespace granum::dem;
 
 namespace {
 
-/// Elastic energy of all contacts of a state whose cell and centres are stretched by (1 + strain) along one axis.
+/// Elastic energy of all contacts of a state whose cell and centres are stretched by (1 + strain) along one
+/// axis.
 double energy(const State& state, const Material& material, int axis, double strain) {
   State stretched = state;
   Mat3 stretch = Mat3::identity();
@@ -49,7 +50,8 @@ TEST_CASE("two overlapping spheres move apart along their line until no overlap 
   const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3));
   CHECK(report.converged);
   const Vec3 branch = state.position[1] - state.position[0];
-  // They may coast on after the last touch, by no more than the 0.02 R of one step for each step that it takes to stop.
+  // They may coast on after the last touch, by no more than the 0.02 R of one step for each step that it
+  // takes to stop.
   CHECK(norm(branch) >= 2e-3 * (1 - 1e-7));
   CHECK(norm(branch) < 2.1e-3);
   CHECK(norm(cross(branch, direction)) < 1e-12 * norm(branch) * norm(direction));

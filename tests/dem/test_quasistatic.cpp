@@ -56,7 +56,8 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   axial(0, 0) = 1;
   shear(0, 2) = 1;
   const double c11 = (k_n + k_t) / (std::numbers::sqrt2 * half_branch);
-  // Terms of order stress / modulus, about overlap/R = 4e-4, stand between Cauchy stress rates and the stiffness.
+  // Terms of order stress / modulus, about overlap/R = 4e-4, stand between Cauchy stress rates and the
+  // stiffness.
   CHECK(modulus(axial, 0, 0) == doctest::Approx(c11).epsilon(1e-3));
   CHECK(modulus(axial, 1, 1) ==
         doctest::Approx((k_n - k_t) / (2 * std::numbers::sqrt2 * half_branch)).epsilon(1e-2));

@@ -12,8 +12,8 @@ using namespace granum;
 
 namespace {
 
-/// Three spheres in a bent chain, R = 0.5 mm, G = 30 GPa, nu = 0.15, overlaps 1e-7 m and 2e-7 m: LAMMPS, LIGGGHTS and
-/// YADE all print the forces below for it.
+/// Three spheres in a bent chain, R = 0.5 mm, G = 30 GPa, nu = 0.15, overlaps 1e-7 m and 2e-7 m: LAMMPS,
+/// LIGGGHTS and YADE all print the forces below for it.
 dem::State chain() {
   dem::State state;
   state.radius = 0.5e-3;

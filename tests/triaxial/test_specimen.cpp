@@ -33,7 +33,8 @@ TEST_CASE("a frictionless specimen stands at its first pressure just above the i
   CHECK(preparation.last.converged);
   CHECK(preparation.last.pressure == doctest::Approx(10e3).epsilon(2e-6));
   CHECK(preparation.last.unbalanced_force_ratio < 1e-6);
-  // Random close packing of equal spheres: solid fraction 0.62-0.65 at this size, six contacts a grain less rattlers.
+  // Random close packing of equal spheres: solid fraction 0.62-0.65 at this size, six contacts a grain less
+  // rattlers.
   const double solid_fraction = 1 / (1 + dem::void_ratio(preparation.state));
   CHECK(solid_fraction > 0.62);
   CHECK(solid_fraction < 0.65);

@@ -27,14 +27,14 @@ struct StepFigures {
 
 /// Explicit dynamics of equal spheres in a periodic cell that deforms with a given velocity gradient.
 ///
-/// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried so far
-/// scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a contact: half of the
-/// branch. Grains move affinely with the cell plus their own velocity, which alone is damped: a mass-proportional drag
-/// of twice the lowest frequency that the motion shows (adaptive dynamic relaxation). The translational mass is
-/// density times volume, the rotational inertia m R^2 in place of 0.4 m R^2, which lengthens the stable time step and
-/// leaves quasi-static states as they are. The time step follows from the contact stiffnesses: 0.8 of the stability
-/// limit 2/omega, with a strict upper bound on omega.
-/// Without friction no rotations and no histories are modelled.
+/// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried
+/// so far scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a
+/// contact: half of the branch. Grains move affinely with the cell plus their own velocity, which alone is
+/// damped: a mass-proportional drag of twice the lowest frequency that the motion shows (adaptive dynamic
+/// relaxation). The translational mass is density times volume, the rotational inertia m R^2 in place of 0.4
+/// m R^2, which lengthens the stable time step and leaves quasi-static states as they are. The time step
+/// follows from the contact stiffnesses: 0.8 of the stability limit 2/omega, with a strict upper bound on
+/// omega. Without friction no rotations and no histories are modelled.
 /// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp
 class Engine {
  public:
@@ -44,7 +44,8 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  /// Velocity gradient of the cell from the next step on [1/s]; compression is negative here, as rates of length are.
+  /// Velocity gradient of the cell from the next step on [1/s]; compression is negative here, as rates of
+  /// length are.
   void set_velocity_gradient(const Mat3& gradient);
   /// Drag coefficient [1/s] from now on in place of the adaptive one; 0 switches damping off.
   void set_damping(double coefficient);

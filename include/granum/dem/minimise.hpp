@@ -24,8 +24,10 @@ struct [[nodiscard]] RelaxReport {
   double pressure = 0; ///< mean contact stress [Pa]
 };
 
-/// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.                         [Bitzek2006]
-/// Assumes   no friction: positions only, no rotations and no histories are modelled; both are cleared in the state.
+/// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.
+/// [Bitzek2006]
+/// Assumes   no friction: positions only, no rotations and no histories are modelled; both are cleared in
+/// the state.
 /// Converged when forces balance, or when no overlap beyond the tolerance is left (below jamming).
 /// \throws   InvalidArgument for a state that is empty or too small for its cell
 /// Checked by tests/dem/test_minimise.cpp

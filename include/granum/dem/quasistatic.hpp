@@ -37,16 +37,16 @@ struct [[nodiscard]] QuasistaticReport {
   [[nodiscard]] bool converged() const { return outcome == Outcome::converged; }
 };
 
-/// Brings the normal stresses of the three axes to their targets, each by a servo on its cell edge, and the grains to
-/// rest.
+/// Brings the normal stresses of the three axes to their targets, each by a servo on its cell edge, and the
+/// grains to rest.
 /// Assumes   an orthogonal cell along the axes.
 /// \param    target  normal stresses [Pa], each > 0
 /// \throws   InvalidArgument for a target or option that is not positive
 /// Checked by tests/dem/test_quasistatic.cpp
 QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options = {});
 
-/// Deforms the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps, and lets the grains come to rest
-/// at fixed cell. Strain is here the displacement gradient, extension positive.
+/// Deforms the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps, and lets the grains
+/// come to rest at fixed cell. Strain is here the displacement gradient, extension positive.
 QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
                          const QuasistaticOptions& options = {});
 

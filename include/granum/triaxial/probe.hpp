@@ -6,8 +6,8 @@
 
 namespace granum::triaxial {
 
-/// Small-strain shear of a frozen copy; the cell's faces move as the name says (first index: the direction that the
-/// sheared layers are stacked in, second: the direction that they move in). z is vertical.
+/// Small-strain shear of a frozen copy; the cell's faces move as the name says (first index: the direction
+/// that the sheared layers are stacked in, second: the direction that they move in). z is vertical.
 enum class ShearMode {
   hh, ///< layers stacked along x move along y
   hv, ///< layers stacked along x move along z
@@ -15,10 +15,11 @@ enum class ShearMode {
 };
 
 struct ProbeOptions {
-  /// Shear strain of the cycle [1]; 0: chosen from the mean overlap, 0.005 overlap/diameter, well below the strain at
-  /// which contacts slide or open.
+  /// Shear strain of the cycle [1]; 0: chosen from the mean overlap, 0.005 overlap/diameter, well below the
+  /// strain at which contacts slide or open.
   double amplitude = 0;
-  /// false: no contact may slide during the probe, the response of the frozen network; true: the material's friction.
+  /// false: no contact may slide during the probe, the response of the frozen network; true: the material's
+  /// friction.
   bool sliding = false;
   std::size_t ramp_steps = 200;
   double force_tolerance =

@@ -13,8 +13,8 @@
 /// Specimens of equal spheres in a periodic cell: preparation, isotropic compression, frozen states.
 namespace granum::triaxial {
 
-/// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ in how
-/// many contacts carry it.
+/// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ
+/// in how many contacts carry it.
 enum class Density {
   dense, ///< without friction until the first pressure is reached; friction is switched on there
   loose, ///< just below jamming friction is switched on, and the specimen is compressed with it
@@ -44,15 +44,15 @@ struct Preparation {
   dem::RelaxReport last; ///< of the stage at first_pressure
 };
 
-/// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a cube grow
-/// in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and the enthalpy is
-/// minimised at 100, 10 and 1 times the first pressure.
+/// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a
+/// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
+/// the enthalpy is minimised at 100, 10 and 1 times the first pressure.
 /// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive
 [[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe);
 
-/// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and removes
-/// overlaps: no contact carries force afterwards.
+/// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and
+/// removes overlaps: no contact carries force afterwards.
 [[nodiscard]] dem::State unjam(dem::State jammed, const SpecimenRecipe& recipe);
 
 /// The state from which compression with friction starts: the jammed one (dense) or the opened one (loose).
@@ -69,8 +69,8 @@ struct Snapshot {
   dem::QuasistaticReport report;
 };
 
-/// Compresses with friction through the pressures in turn, each a fresh start from the state before, so that a run
-/// that is taken up from any snapshot ends in the same bits.
+/// Compresses with friction through the pressures in turn, each a fresh start from the state before, so that
+/// a run that is taken up from any snapshot ends in the same bits.
 /// \param    visit  called with each snapshot as it is reached; returning false ends the path
 /// \return   false if the path ended early: a stage did not converge, or visit said so
 bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
