@@ -14,117 +14,10 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+#include "contact_sweep.hpp"
 #include "verlet_list.hpp"
 
 namespace granum::dem {
-
-namespace {
-
-struct Motion {
-  Vec3 x, v, w;
-};
-struct Load {
-  Vec3 f, t;
-};
-struct Memory {
-  Vec3 force; ///< tangential, on j
-  double stiffness = 0;
-};
-
-/// Sums over one sweep.
-struct Sums {
-  Mat3 stress; ///< sum of force (x) branch
-  double normal_force = 0;
-  double stiffness = 0; ///< sum of k_n l^2
-  double stiffest = 0;  ///< largest k_n
-  std::size_t contacts = 0;
-  std::size_t sliding = 0;
-};
-
-struct SweepInput {
-  const std::vector<Pair>& pairs;
-  const std::vector<Motion>& motion;
-  std::array<Vec3, 27> shifts;
-  Mat3 gradient;
-  double diameter;
-  double dt; ///< time that the grains have moved since the last sweep [s]
-  double tangential_ratio;
-  double friction;
-};
-
-/// Contact forces of all pairs; tangential false leaves rotations and memory untouched.
-template <bool tangential, class Law>
-Sums contact_sweep(const Law& law, const SweepInput& in, std::vector<Memory>& memory,
-                   std::vector<Load>& load) {
-  Sums sums;
-  std::fill(load.begin(), load.end(), Load{});
-  const double diameter = in.diameter, ratio = in.tangential_ratio, friction = in.friction, dt = in.dt;
-  const Mat3 gradient = in.gradient;
-  const Motion* const motion = in.motion.data();
-  // Row i of the sorted list is gathered in registers: g is grain i, on_i what its partners do to it.
-  std::uint32_t i = 0;
-  Motion g = motion[0];
-  Load on_i;
-  Vec3 stress_x, stress_y, stress_z;
-  for (std::size_t k = 0; k < in.pairs.size(); ++k) {
-    const Pair pair = in.pairs[k];
-    if (pair.i != i) {
-      load[i].f += on_i.f;
-      load[i].t += on_i.t;
-      i = pair.i;
-      g = motion[i];
-      on_i = Load{};
-    }
-    const Motion& h = motion[pair.j];
-    const Vec3 branch = h.x + in.shifts[pair.image] - g.x;
-    const double squared = dot(branch, branch);
-    if (squared >= diameter * diameter) {
-      if constexpr (tangential)
-        memory[k] = Memory{};
-      continue;
-    }
-    const double length = std::sqrt(squared);
-    const contact::NormalResponse response = law(diameter - length);
-    Vec3 force = (response.force / length) * branch;
-    if constexpr (tangential) {
-      // Relative displacement of the two surfaces since the last sweep, j against i, in the contact plane.
-      const Vec3 relative = h.v - g.v + gradient * branch - 0.5 * cross(g.w + h.w, branch);
-      const double stiffness = ratio * response.stiffness;
-      const Memory past = memory[k];
-      const double keep = stiffness < past.stiffness ? stiffness / past.stiffness : 1;
-      Vec3 shear = keep * past.force - (stiffness * dt) * relative;
-      shear -= (dot(shear, branch) / squared) * branch;
-      const double limit = friction * response.force;
-      const double shear_squared = dot(shear, shear);
-      if (shear_squared > limit * limit) {
-        shear *= limit / std::sqrt(shear_squared);
-        ++sums.sliding;
-      }
-      memory[k] = {shear, stiffness};
-      force += shear;
-      const Vec3 torque = -0.5 * cross(branch, shear);
-      on_i.t += torque;
-      load[pair.j].t += torque;
-    }
-    on_i.f -= force;
-    load[pair.j].f += force;
-    stress_x += force.x * branch;
-    stress_y += force.y * branch;
-    stress_z += force.z * branch;
-    sums.normal_force += response.force;
-    sums.stiffness += response.stiffness * squared;
-    sums.stiffest = std::max(sums.stiffest, response.stiffness);
-    ++sums.contacts;
-  }
-  load[i].f += on_i.f;
-  load[i].t += on_i.t;
-  sums.stress = {{{stress_x.x, stress_x.y, stress_x.z},
-                  {stress_y.x, stress_y.y, stress_y.z},
-                  {stress_z.x, stress_z.y, stress_z.z}}};
-  return sums;
-}
-
-} // namespace
 
 struct Engine::Data {
   Data(State initial, const Material& m);
@@ -135,7 +28,7 @@ struct Engine::Data {
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
   void move();
-  void take_figures(const Sums& sums);
+  void take_figures(const SweepSums& sums);
   [[nodiscard]] std::vector<ContactHistory> history() const;
 
   Material material;
@@ -147,7 +40,7 @@ struct Engine::Data {
   double inertia = 0;
   VerletList list;
   std::vector<Motion> motion;
-  std::vector<Memory> memory;
+  ContactMemory memory;
   std::vector<Load> load;
   std::vector<Load> last_load;
   Mat3 gradient;
@@ -195,19 +88,20 @@ Engine::Data::Data(State initial, const Material& m)
 
 std::vector<ContactHistory> Engine::Data::history() const {
   std::vector<ContactHistory> out;
-  if (!tangential)
-    return out;
-  for (std::size_t k = 0; k < memory.size(); ++k)
-    if (memory[k].stiffness > 0)
-      out.push_back({list.pairs()[k].i, list.pairs()[k].j, memory[k].force, memory[k].stiffness});
+  for (std::size_t k = 0; tangential && k < list.pairs().size(); ++k)
+    if (memory.stiffness[k] > 0)
+      out.push_back({list.pairs()[k].i,
+                     list.pairs()[k].j,
+                     {memory.x[k], memory.y[k], memory.z[k]},
+                     memory.stiffness[k]});
   return out;
 }
 
 /// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
 void Engine::Data::rebuild() {
-  if (!memory.empty())
-    cold.history = history();
   const bool running = steps > 0;
+  if (running)
+    cold.history = history();
   for (std::size_t g = 0; running && g < motion.size(); ++g)
     cold.position[g] = motion[g].x;
   list.build(cold.cell, cold.position);
@@ -220,14 +114,18 @@ void Engine::Data::rebuild() {
     }
   }
   if (tangential) {
-    memory.assign(list.pairs().size(), Memory{});
+    memory.reset(list.pairs().size());
     auto past = cold.history.begin();
-    for (std::size_t k = 0; k < memory.size(); ++k) {
+    for (std::size_t k = 0; k < list.pairs().size(); ++k) {
       const Pair& pair = list.pairs()[k];
       while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(pair.i, pair.j))
         ++past;
-      if (past != cold.history.end() && past->i == pair.i && past->j == pair.j)
-        memory[k] = {past->tangential_force, past->tangential_stiffness};
+      if (past != cold.history.end() && past->i == pair.i && past->j == pair.j) {
+        memory.x[k] = past->tangential_force.x;
+        memory.y[k] = past->tangential_force.y;
+        memory.z[k] = past->tangential_force.z;
+        memory.stiffness[k] = past->tangential_stiffness;
+      }
     }
   }
   travelled = 0;
@@ -235,24 +133,19 @@ void Engine::Data::rebuild() {
 }
 
 void Engine::Data::sweep(double elapsed) {
-  const SweepInput input{list.pairs(),
-                         motion,
-                         shift_vectors(cold.cell),
-                         gradient,
-                         2 * cold.radius,
-                         elapsed,
-                         material.tangential_stiffness_ratio,
-                         friction};
-  const Sums sums = std::visit(
-      [&](const auto& kernel) {
-        return tangential ? contact_sweep<true>(kernel, input, memory, load)
-                          : contact_sweep<false>(kernel, input, memory, load);
-      },
-      law);
-  take_figures(sums);
+  take_figures(contact_sweep(law,
+                             {.pairs = list.pairs(),
+                              .motion = motion,
+                              .cell = cold.cell,
+                              .gradient = gradient,
+                              .diameter = 2 * cold.radius,
+                              .elapsed = elapsed,
+                              .tangential_ratio = material.tangential_stiffness_ratio,
+                              .friction = friction},
+                             tangential ? &memory : nullptr, load));
 }
 
-void Engine::Data::take_figures(const Sums& sums) {
+void Engine::Data::take_figures(const SweepSums& sums) {
   const double volume = determinant(cold.cell);
   stiffest = sums.stiffest;
   figures.stress = (1 / volume) * sums.stress;

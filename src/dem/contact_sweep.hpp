@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <granum/contact/power_law.hpp>
+#include <granum/core/vec3.hpp>
+#include <granum/dem/neighbours.hpp>
+
+namespace granum::dem {
+
+/// Centre, own velocity and angular velocity of a grain.
+struct Motion {
+  Vec3 x, v, w;
+};
+
+/// Force and torque on a grain.
+struct Load {
+  Vec3 f, t;
+};
+
+/// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block. Sums
+/// run in this order too: every vector width gives the same bits.
+inline constexpr std::size_t block_size = 32;
+using Block = std::array<double, block_size>;
+
+/// Tangential force (on j) and tangential stiffness of each pair at the last sweep, padded to whole blocks.
+struct ContactMemory {
+  std::vector<double> x, y, z, stiffness;
+
+  void reset(std::size_t pairs);
+};
+
+/// Sums over the contacts of one sweep.
+struct SweepSums {
+  Mat3 stress;             ///< sum of force (x) branch [J]
+  double normal_force = 0; ///< sum of f [N]
+  double stiffness = 0;    ///< sum of k_n l^2 [J]
+  double stiffest = 0;     ///< largest k_n [N/m]
+  std::size_t contacts = 0;
+  std::size_t sliding = 0;
+};
+
+struct SweepInput {
+  const std::vector<Pair>& pairs;
+  const std::vector<Motion>& motion;
+  Mat3 cell;
+  Mat3 gradient;           ///< velocity gradient of the cell [1/s]
+  double diameter;         ///< [m]
+  double elapsed;          ///< time that the grains have moved since the last sweep [s]
+  double tangential_ratio; ///< k_t/k_n
+  double friction;         ///< finite
+};
+
+/// Forces of all pairs, gathered per grain in the order of the list. With memory a null pointer contacts are
+/// frictionless: torques stay zero and nothing is remembered.
+SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
+                        std::vector<Load>& load);
+
+} // namespace granum::dem
