@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/vec3.hpp>
+#include <granum/elastic/stiffness.hpp>
+
+/// What is done on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
+/// Checked by tests/elastic/test_mandel.cpp
+namespace granum::elastic {
+
+/// Voigt to Mandel: shear rows and columns times sqrt 2. [Mehrabadi1990]
+[[nodiscard]] MandelStiffness mandel(const VoigtStiffness& stiffness);
+/// Mandel to Voigt, the inverse of the above.
+[[nodiscard]] VoigtStiffness voigt(const MandelStiffness& stiffness);
+
+/// Orthogonal 6 x 6 matrix that turns a symmetric tensor in Mandel form as R turns its axes: mandel(R t R^T).
+/// \param    rotation  proper rotation: R^T R = 1 within 1e-10, det R = 1
+/// \throws   InvalidArgument for any other matrix
+/// Accuracy  4 ulp of 1.
+[[nodiscard]] Matrix6 mandel_rotation(const Mat3& rotation);
+/// The stiffness of the material after it was turned by `rotation`, in unchanged axes.
+/// \throws   InvalidArgument as mandel_rotation
+[[nodiscard]] MandelStiffness rotate(const MandelStiffness& stiffness, const Mat3& rotation);
+[[nodiscard]] VoigtStiffness rotate(const VoigtStiffness& stiffness, const Mat3& rotation);
+
+/// Smallest eigenvalue of the symmetric part over its largest magnitude [1]: in [-1, 1], 0 for a zero matrix.
+/// \throws   InvalidArgument if an entry is not finite
+/// Accuracy  1e-15 absolute.
+[[nodiscard]] double relative_smallest_eigenvalue(const MandelStiffness& stiffness);
+/// relative_smallest_eigenvalue above `tolerance`, a number above the rounding of whatever made the matrix.
+[[nodiscard]] bool positive_definite(const MandelStiffness& stiffness, double tolerance = 1e-12);
+/// relative_smallest_eigenvalue not below -`tolerance`.
+[[nodiscard]] bool positive_semidefinite(const MandelStiffness& stiffness, double tolerance = 1e-12);
+
+/// |C - C^T|/|C| in the Frobenius norm [1]; 0 for a zero matrix.
+[[nodiscard]] double symmetry_residual(const MandelStiffness& stiffness);
+/// |a - b|/|a| in the Frobenius norm, which no rotation changes [1]; 0 if both are zero.
+/// \throws   InvalidArgument if a is zero and b is not
+[[nodiscard]] double relative_distance(const MandelStiffness& a, const MandelStiffness& b);
+
+} // namespace granum::elastic

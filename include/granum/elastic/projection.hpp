@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/stiffness.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+/// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
+/// is also the orthogonal projection in the Mandel norm. The symmetric part of the matrix is taken.
+/// [Moakher2006] Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
+namespace granum::elastic {
+
+/// Average over all rotations: K = (sum of the normal 3 x 3 block)/9,
+/// G = (C44+C55+C66)/5 + (C11+C22+C33-C12-C13-C23)/15.
+/// \throws   InvalidArgument unless both come out positive and finite
+[[nodiscard]] Isotropic isotropic_projection(const VoigtStiffness& stiffness);
+
+/// Average over the rotations about axis 3.
+[[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness);
+
+} // namespace granum::elastic

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/mandel.hpp>
+
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+#include <relative.hpp>
+
+#include "samples.hpp"
+
+using namespace granum;
+using namespace granum::elastic;
+
+namespace {
+
+constexpr double rounding = 1e-14; // a few 6 x 6 products
+const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+const Mat3 spin = rotation_about({0, 0, 1}, 1.1);
+
+double distance(const VoigtStiffness& a, const VoigtStiffness& b) {
+  return relative_distance(mandel(a), mandel(b));
+}
+
+/// C_ijkl of a Voigt matrix, written without any of the library's index tables.
+double component(const VoigtStiffness& c, int i, int j, int k, int l) {
+  const int index[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  return c.matrix(index[i][j], index[k][l]);
+}
+
+} // namespace
+
+TEST_CASE("Voigt to Mandel and back is the identity, and the norm becomes the tensor's") {
+  const VoigtStiffness c = triclinic_sample();
+  CHECK(distance(c, voigt(mandel(c))) < rounding);
+  double square = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+          square += std::pow(component(c, i, j, k, l), 2);
+  CHECK(mandel(c).matrix.squaredNorm() == relative(square, rounding));
+}
+
+TEST_CASE("rotation is that of the fourth-rank tensor") {
+  const VoigtStiffness c = triclinic_sample();
+  const VoigtStiffness turned = rotate(c, tilt);
+  const int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  VoigtStiffness direct;
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int k = 0; k < 3; ++k)
+            for (int l = 0; l < 3; ++l)
+              direct.matrix(row, column) += tilt(pairs[row][0], i) * tilt(pairs[row][1], j) *
+                                            tilt(pairs[column][0], k) * tilt(pairs[column][1], l) *
+                                            component(c, i, j, k, l);
+  CHECK(distance(direct, turned) < rounding);
+}
+
+TEST_CASE("rotations are orthogonal, compose and can be undone") {
+  const Matrix6 q = mandel_rotation(tilt);
+  CHECK((q * q.transpose() - Matrix6::Identity()).norm() < rounding);
+  CHECK((mandel_rotation(spin) * q - mandel_rotation(spin * tilt)).norm() < rounding);
+  const VoigtStiffness c = triclinic_sample();
+  CHECK(distance(c, rotate(rotate(c, tilt), transpose(tilt))) < rounding);
+}
+
+TEST_CASE("a symmetry of the material leaves its stiffness as it was") {
+  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
+  CHECK(distance(voigt(layered), rotate(voigt(layered), spin)) < rounding);
+  CHECK(distance(voigt(layered), rotate(voigt(layered), tilt)) > 1e-2);
+  const VoigtStiffness sand = voigt(Isotropic::from_bulk_and_shear(1.9e9, 2.8e9));
+  CHECK(distance(sand, rotate(sand, tilt)) < rounding);
+}
+
+TEST_CASE("only a proper rotation is accepted") {
+  CHECK_THROWS_AS((void)mandel_rotation(Mat3::diagonal(1, 1, -1)), InvalidArgument);
+  CHECK_THROWS_AS((void)mandel_rotation(Mat3::diagonal(1, 1, 1.001)), InvalidArgument);
+  CHECK_THROWS_AS((void)mandel_rotation(Mat3{}), InvalidArgument);
+  CHECK_THROWS_AS((void)mandel_rotation(Mat3::diagonal(1, 1, std::nan(""))), InvalidArgument);
+}
+
+TEST_CASE("definiteness is relative to the largest eigenvalue and to no axis or unit") {
+  // isotropic: eigenvalues 3K once and 2G five times
+  const MandelStiffness sand = mandel(voigt(Isotropic::from_bulk_and_shear(1.9e9, 2.8e9)));
+  CHECK(relative_smallest_eigenvalue(sand) == relative(2 * 2.8 / (3 * 1.9), rounding));
+  CHECK(positive_definite(sand));
+  const MandelStiffness c = mandel(triclinic_sample());
+  CHECK(relative_smallest_eigenvalue(rotate(c, tilt)) == relative(relative_smallest_eigenvalue(c), rounding));
+  CHECK(relative_smallest_eigenvalue({1e-30 * c.matrix}) ==
+        relative(relative_smallest_eigenvalue(c), rounding));
+  CHECK(relative_smallest_eigenvalue({-c.matrix}) == relative(-1, rounding));
+
+  MandelStiffness flat = c; // one mode without stiffness
+  flat.matrix.row(5).setZero();
+  flat.matrix.col(5).setZero();
+  CHECK_FALSE(positive_definite(flat));
+  CHECK(positive_semidefinite(flat));
+  flat.matrix(5, 5) = -1e-6 * c.matrix(0, 0);
+  CHECK_FALSE(positive_semidefinite(flat));
+  CHECK_FALSE(positive_definite(MandelStiffness{}));
+  CHECK(positive_semidefinite(MandelStiffness{}));
+  flat.matrix(0, 0) = std::nan("");
+  CHECK_THROWS_AS((void)positive_definite(flat), InvalidArgument);
+}
+
+TEST_CASE("symmetry residual and distance are relative") {
+  MandelStiffness c = mandel(triclinic_sample());
+  CHECK(symmetry_residual(c) == 0);
+  c.matrix(0, 5) += 1e-3 * c.matrix.norm();
+  CHECK(symmetry_residual(c) == relative(1e-3 * std::numbers::sqrt2, 1e-3));
+  CHECK(symmetry_residual(MandelStiffness{}) == 0);
+  CHECK(relative_distance(c, {1.25 * c.matrix}) == relative(0.25, rounding));
+  CHECK_THROWS_AS((void)relative_distance(MandelStiffness{}, c), InvalidArgument);
+}

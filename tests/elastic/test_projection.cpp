@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/projection.hpp>
+
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/elastic/mandel.hpp>
+#include <relative.hpp>
+
+#include "samples.hpp"
+
+using namespace granum;
+using namespace granum::elastic;
+
+namespace {
+
+constexpr double rounding = 1e-14;
+const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+
+} // namespace
+
+TEST_CASE("transversely isotropic projection is the average over turns about axis 3") {
+  // entries of a turned stiffness have harmonics up to 4, which eight equal steps average exactly
+  MandelStiffness mean;
+  for (int step = 0; step < 8; ++step)
+    mean.matrix +=
+        mandel(rotate(triclinic_sample(), rotation_about({0, 0, 1}, step * std::numbers::pi / 4))).matrix / 8;
+  const TransverselyIsotropic projected = transversely_isotropic_projection(triclinic_sample());
+  CHECK(relative_distance(mean, mandel(voigt(projected))) < rounding);
+}
+
+TEST_CASE("a projection leaves what is symmetric already") {
+  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
+  CHECK(relative_distance(mandel(voigt(layered)),
+                          mandel(voigt(transversely_isotropic_projection(voigt(layered))))) < rounding);
+  const Isotropic sand = Isotropic::from_bulk_and_shear(1.9e9, 2.8e9);
+  const Isotropic same = isotropic_projection(voigt(sand));
+  CHECK(same.bulk_modulus() == relative(1.9e9, rounding));
+  CHECK(same.shear_modulus() == relative(2.8e9, rounding));
+}
+
+TEST_CASE("isotropic projection does not change under rotation, nor by projecting in two steps") {
+  const Isotropic once = isotropic_projection(triclinic_sample());
+  const Isotropic turned = isotropic_projection(rotate(triclinic_sample(), tilt));
+  CHECK(turned.bulk_modulus() == relative(once.bulk_modulus(), rounding));
+  CHECK(turned.shear_modulus() == relative(once.shear_modulus(), rounding));
+  const Isotropic twice = isotropic_projection(voigt(transversely_isotropic_projection(triclinic_sample())));
+  CHECK(twice.bulk_modulus() == relative(once.bulk_modulus(), rounding));
+  CHECK(twice.shear_modulus() == relative(once.shear_modulus(), rounding));
+}
+
+TEST_CASE("what a projection leaves out is orthogonal to it") {
+  const MandelStiffness c = mandel(triclinic_sample());
+  const MandelStiffness iso = mandel(voigt(isotropic_projection(triclinic_sample())));
+  const double inner = (c.matrix - iso.matrix).cwiseProduct(iso.matrix).sum();
+  CHECK(std::abs(inner) < rounding * c.matrix.squaredNorm());
+}
+
+TEST_CASE("a stiffness without positive average moduli has no isotropic projection") {
+  CHECK_THROWS_AS((void)isotropic_projection(VoigtStiffness{}), InvalidArgument);
+}
