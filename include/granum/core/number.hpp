@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Numbers to text and back, the same in every locale. Checked by tests/core/test_number.cpp
+namespace granum {
+
+/// A number at the beginning of a text, and what follows it.
+struct LeadingNumber {
+  double value = 0;
+  std::string_view rest;
+};
+
+/// The decimal number that `text` begins with, after an optional sign. Nothing if there is none, if it is NaN
+/// or infinite, or if its magnitude is beyond what a double holds.
+[[nodiscard]] std::optional<LeadingNumber> leading_number(std::string_view text);
+/// The number that `text` is, with blanks around it allowed and nothing else.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// `text` without the blanks, tabs and carriage returns around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// 17 significant digits: parse_number gives back the same bits of any finite value.
+[[nodiscard]] std::string exact_text(double value);
+/// At most `digits` significant digits, no trailing zeros, for people to read.
+[[nodiscard]] std::string short_text(double value, int digits = 4);
+
+} // namespace granum

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Units at the border of the library: text with a unit comes in, SI goes on. The same in every locale.
+/// Checked by tests/core/test_units.cpp
+namespace granum {
+
+enum class Dimension {
+  dimensionless, ///< 1 or %
+  pressure,      ///< stress, modulus [Pa]
+  length,        ///< [m]
+  angle,         ///< [rad]
+  density,       ///< [kg/m^3]
+  time,          ///< [s]
+  force,         ///< [N]
+};
+
+/// A unit that programs and files may use: value in SI = factor * value in this unit.
+struct Unit {
+  std::string_view symbol;
+  Dimension dimension = Dimension::dimensionless;
+  double factor = 1;
+};
+
+/// The unit written `symbol`, exactly (kPa, not kpa); nothing if unknown.
+[[nodiscard]] std::optional<Unit> find_unit(std::string_view symbol);
+/// The SI unit that values of a dimension are returned in; "" for a pure number.
+[[nodiscard]] std::string_view si_symbol(Dimension dimension);
+/// "a pressure", "a length", ...: the dimension in the words of error messages.
+[[nodiscard]] std::string_view description(Dimension dimension);
+
+/// The SI value of a number with its unit: "100kPa", "0.5 mm", "26.5deg", "2650kg/m3"; a pure number has none
+/// or %. \param    name  what the user knows the argument by; every error names it \throws   InvalidArgument
+/// for a number without unit where one is needed, an unknown unit, one of another dimension,
+///           text that is no number, NaN, infinity or overflow
+[[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);
+
+/// Whether a column heading is `quantity` alone or `quantity` with a unit, as p and p_kPa are for p.
+[[nodiscard]] bool is_column_of(std::string_view heading, std::string_view quantity);
+/// The factor to SI that the heading of a column states: 1e3 for sigma_v_kPa.
+/// Assumes   is_column_of(heading, quantity)
+/// \throws   InvalidArgument if a dimensional quantity has no unit in its heading, or one of another
+/// dimension
+[[nodiscard]] double column_factor(std::string_view heading, std::string_view quantity, Dimension dimension);
+
+/// A value with the fitting prefix and 4 significant digits, for tables: 3.66e7 Pa is "36.6 MPa"; angles in
+/// degrees.
+[[nodiscard]] std::string pretty(double si_value, Dimension dimension);
+
+} // namespace granum

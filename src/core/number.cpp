@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/core/number.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace granum {
+
+namespace {
+
+std::string general_text(double value, int digits) {
+  char buffer[64];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  return {buffer, end};
+}
+
+} // namespace
+
+std::optional<LeadingNumber> leading_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+    text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value))
+    return std::nullopt;
+  return LeadingNumber{value, text.substr(static_cast<std::size_t>(end - text.data()))};
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto number = leading_number(trimmed(text));
+  if (!number || !number->rest.empty())
+    return std::nullopt;
+  return number->value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos)
+    return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string exact_text(double value) { return general_text(value, 17); }
+
+std::string short_text(double value, int digits) { return general_text(value, digits); }
+
+} // namespace granum
