@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <granum/core/validity.hpp>
+#include <granum/hardin/equation.hpp>
+
+/// Eq. (1) fitted to measured moduli. Checked by tests/hardin/test_fit.cpp
+namespace granum::hardin {
+
+/// One measured modulus G_ij > 0 [Pa] and the state it was measured at.
+struct Measurement {
+  double shear_modulus = 0;
+  State state;
+};
+
+enum class Weights {
+  relative, ///< residuals of ln G: every modulus counts alike
+  absolute, ///< residuals of G: large moduli count more; what a plain non-linear regression does, and the
+            ///< paper's
+};
+
+struct FitOptions {
+  double atmospheric_pressure = 0; ///< p_a > 0 [Pa], no default
+  VoidRatioFunction void_ratio_function = VoidRatioFunction::hardin_richart_round;
+  Weights weights = Weights::relative;
+  std::size_t iteration_limit = 100;
+};
+
+/// A fitted number and its standard error.
+struct Estimate {
+  double value = 0;
+  double standard_error = 0;
+};
+
+struct Fit {
+  Equation equation;                  ///< with the fitted constants; m = n = s/2 where only s was fitted
+  Estimate coefficient;               ///< C [1]
+  std::optional<Estimate> exponent_i; ///< m [1]; nothing where only s was fitted
+  std::optional<Estimate> exponent_j; ///< n [1]; the same
+  Estimate exponent_sum;              ///< s = m + n [1], its error with the covariance of m and n
+
+  std::vector<std::string> parameters;         ///< C, m, n or C, s: the order of the covariance
+  std::vector<std::vector<double>> covariance; ///< from the scatter of the residuals
+  std::optional<double> r_squared;    ///< of ln G or G, as weighted; nothing if all measured values are equal
+  std::vector<double> residuals;      ///< measured minus fitted G, one a row [Pa]
+  double rms_relative_residual = 0;   ///< of G measured over G fitted, minus 1 [1]
+  std::size_t degrees_of_freedom = 0; ///< rows minus parameters
+  Validity validity;
+};
+
+enum class FitStatus { converged, iteration_limit, no_progress };
+
+/// The outcome of a fit. What was found is given out only if the iteration converged.
+class [[nodiscard]] FitReport {
+ public:
+  FitReport(FitStatus status, std::size_t iterations, Fit last);
+
+  [[nodiscard]] FitStatus status() const { return status_; }
+  /// Steps of the non-linear iteration; 0 if the log-linear start already was the answer.
+  [[nodiscard]] std::size_t iterations() const { return iterations_; }
+  /// \throws   NotConverged unless the status is converged
+  [[nodiscard]] const Fit& fit() const;
+  /// Where the iteration stopped, converged or not.
+  [[nodiscard]] const Fit& last() const { return last_; }
+
+ private:
+  FitStatus status_;
+  std::size_t iterations_;
+  Fit last_;
+};
+
+/// Whether a row can be fitted: G and stresses positive and finite, void ratio within the range of the
+/// function. \throws   InvalidArgument naming what is not
+void require_valid(const Measurement& row, VoidRatioFunction function);
+
+/// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [MoreSorensen1983]
+/// Assumes   independent errors of equal size in what is weighted (ln G or G), exact stresses.
+/// \param    rows  at least 4
+/// \throws   InvalidArgument if a row is not valid, if there are too few, or if the stresses do not tell m
+/// from n: on a
+///           path of constant sigma_i/sigma_j only s = m + n has a meaning, see fit_exponent_sum. The limit
+///           is a scatter across the path of 1e-3 of that along it, in ln sigma: finer than stresses are
+///           measured.
+/// Accuracy  data that obey Eq. (1) give C, m, n back to 1e-10; standard errors to first order in the scatter
+FitReport fit(std::span<const Measurement> rows, const FitOptions& options);
+
+/// C and s alone, with m = n = s/2: for paths of constant sigma_i/sigma_j, such as isotropic compression.
+/// The value of s does not depend on the split on such a path; C does unless sigma_i = sigma_j, which a note
+/// then says. \param    rows  at least 3 \throws   InvalidArgument if a row is not valid, if there are too
+/// few, or if all have the same stress
+FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options);
+
+} // namespace granum::hardin

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: ln G = base + X theta, with base = ln(p_a f(e)), theta = (ln C, m, n) and a row (1, x, y) of the
+// design X, x = ln(sigma_i/p_a), y = ln(sigma_j/p_a); or theta = (ln C, s) and a row (1, (x+y)/2).
+#include <granum/hardin/fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <Eigen/Dense>
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+namespace granum::hardin {
+
+namespace {
+
+/// Scatter of ln stress across a path, relative to that along it, below which m and n are one number.
+constexpr double smallest_scatter = 1e-3;
+/// Correlation of m and n from which on a note warns.
+constexpr double high_correlation = 0.99;
+
+struct Problem {
+  Eigen::MatrixXd design;
+  Eigen::VectorXd base;
+  Eigen::VectorXd measured; ///< G [Pa]
+  Weights weights;
+  double scale; ///< of G, so that residuals are of order 1 whatever the unit [Pa]
+
+  [[nodiscard]] Eigen::VectorXd modulus(const Eigen::VectorXd& theta) const {
+    return (base + design * theta).array().exp();
+  }
+  /// Residuals in the space of the weights, pure numbers.
+  [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& theta) const {
+    if (weights == Weights::relative)
+      return base + design * theta - measured.array().log().matrix();
+    return (modulus(theta) - measured) / scale;
+  }
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const {
+    if (weights == Weights::relative)
+      return design;
+    return (modulus(theta) / scale).asDiagonal() * design;
+  }
+};
+
+struct Solution {
+  FitStatus status = FitStatus::converged;
+  std::size_t iterations = 0;
+  Eigen::VectorXd theta;
+};
+
+// --- the bridge to GSL
+// -----------------------------------------------------------------------------------------------
+
+/// GSL's error handler is global and aborts; it is off while this lives.
+class ErrorHandlerOff {
+ public:
+  ErrorHandlerOff() : saved_(gsl_set_error_handler_off()) {}
+  ErrorHandlerOff(const ErrorHandlerOff&) = delete;
+  ErrorHandlerOff& operator=(const ErrorHandlerOff&) = delete;
+  ~ErrorHandlerOff() { gsl_set_error_handler(saved_); }
+
+ private:
+  gsl_error_handler_t* saved_;
+};
+
+using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
+
+Eigen::VectorXd vector_of(const gsl_vector* v) {
+  Eigen::VectorXd copy(static_cast<Eigen::Index>(v->size));
+  for (std::size_t k = 0; k < v->size; ++k)
+    copy[static_cast<Eigen::Index>(k)] = gsl_vector_get(v, k);
+  return copy;
+}
+
+int gsl_residuals(const gsl_vector* theta, void* problem, gsl_vector* out) {
+  const Eigen::VectorXd values = static_cast<const Problem*>(problem)->residuals(vector_of(theta));
+  for (std::size_t k = 0; k < out->size; ++k)
+    gsl_vector_set(out, k, values[static_cast<Eigen::Index>(k)]);
+  return GSL_SUCCESS;
+}
+
+int gsl_jacobian(const gsl_vector* theta, void* problem, gsl_matrix* out) {
+  const Eigen::MatrixXd values = static_cast<const Problem*>(problem)->jacobian(vector_of(theta));
+  for (std::size_t i = 0; i < out->size1; ++i)
+    for (std::size_t j = 0; j < out->size2; ++j)
+      gsl_matrix_set(out, i, j, values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  return GSL_SUCCESS;
+}
+
+/// Whether the residuals vanish to rounding or are perpendicular to every column of the Jacobian: no step
+/// helps.
+bool stationary(const Problem& problem, const Eigen::VectorXd& theta) {
+  const Eigen::VectorXd r = problem.residuals(theta);
+  const double root_n = std::sqrt(static_cast<double>(r.size()));
+  if (r.norm() <= 1e-13 * root_n)
+    return true;
+  const Eigen::MatrixXd j = problem.jacobian(theta);
+  const Eigen::VectorXd cosines =
+      (j.transpose() * r).array() / (j.colwise().norm().transpose().array() * r.norm());
+  return cosines.cwiseAbs().maxCoeff() <= 1e-8;
+}
+
+Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t iteration_limit) {
+  const ErrorHandlerOff guard;
+  const auto rows = static_cast<std::size_t>(problem.design.rows());
+  const auto parameters = static_cast<std::size_t>(problem.design.cols());
+  gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
+  settings.trs = gsl_multifit_nlinear_trs_lm;
+  const Workspace workspace(
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, rows, parameters),
+      gsl_multifit_nlinear_free);
+  if (!workspace)
+    throw Error("no memory for a fit of " + std::to_string(rows) + " rows");
+
+  gsl_multifit_nlinear_fdf system{};
+  system.f = gsl_residuals;
+  system.df = gsl_jacobian;
+  system.n = rows;
+  system.p = parameters;
+  system.params = &problem;
+  const gsl_vector_const_view first = gsl_vector_const_view_array(start.data(), parameters);
+  gsl_multifit_nlinear_init(&first.vector, &system, workspace.get());
+
+  int reason = 0;
+  const double step = 1e-13, gradient = 1e-15, change = 0; // to rounding: a row costs nothing
+  const int outcome = gsl_multifit_nlinear_driver(iteration_limit, step, gradient, change, nullptr, nullptr,
+                                                  &reason, workspace.get());
+  Solution solution{FitStatus::converged, gsl_multifit_nlinear_niter(workspace.get()),
+                    vector_of(gsl_multifit_nlinear_position(workspace.get()))};
+  // at the optimum the driver may find no better step and call that a failure
+  if (outcome != GSL_SUCCESS && !stationary(problem, solution.theta))
+    solution.status =
+        solution.iterations >= iteration_limit ? FitStatus::iteration_limit : FitStatus::no_progress;
+  return solution;
+}
+
+// --- from rows to the problem, and back
+// ------------------------------------------------------------------------------
+
+Problem make_problem(std::span<const Measurement> rows, const FitOptions& options, Eigen::Index parameters) {
+  const double pa = require_positive("atmospheric_pressure", options.atmospheric_pressure, "Pa");
+  if (rows.size() <= static_cast<std::size_t>(parameters))
+    throw InvalidArgument("a fit of " + std::to_string(parameters) +
+                          " parameters with standard errors needs at least " +
+                          std::to_string(parameters + 1) + " rows, not " + std::to_string(rows.size()));
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Problem problem{Eigen::MatrixXd::Ones(count, parameters), Eigen::VectorXd(count), Eigen::VectorXd(count),
+                  options.weights, 1};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Measurement& row = rows[static_cast<std::size_t>(k)];
+    try {
+      require_valid(row, options.void_ratio_function);
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument("row " + std::to_string(k + 1) + ": " + error.what());
+    }
+    const double x = std::log(row.state.stress_i / pa), y = std::log(row.state.stress_j / pa);
+    if (parameters == 3)
+      problem.design.row(k) << 1, x, y;
+    else
+      problem.design.row(k) << 1, (x + y) / 2;
+    problem.base[k] = std::log(pa * void_ratio_value(options.void_ratio_function, row.state.void_ratio));
+    problem.measured[k] = row.shear_modulus;
+  }
+  problem.scale = problem.measured.maxCoeff();
+  return problem;
+}
+
+/// The two ways in which the stresses of all rows vary in the plane of (ln sigma_i, ln sigma_j).
+struct Scatter {
+  double along;              ///< root mean square along the main direction
+  double across;             ///< and perpendicular to it
+  Eigen::Vector2d direction; ///< of the main one
+};
+
+Scatter scatter(const Eigen::MatrixXd& design) {
+  const Eigen::MatrixXd centred = design.rightCols<2>().rowwise() - design.rightCols<2>().colwise().mean();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
+  const Eigen::Vector2d root_mean_square =
+      svd.singularValues() / std::sqrt(static_cast<double>(design.rows()));
+  return {root_mean_square[0], root_mean_square[1], svd.matrixV().col(0)};
+}
+
+void require_distinct_exponents(const Eigen::MatrixXd& design) {
+  const Scatter s = scatter(design);
+  if (s.along < smallest_scatter)
+    throw InvalidArgument("all rows have the same stresses: no exponent can be fitted");
+  if (s.across >= smallest_scatter * s.along)
+    return;
+  const bool proportional = std::abs(s.direction[0] - s.direction[1]) < 10 * smallest_scatter;
+  throw InvalidArgument(
+      proportional
+          ? "m and n cannot be told apart: sigma_i/sigma_j is the same in all rows, so that only the sum "
+            "s = m + n has a meaning; fit s alone, or add rows of another stress ratio"
+          : "m and n cannot be told apart: the stresses of all rows lie on one line of ln sigma_i against ln "
+            "sigma_j; add rows of another stress path");
+}
+
+/// Log-linear least squares, exact for relative weights.
+Eigen::VectorXd start_of(const Problem& problem) {
+  return problem.design.colPivHouseholderQr().solve(problem.measured.array().log().matrix() - problem.base);
+}
+
+/// (J^T J)^-1 in ln C and the exponents; it depends on where was measured, not on the scatter.
+Eigen::MatrixXd inverse_information(const Problem& problem, const Eigen::VectorXd& theta) {
+  const Eigen::MatrixXd j = problem.jacobian(theta);
+  const Eigen::Index p = j.cols();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(j);
+  const Eigen::MatrixXd r = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
+  return inverse * inverse.transpose();
+}
+
+std::optional<double> r_squared(const Problem& problem, const Eigen::VectorXd& theta) {
+  Eigen::VectorXd value = problem.measured / problem.scale;
+  if (problem.weights == Weights::relative)
+    value = value.array().log();
+  const double total = (value.array() - value.mean()).square().sum();
+  if (!(total > 0))
+    return std::nullopt;
+  return 1 - problem.residuals(theta).squaredNorm() / total;
+}
+
+Fit make_fit(const Problem& problem, const FitOptions& options, const Eigen::VectorXd& theta) {
+  Fit fit;
+  const double c = std::exp(theta[0]);
+  const bool separate = theta.size() == 3;
+  fit.degrees_of_freedom = static_cast<std::size_t>(problem.design.rows() - problem.design.cols());
+  const double variance =
+      problem.residuals(theta).squaredNorm() / static_cast<double>(fit.degrees_of_freedom);
+  Eigen::MatrixXd covariance = variance * inverse_information(problem, theta);
+  covariance.row(0) *= c; // from ln C to C
+  covariance.col(0) *= c;
+  const auto estimate = [&](Eigen::Index k, double value) {
+    return Estimate{value, std::sqrt(covariance(k, k))};
+  };
+  fit.coefficient = estimate(0, c);
+  if (separate) {
+    fit.parameters = {"C", "m", "n"};
+    fit.exponent_i = estimate(1, theta[1]);
+    fit.exponent_j = estimate(2, theta[2]);
+    fit.exponent_sum = {theta[1] + theta[2],
+                        std::sqrt(std::max(0.0, covariance.bottomRightCorner(2, 2).sum()))};
+  } else {
+    fit.parameters = {"C", "s"};
+    fit.exponent_sum = estimate(1, theta[1]);
+  }
+  fit.equation = {c, separate ? theta[1] : theta[1] / 2, separate ? theta[2] : theta[1] / 2,
+                  options.atmospheric_pressure, options.void_ratio_function};
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i)
+    fit.covariance.emplace_back(covariance.row(i).begin(), covariance.row(i).end());
+  fit.r_squared = r_squared(problem, theta);
+  const Eigen::VectorXd fitted = problem.modulus(theta);
+  const Eigen::VectorXd residuals = problem.measured - fitted;
+  fit.residuals.assign(residuals.begin(), residuals.end());
+  fit.rms_relative_residual = std::sqrt((residuals.array() / fitted.array()).square().mean());
+  return fit;
+}
+
+void note_correlation(const Problem& problem, const Eigen::VectorXd& theta, Validity& validity) {
+  const Eigen::MatrixXd c = inverse_information(problem, theta);
+  const double correlation = c(1, 2) / std::sqrt(c(1, 1) * c(2, 2));
+  if (std::abs(correlation) > high_correlation)
+    validity.add("m and n are hard to tell apart on these stress paths (correlation " +
+                 short_text(correlation) + "); their sum s is the better number");
+}
+
+void note_unequal_stresses(std::span<const Measurement> rows, Validity& validity) {
+  const auto log_ratio = [](const Measurement& row) {
+    return std::log(row.state.stress_i / row.state.stress_j);
+  };
+  const double first = log_ratio(rows.front());
+  double spread = 0, offset = 0;
+  for (const Measurement& row : rows) {
+    spread = std::max(spread, std::abs(log_ratio(row) - first));
+    offset = std::max(offset, std::abs(log_ratio(row)));
+  }
+  if (spread > 0.01)
+    validity.add("sigma_i/sigma_j changes from row to row: s alone assumes m = n = s/2; a fit of m and n "
+                 "assumes less");
+  else if (offset > 0.01)
+    validity.add("sigma_i and sigma_j differ: s does not depend on it, but C assumes m = n = s/2");
+}
+
+} // namespace
+
+FitReport::FitReport(FitStatus status, std::size_t iterations, Fit last)
+    : status_(status), iterations_(iterations), last_(std::move(last)) {}
+
+const Fit& FitReport::fit() const {
+  if (status_ != FitStatus::converged)
+    throw NotConverged(std::string("the fit of Eq. (1) did not converge: ") +
+                       (status_ == FitStatus::iteration_limit ? "the limit of iterations was reached"
+                                                              : "no step makes progress") +
+                       " after " + std::to_string(iterations_) + " iterations");
+  return last_;
+}
+
+void require_valid(const Measurement& row, VoidRatioFunction function) {
+  require_positive("shear_modulus", row.shear_modulus, "Pa");
+  require_positive("stress_i", row.state.stress_i, "Pa");
+  require_positive("stress_j", row.state.stress_j, "Pa");
+  (void)void_ratio_value(function, row.state.void_ratio);
+}
+
+FitReport fit(std::span<const Measurement> rows, const FitOptions& options) {
+  Problem problem = make_problem(rows, options, 3);
+  require_distinct_exponents(problem.design);
+  const Solution solution = solve(problem, start_of(problem), options.iteration_limit);
+  Fit result = make_fit(problem, options, solution.theta);
+  note_correlation(problem, solution.theta, result.validity);
+  return {solution.status, solution.iterations, std::move(result)};
+}
+
+FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options) {
+  Problem problem = make_problem(rows, options, 2);
+  const Eigen::VectorXd u = problem.design.col(1);
+  if (u.maxCoeff() - u.minCoeff() < smallest_scatter)
+    throw InvalidArgument("all rows have the same stress: no exponent can be fitted");
+  const Solution solution = solve(problem, start_of(problem), options.iteration_limit);
+  Fit result = make_fit(problem, options, solution.theta);
+  note_unequal_stresses(rows, result.validity);
+  return {solution.status, solution.iterations, std::move(result)};
+}
+
+} // namespace granum::hardin

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/hardin/equation.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::hardin;
+
+namespace {
+
+const Equation sand{.coefficient = 700,
+                    .exponent_i = 0.27,
+                    .exponent_j = 0.23,
+                    .atmospheric_pressure = 1e5,
+                    .void_ratio_function = VoidRatioFunction::none};
+constexpr double rounding = 1e-14; // three powers and products
+
+} // namespace
+
+TEST_CASE("at the atmospheric pressure the modulus is C p_a f(e)") {
+  Equation equation = sand;
+  CHECK(shear_modulus(equation, {1e5, 1e5, 0.6}) == 700e5);
+  equation.void_ratio_function = VoidRatioFunction::hardin_richart_round;
+  CHECK(shear_modulus(equation, {1e5, 1e5, 0.6}) == relative(700e5 * 1.57 * 1.57 / 1.6, rounding));
+}
+
+TEST_CASE("each stress has its own exponent") {
+  const double g = shear_modulus(sand, {1e5, 1e5, 0.6});
+  CHECK(shear_modulus(sand, {2e5, 1e5, 0.6}) / g == relative(std::pow(2.0, 0.27), rounding));
+  CHECK(shear_modulus(sand, {1e5, 2e5, 0.6}) / g == relative(std::pow(2.0, 0.23), rounding));
+  CHECK(shear_modulus(sand, {8e5, 8e5, 0.6}) / g == relative(std::pow(8.0, 0.5), rounding));
+}
+
+TEST_CASE("another atmospheric pressure changes C by its power 1 - s, never the modulus") {
+  Equation other = sand;
+  other.atmospheric_pressure = 101325;
+  other.coefficient = 700 * std::pow(1e5 / 101325, 1 - 0.5);
+  CHECK(shear_modulus(other, {3e5, 4e4, 0.6}) == relative(shear_modulus(sand, {3e5, 4e4, 0.6}), rounding));
+}
+
+TEST_CASE("constants and states outside their range are refused") {
+  const State state{1e5, 1e5, 0.6};
+  Equation bad = sand;
+  bad.atmospheric_pressure = 0;
+  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
+  bad = sand;
+  bad.coefficient = -1;
+  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
+  bad = sand;
+  bad.exponent_j = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
+  CHECK_THROWS_AS((void)shear_modulus(sand, {-1e5, 1e5, 0.6}), InvalidArgument);
+  CHECK_THROWS_AS((void)shear_modulus(sand, {1e5, 0, 0.6}), InvalidArgument);
+  CHECK_THROWS_AS((void)shear_modulus(sand, {1e5, 1e5, 0}), InvalidArgument);
+}

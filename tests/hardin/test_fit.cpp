@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/hardin/fit.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <boost/random/normal_distribution.hpp>
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <gsl/gsl_errno.h>
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::hardin;
+
+namespace {
+
+constexpr double pa = 1e5;
+
+/// The paper's states between eta = -0.6 and 0.6 in steps of 0.05, from the isotropic 100 kPa: TXC and TXE
+/// change one stress upwards, RTXC and RTXE the same downwards. `stress_i` is horizontal, `stress_j`
+/// vertical, as for G_hv.
+std::vector<State> triaxial_paths() {
+  std::vector<State> states{{pa, pa, 0.558}};
+  for (int step = 1; step <= 12; ++step) {
+    const double eta = 0.05 * step;
+    const double compression = (3 + 2 * eta) / (3 - eta); // sigma_v/sigma_h at q/p' = eta
+    const double extension = (3 - 2 * eta) / (3 + eta);
+    states.push_back({pa, pa * compression, 0.558}); // TXC
+    states.push_back({pa / compression, pa, 0.558}); // RTXC
+    states.push_back({pa, pa * extension, 0.558});   // RTXE
+    states.push_back({pa / extension, pa, 0.558});   // TXE
+  }
+  return states;
+}
+
+std::vector<State> isotropic_path() {
+  std::vector<State> states;
+  for (int step = 1; step <= 10; ++step)
+    states.push_back({0.1 * step * pa, 0.1 * step * pa, 0.56});
+  return states;
+}
+
+std::vector<Measurement> measured(const Equation& equation, const std::vector<State>& states) {
+  std::vector<Measurement> rows;
+  for (const State& state : states)
+    rows.push_back({shear_modulus(equation, state), state});
+  return rows;
+}
+
+Equation equation(double c, double m, double n) {
+  return {.coefficient = c, .exponent_i = m, .exponent_j = n, .atmospheric_pressure = pa};
+}
+
+FitOptions with(Weights weights) { return {.atmospheric_pressure = pa, .weights = weights}; }
+
+/// The message with which a fit is refused; empty if it is done.
+template <typename Fitter>
+std::string refusal(Fitter fitter, const std::vector<Measurement>& rows) {
+  try {
+    (void)fitter(rows, with(Weights::relative));
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("moduli made with the paper's Table 5 give its m and n back") {
+  // G_hv and G_vh rows of Table 5: C [MPa, so times 10 for p_a = 100 kPa], m, n. [Chung2014]
+  const double table5[][3] = {{21.45, 0.273, 0.237}, {21.43, 0.234, 0.275}, {13.31, 0.322, 0.353},
+                              {13.32, 0.354, 0.325}, {73.74, 0.189, 0.160}, {73.75, 0.162, 0.190},
+                              {29.59, 0.176, 0.357}, {29.56, 0.345, 0.189}, {100.8, 0.013, 0.012},
+                              {100.9, 0.013, 0.013}, {34.11, 0.058, 0.188}, {34.07, 0.180, 0.064}};
+  for (const auto& [c, m, n] : table5)
+    for (const Weights weights : {Weights::relative, Weights::absolute}) {
+      CAPTURE(c);
+      const FitReport report = fit(measured(equation(10 * c, m, n), triaxial_paths()), with(weights));
+      const Fit& result = report.fit();
+      CHECK(result.coefficient.value == relative(10 * c, 1e-10));
+      CHECK(std::abs(result.exponent_i->value - m) < 1e-10);
+      CHECK(std::abs(result.exponent_j->value - n) < 1e-10);
+      CHECK(std::abs(result.exponent_sum.value - (m + n)) < 1e-10);
+      CHECK(result.rms_relative_residual < 1e-10);
+      CHECK(*result.r_squared > 1 - 1e-10);
+      CHECK(result.validity.ok());
+      CHECK(result.degrees_of_freedom == triaxial_paths().size() - 3);
+    }
+}
+
+TEST_CASE("noise in the moduli moves the result by what the standard errors say") {
+  const Equation truth = equation(215, 0.273, 0.237);
+  const auto states = triaxial_paths();
+  const int seeds = 600; // the spread of a sample of 600 is known to 3 %
+  for (const Weights weights : {Weights::relative, Weights::absolute}) {
+    struct {
+      double sum = 0, squares = 0, said = 0;
+      void add(const Estimate& e) { sum += e.value, squares += e.value * e.value, said += e.standard_error; }
+    } c, m, n, s;
+    std::mt19937_64 bits(20140123);
+    boost::random::normal_distribution<double> normal;
+    for (int seed = 0; seed < seeds; ++seed) {
+      auto rows = measured(truth, states);
+      for (Measurement& row : rows)
+        if (weights == Weights::relative)
+          row.shear_modulus *= std::exp(0.03 * normal(bits));
+        else
+          row.shear_modulus += 0.03 * 36e6 * normal(bits);
+      const FitReport report = fit(rows, with(weights));
+      c.add(report.fit().coefficient);
+      m.add(*report.fit().exponent_i);
+      n.add(*report.fit().exponent_j);
+      s.add(report.fit().exponent_sum);
+    }
+    const double truths[] = {215, 0.273, 0.237, 0.510};
+    for (int k = 0; const auto& parameter : {c, m, n, s}) {
+      CAPTURE(k);
+      const double mean = parameter.sum / seeds;
+      const double spread = std::sqrt(parameter.squares / seeds - mean * mean);
+      CHECK(spread == relative(parameter.said / seeds, 0.10));
+      CHECK(std::abs(mean - truths[k++]) < 4 * spread / std::sqrt(double(seeds)));
+    }
+  }
+}
+
+TEST_CASE("the two weights differ on noisy data, and each is at its own minimum") {
+  auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k].shear_modulus *= k % 3 == 0 ? 1.1 : 0.97;
+  const FitReport relative_report = fit(rows, with(Weights::relative));
+  const FitReport absolute_report = fit(rows, with(Weights::absolute));
+  const auto cost = [&](Equation trial, Weights weights) {
+    double sum = 0;
+    for (const Measurement& row : rows) {
+      const double g = shear_modulus(trial, row.state);
+      const double r = weights == Weights::relative ? std::log(row.shear_modulus / g) : row.shear_modulus - g;
+      sum += r * r;
+    }
+    return sum;
+  };
+  for (const auto& [report, weights] :
+       {std::pair{&relative_report, Weights::relative}, std::pair{&absolute_report, Weights::absolute}}) {
+    const Equation best = report->fit().equation;
+    for (const double step : {-1e-4, 1e-4}) {
+      Equation trial = best;
+      trial.coefficient *= 1 + step;
+      CHECK(cost(trial, weights) > cost(best, weights));
+      trial = best;
+      trial.exponent_i += step;
+      CHECK(cost(trial, weights) > cost(best, weights));
+      trial = best;
+      trial.exponent_j += step;
+      CHECK(cost(trial, weights) > cost(best, weights));
+    }
+  }
+  CHECK(std::abs(relative_report.fit().exponent_i->value - absolute_report.fit().exponent_i->value) > 1e-4);
+}
+
+TEST_CASE("covariance, residuals and R squared belong together") {
+  auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
+  rows[3].shear_modulus *= 1.2;
+  rows[20].shear_modulus *= 0.9;
+  const FitReport report = fit(rows, with(Weights::absolute));
+  const Fit& result = report.fit();
+  const auto& v = result.covariance;
+  CHECK(result.parameters == std::vector<std::string>{"C", "m", "n"});
+  CHECK(std::sqrt(v[0][0]) == relative(result.coefficient.standard_error, 1e-12));
+  CHECK(std::sqrt(v[1][1]) == relative(result.exponent_i->standard_error, 1e-12));
+  CHECK(std::sqrt(v[1][1] + v[2][2] + 2 * v[1][2]) == relative(result.exponent_sum.standard_error, 1e-12));
+  double residual = 0, total = 0, mean = 0;
+  for (const Measurement& row : rows)
+    mean += row.shear_modulus / static_cast<double>(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    CHECK(result.residuals[k] ==
+          relative(rows[k].shear_modulus - shear_modulus(result.equation, rows[k].state), 1e-7));
+    residual += result.residuals[k] * result.residuals[k];
+    total += std::pow(rows[k].shear_modulus - mean, 2);
+  }
+  CHECK(*result.r_squared == relative(1 - residual / total, 1e-12));
+}
+
+TEST_CASE("units of the data change nothing but C") {
+  auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
+  rows[3].shear_modulus *= 1.2;
+  const FitReport first = fit(rows, with(Weights::absolute));
+  for (Measurement& row : rows) {
+    row.shear_modulus *= 8;
+    row.state.stress_i *= 8;
+    row.state.stress_j *= 8;
+  }
+  const FitReport second = fit(rows, {.atmospheric_pressure = 8 * pa, .weights = Weights::absolute});
+  CHECK(second.fit().coefficient.value == relative(first.fit().coefficient.value, 1e-10));
+  CHECK(second.fit().exponent_i->standard_error == relative(first.fit().exponent_i->standard_error, 1e-6));
+}
+
+TEST_CASE("a proportional path gives s only, and says so") {
+  const Equation truth = equation(215, 0.273, 0.237);
+  auto states = isotropic_path();
+  CHECK(refusal(fit, measured(truth, states)).find("only the sum s = m + n has a meaning") !=
+        std::string::npos);
+  for (State& state : states)
+    state.stress_j *= 0.5;
+  CHECK(refusal(fit, measured(truth, states)).find("only the sum s = m + n has a meaning") !=
+        std::string::npos);
+  const FitReport report = fit_exponent_sum(measured(truth, states), with(Weights::absolute));
+  CHECK(std::abs(report.fit().exponent_sum.value - 0.510) < 1e-10);
+  CHECK_FALSE(report.fit().exponent_i.has_value());
+  CHECK(report.fit().parameters == std::vector<std::string>{"C", "s"});
+  CHECK(report.fit().validity.notes.size() == 1);
+
+  // one stress alone changes: m is known, n and s are not
+  states.clear();
+  for (int k = 1; k <= 6; ++k)
+    states.push_back({k * pa, pa, 0.56});
+  CHECK(refusal(fit, measured(truth, states)).find("add rows of another stress path") != std::string::npos);
+}
+
+TEST_CASE("s alone on the isotropic path") {
+  for (const double s : {0.0, 0.025, 0.349, 0.677}) {
+    auto rows = measured(equation(720, s / 2, s / 2), isotropic_path());
+    const FitReport report = fit_exponent_sum(rows, with(Weights::relative));
+    CHECK(report.fit().coefficient.value == relative(720, 1e-10));
+    CHECK(std::abs(report.fit().exponent_sum.value - s) < 1e-10);
+    CHECK(report.fit().validity.ok());
+  }
+}
+
+TEST_CASE("stresses that hardly tell m from n bring a note and wide errors, not silence") {
+  auto states = isotropic_path();
+  for (std::size_t k = 0; k < states.size(); ++k)
+    states[k].stress_j *= k % 2 == 0 ? 1.01 : 0.99;
+  auto rows = measured(equation(215, 0.273, 0.237), states);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k].shear_modulus *= k % 3 == 0 ? 1.01 : 0.99;
+  const FitReport report = fit(rows, with(Weights::relative));
+  CHECK_FALSE(report.fit().validity.ok());
+  CHECK(report.fit().exponent_i->standard_error > 0.1);
+  CHECK(report.fit().exponent_sum.standard_error < 0.02);
+}
+
+TEST_CASE("rows that cannot be fitted are refused") {
+  const Equation truth = equation(215, 0.273, 0.237);
+  auto rows = measured(truth, triaxial_paths());
+  CHECK(refusal(fit, {rows.begin(), rows.begin() + 3}).find("needs at least 4 rows, not 3") !=
+        std::string::npos);
+  CHECK(refusal(fit_exponent_sum, {rows.begin(), rows.begin() + 2}).find("needs at least 3 rows, not 2") !=
+        std::string::npos);
+  CHECK(refusal(fit, std::vector<Measurement>(6, rows[0])).find("all rows have the same stresses") !=
+        std::string::npos);
+  CHECK(
+      refusal(fit_exponent_sum, std::vector<Measurement>(6, rows[0])).find("all rows have the same stress") !=
+      std::string::npos);
+  rows[4].state.stress_j = -5e3;
+  CHECK(refusal(fit, rows) == "row 5: stress_j = -5000 Pa is outside (0, inf)");
+  rows[4].state.stress_j = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refusal(fit, rows).starts_with("row 5: stress_j"));
+  rows = measured(truth, triaxial_paths());
+  rows[0].shear_modulus = 0;
+  CHECK(refusal(fit, rows).starts_with("row 1: shear_modulus"));
+  rows = measured(truth, triaxial_paths());
+  CHECK_THROWS_AS((void)fit(rows, FitOptions{}), InvalidArgument); // no atmospheric pressure
+}
+
+TEST_CASE("a fit that was stopped gives its result out only on request") {
+  auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k].shear_modulus *= k % 2 == 0 ? 2 : 0.5;
+  FitOptions options = with(Weights::absolute);
+  options.iteration_limit = 1;
+  const FitReport report = fit(rows, options);
+  CHECK(report.status() == FitStatus::iteration_limit);
+  CHECK_THROWS_AS((void)report.fit(), NotConverged);
+  CHECK(report.last().coefficient.value > 0);
+  options.iteration_limit = 100;
+  CHECK(fit(rows, options).status() == FitStatus::converged);
+}
+
+TEST_CASE("GSL's global error handler is as it was after a fit") {
+  gsl_error_handler_t* const mine = [](const char*, const char*, int, int) {};
+  gsl_error_handler_t* const before = gsl_set_error_handler(mine);
+  (void)fit(measured(equation(215, 0.273, 0.237), triaxial_paths()), with(Weights::absolute)).fit();
+  const bool restored = gsl_set_error_handler(before) == mine;
+  CHECK(restored);
+}
