@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame.hpp"
+
+#include <cctype>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/verify/version.hpp>
+
+namespace granum::cli {
+
+namespace {
+
+/// "a pressure" as "PRESSURE", for help.
+std::string type_name(Dimension dimension) {
+  const std::string_view words = description(dimension);
+  std::string name(words.substr(words.find(' ') + 1));
+  for (char& c : name)
+    c = c == ' ' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw FileError("standard output", 0, "cannot be written");
+}
+
+} // namespace
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--json", options.json, "Print one JSON object, SI units");
+  command.add_flag("--strict", options.strict,
+                   "Fail (exit code 4) if the result lies outside a formula's validity");
+  auto* out = command.add_option("--out", options.out, "Write the result to this file")->type_name("FILE");
+  command.add_flag("--force", options.force, "Let --out replace an existing file")->needs(out);
+}
+
+CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
+                          const std::string& help) {
+  const auto take = [name, dimension, &target](const std::string& text) {
+    target = parse_quantity(name, text, dimension);
+  };
+  return command.add_option_function<std::string>(name, take, help)
+      ->type_name(type_name(dimension))
+      ->default_str(pretty(target, dimension));
+}
+
+nlohmann::ordered_json json_head(std::string_view command) {
+  return {{"program", "granum"},
+          {"version", verify::version()},
+          {"compiler", verify::compiler()},
+          {"command", command}};
+}
+
+ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,
+                 const Validity& validity) {
+  const std::string text = options.json ? json.dump(2) + "\n" : table;
+  if (options.out.empty())
+    print(text);
+  else
+    io::write_file(options.out, text, options.force ? io::Existing::replace : io::Existing::keep);
+  for (const std::string& note : validity.notes)
+    fmt::print(stderr, "granum: {}: {}\n", options.strict ? "error" : "warning", note);
+  return options.strict && !validity.ok() ? ExitCode::not_converged : ExitCode::ok;
+}
+
+} // namespace granum::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <granum/core/units.hpp>
+#include <granum/core/validity.hpp>
+#include <nlohmann/json.hpp>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+/// What the subcommands share: exit codes, options that all of them take, and the way results leave the
+/// program.
+namespace granum::cli {
+
+enum class ExitCode : int {
+  ok = 0,
+  fell_short = 1,    ///< some rows failed, or a check fell short
+  usage = 2,         ///< arguments that cannot be
+  file = 3,          ///< a file that cannot be read or written
+  not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
+};
+
+/// A subcommand: its parser, and its work, which runs after parsing. The work throws granum's errors, and
+/// main turns them into a message and an exit code. Each subcommand has one file with one function `Command
+/// add_<name>(App&)`.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<ExitCode()> run;
+};
+
+Command add_fit(CLI::App& program);
+
+/// Options that every subcommand takes.
+struct OutputOptions {
+  bool json = false;
+  bool strict = false;
+  bool force = false;
+  std::string out; ///< file; empty for standard output
+};
+
+void add_output_options(CLI::App& command, OutputOptions& options);
+
+/// An option that takes a number with its unit, into SI. `target` holds the default; InvalidArgument for bad
+/// text.
+CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
+                          const std::string& help);
+
+/// The object that a JSON result begins with: program, version, compiler, command.
+nlohmann::ordered_json json_head(std::string_view command);
+
+/// Delivers a result, `table` or `json` as the options ask, to standard output or the file, and the notes of
+/// its validity as warnings to standard error. \return   ok, or not_converged if there are notes and --strict
+/// is given \throws   FileError if the result cannot be written, or the file exists and --force is not given
+ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,
+                 const Validity& validity);
+
+} // namespace granum::cli

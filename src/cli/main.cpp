@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/verify/version.hpp>
+
+#include "frame.hpp"
+
+namespace {
+
+using namespace granum;
+using namespace granum::cli;
+
+ExitCode fail(ExitCode code, std::string_view message) {
+  fmt::print(stderr, "granum: error: {}\n", message);
+  return code;
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+  CLI::App program(
+      "How stiff is this packing of grains, how does that depend on stress, and how far can you trust "
+      "the number?",
+      "granum");
+  program.set_version_flag("--version", fmt::format("granum {} ({})", verify::version(), verify::compiler()));
+  program.require_subcommand(0, 1); // none at all is reported below, after unknown words
+  program.footer(
+      "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file, 4 not converged, or\n"
+      "outside validity under --strict. Quantities carry their unit: 100kPa, 0.5mm, 30GPa, 26.5deg.");
+  const std::vector<Command> commands{add_fit(program)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& request) { // --help, --version
+    program.exit(request);
+    return ExitCode::ok;
+  } catch (const CLI::ParseError& error) {
+    return fail(ExitCode::usage, std::string(error.what()) + "; see granum --help");
+  }
+  for (const Command& command : commands)
+    if (command.app->parsed())
+      return command.run();
+  return fail(ExitCode::usage, "a subcommand is required; see granum --help");
+}
+
+} // namespace
+
+/// The one place where errors become messages and exit codes.
+int main(int argc, char** argv) {
+  ExitCode code = ExitCode::ok;
+  try {
+    code = parse_and_run(argc, argv);
+  } catch (const InvalidArgument& error) {
+    code = fail(ExitCode::usage, error.what());
+  } catch (const FileError& error) {
+    code = fail(ExitCode::file, error.what());
+  } catch (const NotConverged& error) {
+    code = fail(ExitCode::not_converged, error.what());
+  } catch (const std::exception& error) {
+    code = fail(ExitCode::fell_short, error.what());
+  }
+  return static_cast<int>(code);
+}

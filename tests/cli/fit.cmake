@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# C at p_a = 101.325 kPa is 214.5 * 1.01325^-(1-0.51) = 213.1210
+# hv_dense_cone.csv: Eq. (1) with the constants of the paper's Table 5 (cone, dense, G_hv) on its triaxial paths.
+granum_cli_test("fit: table" EXIT 0 STDOUT "m +0\\.2730 .*exponent of sigma_h.*s = m \\+ n +0\\.5100"
+  ARGS fit hv_dense_cone.csv --modulus-column G_hv)
+granum_cli_test("fit: C p_a in the table" EXIT 0 STDOUT "C p_a = 21\\.45 MPa"
+  ARGS fit hv_dense_cone.csv --modulus-column G_hv)
+foreach(expectation "m=^0\\.2(73|729999|730000)" "n=^0\\.2(37|369999|370000)" "s=^0\\.5(1$|10000|09999)" "C=^21[45]\\."
+    "notes=^\\[\\]$")
+  granum_cli_test("fit: json ${expectation}" EXIT 0 JSON "${expectation}"
+    ARGS fit hv_dense_cone.csv --modulus-column G_hv --json --weights absolute)
+endforeach()
+granum_cli_test("fit: another p_a gives another C" EXIT 0 JSON "C=^213\\.1209"
+  ARGS fit hv_dense_cone.csv --modulus-column G_hv --json --atmospheric-pressure 101.325kPa)
+granum_cli_test("fit: isotropic path, sum only" EXIT 0 STDOUT "  s +0\\.3490"
+  ARGS fit isotropic.csv --sum-only)
+granum_cli_test("fit: sum only has no m" EXIT 0 JSON "m=^$" ARGS fit isotropic.csv --sum-only --json)
+granum_cli_test("fit: isotropic path cannot tell m from n" EXIT 2
+  STDERR "m and n cannot be told apart: .*fit s alone" ARGS fit isotropic.csv)
+granum_cli_test("fit: a note is a warning" EXIT 0 STDOUT "s +0\\.51" STDERR "granum: warning: sigma_i/sigma_j changes"
+  ARGS fit hv_dense_cone.csv --modulus-column G_hv --sum-only)
+granum_cli_test("fit: a note fails under --strict" EXIT 4 STDOUT "s +0\\.51"
+  STDERR "granum: error: sigma_i/sigma_j changes" ARGS fit hv_dense_cone.csv --modulus-column G_hv --sum-only --strict)
+
+granum_cli_test("fit: no file named" EXIT 2 STDERR "granum: error: file is required" ARGS fit)
+granum_cli_test("fit: missing file" EXIT 3 STDERR "^granum: error: none\\.csv: cannot be read: No such file"
+  ARGS fit none.csv)
+granum_cli_test("fit: truncated file" EXIT 3
+  STDERR "^granum: error: truncated\\.csv:5: expected 4 fields \\(G_MPa, sigma_v_kPa, sigma_h_kPa, e\\), found 2"
+  ARGS fit truncated.csv)
+granum_cli_test("fit: negative stress" EXIT 3
+  STDERR "^granum: error: negative_stress\\.csv:4: stress_j = -80000 Pa is outside \\(0, inf\\) \\(stress_i is sigma_v, stress_j is sigma_h\\)"
+  ARGS fit negative_stress.csv)
+granum_cli_test("fit: missing column" EXIT 3 STDERR "isotropic\\.csv:2: expected a column 'G_hh_Pa' \\(or another unit\\)"
+  ARGS fit isotropic.csv --modulus-column G_hh)
+granum_cli_test("fit: unknown option" EXIT 2 STDERR "granum: error: .*--sumonly" ARGS fit isotropic.csv --sumonly)
+granum_cli_test("fit: pressure without unit" EXIT 2
+  STDERR "^granum: error: --atmospheric-pressure = 100 has no unit; write 100Pa, 100kPa"
+  ARGS fit isotropic.csv --atmospheric-pressure 100)
+granum_cli_test("fit: negative pressure" EXIT 2 STDERR "atmospheric_pressure = -5000 Pa is outside \\(0, inf\\)"
+  ARGS fit isotropic.csv --atmospheric-pressure -5kPa)
+granum_cli_test("fit: length for pressure" EXIT 2 STDERR "must be a pressure, not a length"
+  ARGS fit isotropic.csv --atmospheric-pressure 5mm)
+granum_cli_test("fit: unknown f(e)" EXIT 2 STDERR "--void-ratio-function: hardin not in {hardin-richart-round,"
+  ARGS fit isotropic.csv --void-ratio-function hardin)
+granum_cli_test("fit: unknown weights" EXIT 2 STDERR "granum: error: --weights: equal not in" ARGS fit isotropic.csv --weights equal)
+granum_cli_test("fit: unwritable output" EXIT 3 STDERR "no such folder/fit\\.json: cannot be written"
+  ARGS fit isotropic.csv --sum-only --json --out "no such folder/fit.json")
+granum_cli_test("fit: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
+  ARGS fit isotropic.csv --sum-only --out isotropic.csv)
+granum_cli_test("fit: output to a file" EXIT 0 ARGS fit isotropic.csv --sum-only --json --force
+  --out "${CMAKE_CURRENT_BINARY_DIR}/fit result.json")

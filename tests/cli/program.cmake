@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+granum_cli_test("version" EXIT 0 STDOUT "^granum ${PROJECT_VERSION} \\(.+\\)\n$" ARGS --version)
+granum_cli_test("help" EXIT 0 STDOUT "Exit codes: 0 ok" ARGS --help)
+granum_cli_test("help of a subcommand" EXIT 0 STDOUT "atmospheric-pressure PRESSURE" ARGS fit --help)
+granum_cli_test("no subcommand" EXIT 2 STDERR "^granum: error: .*subcommand" ARGS)
+granum_cli_test("unknown subcommand" EXIT 2 STDERR "^granum: error: .*fitt" ARGS fitt)
