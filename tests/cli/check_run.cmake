@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs a program and checks exit code and text:
-#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON=key=regex] -P check_run.cmake -- arguments
+#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON=key=regex]
+#     -P check_run.cmake -- arguments
 # What is not asked for must be empty: a run without STDERR may not warn.
 cmake_minimum_required(VERSION 3.25)
 

@@ -17,7 +17,8 @@ granum_cli_test("fit: isotropic path, sum only" EXIT 0 STDOUT "  s +0\\.3490"
 granum_cli_test("fit: sum only has no m" EXIT 0 JSON "m=^$" ARGS fit isotropic.csv --sum-only --json)
 granum_cli_test("fit: isotropic path cannot tell m from n" EXIT 2
   STDERR "m and n cannot be told apart: .*fit s alone" ARGS fit isotropic.csv)
-granum_cli_test("fit: a note is a warning" EXIT 0 STDOUT "s +0\\.51" STDERR "granum: warning: sigma_i/sigma_j changes"
+granum_cli_test("fit: a note is a warning" EXIT 0 STDOUT "s +0\\.51"
+  STDERR "granum: warning: sigma_i/sigma_j changes"
   ARGS fit hv_dense_cone.csv --modulus-column G_hv --sum-only)
 granum_cli_test("fit: a note fails under --strict" EXIT 4 STDOUT "s +0\\.51"
   STDERR "granum: error: sigma_i/sigma_j changes" ARGS fit hv_dense_cone.csv --modulus-column G_hv --sum-only --strict)
@@ -31,19 +32,24 @@ granum_cli_test("fit: truncated file" EXIT 3
 granum_cli_test("fit: negative stress" EXIT 3
   STDERR "^granum: error: negative_stress\\.csv:4: stress_j = -80000 Pa is outside .*stress_j is sigma_h"
   ARGS fit negative_stress.csv)
-granum_cli_test("fit: missing column" EXIT 3 STDERR "isotropic\\.csv:2: expected a column 'G_hh_Pa' \\(or another unit\\)"
+granum_cli_test("fit: missing column" EXIT 3
+  STDERR "isotropic\\.csv:2: expected a column 'G_hh_Pa' \\(or another unit\\)"
   ARGS fit isotropic.csv --modulus-column G_hh)
-granum_cli_test("fit: unknown option" EXIT 2 STDERR "granum: error: .*--sumonly" ARGS fit isotropic.csv --sumonly)
+granum_cli_test("fit: unknown option" EXIT 2
+  STDERR "granum: error: .*--sumonly" ARGS fit isotropic.csv --sumonly)
 granum_cli_test("fit: pressure without unit" EXIT 2
   STDERR "^granum: error: --atmospheric-pressure = 100 has no unit; write 100Pa, 100kPa"
   ARGS fit isotropic.csv --atmospheric-pressure 100)
-granum_cli_test("fit: negative pressure" EXIT 2 STDERR "atmospheric_pressure = -5000 Pa is outside \\(0, inf\\)"
+granum_cli_test("fit: negative pressure" EXIT 2
+  STDERR "atmospheric_pressure = -5000 Pa is outside \\(0, inf\\)"
   ARGS fit isotropic.csv --atmospheric-pressure -5kPa)
 granum_cli_test("fit: length for pressure" EXIT 2 STDERR "must be a pressure, not a length"
   ARGS fit isotropic.csv --atmospheric-pressure 5mm)
-granum_cli_test("fit: unknown f(e)" EXIT 2 STDERR "--void-ratio-function: hardin not in {hardin-richart-round,"
+granum_cli_test("fit: unknown f(e)" EXIT 2
+  STDERR "--void-ratio-function: hardin not in {hardin-richart-round,"
   ARGS fit isotropic.csv --void-ratio-function hardin)
-granum_cli_test("fit: unknown weights" EXIT 2 STDERR "granum: error: --weights: equal not in" ARGS fit isotropic.csv --weights equal)
+granum_cli_test("fit: unknown weights" EXIT 2
+  STDERR "granum: error: --weights: equal not in" ARGS fit isotropic.csv --weights equal)
 granum_cli_test("fit: unwritable output" EXIT 3 STDERR "no such folder/fit\\.json: cannot be written"
   ARGS fit isotropic.csv --sum-only --json --out "no such folder/fit.json")
 granum_cli_test("fit: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
