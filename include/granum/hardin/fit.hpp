@@ -79,7 +79,7 @@ class [[nodiscard]] FitReport {
 /// function. \throws   InvalidArgument naming what is not
 void require_valid(const Measurement& row, VoidRatioFunction function);
 
-/// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [MoreSorensen1983]
+/// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [More1978]
 /// Assumes   independent errors of equal size in what is weighted (ln G or G), exact stresses.
 /// \param    rows  at least 4
 /// \throws   InvalidArgument if a row is not valid, if there are too few, or if the stresses do not tell m
