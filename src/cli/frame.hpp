@@ -55,8 +55,10 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& ta
 nlohmann::ordered_json json_head(std::string_view command);
 
 /// Delivers a result, `table` or `json` as the options ask, to standard output or the file, and the notes of
-/// its validity as warnings to standard error. \return   ok, or not_converged if there are notes and --strict
-/// is given \throws   FileError if the result cannot be written, or the file exists and --force is not given
+/// its validity as warnings to standard error.
+/// \return   ok, or not_converged if there are notes and --strict
+/// is given
+/// \throws   FileError if the result cannot be written, or the file exists and --force is not given
 ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,
                  const Validity& validity);
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// Numbers to text and back, the same in every locale. Checked by tests/core/test_number.cpp
+/// Numbers to text and back, the same in every locale.
+/// Checked by tests/core/test_number.cpp
 namespace granum {
 
 /// A number at the beginning of a text, and what follows it.

@@ -34,7 +34,9 @@ struct Unit {
 [[nodiscard]] std::string_view description(Dimension dimension);
 
 /// The SI value of a number with its unit: "100kPa", "0.5 mm", "26.5deg", "2650kg/m3"; a pure number has none
-/// or %. \param    name  what the user knows the argument by; every error names it \throws   InvalidArgument
+/// or %.
+/// \param    name  what the user knows the argument by; every error names it
+/// \throws   InvalidArgument
 /// for a number without unit where one is needed, an unknown unit, one of another dimension,
 ///           text that is no number, NaN, infinity or overflow
 [[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);

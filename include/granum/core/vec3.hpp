@@ -4,7 +4,8 @@
 #include <cmath>
 
 /// Plain vectors and 3 x 3 matrices of the floors that stay free of Eigen. Aggregates of doubles, no units of
-/// their own, no checks. Checked by tests/core/test_vec3.cpp
+/// their own, no checks.
+/// Checked by tests/core/test_vec3.cpp
 namespace granum {
 
 struct Vec3 {

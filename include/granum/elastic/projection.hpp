@@ -7,7 +7,8 @@
 
 /// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
 /// is also the orthogonal projection in the Mandel norm. The symmetric part of the matrix is taken.
-/// [Moakher2006] Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
+/// [Moakher2006]
+/// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
 namespace granum::elastic {
 
 /// Average over all rotations: K = (sum of the normal 3 x 3 block)/9,

@@ -4,7 +4,8 @@
 #include <granum/elastic/stiffness.hpp>
 
 /// Transverse isotropy about axis 3 (vertical, "v"); axes 1 and 2 are horizontal ("h"). Closed forms; the
-/// matrix inverse is only a test's business. Checked by tests/elastic/test_transverse_isotropic.cpp
+/// matrix inverse is only a test's business.
+/// Checked by tests/elastic/test_transverse_isotropic.cpp
 namespace granum::elastic {
 
 /// The five Voigt stiffnesses [Pa]. C66 follows from them.

@@ -3,7 +3,8 @@
 
 #include <granum/hardin/void_ratio_function.hpp>
 
-/// The empirical small-strain shear modulus of soils. Checked by tests/hardin/test_equation.cpp
+/// The empirical small-strain shear modulus of soils.
+/// Checked by tests/hardin/test_equation.cpp
 namespace granum::hardin {
 
 /// Where a modulus G_ij is wanted: the effective stresses along the direction i of propagation and j of

@@ -10,7 +10,8 @@
 #include <granum/core/validity.hpp>
 #include <granum/hardin/equation.hpp>
 
-/// Eq. (1) fitted to measured moduli. Checked by tests/hardin/test_fit.cpp
+/// Eq. (1) fitted to measured moduli.
+/// Checked by tests/hardin/test_fit.cpp
 namespace granum::hardin {
 
 /// One measured modulus G_ij > 0 [Pa] and the state it was measured at.
@@ -76,7 +77,8 @@ class [[nodiscard]] FitReport {
 };
 
 /// Whether a row can be fitted: G and stresses positive and finite, void ratio within the range of the
-/// function. \throws   InvalidArgument naming what is not
+/// function.
+/// \throws   InvalidArgument naming what is not
 void require_valid(const Measurement& row, VoidRatioFunction function);
 
 /// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [More1978]
@@ -92,7 +94,9 @@ FitReport fit(std::span<const Measurement> rows, const FitOptions& options);
 
 /// C and s alone, with m = n = s/2: for paths of constant sigma_i/sigma_j, such as isotropic compression.
 /// The value of s does not depend on the split on such a path; C does unless sigma_i = sigma_j, which a note
-/// then says. \param    rows  at least 3 \throws   InvalidArgument if a row is not valid, if there are too
+/// then says.
+/// \param    rows  at least 3
+/// \throws   InvalidArgument if a row is not valid, if there are too
 /// few, or if all have the same stress
 FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options);
 

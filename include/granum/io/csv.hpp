@@ -12,7 +12,8 @@
 #include <granum/core/units.hpp>
 
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
-/// (sigma_v_kPa). Lines that begin with '#' and blank lines are skipped. Checked by tests/io/test_csv.cpp
+/// (sigma_v_kPa). Lines that begin with '#' and blank lines are skipped.
+/// Checked by tests/io/test_csv.cpp
 namespace granum::io {
 
 /// A table that was read. Every row has one field for each heading.
