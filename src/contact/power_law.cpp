@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include <boost/math/special_functions/gamma.hpp>
+
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
@@ -20,10 +22,19 @@ const GrainMaterial& checked(const GrainMaterial& grain) {
   return grain;
 }
 
+/// Gamma((alpha+1)/2)/Gamma(alpha/2+1). A difference of two lgamma overflows for huge alpha and loses digits
+/// before; the ratio does not. Beyond 1e8 it is z^(-1/2), z = (alpha+1)/2: the next term 1/(8z) is lost in
+/// the alpha-th root.
+double gamma_ratio(double alpha) {
+  const double z = alpha / 2 + 0.5;
+  return alpha < 1e8 ? boost::math::tgamma_delta_ratio(z, 0.5) : 1 / std::sqrt(z);
+}
+
 } // namespace
 
 PowerLaw::PowerLaw(const GrainMaterial& grain, double alpha, double coefficient)
-    : grain_(grain), alpha_(alpha), coefficient_(coefficient) {}
+    : grain_(grain), alpha_(alpha), coefficient_(coefficient),
+      unit_force_stiffness_(force_exponent() * (coefficient / std::pow(coefficient, stiffness_exponent()))) {}
 
 PowerLaw PowerLaw::cone(const GrainMaterial& grain, double slope) {
   const auto& [shear, nu] = checked(grain);
@@ -48,10 +59,9 @@ PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double prof
   if (!(alpha >= 1) || std::isinf(alpha))
     throw InvalidArgument("alpha", alpha, "", "[1, inf); a flat punch has its own constructor");
   require_positive("profile_constant", profile_constant, "m^(1-alpha)");
-  const double log_ratio = std::lgamma((alpha + 1) / 2) - std::lgamma((alpha + 2) / 2);
-  const double log_root =
-      (log_ratio - 0.5 * std::log(std::numbers::pi) - std::log(profile_constant) - std::numbers::ln2) / alpha;
-  return {grain, alpha, 2 * shear / (1 - nu) * alpha / (alpha + 1) * std::exp(log_root)};
+  const double root = std::pow(gamma_ratio(alpha) / (2 * std::sqrt(std::numbers::pi)), 1 / alpha) *
+                      std::pow(profile_constant, -1 / alpha);
+  return {grain, alpha, 2 * shear / (1 - nu) / (1 + 1 / alpha) * root};
 }
 
 double PowerLaw::force(double overlap) const {
@@ -71,8 +81,11 @@ double PowerLaw::stiffness_at_overlap(double overlap) const {
 
 double PowerLaw::stiffness_at_force(double force) const {
   require_non_negative("force", force, "N");
-  const double b = stiffness_exponent();
-  return force_exponent() * std::pow(coefficient_, 1 - b) * std::pow(force, b);
+  if (alpha_ == 1)
+    return unit_force_stiffness_ * std::sqrt(force);
+  if (alpha_ == 2)
+    return unit_force_stiffness_ * std::cbrt(force);
+  return unit_force_stiffness_ * std::pow(force, stiffness_exponent()); // pow(0, 0) = 1: the flat punch
 }
 
 double PowerLaw::energy(double overlap) const { return force(overlap) * overlap / (1 + force_exponent()); }
@@ -95,5 +108,7 @@ double mindlin_stiffness_ratio(double poisson_ratio) {
   require_poisson_ratio("poisson_ratio", poisson_ratio);
   return 2 * (1 - poisson_ratio) / (2 - poisson_ratio);
 }
+
+double given_stiffness_ratio(double ratio) { return require_non_negative("tangential_ratio", ratio); }
 
 } // namespace granum::contact

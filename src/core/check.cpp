@@ -11,17 +11,26 @@ namespace granum {
 
 namespace {
 
-double require(bool ok, std::string_view name, double value, std::string_view unit,
-               const std::string& range) {
+[[noreturn]] void refuse(std::string_view name, double value, std::string_view unit,
+                         const std::string& range) {
+  throw InvalidArgument(std::string(name), value, std::string(unit), range);
+}
+
+double require(bool ok, std::string_view name, double value, std::string_view unit, const char* range) {
   if (!ok)
-    throw InvalidArgument(std::string(name), value, std::string(unit), range);
+    refuse(name, value, unit, range);
   return value;
 }
 
-std::string interval(const char* format, double low, double high) {
-  char text[80];
-  std::snprintf(text, sizeof text, format, low, high);
-  return text;
+/// The range is put into words only when it is needed: checks stand on paths of some ten nanoseconds.
+double require_between(bool ok, std::string_view name, double value, std::string_view unit,
+                       const char* format, double low, double high) {
+  if (!ok) {
+    char range[80];
+    std::snprintf(range, sizeof range, format, low, high);
+    refuse(name, value, unit, range);
+  }
+  return value;
 }
 
 } // namespace
@@ -39,11 +48,11 @@ double require_non_negative(std::string_view name, double value, std::string_vie
 }
 
 double require_closed(std::string_view name, double value, double low, double high, std::string_view unit) {
-  return require(value >= low && value <= high, name, value, unit, interval("[%g, %g]", low, high));
+  return require_between(value >= low && value <= high, name, value, unit, "[%g, %g]", low, high);
 }
 
 double require_open(std::string_view name, double value, double low, double high, std::string_view unit) {
-  return require(value > low && value < high, name, value, unit, interval("(%g, %g)", low, high));
+  return require_between(value > low && value < high, name, value, unit, "(%g, %g)", low, high);
 }
 
 double require_poisson_ratio(std::string_view name, double value) {

@@ -50,21 +50,34 @@ struct GeneralKernel {
 };
 using NormalKernel = std::variant<ConeKernel, SphereKernel, FlatKernel, GeneralKernel>;
 
-/// Power-law contact f = c d^(1+1/alpha) of two identical elastic grains.
-/// [paper Eq. 3; Galin1946; Sneddon1965]
+/// Power-law contact f = c d^(1+1/alpha) of two identical elastic grains. [Galin1946; Sneddon1965; Chung2014]
 /// Assumes   identical grains, contact radius small against the grain, monotonic loading.
 /// Checked by tests/contact/test_power_law.cpp
 class PowerLaw {
  public:
-  /// alpha = 1: cones of slope A_1 > 0 (tangent of the flank angle) [1].
-  static PowerLaw cone(const GrainMaterial& grain, double slope);
-  /// alpha = 2: spheres of radius R > 0 [m], A_2 = 1/(2R); Hertz's law.
-  static PowerLaw sphere(const GrainMaterial& grain, double radius);
-  /// alpha = infinity: flat punches of radius a > 0 [m]; constant stiffness 2 G a/(1-nu).
-  static PowerLaw flat(const GrainMaterial& grain, double punch_radius);
-  /// Any finite alpha >= 1 with profile constant A_alpha > 0 [m^(1-alpha)].
-  /// \throws InvalidArgument for alpha < 1, infinite alpha (use flat), or a constant that is not positive.
-  static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
+  /// alpha = 1: cones, c = G/(pi (1-nu) A_1).                                                   [Sneddon1965]
+  /// \param    slope   A_1 > 0, tangent of the flank angle [1]
+  /// \throws   InvalidArgument if grain or slope is out of range
+  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] static PowerLaw cone(const GrainMaterial& grain, double slope);
+  /// alpha = 2: spheres, A_2 = 1/(2R), c = 2 G sqrt(2R)/(3(1-nu)).                                [Hertz1882]
+  /// \param    radius   R > 0 of each sphere [m]
+  /// \throws   InvalidArgument if grain or radius is out of range
+  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] static PowerLaw sphere(const GrainMaterial& grain, double radius);
+  /// alpha = infinity: flat punches, c = 2 G a/(1-nu) = k_n at every force.                     [Sneddon1965]
+  /// \param    punch_radius   a > 0 [m]
+  /// \throws   InvalidArgument if grain or radius is out of range
+  /// Accuracy  2 ulp.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] static PowerLaw flat(const GrainMaterial& grain, double punch_radius);
+  /// Any finite alpha: c = 2 G/(1-nu) alpha/(alpha+1) (g/A)^(1/alpha), g = Gamma((alpha+1)/2)/(2 sqrt(pi)
+  /// Gamma(alpha/2+1)), which tends to the flat punch of radius A^(-1/alpha).        [Galin1946; Sneddon1965]
+  /// \param    alpha              1 <= alpha < infinity
+  /// \param    profile_constant   A_alpha > 0 of one grain [m^(1-alpha)]
+  /// \throws   InvalidArgument for alpha < 1, infinite alpha (use flat), a constant that is not positive, or
+  ///           a material out of range
+  /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
 
   /// alpha in [1, inf]; infinity for the flat punch.
   [[nodiscard]] double alpha() const { return alpha_; }
@@ -74,19 +87,44 @@ class PowerLaw {
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
   [[nodiscard]] double coefficient() const { return coefficient_; }
+  /// Material of both grains.
   [[nodiscard]] const GrainMaterial& grain() const { return grain_; }
 
-  /// f [N] at overlap d >= 0 [m].
+  /// Normal force of the overlap.                                                          [Chung2014, Eq. 3]
+  /// \param    overlap   d >= 0, full approach [m]
+  /// \return   f [N]
+  /// \throws   InvalidArgument if the overlap is negative or not finite
+  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double force(double overlap) const;
-  /// d [m] at force f >= 0 [N].
+  /// Overlap at a force, the inverse of force().
+  /// \param    force   f >= 0 [N]
+  /// \return   d [m], 0 at zero force
+  /// \throws   InvalidArgument if the force is negative or not finite
+  /// Accuracy  relative 1e-14.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double overlap(double force) const;
-  /// k_n = df/dd [N/m] at overlap d >= 0 [m].
+  /// Tangent stiffness k_n = df/dd = 2 G a/(1-nu).
+  /// \param    overlap   d >= 0, full approach [m]
+  /// \return   k_n [N/m]
+  /// \throws   InvalidArgument if the overlap is negative or not finite
+  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double stiffness_at_overlap(double overlap) const;
-  /// k_n [N/m] at force f >= 0 [N]: (1+1/alpha) c^(alpha/(1+alpha)) f^(1/(1+alpha)).    [paper Eq. 4, halved]
+  /// The same at a force: k_n = (1+1/alpha) c^(alpha/(1+alpha)) f^(1/(1+alpha)).   [Chung2014, Eq. 4, halved]
+  /// \param    force   f >= 0 [N]
+  /// \return   k_n [N/m]; 0 at zero force except for the flat punch
+  /// \throws   InvalidArgument if the force is negative or not finite
+  /// Accuracy  relative 1e-14.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double stiffness_at_force(double force) const;
-  /// Elastic energy alpha/(2 alpha+1) f d [J] stored at overlap d >= 0 [m].
+  /// Elastic energy alpha/(2 alpha+1) f d, the integral of the force.
+  /// \param    overlap   d >= 0, full approach [m]
+  /// \return   U [J]
+  /// \throws   InvalidArgument if the overlap is negative or not finite
+  /// Accuracy  4 ulp.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double energy(double overlap) const;
-  /// Radius of the contact disc [m]: a = k_n (1-nu)/(2 G).
+  /// Radius of the contact disc, k_n (1-nu)/(2 G).
+  /// \param    overlap   d >= 0, full approach [m]
+  /// \return   a [m]
+  /// \throws   InvalidArgument if the overlap is negative or not finite
+  /// Accuracy  5 ulp.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double contact_radius(double overlap) const;
 
   /// The unchecked kernel of this law, for sweeps.
@@ -98,11 +136,18 @@ class PowerLaw {
   GrainMaterial grain_;
   double alpha_ = 2;
   double coefficient_ = 0;
+  double unit_force_stiffness_ = 0; ///< k_n at f = 1 N: k_n = unit_force_stiffness_ f^b
 };
 
 /// k_t/k_n = 2(1-nu)/(2-nu) of the no-slip contact of identical grains, any axisymmetric profile.
-/// [paper Eq. 8]
-/// \throws InvalidArgument unless -1 < poisson_ratio <= 0.5.
+///                                                                            [Mindlin1949; Chung2014, Eq. 8]
+/// \param    poisson_ratio   nu_g of the grain, -1 < nu_g <= 0.5
+/// \throws   InvalidArgument outside that range
+/// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
 [[nodiscard]] double mindlin_stiffness_ratio(double poisson_ratio);
+
+/// A ratio k_t/k_n that the caller knows, checked: 0 is the frictionless contact.
+/// \throws   InvalidArgument unless 0 <= ratio and finite
+[[nodiscard]] double given_stiffness_ratio(double ratio);
 
 } // namespace granum::contact

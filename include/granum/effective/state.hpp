@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include <granum/contact/power_law.hpp>
+#include <granum/core/validity.hpp>
+
+/// Effective stiffness of a packing of equal grains from the average over its contacts.
+namespace granum::effective {
+
+/// What the closed forms need to know of a packing of equal, nearly spherical grains. Only the fabric has a
+/// default: a number that is left out stays NaN and is refused by name.
+struct State {
+  static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+
+  contact::PowerLaw law;              ///< normal contact of two grains
+  double tangential_ratio = unset;    ///< k_t/k_n >= 0, e.g. contact::mindlin_stiffness_ratio(nu_g)
+  double radius = unset;              ///< R > 0 of a grain [m]; branch length 2 R
+  double void_ratio = unset;          ///< e > 0
+  double coordination_number = unset; ///< C_n = 2 N_c/N over all grains, > 0
+  double fabric_anisotropy = 0;       ///< a of E(gamma; a), in (-7/3, 7/5), a density in [-1, 1]
+  double stress_v = unset;            ///< vertical stress, compression positive [Pa]
+  double stress_h = unset;            ///< horizontal stress in both directions, compression positive [Pa]
+};
+
+/// Checks every member of a state.
+/// Stresses are both zero or both positive: grains without bonds carry no tension, and a zero stress across
+/// loaded contacts asks for unlimited friction. Forces of the static field may differ by a factor of 1e4.
+/// \throws   InvalidArgument naming the first member that no packing can have
+/// \return   notes if |a| > 1, if C_n > 12 (equal spheres touch at most 12), or if the largest contact radius
+///           exceeds a tenth of the grain radius, where contact laws of the half-space no longer hold
+/// Checked by tests/effective/test_state.cpp
+Validity require_valid(const State& state);
+
+/// P = N_c l^2/V = 3 C_n/(2 pi R (1+e)), the factor of every modulus [1/m].                      [Walton1987]
+/// Assumes   equal spheres, branch length l = 2 R.
+/// \throws   InvalidArgument as require_valid
+/// Accuracy  4 ulp.  Checked by tests/effective/test_state.cpp
+[[nodiscard]] double prefactor(const State& state);
+
+/// Mean normal contact force 4 pi R^2 (1+e) p/C_n at the mean stress p = (stress_v + 2 stress_h)/3 [N].
+/// Exact for equal spheres in static equilibrium, whatever the fabric.
+/// \throws   InvalidArgument as require_valid
+/// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
+[[nodiscard]] double mean_contact_force(const State& state);
+
+/// Contact forces f = (l/P) stress F^-1 n of the static hypothesis: in the plane of axis 3 and the normal n,
+/// f = (horizontal sin gamma, vertical cos gamma).
+struct StaticForceField {
+  double horizontal = 0; ///< (l/P) stress_h/F11, normal force of a horizontal contact normal [N]
+  double vertical = 0;   ///< (l/P) stress_v/F33, normal force of a vertical contact normal [N]
+
+  /// f_n at n3 = cos gamma [N]; n3 in [-1, 1], not checked.
+  [[nodiscard]] double normal_force(double n3) const {
+    return horizontal * (1 - n3) * (1 + n3) + vertical * n3 * n3;
+  }
+  /// f_t along growing gamma at n3 = cos gamma >= 0, (horizontal - vertical) sin gamma cos gamma [N].
+  [[nodiscard]] double tangential_force(double n3) const;
+  /// Largest |f_t|/f_n over all directions, the friction coefficient that the field needs:
+  /// |vertical - horizontal|/(2 sqrt(vertical horizontal)), 0 without load.
+  [[nodiscard]] double mobilised_friction() const;
+};
+
+/// Forces of the static hypothesis at this state; their mean normal part is mean_contact_force. They
+/// balance the stress, but not every single grain.                                            [ChangLiao1994]
+/// \throws   InvalidArgument as require_valid
+/// Accuracy  8 ulp.  Checked by tests/effective/test_state.cpp
+[[nodiscard]] StaticForceField static_force_field(const State& state);
+
+} // namespace granum::effective

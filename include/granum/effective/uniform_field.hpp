@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/validity.hpp>
+#include <granum/effective/state.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+namespace granum::effective {
+
+/// Contacts that all have the same stiffness, whatever their direction.
+struct UniformContacts {
+  double prefactor = State::unset;            ///< P = N_c l^2/V > 0 [1/m]
+  double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
+  double tangential_stiffness = State::unset; ///< k_t >= 0 [N/m]; 0 if k_n is 0
+  double fabric_anisotropy = 0;               ///< a in (-7/3, 7/5)
+};
+
+/// A stiffness and the remarks that go with it.
+struct Estimate {
+  elastic::TransverselyIsotropic stiffness;
+  Validity validity;
+};
+
+/// Stiffness if every contact follows the mean strain and no grain spins, contacts of uniform stiffness:
+/// C_ijkl = P <(k_n-k_t) n_i n_j n_k n_l
+///             + k_t/4 (n_i n_k d_jl + n_i n_l d_jk + n_j n_k d_il + n_j n_l d_ik)>,
+/// an upper bound of the true stiffness.                                          [Walton1987; ChangLiao1994]
+/// \throws   InvalidArgument if a member is out of its range
+/// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
+[[nodiscard]] elastic::TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts);
+
+/// Stiffness if the contact forces are df = (l/P) dstress F^-1 n, contacts of uniform stiffness: from the
+/// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. No lower
+/// bound: the forces do not balance grain by grain.                          [ChangLiao1994; YimsiriSoga2000]
+/// \throws   InvalidArgument if a member is out of its range
+/// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
+[[nodiscard]] elastic::TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts);
+
+/// The state with all contacts at the stiffness of the mean force: rungs 0 and 1 of the ladder. Equal to what
+/// uniform_strain and uniform_stress use only where the static forces do not depend on direction (a = 0 and
+/// stress_v = stress_h) or the law is linear; else they go further and take k_n(f_n(gamma)).
+/// \throws   InvalidArgument as require_valid(State)
+/// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
+[[nodiscard]] UniformContacts uniform_contacts(const State& state);
+
+/// Stiffness under uniform strain with k_n(gamma) = k_n(f_n(gamma)) of the static force field and
+/// k_t = tangential_ratio k_n. Fabric alone makes the forces depend on direction: with a != 0 the sparse
+/// directions carry more force a contact, also at stress_v = stress_h. Unloaded (both stresses 0): exactly
+/// 0, or the constant of a flat punch.                                             [Chung2014; ChangLiao1994]
+/// Assumes   grains do not spin on average; C_n and a are those of this very state.
+/// \throws   InvalidArgument as require_valid(State)
+/// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
+[[nodiscard]] Estimate uniform_strain(const State& state);
+
+/// Stiffness under the static hypothesis with the same k_n(f_n(gamma)); see uniform_strain and
+/// uniform_stress_stiffness. Adds a note if k_t = 0, where its shear moduli vanish by construction.
+///                                                                           [ChangLiao1994; YimsiriSoga2000]
+/// \throws   InvalidArgument as require_valid(State)
+/// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
+[[nodiscard]] Estimate uniform_stress(const State& state);
+
+} // namespace granum::effective

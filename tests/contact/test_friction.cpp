@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/contact/friction.hpp>
+
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+using contact::Friction;
+
+TEST_CASE("friction angle and coefficient go into one another") {
+  constexpr double degree = std::numbers::pi / 180;
+  CHECK(Friction::from_angle(26.5 * degree).coefficient() ==
+        doctest::Approx(0.49858).epsilon(2e-5)); // 5 digits
+  CHECK(Friction::from_angle(45 * degree).coefficient() == doctest::Approx(1).epsilon(4e-16));
+  CHECK(Friction::from_coefficient(0).angle() == 0);
+  for (double angle = 0; angle < 1.5; angle += 0.1) // tan and atan round once each
+    CHECK(Friction::from_angle(angle).angle() == doctest::Approx(angle).epsilon(4e-16));
+}
+
+TEST_CASE("impossible friction is refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS((void)Friction::from_coefficient(-0.1), InvalidArgument);
+  CHECK_THROWS_AS((void)Friction::from_coefficient(nan), InvalidArgument);
+  CHECK_THROWS_AS((void)Friction::from_angle(-0.1), InvalidArgument);
+  CHECK_THROWS_AS((void)Friction::from_angle(26.5), InvalidArgument); // degrees
+  CHECK_THROWS_AS((void)Friction::from_angle(nan), InvalidArgument);
+}

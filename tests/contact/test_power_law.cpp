@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/contact/power_law.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/quadrature.hpp>
+
+using namespace granum;
+using contact::GrainMaterial;
+using contact::PowerLaw;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr GrainMaterial glass{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+
+bool close(double a, double b, double relative) { return std::abs(a - b) <= relative * std::abs(b); }
+
+/// One law of every kind, with contacts of some micrometres at forces of about a newton.
+std::vector<PowerLaw> laws() {
+  return {PowerLaw::cone(glass, 0.4),          PowerLaw::general(glass, 1.25, 20),
+          PowerLaw::general(glass, 1.5, 180),  PowerLaw::sphere(glass, 0.5e-3),
+          PowerLaw::general(glass, 2.7, 1e6),  PowerLaw::general(glass, 8, 1e38),
+          PowerLaw::general(glass, 40, 1e200), PowerLaw::flat(glass, 5.7e-6)};
+}
+
+/// Integral of g over [0, 1] for g analytic there.
+template <class Function>
+double unit_integral(Function g) {
+  static const std::vector<QuadratureNode> rule = gauss_legendre(64);
+  double sum = 0;
+  for (const auto& [x, w] : rule)
+    sum += w / 2 * g((1 + x) / 2);
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("power law: stiffness is the derivative of force, force of energy") {
+  for (const PowerLaw& law : laws())
+    for (const double d : {1e-9, 1e-7, 1e-5}) {
+      CAPTURE(law.alpha());
+      // Central difference with step h: truncation ~ (h/d)^2 = 1e-10, round-off ~ 1e-16 d/h = 1e-11.
+      const double h = 1e-5 * d;
+      CHECK(close((law.force(d + h) - law.force(d - h)) / (2 * h), law.stiffness_at_overlap(d), 1e-9));
+      CHECK(close((law.energy(d + h) - law.energy(d - h)) / (2 * h), law.force(d), 1e-9));
+    }
+}
+
+TEST_CASE("power law: energy is the integral of force") {
+  for (const PowerLaw& law : laws()) {
+    CAPTURE(law.alpha());
+    const double d = 1e-6;
+    // f ~ x^(1+1/alpha); x = u^4 makes the integrand smooth enough for 64 points to reach 1e-11.
+    const double work =
+        unit_integral([&](double u) { return law.force(d * std::pow(u, 4)) * 4 * std::pow(u, 3) * d; });
+    CHECK(close(work, law.energy(d), 1e-11));
+  }
+}
+
+TEST_CASE(
+    "power law: Galin's and Sneddon's integrals over the profile give the same force and contact radius") {
+  // Rigid profile A r^alpha on a half-space, delta(a) = a int_0^a z'(x)/sqrt(a^2-x^2) dx and
+  // F(a) = 2 E* int_0^a (delta(a) - delta(x)) dx. Two grains: half the overlap each, E* = 2 G/(1-nu) for
+  // each.
+  struct Case {
+    double alpha, constant;
+  };
+  for (const auto& [alpha, A] : {Case{1, 0.4}, Case{1.3, 3}, Case{1.5, 180}, Case{2, 1000}, Case{2.7, 1e6},
+                                 Case{5, 1e18}, Case{8, 1e38}}) {
+    CAPTURE(alpha);
+    const double a = 3e-6;
+    // x = a sin t: z'(x)/sqrt(a^2-x^2) dx = alpha A x^(alpha-1) dt; t = u^8 pi/2 smooths the power at 0.
+    const auto approach = [&, alpha = alpha, A = A](double radius) {
+      return radius * unit_integral([&](double u) {
+               const double t = std::numbers::pi / 2 * std::pow(u, 8);
+               const double dt = std::numbers::pi / 2 * 8 * std::pow(u, 7);
+               return alpha * A * std::pow(radius * std::sin(t), alpha - 1) * dt;
+             });
+    };
+    const double plane_modulus = 2 * glass.shear_modulus / (1 - glass.poisson_ratio);
+    const double half = approach(a);
+    const double force = 2 * plane_modulus * a * unit_integral([&](double u) {
+                           return (half - approach(a * std::pow(u, 4))) * 4 * std::pow(u, 3);
+                         });
+    const PowerLaw law = PowerLaw::general(glass, alpha, A);
+    CHECK(close(law.force(2 * half), force, 1e-11));
+    CHECK(close(law.contact_radius(2 * half), a, 1e-11));
+  }
+}
+
+TEST_CASE("power law: k_n = 2 G a/(1-nu) with the contact radius of the profile") {
+  // a of the textbook: sphere a^2 = R d/2, cone a = d/(pi A_1).
+  const double d = 2e-7;
+  CHECK(close(PowerLaw::sphere(glass, 5e-4).contact_radius(d), std::sqrt(5e-4 * d / 2), 1e-15));
+  CHECK(close(PowerLaw::cone(glass, 0.4).contact_radius(d), d / (std::numbers::pi * 0.4), 1e-15));
+  CHECK(close(PowerLaw::flat(glass, 5.7e-6).contact_radius(d), 5.7e-6, 1e-15));
+}
+
+TEST_CASE("power law: the sphere is Hertz's textbook contact") {
+  // F = 4/3 E* sqrt(R*) d^1.5 with 1/E* = 2 (1-nu^2)/E and R* = R/2.
+  for (const double nu : {-0.9, 0.0, 0.15, 0.3, 0.5})
+    for (const double R : {1e-5, 0.5e-3, 0.02}) {
+      const double G = 30e9, E = 2 * G * (1 + nu), d = 1e-4 * R;
+      const double E_star = E / (2 * (1 - nu * nu)), R_star = R / 2;
+      const PowerLaw law = PowerLaw::sphere({G, nu}, R);
+      CHECK(close(law.force(d), 4.0 / 3 * E_star * std::sqrt(R_star) * std::pow(d, 1.5), 2e-15));
+      CHECK(close(law.stiffness_at_overlap(d), 2 * E_star * std::sqrt(R_star * d), 2e-15));
+    }
+}
+
+TEST_CASE("power law: force and overlap, and both stiffnesses, are inverse to one another") {
+  for (const PowerLaw& law : laws())
+    for (const double d : {1e-12, 3e-8, 1e-4}) {
+      CAPTURE(law.alpha());
+      CHECK(close(law.overlap(law.force(d)), d, 1e-14)); // log(f/c) ~ 30 spends some 5 bits
+      CHECK(close(law.stiffness_at_force(law.force(d)), law.stiffness_at_overlap(d), 1e-14));
+    }
+}
+
+TEST_CASE("power law: at zero load") {
+  for (const PowerLaw& law : laws()) {
+    CAPTURE(law.alpha());
+    const double unloaded = std::isinf(law.alpha()) ? law.coefficient() : 0;
+    CHECK(law.force(0) == 0);
+    CHECK(law.overlap(0) == 0);
+    CHECK(law.energy(0) == 0);
+    CHECK(law.stiffness_at_overlap(0) == unloaded);
+    CHECK(law.stiffness_at_force(0) == unloaded);
+  }
+}
+
+TEST_CASE("power law: the general constructor meets cone and sphere") {
+  for (const double slope : {0.01, 0.4, 3.0})
+    CHECK(close(PowerLaw::general(glass, 1, slope).coefficient(), PowerLaw::cone(glass, slope).coefficient(),
+                1e-15));
+  for (const double R : {1e-5, 0.5e-3, 0.7})
+    CHECK(close(PowerLaw::general(glass, 2, 1 / (2 * R)).coefficient(),
+                PowerLaw::sphere(glass, R).coefficient(), 1e-15));
+}
+
+TEST_CASE("power law: the exponent may be huge") {
+  const double limit = PowerLaw::flat(glass, 1).coefficient();
+  // c/limit = alpha/(alpha+1) (Gamma ratio/(2 sqrt(pi) A))^(1/alpha); with A = 1 and Stirling's series in
+  // long double.
+  const auto reference = [](long double alpha) {
+    const long double z = (alpha + 1) / 2;
+    const long double y = 1 / z;
+    const long double series = y / 8 + y * y / 128 - 5 * y * y * y / 1024 - 21 * y * y * y * y / 32768;
+    const long double log_ratio = std::log1p(series) - std::log(z) / 2;
+    const long double log_root =
+        (log_ratio - std::log(2 * std::sqrt(std::numbers::pi_v<long double>))) / alpha;
+    return static_cast<double>(alpha / (alpha + 1) * std::exp(log_root));
+  };
+  for (const double alpha : {339.0, 341.0, 343.0, 1e4, 1e6, 9.9e7, 1.1e8, 1e15, 1e300, 1.7e308}) {
+    CAPTURE(alpha);
+    const PowerLaw law = PowerLaw::general(glass, alpha, 1);
+    CHECK(close(law.coefficient() / limit, reference(alpha), 2e-15));
+    const double d = 1e-6;
+    CHECK(std::isfinite(law.force(d)));
+    CHECK(close(law.overlap(law.force(d)), d, 1e-14));
+    CHECK(close(law.stiffness_at_force(law.force(d)), law.stiffness_at_overlap(d), 1e-14));
+    // Distance to the punch: (ln d)/alpha of stiffness, (ln 2 sqrt(pi alpha/2))/alpha of the coefficient.
+    if (alpha >= 1e6)
+      CHECK(close(law.stiffness_at_overlap(d), limit, 30 / alpha + 3e-15));
+  }
+  // The family of constants with A^(-1/alpha) = a tends to the punch of radius a; alpha = 50 is 7.4 % short.
+  CHECK(close(PowerLaw::general(glass, 50, std::pow(5.7e-6, -50.0)).coefficient(),
+              PowerLaw::flat(glass, 5.7e-6).coefficient(), 0.1));
+}
+
+TEST_CASE("power law: kernels give what the checked functions give") {
+  for (const PowerLaw& law : laws()) {
+    const auto [force, stiffness] = std::visit([](const auto& k) { return k(2e-7); }, law.kernel());
+    CHECK(force == law.force(2e-7));
+    CHECK(stiffness == law.stiffness_at_overlap(2e-7));
+  }
+}
+
+TEST_CASE("power law: scales") {
+  // Moduli and forces x8: same overlaps. Lengths x2 at equal modulus: forces x4, stiffness x2.
+  const PowerLaw law = PowerLaw::sphere(glass, 5e-4), stiff = PowerLaw::sphere({8 * 30e9, 0.15}, 5e-4);
+  CHECK(stiff.force(1e-7) == 8 * law.force(1e-7));
+  const PowerLaw large = PowerLaw::sphere(glass, 1e-3);
+  CHECK(close(large.force(2e-7), 4 * law.force(1e-7), 1e-15));
+  CHECK(close(large.stiffness_at_overlap(2e-7), 2 * law.stiffness_at_overlap(1e-7), 1e-15));
+}
+
+TEST_CASE("power law: bad input") {
+  CHECK_THROWS_AS((void)PowerLaw::sphere({30e9, 0.6}, 1e-3), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::sphere({30e9, -1}, 1e-3), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::sphere({0, 0.2}, 1e-3), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::sphere({not_a_number, 0.2}, 1e-3), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::sphere(glass, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::cone(glass, -0.4), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::flat(glass, inf), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::general(glass, 0.99, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::general(glass, not_a_number, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::general(glass, inf, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)PowerLaw::general(glass, 2, 0), InvalidArgument);
+  for (const PowerLaw& law : laws())
+    for (const double bad : {-1e-9, not_a_number, inf}) {
+      CHECK_THROWS_AS((void)law.force(bad), InvalidArgument);
+      CHECK_THROWS_AS((void)law.overlap(bad), InvalidArgument);
+      CHECK_THROWS_AS((void)law.stiffness_at_overlap(bad), InvalidArgument);
+      CHECK_THROWS_AS((void)law.stiffness_at_force(bad), InvalidArgument);
+      CHECK_THROWS_AS((void)law.energy(bad), InvalidArgument);
+      CHECK_THROWS_AS((void)law.contact_radius(bad), InvalidArgument);
+    }
+}
+
+TEST_CASE("tangential stiffness ratio") {
+  CHECK(contact::mindlin_stiffness_ratio(0) == 1);
+  CHECK(contact::mindlin_stiffness_ratio(0.15) == doctest::Approx(1.7 / 1.85).epsilon(1e-15));
+  CHECK(contact::mindlin_stiffness_ratio(0.5) == doctest::Approx(2.0 / 3).epsilon(1e-15));
+  CHECK(contact::mindlin_stiffness_ratio(-0.999999) == doctest::Approx(4.0 / 3).epsilon(1e-6));
+  CHECK_THROWS_AS((void)contact::mindlin_stiffness_ratio(-1), InvalidArgument);
+  CHECK_THROWS_AS((void)contact::mindlin_stiffness_ratio(0.51), InvalidArgument);
+  CHECK(contact::given_stiffness_ratio(0) == 0);
+  CHECK(contact::given_stiffness_ratio(2.5) == 2.5);
+  CHECK_THROWS_AS((void)contact::given_stiffness_ratio(-0.1), InvalidArgument);
+  CHECK_THROWS_AS((void)contact::given_stiffness_ratio(inf), InvalidArgument);
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/state.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "effective/support.hpp"
+
+using namespace granum;
+using namespace granum::test;
+
+namespace {
+
+const State sample = state_of(2, 0.2, 0.15, 150e3, 90e3);
+
+/// The text with which a changed state is refused.
+template <class Change>
+std::string refusal(Change change) {
+  State state = sample;
+  change(state);
+  try {
+    (void)effective::require_valid(state);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool begins(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
+
+} // namespace
+
+TEST_CASE("state: the static field balances the stress and has the closed mean force") {
+  for (const double a : {-1.0, -0.3, 0.0, 0.5, 1.0})
+    for (const double ratio : {0.1, 0.6, 1.0, 3.0, 10.0}) {
+      CAPTURE(a);
+      CAPTURE(ratio);
+      const State s = state_of(2, a, 0.15, ratio * 1e5, 1e5);
+      const effective::StaticForceField field = effective::static_force_field(s);
+      double mean = 0, deviator = 0;
+      for (const auto& [n, share, k_n, k_t] : directions_of(s, 32)) {
+        const double x = n.z(), sine = std::sqrt(1 - x * x);
+        const double f_n = field.normal_force(x);
+        const double f_t = (x < 0 ? -1 : 1) * field.tangential_force(std::abs(x)); // odd about the equator
+        mean += share * f_n;
+        deviator += share * (f_n * (1.5 * x * x - 0.5) - 0.75 * f_t * 2 * sine * x);
+      }
+      const double per_volume = contact_density(s) / (2 * s.radius); // N_c l/V
+      CHECK(close(effective::mean_contact_force(s), mean, 1e-13));
+      CHECK(close(per_volume / 3 * mean, (ratio + 2) / 3 * 1e5, 1e-13));
+      CHECK(std::abs(per_volume * deviator - (ratio - 1) * 1e5) < 1e-13 * 1e6);
+      CHECK(close(effective::prefactor(s), contact_density(s), 1e-15));
+    }
+}
+
+TEST_CASE("state: mean force and prefactor of the regular lattices") {
+  // Force of a contact under pressure p: simple cubic 4 R^2 p, body-centred 4 R^2 p/sqrt 3, face-centred sqrt
+  // 2 R^2 p.
+  State s = state_of(2, 0, 0.15, 1e5, 1e5);
+  const double force = s.radius * s.radius * 1e5;
+  const auto packed = [&](double z, double solid_fraction) {
+    s.coordination_number = z;
+    s.void_ratio = 1 / solid_fraction - 1;
+    return effective::mean_contact_force(s);
+  };
+  CHECK(close(packed(6, M_PI / 6), 4 * force, 1e-14));
+  CHECK(close(packed(8, M_PI * std::sqrt(3.0) / 8), 4 / std::sqrt(3.0) * force, 1e-14));
+  CHECK(close(packed(12, M_PI / std::sqrt(18.0)), std::sqrt(2.0) * force, 1e-14));
+}
+
+TEST_CASE("state: mobilised friction is the largest ratio over directions") {
+  for (const double ratio : {0.1, 0.5, 1.0, 2.6125, 10.0}) {
+    const auto field = effective::static_force_field(state_of(2, -0.4, 0.15, ratio * 1e5, 1e5));
+    double largest = 0;
+    for (double x = 0.0005; x < 1; x += 0.0005)
+      largest = std::max(largest, std::abs(field.tangential_force(x)) / field.normal_force(x));
+    CHECK(field.mobilised_friction() >= largest * (1 - 1e-14));
+    CHECK(field.mobilised_friction() <= largest * (1 + 1e-4)); // curvature at the maximum, step 5e-4
+  }
+  // Isotropic fabric slips at stress ratio (sqrt(1+mu^2)+mu)^2.
+  const double mu = 0.4986, slip = std::pow(std::sqrt(1 + mu * mu) + mu, 2);
+  const auto field = effective::static_force_field(state_of(2, 0, 0.15, slip * 1e5, 1e5));
+  CHECK(close(field.mobilised_friction(), mu, 1e-14));
+  CHECK(effective::static_force_field(state_of(2, 0, 0.15, 0, 0)).mobilised_friction() == 0);
+}
+
+TEST_CASE("state: every impossible member is refused by name") {
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refusal([](State&) {}) == "");
+  for (const double bad : {-1.0, not_a_number, infinity}) {
+    CHECK(begins(refusal([&](State& s) { s.tangential_ratio = bad; }), "tangential_ratio"));
+    CHECK(begins(refusal([&](State& s) { s.radius = bad; }), "radius"));
+    CHECK(begins(refusal([&](State& s) { s.void_ratio = bad; }), "void_ratio"));
+    CHECK(begins(refusal([&](State& s) { s.coordination_number = bad; }), "coordination_number"));
+    CHECK(begins(refusal([&](State& s) { s.stress_v = bad; }), "stress_v"));
+    CHECK(begins(refusal([&](State& s) { s.stress_h = bad; }), "stress_h"));
+  }
+  CHECK(begins(refusal([](State& s) { s.coordination_number = 0; }), "coordination_number"));
+  CHECK(begins(refusal([](State& s) { s.void_ratio = 0; }), "void_ratio"));
+  CHECK(begins(refusal([](State& s) { s.fabric_anisotropy = 1.4; }), "fabric_anisotropy"));
+  CHECK(begins(refusal([](State& s) { s.stress_h = 0; }), "stress_h"));
+  CHECK(begins(refusal([](State& s) { s.stress_v = 0; }), "stress_v"));
+  CHECK(begins(refusal([](State& s) { s.stress_v = 1e6 * s.stress_h; }), "ratio of vertical to horizontal"));
+  const State forgotten{.law = sample.law, .radius = 5e-4};
+  CHECK_THROWS_AS((void)effective::require_valid(forgotten), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::prefactor(forgotten), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::mean_contact_force(forgotten), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::static_force_field(forgotten), InvalidArgument);
+}
+
+TEST_CASE("state: what is possible but outside the derivation is noted") {
+  const auto notes = [](auto change) {
+    State s = sample;
+    change(s);
+    return effective::require_valid(s).notes.size();
+  };
+  CHECK(notes([](State&) {}) == 0);
+  CHECK(notes([](State& s) { s.fabric_anisotropy = 1.2; }) == 1);
+  CHECK(notes([](State& s) { s.coordination_number = 12.5; }) == 1);
+  CHECK(notes([](State& s) { s.stress_v = s.stress_h = 200e6; }) == 1); // contact radius 0.19 R
+  CHECK(notes([](State& s) { s.stress_v = s.stress_h = 10e6; }) == 0);  // 0.07 R
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/fabric/orientation.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/quadrature.hpp>
+
+using namespace granum;
+
+namespace {
+
+/// Mean over the sphere of g(n1, n2, n3) weighted by E(gamma; a); exact for the polynomials below (16 points
+/// along the axis, 16 around it).
+template <class Function>
+double mean(double anisotropy, Function g) {
+  const std::vector<QuadratureNode> rule = gauss_legendre(16);
+  constexpr int around = 16;
+  double sum = 0;
+  for (const auto& [x, w] : rule)
+    for (int i = 0; i < around; ++i) {
+      const double phi = 2 * std::numbers::pi * (i + 0.5) / around;
+      const double s = std::sqrt(1 - x * x);
+      sum += w * 2 * std::numbers::pi / around * fabric::density(std::acos(x), anisotropy) *
+             g(s * std::cos(phi), s * std::sin(phi), x);
+    }
+  return sum;
+}
+
+doctest::Approx approx(double value) { return doctest::Approx(value).epsilon(1e-14).scale(1); }
+
+} // namespace
+
+TEST_CASE("orientation: closed moments are the means over the density") {
+  for (double a = -1; a <= 1; a += 0.125) {
+    CAPTURE(a);
+    const auto F = fabric::second_moments(a);
+    const auto F4 = fabric::fourth_moments(a);
+    CHECK(mean(a, [](double, double, double) { return 1.0; }) == approx(1));
+    CHECK(mean(a, [](double x, double, double) { return x * x; }) == approx(F.F11));
+    CHECK(mean(a, [](double, double, double z) { return z * z; }) == approx(F.F33));
+    CHECK(mean(a, [](double x, double, double) { return x * x * x * x; }) == approx(F4.n1111));
+    CHECK(mean(a, [](double, double, double z) { return z * z * z * z; }) == approx(F4.n3333));
+    CHECK(mean(a, [](double x, double y, double) { return x * x * y * y; }) == approx(F4.n1122));
+    CHECK(mean(a, [](double x, double, double z) { return x * x * z * z; }) == approx(F4.n1133));
+    CHECK(2 * F.F11 + F.F33 == approx(1));
+    CHECK(F4.n1111 + F4.n1122 + F4.n1133 == approx(F.F11));
+    CHECK(2 * F4.n1133 + F4.n3333 == approx(F.F33));
+  }
+}
+
+TEST_CASE("orientation: the density is never negative and isotropic at a = 0") {
+  for (double gamma = 0; gamma < 3.2; gamma += 0.1) {
+    CHECK(fabric::density(gamma, 0) == doctest::Approx(1 / (4 * std::numbers::pi)).epsilon(1e-15));
+    for (const double a : {-1.0, -0.3, 0.7, 1.0})
+      CHECK(fabric::density(gamma, a) >= 0);
+  }
+  CHECK(fabric::density(0, -1) == 0);
+}
+
+TEST_CASE("orientation: F33 and a go into one another over the whole range of F33") {
+  for (double a = -5; a <= 5.0 / 3; a += 0.05) {
+    CAPTURE(a);
+    // da/dF33 = 40/(5 F33 + 1)^2 is 40 at F33 = 0: rounding of F33 is magnified at most that much.
+    CHECK(std::abs(fabric::anisotropy_from_F33(fabric::second_moments(a).F33) - a) < 2e-15 * (1 + a * a));
+  }
+  CHECK(fabric::anisotropy_from_F33(1.0 / 3) == doctest::Approx(0).scale(1).epsilon(1e-15));
+  CHECK(fabric::anisotropy_from_F33(0) == -5);
+  CHECK(fabric::anisotropy_from_F33(1) == doctest::Approx(5.0 / 3).epsilon(1e-15));
+}
+
+TEST_CASE("orientation: |a| > 1 is reported, not clipped") {
+  CHECK(fabric::anisotropy_validity(1).ok());
+  CHECK(fabric::anisotropy_validity(-1).ok());
+  const Validity validity = fabric::anisotropy_validity(1.25);
+  REQUIRE(validity.notes.size() == 1);
+  CHECK(validity.notes[0].find("1.25") != std::string::npos);
+  CHECK_FALSE(fabric::anisotropy_validity(-1.01).ok());
+}
+
+TEST_CASE("orientation: bad input") {
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS((void)fabric::density(0, 1.01), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::density(not_a_number, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::second_moments(3), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::second_moments(not_a_number), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::fourth_moments(1.5), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::fourth_moments(-2.5), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::anisotropy_from_F33(-0.1), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::anisotropy_from_F33(1.1), InvalidArgument);
+}
