@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include <granum/assembly/assembly.hpp>
+#include <granum/elastic/stiffness.hpp>
+
+/// Rung 4: the elastic response of a given contact network, by linear algebra instead of time stepping.
+namespace granum::network {
+
+/// What a contact at the Coulomb limit does in a small probe.
+enum class SlidingContacts {
+  stick,  ///< keeps its k_t: the probe unloads it
+  release ///< k_t = 0: it goes on slipping
+};
+
+struct Options {
+  SlidingContacts sliding = SlidingContacts::stick;
+  bool prestress = false; ///< adds -(f_n/l)(1 - n n) on the relative displacement of the two centres
+  double tolerance =
+      1e-10; ///< in (0, 1): residual force over affine force, for the worst of the six load cases
+  int iteration_limit = 20000; ///< >= 1
+};
+
+enum class Status {
+  converged,
+  iteration_limit,      ///< the tolerance was not reached in the iterations allowed
+  not_positive_definite ///< the network is unstable: the prestress term outweighs the contact stiffness
+};
+
+/// The two stiffnesses of a contact network, and how the second was found. Compression positive.
+class [[nodiscard]] Response {
+ public:
+  struct Report {
+    Status status = Status::converged;
+    std::size_t grains = 0;     ///< that carry load (rattlers left out)
+    std::size_t contacts = 0;   ///< between them
+    int unknowns_per_grain = 0; ///< 6, or 3 where no contact has tangential stiffness and spins do not matter
+    int iterations = 0;
+    double residual = 0; ///< residual force over affine force, worst load case, recomputed at the end
+    double symmetry_residual = 0;    ///< largest |C_ab - C_ba| over largest |C_ab|, before C was symmetrised
+    std::size_t factor_nonzeros = 0; ///< numbers held by the preconditioner
+    double diagonal_shift = 0; ///< that the incomplete factorisation needed, relative to the mean diagonal
+  };
+
+  Response(const elastic::VoigtStiffness& affine, const elastic::VoigtStiffness& relaxed,
+           const Report& report)
+      : affine_(affine), relaxed_(relaxed), report_(report) {}
+
+  [[nodiscard]] const Report& report() const { return report_; }
+  [[nodiscard]] bool converged() const { return report_.status == Status::converged; }
+
+  /// Uniform strain, no spin: the sum over contacts of the load-bearing network [Pa].
+  [[nodiscard]] const elastic::VoigtStiffness& affine() const { return affine_; }
+  /// Every grain in equilibrium [Pa].
+  /// \throws   NotConverged unless converged().
+  [[nodiscard]] const elastic::VoigtStiffness& relaxed() const;
+  /// The last iterate of relaxed(), converged or not [Pa].
+  [[nodiscard]] const elastic::VoigtStiffness& last_iterate() const { return relaxed_; }
+
+ private:
+  elastic::VoigtStiffness affine_;
+  elastic::VoigtStiffness relaxed_;
+  Report report_;
+};
+
+/// Stiffness of the frozen contact network: C = (A - W^T H^+ W)/V with H the stiffness matrix of the grains'
+/// displacements and spins, W the forces that a uniform strain leaves unbalanced, A the affine energy.
+/// [theory D.1] Contact kinematics: delta = u_j - u_i - (a_i w_i + a_j w_j) x n, f = k_n (n.delta) n + k_t (1
+/// - n n) delta. The contact point divides the branch as the radii do, a_i = |branch| R_i/(R_i + R_j), so
+/// that a rigid rotation of the grains costs nothing and the moments balance with the same branch vectors
+/// that the stress is made of. Assumes   contacts neither open nor form; k_n, k_t those of the present state;
+/// rattlers (fewer than 2 contacts,
+///           fewer than 4 where no contact has tangential stiffness) left out one after the other, from A as
+///           well. Grains or clusters that can still move freely do so at no cost and take no part.
+/// \param    assembly  any number of grains; without load-bearing contacts both stiffnesses are zero
+/// \throws   InvalidArgument for an assembly that require_valid rejects, or an option outside its range
+/// Accuracy  the error of C is of second order in options.tolerance. Same input, same bits.
+/// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp
+Response linear_response(const Assembly& assembly, const Options& options = {});
+
+} // namespace granum::network

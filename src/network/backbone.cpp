@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backbone.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include <granum/assembly/coordination.hpp>
+
+namespace granum::network {
+
+namespace {
+
+constexpr std::uint32_t unset = ~std::uint32_t{0};
+
+double effective_tangential_stiffness(const Contact& c, SlidingContacts sliding) {
+  return c.sliding && sliding == SlidingContacts::release ? 0 : c.tangential_stiffness;
+}
+
+/// Neighbours of every grain that bears load.
+std::vector<std::vector<std::uint32_t>> adjacency(const Assembly& assembly,
+                                                  const std::vector<bool>& rattler) {
+  std::vector<std::vector<std::uint32_t>> neighbours(assembly.grain_count());
+  for (const Contact& c : assembly.contacts) {
+    if (rattler[c.i] || rattler[c.j])
+      continue;
+    neighbours[c.i].push_back(c.j);
+    neighbours[c.j].push_back(c.i);
+  }
+  return neighbours;
+}
+
+/// New number of every grain by reverse Cuthill-McKee, component after component; `unset` for rattlers.
+std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vector<bool>& rattler) {
+  auto neighbours = adjacency(assembly, rattler);
+  const auto fewer_contacts = [&](std::uint32_t g, std::uint32_t h) {
+    return std::tuple(neighbours[g].size(), g) < std::tuple(neighbours[h].size(), h);
+  };
+  std::vector<std::uint32_t> seeds, order;
+  for (std::uint32_t g = 0; g < neighbours.size(); ++g)
+    if (!rattler[g])
+      seeds.push_back(g);
+  std::ranges::sort(seeds, fewer_contacts);
+  std::vector<bool> seen(neighbours.size(), false);
+  const auto visit = [&](std::uint32_t g) {
+    if (!seen[g]) {
+      seen[g] = true;
+      order.push_back(g);
+    }
+  };
+  std::size_t head = 0;
+  for (const std::uint32_t seed : seeds) {
+    visit(seed);
+    for (; head < order.size(); ++head) {
+      auto next = neighbours[order[head]];
+      std::ranges::sort(next, fewer_contacts);
+      std::ranges::for_each(next, visit);
+    }
+  }
+  std::vector<std::uint32_t> number(neighbours.size(), unset);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    number[order[k]] = static_cast<std::uint32_t>(order.size() - 1 - k);
+  return number;
+}
+
+} // namespace
+
+Backbone load_bearing_network(const Assembly& assembly, const Options& options) {
+  Backbone backbone;
+  for (const Contact& c : assembly.contacts)
+    backbone.rotations |= effective_tangential_stiffness(c, options.sliding) > 0;
+  const auto mechanics = mechanical_coordination(assembly, backbone.rotations ? ContactKind::frictional
+                                                                              : ContactKind::frictionless);
+  const auto number = renumbering(assembly, mechanics.rattler);
+  backbone.grain_count = assembly.grain_count() - mechanics.rattler_count;
+  if (mechanics.contact_count == 0)
+    return backbone;
+
+  double stiffness_sum = 0, length_sum = 0;
+  for (const Contact& c : assembly.contacts) {
+    const bool bears_load = number[c.i] != unset && number[c.j] != unset;
+    if (!bears_load)
+      continue;
+    const bool keep = number[c.i] < number[c.j];
+    const double length = norm(c.branch);
+    backbone.links.push_back({.a = std::min(number[c.i], number[c.j]),
+                              .b = std::max(number[c.i], number[c.j]),
+                              .normal = keep ? normal(c) : -normal(c),
+                              .length = length,
+                              .lever = length / (assembly.radius[c.i] + assembly.radius[c.j]),
+                              .normal_stiffness = c.normal_stiffness,
+                              .tangential_stiffness = effective_tangential_stiffness(c, options.sliding),
+                              .prestress = options.prestress ? c.normal_force / length : 0});
+    stiffness_sum += c.normal_stiffness;
+    length_sum += length;
+  }
+  const auto count = static_cast<double>(backbone.links.size());
+  backbone.length_scale = length_sum / count;
+  if (stiffness_sum > 0)
+    backbone.stiffness_scale = stiffness_sum / count;
+  for (Link& link : backbone.links) {
+    link.length /= backbone.length_scale;
+    link.normal_stiffness /= backbone.stiffness_scale;
+    link.tangential_stiffness /= backbone.stiffness_scale;
+    link.prestress /= backbone.stiffness_scale;
+  }
+  std::ranges::stable_sort(backbone.links, {}, [](const Link& l) { return std::pair(l.a, l.b); });
+  return backbone;
+}
+
+} // namespace granum::network

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Block conjugate gradients whose residuals are kept orthonormal [OLeary1980; Dubrulle2001]: as the load
+// cases converge, their residuals all turn into the few softest modes, and a plain block method loses its
+// directions. Notation: q solution; residual r = w sigma with w^T z = 1, z = M^-1 w; directions p, s = H p,
+// zeta = (p^T s)^-1.
+#include "block_cg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "contact_operator.hpp"
+
+namespace granum::network {
+
+namespace {
+
+using elastic::Matrix6;
+
+// Directions whose scaled energy is below this are rounding noise of the others.
+constexpr double dependent = 1e-13;
+// A negative energy of this size is no rounding noise.
+constexpr double indefinite = 1e-8;
+// Forces below this part of the terms that cancel in them are rounding noise: a lattice has W = 0.
+constexpr double noise = 1e-14;
+// The recursive residual drifts from the true one; starting again from the true one mends it.
+constexpr int restarts = 5;
+
+template <int Dof>
+GRANUM_VECTOR_LEVELS void accumulate_products(std::size_t n, const Rows<Dof>* x, const Rows<Dof>* y,
+                                              Gram* out) {
+  Lanes sum[load_cases] = {};
+  for (std::size_t g = 0; g < n; ++g)
+    for (int d = 0; d < Dof; ++d)
+      for (int c = 0; c < load_cases; ++c)
+        sum[c] += x[g].row[d][c] * y[g].row[d];
+  for (int c = 0; c < load_cases; ++c)
+    out->row[c] = sum[c];
+}
+
+/// y = base + x m, or x m without base; y may be base or x.
+template <int Dof>
+GRANUM_VECTOR_LEVELS void accumulate_combination(std::size_t n, const Rows<Dof>* base, const Rows<Dof>* x,
+                                                 const Gram* m, Rows<Dof>* y) {
+  for (std::size_t g = 0; g < n; ++g)
+    for (int d = 0; d < Dof; ++d) {
+      Lanes value = {};
+      if (base != nullptr)
+        value = base[g].row[d];
+      for (int c = 0; c < load_cases; ++c)
+        value += x[g].row[d][c] * m->row[c];
+      y[g].row[d] = value;
+    }
+}
+
+template <int Dof>
+GRANUM_VECTOR_LEVELS void accumulate_squares(std::size_t n, const Rows<Dof>* x, double* out) {
+  Lanes sum = {};
+  for (std::size_t g = 0; g < n; ++g)
+    for (int d = 0; d < Dof; ++d)
+      sum += x[g].row[d] * x[g].row[d];
+  for (int c = 0; c < load_cases; ++c)
+    out[c] = sum[c];
+}
+
+Gram gram(const Matrix6& m) {
+  Gram g;
+  for (int r = 0; r < load_cases; ++r)
+    for (int c = 0; c < load_cases; ++c)
+      g.row[r][c] = m(r, c);
+  return g;
+}
+
+/// x^T y
+template <int Dof>
+Matrix6 products(const Field<Dof>& x, const Field<Dof>& y) {
+  Gram g;
+  accumulate_products<Dof>(x.size(), x.data(), y.data(), &g);
+  Matrix6 m;
+  for (int r = 0; r < load_cases; ++r)
+    for (int c = 0; c < load_cases; ++c)
+      m(r, c) = g.row[r][c];
+  return m;
+}
+
+/// y = base + x m
+template <int Dof>
+void combine(const Field<Dof>& base, const Field<Dof>& x, const Matrix6& m, Field<Dof>& y) {
+  const Gram coefficients = gram(m);
+  accumulate_combination<Dof>(x.size(), base.data(), x.data(), &coefficients, y.data());
+}
+
+/// x = x m
+template <int Dof>
+void multiply(Field<Dof>& x, const Matrix6& m) {
+  const Gram coefficients = gram(m);
+  accumulate_combination<Dof>(x.size(), nullptr, x.data(), &coefficients, x.data());
+}
+
+struct Whitening {
+  Matrix6 matrix; ///< T with T^T m T = 1 on the independent directions; dropped directions are zero columns
+  bool positive = true;
+};
+
+/// Whitening of a positive semidefinite matrix m whose rows may differ in scale by many orders.
+Whitening whitening(const Matrix6& m) {
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  const Vector6 diagonal = m.diagonal();
+  if (diagonal.minCoeff() < 0)
+    return {Matrix6::Zero(), false};
+  const Vector6 scale = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
+  const Matrix6 scaled = scale.asDiagonal() * ((m + m.transpose()) / 2) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(scaled);
+  const double largest = eigen.eigenvalues()[5];
+  if (eigen.eigenvalues()[0] < -indefinite * largest)
+    return {Matrix6::Zero(), false};
+  const Vector6 inverse_root = eigen.eigenvalues().unaryExpr(
+      [&](double v) { return v > dependent * largest ? 1 / std::sqrt(v) : 0.0; });
+  return {scale.asDiagonal() * eigen.eigenvectors() * inverse_root.asDiagonal()};
+}
+
+template <int Dof>
+class Relaxation {
+ public:
+  Relaxation(const Backbone& backbone, const IncompleteFactor<Dof>& factor, const Options& options)
+      : backbone_(backbone), factor_(factor), options_(options), load_(affine_forces<Dof>(backbone)),
+        q_(load_.size()), w_(load_.size()), z_(load_.size()), p_(load_.size()), s_(load_.size()) {
+    const PerCase size = norms(load_), terms = affine_force_scale(backbone);
+    for (std::size_t c = 0; c < size.size(); ++c) {
+      target_[c] = std::max(options.tolerance * size[c], noise * terms[c]);
+      reference_[c] = std::max(size[c], noise / options.tolerance * terms[c]);
+    }
+  }
+
+  Solution run() {
+    Solution solution;
+    PerCase size = true_residual();
+    for (int start = 0; start < restarts && !arrived(size) && solution.status == Status::converged; ++start) {
+      solution.status = iterate(solution.iterations);
+      size = true_residual();
+    }
+    if (solution.status == Status::converged && !arrived(size))
+      solution.status = Status::iteration_limit;
+    for (std::size_t c = 0; c < size.size(); ++c)
+      if (reference_[c] > 0)
+        solution.residual = std::max(solution.residual, size[c] / reference_[c]);
+    solution.work = products<Dof>(load_, q_);
+    return solution;
+  }
+
+ private:
+  static PerCase norms(const Field<Dof>& x) {
+    PerCase result{};
+    accumulate_squares<Dof>(x.size(), x.data(), result.data());
+    for (double& value : result)
+      value = std::sqrt(value);
+    return result;
+  }
+
+  [[nodiscard]] bool arrived(const PerCase& size) const {
+    for (std::size_t c = 0; c < size.size(); ++c)
+      if (!(size[c] <= target_[c]))
+        return false;
+    return true;
+  }
+
+  /// w = -load - H q; returns its size.
+  PerCase true_residual() {
+    apply_stiffness<Dof>(backbone_, q_, s_);
+    for (std::size_t g = 0; g < w_.size(); ++g)
+      for (int d = 0; d < Dof; ++d)
+        w_[g].row[d] = -load_[g].row[d] - s_[g].row[d];
+    return norms(w_);
+  }
+
+  /// Splits w = w' tau so that w'^T M^-1 w' = 1, and leaves w' in w, M^-1 w' in z; returns tau.
+  Matrix6 orthonormalise() {
+    factor_.solve(w_, z_);
+    const Matrix6 metric = products<Dof>(w_, z_);
+    const Matrix6 t = whitening(metric).matrix;
+    multiply<Dof>(w_, t);
+    multiply<Dof>(z_, t);
+    return t.transpose() * metric;
+  }
+
+  /// Size of the residual w sigma.
+  PerCase residual_size(const Matrix6& sigma) const {
+    const Matrix6 squares = sigma.transpose() * products<Dof>(w_, w_) * sigma;
+    PerCase size{};
+    for (int c = 0; c < load_cases; ++c)
+      size[static_cast<std::size_t>(c)] = std::sqrt(std::max(0.0, squares(c, c)));
+    return size;
+  }
+
+  Status iterate(int& iterations) {
+    Matrix6 sigma = orthonormalise();
+    p_ = z_;
+    while (iterations < options_.iteration_limit) {
+      ++iterations;
+      apply_stiffness<Dof>(backbone_, p_, s_);
+      const Whitening energy = whitening(products<Dof>(p_, s_));
+      if (!energy.positive)
+        return Status::not_positive_definite;
+      const Matrix6 zeta = energy.matrix * energy.matrix.transpose();
+      combine<Dof>(q_, p_, zeta * sigma, q_);
+      combine<Dof>(w_, s_, -zeta, w_);
+      if (arrived(residual_size(sigma)))
+        return Status::converged;
+      const Matrix6 tau = orthonormalise();
+      sigma = tau * sigma;
+      combine<Dof>(z_, p_, tau.transpose(), p_);
+    }
+    return Status::iteration_limit;
+  }
+
+  const Backbone& backbone_;
+  const IncompleteFactor<Dof>& factor_;
+  const Options& options_;
+  Field<Dof> load_, q_, w_, z_, p_, s_;
+  PerCase target_{};
+  PerCase reference_{};
+};
+
+} // namespace
+
+template <int Dof>
+Solution relax(const Backbone& backbone, const IncompleteFactor<Dof>& factor, const Options& options) {
+  return Relaxation<Dof>(backbone, factor, options).run();
+}
+
+template Solution relax<3>(const Backbone&, const IncompleteFactor<3>&, const Options&);
+template Solution relax<6>(const Backbone&, const IncompleteFactor<6>&, const Options&);
+
+} // namespace granum::network

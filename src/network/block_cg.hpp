@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include "backbone.hpp"
+#include "incomplete_factor.hpp"
+#include "lanes.hpp"
+
+namespace granum::network {
+
+struct Solution {
+  Status status = Status::converged;
+  int iterations = 0;
+  double residual = 0;                              ///< worst load case, relative to its right-hand side
+  elastic::Matrix6 work = elastic::Matrix6::Zero(); ///< W^T q, the (negative) energy that relaxation gains
+};
+
+/// Solves H q = -W for all load cases at once, in one shared Krylov space.
+template <int Dof>
+[[nodiscard]] Solution relax(const Backbone& backbone, const IncompleteFactor<Dof>& factor,
+                             const Options& options);
+
+} // namespace granum::network

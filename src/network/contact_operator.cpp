@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: delta = u_b - u_a + s n x (t_a + t_b), t = R w, s the lever; f = k_n (n.delta) n + k_t (1 - n n)
+// delta. The prestress term acts on v = u_b - u_a alone: -g (1 - n n) v.
+#include "contact_operator.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace granum::network {
+
+namespace {
+
+using Vec = std::array<Lanes, 3>;
+
+[[gnu::always_inline]] inline Vec cross(const Vec3& n, const Vec& t) {
+  return {n.y * t[2] - n.z * t[1], n.z * t[0] - n.x * t[2], n.x * t[1] - n.y * t[0]};
+}
+
+[[gnu::always_inline]] inline Vec anisotropic(double along, double across, const Vec3& n, const Vec& d) {
+  const Lanes excess = (along - across) * (n.x * d[0] + n.y * d[1] + n.z * d[2]);
+  return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
+}
+
+template <int Dof>
+GRANUM_VECTOR_LEVELS void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
+  for (std::size_t c = 0; c < count; ++c) {
+    const Link& link = links[c];
+    const Rows<Dof>&xa = x[link.a], &xb = x[link.b];
+    Rows<Dof>&ya = y[link.a], &yb = y[link.b];
+    const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
+    Vec delta = v;
+    if constexpr (Dof == 6) {
+      const Vec spin =
+          cross(link.normal, {xa.row[3] + xb.row[3], xa.row[4] + xb.row[4], xa.row[5] + xb.row[5]});
+      for (unsigned k = 0; k < 3; ++k)
+        delta[k] += link.lever * spin[k];
+    }
+    Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
+    if constexpr (Dof == 6) {
+      const Vec turn = cross(link.normal, force);
+      for (unsigned k = 0; k < 3; ++k) {
+        const Lanes moment = link.lever * turn[k];
+        ya.row[3 + k] -= moment;
+        yb.row[3 + k] -= moment;
+      }
+    }
+    if (link.prestress != 0) {
+      const Vec geometric = anisotropic(0, -link.prestress, link.normal, v);
+      for (unsigned k = 0; k < 3; ++k)
+        force[k] += geometric[k];
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+      ya.row[k] -= force[k];
+      yb.row[k] += force[k];
+    }
+  }
+}
+
+using Matrix3 = Eigen::Matrix3d;
+using Strain = Eigen::Matrix<double, 3, load_cases>;
+
+Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+Matrix3 cross_matrix(const Vec3& n) {
+  Matrix3 m;
+  m << 0, -n.z, n.y, n.z, 0, -n.x, -n.y, n.x, 0;
+  return m;
+}
+
+Matrix3 contact_stiffness(double along, double across, const Vec3& n) {
+  return across * Matrix3::Identity() + (along - across) * eigen(n) * eigen(n).transpose();
+}
+
+Matrix3 elastic_stiffness(const Link& l) {
+  return contact_stiffness(l.normal_stiffness, l.tangential_stiffness, l.normal);
+}
+
+Matrix3 prestress_stiffness(const Link& l) { return contact_stiffness(0, -l.prestress, l.normal); }
+
+/// Relative displacement of the two centres for unit strains in the order 11 22 33 23 13 12, engineering
+/// shears.
+Strain branch_strain(const Link& l) {
+  const Vec3 b = l.length * l.normal;
+  Strain e;
+  e << b.x, 0, 0, 0, b.z / 2, b.y / 2, //
+      0, b.y, 0, b.z / 2, 0, b.x / 2,  //
+      0, 0, b.z, b.y / 2, b.x / 2, 0;
+  return e;
+}
+
+/// delta = B x: the two halves of B, for the grains a and b.
+template <int Dof>
+using Kinematics = Eigen::Matrix<double, 3, Dof>;
+
+template <int Dof>
+Kinematics<Dof> kinematics(const Link& l, double sign) {
+  Kinematics<Dof> b;
+  b.template leftCols<3>() = sign * Matrix3::Identity();
+  if constexpr (Dof == 6)
+    b.template rightCols<3>() = l.lever * cross_matrix(l.normal);
+  return b;
+}
+
+template <int Dof>
+Block<Dof> block(const Eigen::Matrix<double, Dof, Dof>& m) {
+  Block<Dof> b;
+  for (int r = 0; r < Dof; ++r)
+    for (int c = 0; c < Dof; ++c)
+      b.at[r][c] = m(r, c);
+  return b;
+}
+
+template <int Rows_, int Dof>
+void add(const Eigen::Matrix<double, Rows_, load_cases>& m, Rows<Dof>& target) {
+  for (int r = 0; r < Rows_; ++r)
+    for (int c = 0; c < load_cases; ++c)
+      target.row[r][c] += m(r, c);
+}
+
+} // namespace
+
+template <int Dof>
+void apply_stiffness(const Backbone& backbone, const Field<Dof>& x, Field<Dof>& y) {
+  y.assign(x.size(), {});
+  sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
+}
+
+template <int Dof>
+Field<Dof> affine_forces(const Backbone& backbone) {
+  Field<Dof> w(backbone.grain_count);
+  for (const Link& l : backbone.links) {
+    const Strain strain = branch_strain(l);
+    const Strain contact_force = elastic_stiffness(l) * strain;
+    const Strain prestress_force = prestress_stiffness(l) * strain;
+    using Forces = Eigen::Matrix<double, Dof, load_cases>;
+    const Forces on_a = kinematics<Dof>(l, -1).transpose() * contact_force;
+    const Forces on_b = kinematics<Dof>(l, +1).transpose() * contact_force;
+    add(on_a, w[l.a]);
+    add(on_b, w[l.b]);
+    add(Strain(-prestress_force), w[l.a]);
+    add(prestress_force, w[l.b]);
+  }
+  return w;
+}
+
+PerCase affine_force_scale(const Backbone& backbone) {
+  Eigen::Matrix<double, 1, load_cases> squares = Eigen::Matrix<double, 1, load_cases>::Zero();
+  for (const Link& l : backbone.links)
+    squares += (elastic_stiffness(l) * branch_strain(l)).colwise().squaredNorm();
+  PerCase scale{};
+  for (std::size_t c = 0; c < scale.size(); ++c)
+    scale[c] = std::sqrt(squares[static_cast<Eigen::Index>(c)]);
+  return scale;
+}
+
+elastic::Matrix6 affine_energy(const Backbone& backbone) {
+  elastic::Matrix6 energy = elastic::Matrix6::Zero();
+  for (const Link& l : backbone.links) {
+    const Strain strain = branch_strain(l);
+    energy += strain.transpose() * (elastic_stiffness(l) + prestress_stiffness(l)) * strain;
+  }
+  return energy;
+}
+
+template <int Dof>
+LinkBlocks<Dof> link_blocks(const Link& link) {
+  const Kinematics<Dof> at_a = kinematics<Dof>(link, -1), at_b = kinematics<Dof>(link, +1);
+  const Matrix3 k = elastic_stiffness(link), g = prestress_stiffness(link);
+  using Square = Eigen::Matrix<double, Dof, Dof>;
+  Square aa = at_a.transpose() * k * at_a, bb = at_b.transpose() * k * at_b, ba = at_b.transpose() * k * at_a;
+  aa.template topLeftCorner<3, 3>() += g;
+  bb.template topLeftCorner<3, 3>() += g;
+  ba.template topLeftCorner<3, 3>() -= g;
+  return {block<Dof>(aa), block<Dof>(bb), block<Dof>(ba)};
+}
+
+template void apply_stiffness<3>(const Backbone&, const Field<3>&, Field<3>&);
+template void apply_stiffness<6>(const Backbone&, const Field<6>&, Field<6>&);
+template Field<3> affine_forces<3>(const Backbone&);
+template Field<6> affine_forces<6>(const Backbone&);
+template LinkBlocks<3> link_blocks<3>(const Link&);
+template LinkBlocks<6> link_blocks<6>(const Link&);
+
+} // namespace granum::network

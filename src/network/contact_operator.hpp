@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network. The stiffness matrix H of a backbone, never assembled as a whole.
+#pragma once
+
+#include <granum/elastic/stiffness.hpp>
+
+#include "backbone.hpp"
+#include "lanes.hpp"
+
+namespace granum::network {
+
+/// y = H x. Unknowns of a grain: u (3), and for Dof = 6 also R w (3), both displacements.
+template <int Dof>
+void apply_stiffness(const Backbone& backbone, const Field<Dof>& x, Field<Dof>& y);
+
+/// W: forces and moments on the grains under unit uniform strains.
+template <int Dof>
+[[nodiscard]] Field<Dof> affine_forces(const Backbone& backbone);
+
+/// Size of the terms that cancel in W: per load case, the root of the summed squares of the contact forces.
+[[nodiscard]] PerCase affine_force_scale(const Backbone& backbone);
+
+/// A = sum over contacts of E^T K E, dimensionless.
+[[nodiscard]] elastic::Matrix6 affine_energy(const Backbone& backbone);
+
+/// The two blocks of one link: what it adds to the diagonal of both its grains, and the coupling of b (rows)
+/// to a.
+template <int Dof>
+struct LinkBlocks {
+  Block<Dof> diagonal_a;
+  Block<Dof> diagonal_b;
+  Block<Dof> coupling_ba;
+};
+template <int Dof>
+[[nodiscard]] LinkBlocks<Dof> link_blocks(const Link& link);
+
+} // namespace granum::network

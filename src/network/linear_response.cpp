@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/network/linear_response.hpp>
+
+#include <cstdio>
+#include <string>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+#include "block_cg.hpp"
+#include "contact_operator.hpp"
+#include "incomplete_factor.hpp"
+
+namespace granum::network {
+
+namespace {
+
+using elastic::Matrix6;
+
+/// -W^T H^+ W, dimensionless.
+template <int Dof>
+Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Response::Report& report) {
+  const IncompleteFactor<Dof> factor(backbone);
+  const Solution solution = relax<Dof>(backbone, factor, options);
+  report.status = solution.status;
+  report.iterations = solution.iterations;
+  report.residual = solution.residual;
+  report.factor_nonzeros = factor.nonzeros();
+  report.diagonal_shift = factor.shift();
+  return solution.work;
+}
+
+std::string failure_text(const Response::Report& report) {
+  char text[160];
+  std::snprintf(text, sizeof text, "network response %s after %d iterations, relative residual %.3g",
+                report.status == Status::not_positive_definite ? "is that of an unstable network, found"
+                                                               : "did not converge",
+                report.iterations, report.residual);
+  return text;
+}
+
+} // namespace
+
+const elastic::VoigtStiffness& Response::relaxed() const {
+  if (!converged())
+    throw NotConverged(failure_text(report_));
+  return relaxed_;
+}
+
+Response linear_response(const Assembly& assembly, const Options& options) {
+  require_valid(assembly);
+  require_open("tolerance", options.tolerance, 0, 1);
+  require_positive("iteration_limit", options.iteration_limit);
+
+  const Backbone backbone = load_bearing_network(assembly, options);
+  Response::Report report{.grains = backbone.grain_count,
+                          .contacts = backbone.links.size(),
+                          .unknowns_per_grain = backbone.rotations ? 6 : 3};
+  if (backbone.links.empty())
+    return {{}, {}, report};
+
+  const double unit =
+      backbone.stiffness_scale * backbone.length_scale * backbone.length_scale / assembly.volume();
+  const Matrix6 affine = affine_energy(backbone);
+  const Matrix6 gain = backbone.rotations ? relaxation_energy<6>(backbone, options, report)
+                                          : relaxation_energy<3>(backbone, options, report);
+  const Matrix6 relaxed = affine + gain;
+  const double largest = relaxed.cwiseAbs().maxCoeff();
+  if (largest > 0)
+    report.symmetry_residual = (relaxed - relaxed.transpose()).cwiseAbs().maxCoeff() / largest;
+  return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report};
+}
+
+} // namespace granum::network
