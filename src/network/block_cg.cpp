@@ -23,7 +23,7 @@ constexpr double dependent = 1e-13;
 // A negative energy of this size is no rounding noise.
 constexpr double indefinite = 1e-8;
 // Forces below this part of the terms that cancel in them are rounding noise: a lattice has W = 0.
-constexpr double noise = 1e-14;
+constexpr double noise = 1e-13;
 // The recursive residual drifts from the true one; starting again from the true one mends it.
 constexpr int restarts = 5;
 
@@ -126,11 +126,8 @@ class Relaxation {
   Relaxation(const Backbone& backbone, const IncompleteFactor<Dof>& factor, const Options& options)
       : backbone_(backbone), factor_(factor), options_(options), load_(affine_forces<Dof>(backbone)),
         q_(load_.size()), w_(load_.size()), z_(load_.size()), p_(load_.size()), s_(load_.size()) {
-    const PerCase size = norms(load_), terms = affine_force_scale(backbone);
-    for (std::size_t c = 0; c < size.size(); ++c) {
-      target_[c] = std::max(options.tolerance * size[c], noise * terms[c]);
-      reference_[c] = std::max(size[c], noise / options.tolerance * terms[c]);
-    }
+    silence_noise();
+    size_ = norms(load_);
   }
 
   Solution run() {
@@ -143,13 +140,23 @@ class Relaxation {
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
     for (std::size_t c = 0; c < size.size(); ++c)
-      if (reference_[c] > 0)
-        solution.residual = std::max(solution.residual, size[c] / reference_[c]);
+      if (size_[c] > 0)
+        solution.residual = std::max(solution.residual, size[c] / size_[c]);
     solution.work = products<Dof>(load_, q_);
     return solution;
   }
 
  private:
+  /// Load cases whose forces cancel on every grain are solved by q = 0.
+  void silence_noise() {
+    const PerCase size = norms(load_), terms = affine_force_scale(backbone_);
+    for (std::size_t c = 0; c < size.size(); ++c)
+      if (size[c] <= noise * terms[c])
+        for (Rows<Dof>& grain : load_)
+          for (Lanes& row : grain.row)
+            row[c] = 0;
+  }
+
   static PerCase norms(const Field<Dof>& x) {
     PerCase result{};
     accumulate_squares<Dof>(x.size(), x.data(), result.data());
@@ -160,7 +167,7 @@ class Relaxation {
 
   [[nodiscard]] bool arrived(const PerCase& size) const {
     for (std::size_t c = 0; c < size.size(); ++c)
-      if (!(size[c] <= target_[c]))
+      if (!(size[c] <= options_.tolerance * size_[c]))
         return false;
     return true;
   }
@@ -218,8 +225,7 @@ class Relaxation {
   const IncompleteFactor<Dof>& factor_;
   const Options& options_;
   Field<Dof> load_, q_, w_, z_, p_, s_;
-  PerCase target_{};
-  PerCase reference_{};
+  PerCase size_{}; ///< of load_
 };
 
 } // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+#include <granum/network/linear_response.hpp>
+
+#include "assembly/sample_packings.hpp"
+#include "network/dense_twin.hpp"
+
+using namespace granum;
+using elastic::Matrix6;
+
+namespace {
+
+Matrix6 cubic(double c11, double c12, double c44) {
+  Matrix6 c = Matrix6::Zero();
+  c.topLeftCorner<3, 3>().setConstant(c12);
+  for (int k = 0; k < 3; ++k) {
+    c(k, k) = c11;
+    c(k + 3, k + 3) = c44;
+  }
+  return c;
+}
+
+constexpr double kn = 1.3e6, kt = 0.9e6, radius = 0.5e-3;
+const samples::LatticeState state{.radius = radius, .normal_stiffness = kn, .tangential_stiffness = kt};
+
+void check_exact(const samples::Lattice& kind, const Matrix6& closed_form) {
+  const Assembly a = samples::lattice(kind, state);
+  const auto response = network::linear_response(a);
+  // The forces on every grain cancel: nothing is left but rounding.
+  CHECK(twin::distance(twin::contact_sum(a), closed_form) < 1e-13);
+  CHECK(twin::distance(response.affine().matrix, closed_form) < 1e-13);
+  CHECK(twin::distance(response.relaxed().matrix, closed_form) < 1e-13);
+}
+
+} // namespace
+
+TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // theory C.1
+  const double r2 = std::sqrt(2), r3 = std::sqrt(3);
+  check_exact(samples::simple_cubic, cubic(kn / (2 * radius), 0, kt / (4 * radius)));
+  check_exact(samples::body_centred, cubic((kn + 2 * kt) / (2 * r3 * radius), (kn - kt) / (2 * r3 * radius),
+                                           (2 * kn + kt) / (4 * r3 * radius)));
+  check_exact(samples::face_centred,
+              cubic((kn + kt) / (r2 * radius), (kn - kt) / (2 * r2 * radius), (kn + kt) / (2 * r2 * radius)));
+}
+
+TEST_CASE("the hexagonal close packing relaxes") { // theory C.1, printed to five decimals
+  const Assembly a = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189});
+  const auto response = network::linear_response(a);
+  const Matrix6& c = response.affine().matrix;
+  const Matrix6& d = response.relaxed().matrix;
+  const double digits = 0.6e-5;
+  CHECK(std::abs(c(0, 0) - 2.74241) < digits);
+  CHECK(std::abs(c(0, 1) - 0.04779) < digits);
+  CHECK(std::abs(c(5, 5) - 1.34731) < digits);
+  CHECK(std::abs(d(0, 0) - 2.74234) < digits);
+  CHECK(std::abs(d(0, 1) - 0.04786) < digits);
+  CHECK(std::abs(d(5, 5) - 1.34724) < digits);
+  for (const Matrix6& m : {c, d}) {
+    CHECK(std::abs(m(2, 2) - 2.75197) < digits);
+    CHECK(std::abs(m(0, 2) - 0.03823) < digits);
+    CHECK(std::abs(m(3, 3) - 1.33775) < digits);
+  }
+  CHECK(twin::distance(d, twin::response(a, false).relaxed) < 1e-12);
+}
+
+TEST_CASE("without tangential stiffness a lattice keeps its closed form where it is rigid") {
+  const Assembly a = samples::lattice(samples::face_centred, {.normal_stiffness = 1});
+  const auto response = network::linear_response(a);
+  CHECK(response.report().unknowns_per_grain == 3);
+  const double r2 = std::sqrt(2);
+  CHECK(twin::distance(response.relaxed().matrix, cubic(r2, 1 / r2, 1 / r2)) < 1e-13);
+}

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/network/linear_response.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include <doctest/doctest.h>
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/force_moments.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/core/error.hpp>
+
+#include "assembly/sample_packings.hpp"
+#include "network/dense_twin.hpp"
+
+using namespace granum;
+using elastic::Matrix6;
+
+namespace {
+
+// C is of second order in the solver's tolerance of 1e-10; what is left is rounding, amplified by the
+// condition of the sparsest networks (1e4 to 1e5) on both routes.
+constexpr double same = 1e-9;
+
+Matrix6 relaxed(const Assembly& a, const network::Options& options = {}) {
+  return network::linear_response(a, options).relaxed().matrix;
+}
+
+double smallest_eigenvalue(const Matrix6& m) {
+  return Eigen::SelfAdjointEigenSolver<Matrix6>(m).eigenvalues()[0];
+}
+
+Mat3 rotation(const Vec3& axis_times_angle) {
+  const Vec3 v = axis_times_angle;
+  const Eigen::Matrix3d r =
+      Eigen::AngleAxisd(norm(v), Eigen::Vector3d(v.x, v.y, v.z).normalized()).toRotationMatrix();
+  Mat3 m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      m(i, j) = r(i, j);
+  return m;
+}
+
+Assembly rotated(Assembly a, const Mat3& r) {
+  a.cell = r * a.cell;
+  for (Vec3& x : a.position)
+    x = r * x;
+  for (Contact& c : a.contacts) {
+    c.branch = r * c.branch;
+    c.tangential_force = r * c.tangential_force;
+  }
+  return a;
+}
+
+/// C'_ijkl = r_ip r_jq r_kr r_ls C_pqrs
+Matrix6 rotated(const Matrix6& c, const Mat3& r) {
+  const int index[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  const int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  Matrix6 out = Matrix6::Zero();
+  for (int a = 0; a < 6; ++a)
+    for (int b = 0; b < 6; ++b)
+      for (int p = 0; p < 3; ++p)
+        for (int q = 0; q < 3; ++q)
+          for (int s = 0; s < 3; ++s)
+            for (int t = 0; t < 3; ++t)
+              out(a, b) += r(pairs[a][0], p) * r(pairs[a][1], q) * r(pairs[b][0], s) * r(pairs[b][1], t) *
+                           c(index[p][q], index[s][t]);
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("the sparse solver and its dense twin agree from stiff to floppy networks") {
+  int rattlers = 0, two_contact_grains = 0;
+  for (const double kept : {1.0, 0.6, 0.4, 0.3, 0.22}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      CAPTURE(kept);
+      CAPTURE(seed);
+      const Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
+      std::vector<int> degree(a.grain_count(), 0);
+      for (const Contact& c : a.contacts)
+        ++degree[c.i], ++degree[c.j];
+      rattlers += static_cast<int>(mechanical_coordination(a, ContactKind::frictional).rattler_count);
+      two_contact_grains += static_cast<int>(std::ranges::count(degree, 2));
+      const Matrix6 scale = twin::contact_sum(a);
+      const Matrix6 difference = relaxed(a) - twin::response(a, false).relaxed;
+      CHECK(difference.cwiseAbs().maxCoeff() < same * scale.cwiseAbs().maxCoeff());
+    }
+  }
+  CHECK(rattlers > 5); // the cases meant to be met were met
+  CHECK(two_contact_grains > 10);
+}
+
+TEST_CASE(
+    "networks without tangential stiffness, with sliding contacts, with prestress: as their dense twins") {
+  const Assembly smooth =
+      samples::random_network({.seed = 5, .repeats = 2, .kept = 0.7, .tangential_ratio = 0});
+  CHECK(network::linear_response(smooth).report().unknowns_per_grain == 3);
+  CHECK(twin::distance(relaxed(smooth), twin::response(smooth, false).relaxed) < same);
+
+  // Forces that are not in equilibrium make floppy networks unstable, so prestress is tried on stiff ones.
+  for (const double ratio : {0.0, 1.0}) {
+    const Assembly stiff = samples::random_network({.seed = 5, .repeats = 2, .tangential_ratio = ratio});
+    const Matrix6 stressed = relaxed(stiff, {.prestress = true});
+    CHECK(twin::distance(stressed, twin::response(stiff, true).relaxed) < same);
+    CHECK(twin::distance(stressed, relaxed(stiff)) > 1e-5);
+  }
+
+  Assembly a = samples::random_network({.seed = 6, .repeats = 2, .kept = 0.5});
+  Assembly released = a;
+  for (std::size_t k = 0; k < a.contacts.size(); k += 3) {
+    a.contacts[k].sliding = true;
+    released.contacts[k].tangential_stiffness = 0;
+  }
+  const Matrix6 stick = relaxed(a);
+  const Matrix6 slip = relaxed(a, {.sliding = network::SlidingContacts::release});
+  CHECK(twin::distance(stick, twin::response(a, false).relaxed) < same);
+  CHECK(twin::distance(slip, twin::response(released, false).relaxed) < same);
+  CHECK(smallest_eigenvalue(stick - slip) > 0); // slip softens every strain
+}
+
+TEST_CASE("clusters that nothing holds add nothing") {
+  const Assembly one = samples::random_network({.seed = 7, .repeats = 2, .kept = 0.6});
+  Assembly two = one;
+  const auto first = static_cast<std::uint32_t>(two.grain_count());
+  for (int k = 0; k < 4; ++k) { // a tetrahedron far from anything it touches
+    two.position.push_back({0.1 * k, 0, 0});
+    two.radius.push_back(0.5);
+  }
+  const Vec3 corner[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  for (std::uint32_t p = 0; p < 4; ++p)
+    for (std::uint32_t q = p + 1; q < 4; ++q)
+      two.contacts.push_back({.i = first + p,
+                              .j = first + q,
+                              .branch = 0.35 * (corner[q] - corner[p]),
+                              .tangential_force = {},
+                              .normal_stiffness = 1,
+                              .tangential_stiffness = 0.8});
+  CHECK(network::linear_response(two).report().grains == network::linear_response(one).report().grains + 4);
+  CHECK(twin::distance(relaxed(two), relaxed(one)) < same);
+}
+
+TEST_CASE("symmetric, positive semidefinite, never above uniform strain") {
+  for (const double kept : {1.0, 0.5, 0.35}) {
+    const Assembly a = samples::random_network({.seed = 11, .kept = kept});
+    const auto response = network::linear_response(a);
+    const Matrix6 &affine = response.affine().matrix, &soft = response.relaxed().matrix;
+    const double size = affine.cwiseAbs().maxCoeff();
+    CHECK(response.report().symmetry_residual < 1e-9);
+    CHECK(soft == soft.transpose());
+    CHECK(smallest_eigenvalue(soft) > -1e-12 * size);
+    CHECK(smallest_eigenvalue(affine - soft) > 0);
+    CHECK(response.report().residual <= 1e-10);
+    CHECK(response.report().iterations > 0);
+  }
+}
+
+TEST_CASE("uniform strain is the closed sum over load-bearing contacts") {
+  const Assembly a = samples::random_network({.seed = 12, .kept = 1});
+  REQUIRE(mechanical_coordination(a, ContactKind::frictional).rattler_count == 0);
+  CHECK(twin::distance(network::linear_response(a).affine().matrix, twin::contact_sum(a)) < 1e-13);
+}
+
+TEST_CASE("the response turns with the assembly") {
+  const Assembly a = samples::random_network({.seed = 13, .repeats = 2, .kept = 0.5});
+  const Mat3 r = rotation({0.7, -1.1, 0.4});
+  CHECK(twin::distance(relaxed(rotated(a, r)), rotated(relaxed(a), r)) < same);
+}
+
+TEST_CASE("the response does not depend on numbering or on the choice of periodic image") {
+  const Assembly a = samples::random_network({.seed = 14, .repeats = 2, .kept = 0.5});
+  Assembly b = a;
+  std::vector<std::uint32_t> number(a.grain_count());
+  std::iota(number.begin(), number.end(), 0U);
+  std::ranges::shuffle(number, std::mt19937_64(3));
+  for (std::size_t g = 0; g < a.grain_count(); ++g) {
+    b.position[number[g]] = a.position[g] + column(a.cell, 1);
+    b.radius[number[g]] = a.radius[g];
+  }
+  for (Contact& c : b.contacts) {
+    c.i = number[c.i];
+    c.j = number[c.j];
+    if (c.i > c.j) {
+      std::swap(c.i, c.j);
+      c.branch = -c.branch;
+      c.tangential_force = -c.tangential_force;
+    }
+  }
+  std::ranges::stable_sort(b.contacts, {}, [](const Contact& c) { return std::pair(c.i, c.j); });
+  CHECK(twin::distance(relaxed(b), relaxed(a)) < same);
+}
+
+TEST_CASE("stiffness and length scale as dimensions demand, bit by bit") {
+  const Assembly a = samples::random_network({.seed = 15, .repeats = 2, .kept = 0.5});
+  Assembly stiff = a, large = a;
+  for (Contact& c : stiff.contacts) {
+    c.normal_stiffness *= 8;
+    c.tangential_stiffness *= 8;
+  }
+  large.cell = Mat3{{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}} * large.cell;
+  for (Vec3& x : large.position)
+    x *= 2;
+  for (double& r : large.radius)
+    r *= 2;
+  for (Contact& c : large.contacts) {
+    c.branch *= 2;
+    c.overlap *= 2;
+  }
+  const Matrix6 base = relaxed(a);
+  CHECK(relaxed(stiff) == 8 * base);
+  CHECK(relaxed(large) == base / 2);
+  CHECK(relaxed(a) == base);
+}
+
+TEST_CASE("bounds on the bulk modulus hold for equilibrated forces, and close on the true force field") {
+  Assembly a = samples::random_network({.seed = 16, .repeats = 2, .kept = 0.6});
+  const auto load_isotropically = [&](Assembly& target, const Assembly& source) {
+    const auto response = twin::response(source, false);
+    Eigen::Matrix<double, 6, 1> pressure;
+    pressure << 1, 1, 1, 0, 0, 0;
+    const Eigen::VectorXd f = response.contact_forces * response.relaxed.ldlt().solve(pressure);
+    for (std::size_t k = 0; k < target.contacts.size(); ++k) {
+      const auto at = 3 * static_cast<Eigen::Index>(k);
+      Contact& c = target.contacts[k];
+      const Vec3 whole{f[at], f[at + 1], f[at + 2]};
+      c.normal_force = dot(whole, normal(c));
+      c.tangential_force = whole - c.normal_force * normal(c);
+    }
+  };
+  const auto isotropic_bulk_modulus = [](const Matrix6& c) {
+    return 1 / c.inverse().topLeftCorner<3, 3>().sum(); // p over the volume strain it causes
+  };
+  const double modulus = isotropic_bulk_modulus(relaxed(a));
+
+  load_isotropically(a, a);
+  CHECK(unbalance(a).force_ratio < 1e-10);
+  CHECK(unbalance(a).moment_ratio < 1e-10);
+  const auto stress = contact_stress(a);
+  CHECK(stress.mean() == doctest::Approx(1).epsilon(1e-10));
+  CHECK(stress.asymmetry < 1e-10);
+  CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(modulus).epsilon(same));
+
+  Assembly other = a; // the same geometry in equilibrium, but forces of other stiffnesses
+  samples::Uniform uniform(17);
+  for (Contact& c : other.contacts) {
+    c.normal_stiffness = uniform(0.5, 2);
+    c.tangential_stiffness = uniform(0.1, 1) * c.normal_stiffness;
+  }
+  load_isotropically(a, other);
+  const auto bounds = bulk_modulus_bounds(a);
+  CHECK(bounds.lower < modulus);
+  CHECK(bounds.lower > 0.3 * modulus);
+  CHECK(modulus < bounds.upper);
+}
+
+TEST_CASE("assemblies without a load-bearing network have zero stiffness") {
+  Assembly a;
+  a.cell = {{{4e-3, 0, 0}, {0, 4e-3, 0}, {0, 0, 4e-3}}};
+  const auto check_zero = [&](std::size_t grains) {
+    const auto response = network::linear_response(a);
+    CHECK(response.converged());
+    CHECK(response.report().grains == grains);
+    CHECK(response.relaxed().matrix == Matrix6::Zero());
+    CHECK(response.affine().matrix == Matrix6::Zero());
+  };
+  check_zero(0);
+  a.position = {{1e-3, 2e-3, 2e-3}};
+  a.radius = {0.5e-3};
+  check_zero(0);
+  // The chain of three spheres: both ends go, then the middle.
+  a.position = {{1e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2.9998e-3}};
+  a.radius = {0.5e-3, 0.5e-3, 0.5e-3};
+  check_zero(0);
+  a.contacts = {{.i = 0,
+                 .j = 1,
+                 .branch = {0.9999e-3, 0, 0},
+                 .tangential_force = {},
+                 .normal_stiffness = 3.5e5,
+                 .tangential_stiffness = 3e5},
+                {.i = 1,
+                 .j = 2,
+                 .branch = {0, 0, 0.9998e-3},
+                 .tangential_force = {},
+                 .normal_stiffness = 5e5,
+                 .tangential_stiffness = 4e5}};
+  check_zero(0);
+  // Contacts that have lost all stiffness still count as contacts.
+  a = samples::lattice(samples::simple_cubic, {.normal_stiffness = 0});
+  check_zero(27);
+}
+
+TEST_CASE("a result that was not reached is not handed out") {
+  const Assembly a = samples::random_network({.seed = 18, .kept = 0.5});
+  const auto hasty = network::linear_response(a, {.iteration_limit = 2});
+  CHECK_FALSE(hasty.converged());
+  CHECK(hasty.report().status == network::Status::iteration_limit);
+  CHECK_THROWS_AS(static_cast<void>(hasty.relaxed()), NotConverged);
+  CHECK(hasty.last_iterate().matrix.allFinite());
+  CHECK(hasty.affine().matrix.allFinite());
+
+  Assembly pushed = a; // far too much compression for its stiffness: it buckles
+  for (Contact& c : pushed.contacts) {
+    c.tangential_stiffness = 0;
+    c.normal_force = 3;
+  }
+  const auto buckled = network::linear_response(pushed, {.prestress = true});
+  CHECK(buckled.report().status == network::Status::not_positive_definite);
+  CHECK_THROWS_AS(static_cast<void>(buckled.relaxed()), NotConverged);
+  CHECK(buckled.last_iterate().matrix.allFinite());
+}
+
+TEST_CASE("bad options and bad assemblies are refused") {
+  Assembly a = samples::lattice(samples::simple_cubic, {});
+  CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.tolerance = 0})), InvalidArgument);
+  CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.tolerance = 1})), InvalidArgument);
+  CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.iteration_limit = 0})), InvalidArgument);
+  a.contacts[0].normal_stiffness = -1;
+  CHECK_THROWS_AS(static_cast<void>(network::linear_response(a)), InvalidArgument);
+}
