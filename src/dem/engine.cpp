@@ -27,6 +27,7 @@ struct Engine::Data {
   void choose_time_step();
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
+  void measure_residual();
   void move();
   void take_figures(const SweepSums& sums);
   [[nodiscard]] std::vector<ContactHistory> history() const;
@@ -143,6 +144,7 @@ void Engine::Data::sweep(double elapsed) {
                               .tangential_ratio = material.tangential_stiffness_ratio,
                               .friction = friction},
                              tangential ? &memory : nullptr, load));
+  measure_residual();
 }
 
 void Engine::Data::take_figures(const SweepSums& sums) {
@@ -248,9 +250,6 @@ void Engine::Data::integrate() {
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
-  const double per_radius_squared = 1 / (cold.radius * cold.radius);
-  double residual = 0;
-  std::size_t touching = 0;
   speed_squared = 0;
   for (std::size_t g = 0; g < motion.size(); ++g) {
     Motion& a = motion[g];
@@ -258,7 +257,15 @@ void Engine::Data::integrate() {
     if (tangential)
       a.w = keep * a.w + (push / inertia) * load[g].t;
     speed_squared = std::max(speed_squared, dot(a.v, a.v));
-    const double load_squared = dot(load[g].f, load[g].f) + per_radius_squared * dot(load[g].t, load[g].t);
+  }
+}
+
+void Engine::Data::measure_residual() {
+  const double per_radius_squared = 1 / (cold.radius * cold.radius);
+  double residual = 0;
+  std::size_t touching = 0;
+  for (const Load& on : load) {
+    const double load_squared = dot(on.f, on.f) + per_radius_squared * dot(on.t, on.t);
     if (load_squared > 0) {
       residual += std::sqrt(load_squared);
       ++touching;

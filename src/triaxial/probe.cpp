@@ -27,20 +27,32 @@ Plane plane(ShearMode mode) {
   return {2, 0};
 }
 
+dem::Material sticking(dem::Material material) {
+  if (material.tangential())
+    material.friction_coefficient = std::numeric_limits<double>::infinity();
+  return material;
+}
+
 double chosen_amplitude(const dem::Engine& engine, const dem::Material& material) {
   const double overlap = material.law.overlap(engine.figures().mean_normal_force);
-  return 0.005 * overlap / engine.diameter();
+  return 1e-4 * overlap / engine.diameter();
 }
 
 } // namespace
 
+FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
+  dem::Engine engine(state, sticking(material));
+  FrozenState frozen;
+  frozen.report = dem::deform(engine, Mat3{}, 0, {.force_tolerance = force_tolerance});
+  engine.rest();
+  frozen.state = engine.state();
+  return frozen;
+}
+
 ProbeResult probe(const dem::State& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options) {
   require_non_negative("amplitude", options.amplitude);
-  dem::Material probed = material;
-  if (!options.sliding && probed.tangential())
-    probed.friction_coefficient = std::numeric_limits<double>::infinity();
-  dem::Engine engine(state, probed);
+  dem::Engine engine(state, options.sliding ? material : sticking(material));
   dem::QuasistaticOptions relax;
   relax.force_tolerance = options.force_tolerance;
   relax.max_steps = options.max_steps;

@@ -38,8 +38,8 @@ struct BulkModulusBounds {
 ///           only.
 /// \return   zeros without contacts; lower = 0 when a force stands on a contact without the stiffness for it
 /// \throws   InvalidArgument for an assembly that require_valid rejects
-/// Accuracy  rounding.  Source [AgnolinRoux2007; theory C.2].  Checked by tests/assembly/test_force_moments.cpp,
-///           tests/network/test_linear_response.cpp
+/// Accuracy  rounding.  Source [AgnolinRoux2007; theory C.2].  Checked by
+/// tests/assembly/test_force_moments.cpp,           tests/network/test_linear_response.cpp
 [[nodiscard]] BulkModulusBounds bulk_modulus_bounds(const Assembly& assembly);
 
 } // namespace granum

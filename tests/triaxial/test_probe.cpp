@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two independent routes to the small-strain moduli of one frozen specimen: time stepping and linear algebra.
+#include <granum/triaxial/probe.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::triaxial;
+
+namespace {
+
+SpecimenRecipe recipe_of(const contact::PowerLaw& law) {
+  SpecimenRecipe recipe{.material = {.law = law,
+                                     .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(0.15),
+                                     .friction_coefficient = 0.4986},
+                        .radius = 0.5e-3};
+  recipe.grains = 200;
+  recipe.seed = 5;
+  return recipe;
+}
+
+dem::State compressed(const SpecimenRecipe& recipe, Density density, double pressure) {
+  dem::State state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
+  REQUIRE(isotropic_path(state, recipe.material, {recipe.first_pressure, pressure}, compression_options(),
+                         [&](const Snapshot& snapshot) {
+                           state = snapshot.state;
+                           return true;
+                         }));
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("probe and network agree on every shear modulus, and G_hv = G_vh") {
+  const contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  for (const contact::PowerLaw& law :
+       {contact::PowerLaw::sphere(quartz, 0.5e-3), contact::PowerLaw::cone(quartz, 0.4),
+        contact::PowerLaw::flat(quartz, 5.7e-6), contact::PowerLaw::general(quartz, 1.5, 180)})
+    for (const Density density : {Density::dense, Density::loose}) {
+      const SpecimenRecipe recipe = recipe_of(law);
+      const FrozenState frozen = freeze_in_place(compressed(recipe, density, 40e3), recipe.material);
+      REQUIRE(frozen.report.converged());
+      const auto network = network::linear_response(dem::freeze(frozen.state, recipe.material));
+      const auto& relaxed = network.relaxed().matrix;
+      const ProbeResult hh = probe(frozen.state, recipe.material, ShearMode::hh);
+      const ProbeResult hv = probe(frozen.state, recipe.material, ShearMode::hv);
+      const ProbeResult vh = probe(frozen.state, recipe.material, ShearMode::vh);
+      REQUIRE((hh.converged && hv.converged && vh.converged));
+      // 1 %: the prestress terms that only the probe has, of the order overlap/R, times the softening of
+      // weakly coordinated networks.
+      CHECK(hh.shear_modulus == doctest::Approx(relaxed(5, 5)).epsilon(0.01));
+      CHECK(hv.shear_modulus == doctest::Approx(relaxed(4, 4)).epsilon(0.01));
+      CHECK(vh.shear_modulus == doctest::Approx(hv.shear_modulus).epsilon(0.01));
+      CHECK(hv.opening < 0.02);
+    }
+}
+
+TEST_CASE("a contact that may slide answers softer, never stiffer, than the sticking network") {
+  const SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
+  const dem::State state = compressed(recipe, Density::loose, 20e3);
+  const FrozenState frozen = freeze_in_place(state, recipe.material);
+  ProbeOptions sliding;
+  sliding.sliding = true;
+  const double free = probe(frozen.state, recipe.material, ShearMode::hv, sliding).shear_modulus;
+  const double stuck = probe(frozen.state, recipe.material, ShearMode::hv).shear_modulus;
+  CHECK(free > 0);
+  CHECK(free < stuck * 1.002);
+}
+
+TEST_CASE("a probe does not change the state it is given, and repeats to the bit") {
+  const SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
+  const dem::State state = compressed(recipe, Density::dense, 20e3);
+  const dem::State copy = state;
+  const ProbeResult first = probe(state, recipe.material, ShearMode::hh);
+  CHECK(state == copy);
+  CHECK(first.shear_modulus == probe(state, recipe.material, ShearMode::hh).shear_modulus);
+}
