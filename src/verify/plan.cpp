@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/verify/plan.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <granum/dem/engine.hpp>
+
+namespace granum::verify {
+
+namespace {
+
+/// Steps of the first stage of loose specimens, where most of the network is built, for 1,000 grains.
+double loose_first_stage_steps(Shape shape) {
+  switch (shape) {
+  case Shape::cone:
+    return 5000;
+  case Shape::sphere:
+    return 18000;
+  case Shape::power_law:
+    return 12000;
+  case Shape::flat:
+    break;
+  }
+  return 46000;
+}
+
+constexpr double dense_stage_steps = 500;
+constexpr double loose_stage_steps = 3000;
+constexpr double dense_probe_steps = 800; ///< of one of the three directions
+constexpr double loose_probe_steps = 2000;
+/// A step of the minimiser costs about half of one with friction.
+constexpr double preparation_steps = 12000;
+/// The network's solution, in steps of the engine.
+constexpr double network_steps = 200;
+
+double grains_and_waves(const Scene& scene) {
+  const double grains = static_cast<double>(scene.grains);
+  return grains * std::cbrt(grains / 1000);
+}
+
+bool probed(const Scene& scene, double pressure) {
+  return std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(), pressure) !=
+         scene.probe_pressures.end();
+}
+
+/// Seconds of one grain in one step: a lattice of touching spheres, shaken, for a tenth of a second.
+double measured_speed(const Scene& scene) {
+  const triaxial::SpecimenRecipe specimen = recipe(scene, scene.contacts.front(), scene.first_seed);
+  const int edges = static_cast<int>(
+      std::clamp(std::cbrt(static_cast<double>(scene.grains) / 4), 3.0, 14.0)); // 4 grains in a cubic cell
+  const double edge = std::sqrt(2.0) * 2 * specimen.radius * (1 - 1e-5);
+  dem::State state;
+  state.radius = specimen.radius;
+  state.cell = Mat3::diagonal(edges * edge, edges * edge, edges * edge);
+  for (int x = 0; x < edges; ++x)
+    for (int y = 0; y < edges; ++y)
+      for (int z = 0; z < edges; ++z)
+        for (const Vec3& site : {Vec3{0, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.5, 0, 0.5}, Vec3{0, 0.5, 0.5}})
+          state.position.push_back(edge * (site + Vec3{x + 0.25, y + 0.25, z + 0.25}));
+  dem::Engine engine(state, specimen.material);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  double elapsed = 0;
+  std::size_t steps = 0;
+  while (elapsed < 0.1) {
+    for (int k = 0; k < 20; ++k)
+      engine.step();
+    steps += 20;
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  // Twelve contacts a grain here, about five with the near misses in a disordered packing.
+  constexpr double contacts_share = 0.55;
+  return contacts_share * elapsed / (static_cast<double>(steps) * static_cast<double>(state.grain_count()));
+}
+
+} // namespace
+
+double preparation_work(const Scene& scene) { return preparation_steps * grains_and_waves(scene); }
+
+double stage_work(const Scene& scene, triaxial::Density density, Shape shape, std::size_t stage) {
+  const bool loose = density == triaxial::Density::loose;
+  double steps = network_steps + (loose ? loose_stage_steps : dense_stage_steps);
+  if (loose && stage == 0)
+    steps += loose_first_stage_steps(shape);
+  if (probed(scene, scene.pressures.at(stage)))
+    steps += 3 * (loose ? loose_probe_steps : dense_probe_steps);
+  return steps * grains_and_waves(scene);
+}
+
+double specimen_work(const Scene& scene, triaxial::Density density, Shape shape) {
+  double work = 0;
+  for (std::size_t stage = 0; stage < scene.pressures.size(); ++stage)
+    work += stage_work(scene, density, shape, stage);
+  return work;
+}
+
+double total_work(const Scene& scene) {
+  double work = 0;
+  for (const Shape shape : scene.contacts) {
+    work += preparation_work(scene);
+    for (const triaxial::Density density : scene.densities)
+      work += specimen_work(scene, density, shape);
+  }
+  return work * static_cast<double>(scene.seeds);
+}
+
+Plan plan(const Scene& scene) {
+  require_valid(scene);
+  Plan out;
+  out.packings = scene.contacts.size() * scene.seeds;
+  out.specimens = out.packings * scene.densities.size();
+  out.network_solutions = out.specimens * scene.pressures.size();
+  out.probes = 3 * out.specimens * scene.probe_pressures.size();
+  out.grain_steps = total_work(scene);
+  out.seconds_per_grain_step = measured_speed(scene);
+  const double side_by_side = static_cast<double>(std::min(scene.threads, out.packings));
+  out.seconds = out.grain_steps * out.seconds_per_grain_step / side_by_side;
+  // Bytes of a grain: the frictionless packing that waits, and engine with network for each that runs
+  // (measured).
+  constexpr double waiting = 200, running = 12e3, program = 20e6;
+  const double grains = static_cast<double>(scene.grains);
+  out.memory = program + grains * (waiting * static_cast<double>(out.packings) +
+                                   running * static_cast<double>(scene.threads));
+  return out;
+}
+
+} // namespace granum::verify

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/verify/study.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include <granum/assembly/cell_work.hpp>
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/assembly/force_moments.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/verify/plan.hpp>
+
+namespace granum::verify {
+
+namespace {
+
+void measure_assembly(const Assembly& assembly, const contact::PowerLaw& contact_law, StateResult& out) {
+  const MechanicalCoordination mechanical = mechanical_coordination(assembly, ContactKind::frictional);
+  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(contact_normals(assembly));
+  out.coordination_number = coordination_number(assembly);
+  out.mechanical_coordination_number = mechanical.coordination_number;
+  out.rattler_fraction = mechanical.rattler_fraction;
+  out.fabric_anisotropy = anisotropy.anisotropy;
+  out.fabric_anisotropy_error = anisotropy.standard_error;
+  out.pressure_by_contacts = contact_stress(assembly).mean();
+  out.pressure_by_work = pressure_by_cell_work(assembly, contact_law);
+}
+
+void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, StateResult& out) {
+  const effective::Estimate estimate =
+      effective::uniform_strain({.law = recipe.material.law,
+                                 .tangential_ratio = recipe.material.tangential_stiffness_ratio,
+                                 .radius = recipe.radius,
+                                 .void_ratio = out.void_ratio,
+                                 .coordination_number = out.coordination_number,
+                                 .stress_v = out.pressure,
+                                 .stress_h = out.pressure});
+  out.G_closed = estimate.stiffness.G_vh();
+  out.K_closed = estimate.stiffness.bulk_modulus();
+}
+
+void solve_network(const Assembly& assembly, StateResult& out) {
+  const network::Response response = network::linear_response(assembly);
+  const elastic::Isotropic relaxed = elastic::isotropic_projection(response.relaxed());
+  const elastic::Isotropic affine = elastic::isotropic_projection(response.affine());
+  const BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
+  out.G_network = relaxed.shear_modulus();
+  out.K_network = relaxed.bulk_modulus();
+  out.G_uniform_strain = affine.shear_modulus();
+  out.K_uniform_strain = affine.bulk_modulus();
+  const elastic::Matrix6& c = response.relaxed().matrix;
+  out.G_hh_network = c(5, 5);
+  out.G_vh_network = c(4, 4);
+  out.K_lower = bounds.lower;
+  out.K_upper = bounds.upper;
+  out.network_iterations = response.report().iterations;
+  out.network_residual = response.report().residual;
+}
+
+double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
+                     double* amplitude) {
+  const triaxial::ProbeResult result = triaxial::probe(state, material, mode);
+  if (!result.converged)
+    throw NotConverged("probe did not come to rest in " + std::to_string(result.steps) + " steps");
+  if (amplitude != nullptr)
+    *amplitude = result.amplitude;
+  return result.shear_modulus;
+}
+
+Probes run_probes(const dem::State& state, const dem::Material& material) {
+  Probes probes;
+  probes.G_hh = probe_modulus(state, material, triaxial::ShearMode::hh, &probes.amplitude);
+  probes.G_hv = probe_modulus(state, material, triaxial::ShearMode::hv, nullptr);
+  probes.G_vh = probe_modulus(state, material, triaxial::ShearMode::vh, nullptr);
+  return probes;
+}
+
+std::string words(dem::Outcome outcome) {
+  switch (outcome) {
+  case dem::Outcome::converged:
+    return "converged";
+  case dem::Outcome::step_limit:
+    return "did not come to rest within the allowed steps";
+  case dem::Outcome::unstable:
+    return "became unstable";
+  case dem::Outcome::stopped:
+    return "stopped on request";
+  }
+  return "ended";
+}
+
+/// Shares the predicted work among the finished pieces and passes it on.
+class Meter {
+ public:
+  Meter(const RunControl& control, double total) : control_(control), total_(total) {}
+
+  void add(double work, const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    done_ += work;
+    if (control_.report)
+      control_.report({std::min(1.0, done_ / total_), what});
+  }
+  [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
+
+ private:
+  const RunControl& control_;
+  double total_;
+  double done_ = 0;
+  std::mutex mutex_;
+};
+
+/// Calls work(0) .. work(count - 1), each once, on several threads.
+void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto worker = [&] {
+    for (std::size_t k = next++; k < count; k = next++)
+      work(k);
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < std::min(threads, count); ++t)
+    others.emplace_back(worker);
+  worker();
+  for (std::thread& other : others)
+    other.join();
+}
+
+struct Packing {
+  Shape contact = Shape::sphere;
+  std::uint64_t seed = 0;
+  dem::State state;
+  std::string failure;
+};
+
+std::string title(Shape contact, triaxial::Density density, std::uint64_t seed) {
+  return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
+}
+
+StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe, bool probed) {
+  const dem::Material& material = recipe.material;
+  const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
+  if (!frozen.report.converged())
+    throw NotConverged("the frozen state " + words(frozen.report.outcome));
+  const Assembly on_path = dem::freeze(snapshot.state, material);
+  const auto sliding = std::count_if(on_path.contacts.begin(), on_path.contacts.end(),
+                                     [](const Contact& c) { return c.sliding; });
+  StateResult out;
+  out.pressure = snapshot.pressure;
+  out.contact_pressure = trace(snapshot.report.stress) / 3;
+  out.void_ratio = dem::void_ratio(frozen.state);
+  out.sliding_fraction = static_cast<double>(sliding) / static_cast<double>(on_path.contacts.size());
+  out.steps = snapshot.report.steps + frozen.report.steps;
+  out.unbalanced_force_ratio = frozen.report.unbalanced_force_ratio;
+  out.largest_inertial_number = snapshot.report.largest_inertial_number;
+  const Assembly assembly = dem::freeze(frozen.state, material);
+  measure_assembly(assembly, material.law, out);
+  estimate_closed_form(recipe, out);
+  solve_network(assembly, out);
+  if (probed)
+    out.probes = run_probes(frozen.state, material);
+  return out;
+}
+
+void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& out, Meter& meter) {
+  if (!packing.failure.empty()) {
+    out.failure = packing.failure;
+    return;
+  }
+  const triaxial::SpecimenRecipe specimen = recipe(scene, out.contact, out.seed);
+  dem::QuasistaticOptions options = triaxial::compression_options();
+  options.stop_requested = [&meter] { return meter.stopped(); };
+  const auto visit = [&](const triaxial::Snapshot& snapshot) {
+    if (!snapshot.report.converged()) {
+      out.failure =
+          "compression to " + std::to_string(snapshot.pressure) + " Pa " + words(snapshot.report.outcome);
+      return false;
+    }
+    const bool probed = std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(),
+                                  snapshot.pressure) != scene.probe_pressures.end();
+    out.states.push_back(analyse(snapshot, specimen, probed));
+    meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
+              title(out.contact, out.density, out.seed));
+    if (meter.stopped() && out.states.size() < scene.pressures.size())
+      out.failure = "stopped on request";
+    return out.failure.empty();
+  };
+  if (!triaxial::isotropic_path(triaxial::start_of_compression(packing.state, out.density, specimen),
+                                specimen.material, scene.pressures, options, visit) &&
+      out.failure.empty())
+    out.failure = "the path ended early";
+}
+
+/// Runs work and turns an error of granum's into the text of a failure.
+std::string failure_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
+  std::vector<Packing> packings;
+  for (const Shape shape : scene.contacts)
+    for (std::size_t k = 0; k < scene.seeds; ++k)
+      packings.push_back({shape, scene.first_seed + k, {}, {}});
+  side_by_side(packings.size(), scene.threads, [&](std::size_t k) {
+    Packing& packing = packings[k];
+    packing.failure = failure_of([&] {
+      if (meter.stopped())
+        throw NotConverged("stopped on request");
+      packing.state = triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed)).state;
+    });
+    meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");
+  });
+  return packings;
+}
+
+} // namespace
+
+std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control) {
+  require_valid(scene);
+  Meter meter(control, total_work(scene));
+  const std::vector<Packing> packings = prepare(scene, meter);
+  std::vector<SpecimenResult> specimens;
+  std::vector<std::size_t> packing_of;
+  for (std::size_t shape = 0; shape < scene.contacts.size(); ++shape)
+    for (const triaxial::Density density : scene.densities)
+      for (std::size_t k = 0; k < scene.seeds; ++k) {
+        specimens.push_back({scene.contacts[shape], density, scene.first_seed + k, {}, {}});
+        packing_of.push_back(shape * scene.seeds + k);
+      }
+  // The longest first, so that no thread ends up alone with one of them.
+  std::vector<std::size_t> order(specimens.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return specimen_work(scene, specimens[a].density, specimens[a].contact) >
+           specimen_work(scene, specimens[b].density, specimens[b].contact);
+  });
+  side_by_side(specimens.size(), scene.threads, [&](std::size_t position) {
+    const std::size_t k = order[position];
+    const std::string failure =
+        failure_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+    if (!failure.empty())
+      specimens[k].failure = failure;
+  });
+  return specimens;
+}
+
+} // namespace granum::verify
