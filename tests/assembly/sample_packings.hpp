@@ -63,7 +63,7 @@ struct LatticeState {
   double normal_force = 0;
   double normal_stiffness = 1;
   double tangential_stiffness = 0;
-  int repeats = 3; ///< >= 3: then no grain meets its own image
+  int repeats = 3; ///< >= 2: then no grain meets its own image
 };
 
 inline Assembly lattice(const Lattice& kind, const LatticeState& state) {

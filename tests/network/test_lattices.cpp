@@ -60,7 +60,8 @@ TEST_CASE("the hexagonal close packing relaxes") { // theory C.1, printed to fiv
     CHECK(std::abs(m(0, 2) - 0.03823) < digits);
     CHECK(std::abs(m(3, 3) - 1.33775) < digits);
   }
-  CHECK(twin::distance(d, twin::response(a, false).relaxed) < 1e-12);
+  const Assembly small = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189, .repeats = 2});
+  CHECK(twin::distance(d, twin::response(small, false).relaxed) < 1e-12);
 }
 
 TEST_CASE("without tangential stiffness a lattice keeps its closed form where it is rigid") {

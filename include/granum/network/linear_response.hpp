@@ -25,7 +25,7 @@ struct Options {
 
 enum class Status {
   converged,
-  iteration_limit,      ///< the tolerance was not reached in the iterations allowed
+  iteration_limit,      ///< the tolerance was not reached: too few iterations, or below what rounding allows
   not_positive_definite ///< the network is unstable: the prestress term outweighs the contact stiffness
 };
 
