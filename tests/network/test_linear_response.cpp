@@ -155,6 +155,18 @@ TEST_CASE("symmetric, positive semidefinite, never above uniform strain") {
   }
 }
 
+TEST_CASE("the preconditioner keeps the iterations few") {
+  const auto iterations = [](int repeats, double kept) {
+    const auto response =
+        network::linear_response(samples::random_network({.seed = 21, .repeats = repeats, .kept = kept}));
+    return response.report().iterations;
+  };
+  // Measured 10 and 132; 15 and 198 without the level of fill, 17 and 367 with pivots left as they were.
+  // The sparse one also meets an unsafe pivot, and goes on with a larger shift.
+  CHECK(iterations(3, 1) <= 12);
+  CHECK(iterations(5, 0.4) <= 160);
+}
+
 TEST_CASE("uniform strain is the closed sum over load-bearing contacts") {
   const Assembly a = samples::random_network({.seed = 12, .kept = 1});
   REQUIRE(mechanical_coordination(a, ContactKind::frictional).rattler_count == 0);
