@@ -25,7 +25,7 @@ double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& 
   }
   if (!(overlap > 0))
     return 0;
-  const double strain = 1e-3 * overlap / length;
+  const double strain = 1e-4 * overlap / length;
   const double released = elastic_energy(assembly, law, -strain) - elastic_energy(assembly, law, strain);
   return released / (2 * strain * 3 * assembly.volume());
 }

@@ -35,6 +35,8 @@ struct Command {
 };
 
 Command add_fit(CLI::App& program);
+Command add_plan(CLI::App& program);
+Command add_verify(CLI::App& program);
 
 /// Options that every subcommand takes.
 struct OutputOptions {

@@ -139,24 +139,24 @@ double column_factor(std::string_view heading, std::string_view quantity, Dimens
                         "; name it " + choices(dimension, std::string(quantity) + "_"));
 }
 
-std::string pretty(double si_value, Dimension dimension) {
+std::string pretty(double value, Dimension dimension) {
   if (dimension == Dimension::dimensionless)
-    return short_text(si_value);
+    return short_text(value);
   if (dimension == Dimension::angle)
-    return short_text(si_value / degree) + " deg";
+    return short_text(value / degree) + " deg";
   std::vector<Unit> steps = units_of(dimension);
   std::erase_if(steps, [](const Unit& unit) { return unit.symbol == "cm" || unit.symbol.starts_with("g/"); });
   std::sort(steps.begin(), steps.end(), [](const Unit& a, const Unit& b) { return a.factor < b.factor; });
   // the largest unit in which the rounded value is not below 1, so that 999.96 kPa becomes 1 MPa
   Unit best = *find_unit(si_symbol(dimension));
-  const double rounded = std::abs(parse_number(short_text(si_value)).value_or(0));
+  const double rounded = std::abs(parse_number(short_text(value)).value_or(0));
   if (rounded > 0) {
     best = steps.front();
     for (const Unit& unit : steps)
       if (rounded >= unit.factor && unit.factor > best.factor)
         best = unit;
   }
-  return short_text(si_value / best.factor) + " " + std::string(best.symbol);
+  return short_text(value / best.factor) + " " + std::string(best.symbol);
 }
 
 } // namespace granum

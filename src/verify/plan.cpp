@@ -115,14 +115,14 @@ Plan plan(const Scene& scene) {
   out.probes = 3 * out.specimens * scene.probe_pressures.size();
   out.grain_steps = total_work(scene);
   out.seconds_per_grain_step = measured_speed(scene);
-  const double side_by_side = static_cast<double>(std::min(scene.threads, out.packings));
+  const double side_by_side = static_cast<double>(std::min(thread_count(scene), out.packings));
   out.seconds = out.grain_steps * out.seconds_per_grain_step / side_by_side;
   // Bytes of a grain: the frictionless packing that waits, and engine with network for each that runs
   // (measured).
   constexpr double waiting = 200, running = 12e3, program = 20e6;
   const double grains = static_cast<double>(scene.grains);
   out.memory = program + grains * (waiting * static_cast<double>(out.packings) +
-                                   running * static_cast<double>(scene.threads));
+                                   running * static_cast<double>(thread_count(scene)));
   return out;
 }
 

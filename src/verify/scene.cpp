@@ -2,6 +2,7 @@
 #include <granum/verify/scene.hpp>
 
 #include <algorithm>
+#include <thread>
 
 #include <granum/contact/friction.hpp>
 #include <granum/core/check.hpp>
@@ -25,6 +26,10 @@ std::string_view name(Shape shape) {
 
 std::string_view name(triaxial::Density density) {
   return density == triaxial::Density::dense ? "dense" : "loose";
+}
+
+std::size_t thread_count(const Scene& scene) {
+  return scene.threads > 0 ? scene.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
 contact::PowerLaw law(const Scene& scene, Shape shape) {
@@ -79,8 +84,8 @@ void require_valid(const Scene& scene) {
     throw InvalidArgument("contacts and densities: at least one of each is needed");
   if (scene.seeds < 1 || scene.seeds > 1000)
     throw InvalidArgument("seeds", static_cast<double>(scene.seeds), "", "[1, 1000]");
-  if (scene.threads < 1 || scene.threads > 1024)
-    throw InvalidArgument("threads", static_cast<double>(scene.threads), "", "[1, 1024]");
+  if (scene.threads > 1024)
+    throw InvalidArgument("threads", static_cast<double>(scene.threads), "", "[0, 1024]");
   for (const Shape shape : scene.contacts)
     triaxial::require_valid(recipe(scene, shape, scene.first_seed));
 }

@@ -215,7 +215,7 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
   for (const Shape shape : scene.contacts)
     for (std::size_t k = 0; k < scene.seeds; ++k)
       packings.push_back({shape, scene.first_seed + k, {}, {}});
-  side_by_side(packings.size(), scene.threads, [&](std::size_t k) {
+  side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
     Packing& packing = packings[k];
     packing.failure = failure_of([&] {
       if (meter.stopped())
@@ -248,7 +248,7 @@ std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& cont
     return specimen_work(scene, specimens[a].density, specimens[a].contact) >
            specimen_work(scene, specimens[b].density, specimens[b].contact);
   });
-  side_by_side(specimens.size(), scene.threads, [&](std::size_t position) {
+  side_by_side(specimens.size(), thread_count(scene), [&](std::size_t position) {
     const std::size_t k = order[position];
     const std::string failure =
         failure_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });

@@ -13,10 +13,10 @@ namespace granum {
 struct Contact {
   std::uint32_t i = 0;
   std::uint32_t j = 0;
-  Vec3 branch;                     ///< centre of j (its nearest periodic image) minus centre of i [m]
+  Vec3 branch{};                   ///< centre of j (its nearest periodic image) minus centre of i [m]
   double overlap = 0;              ///< R_i + R_j - |branch|, full approach [m]
   double normal_force = 0;         ///< compression positive [N]
-  Vec3 tangential_force;           ///< exerted by i on j, perpendicular to branch [N]
+  Vec3 tangential_force{};         ///< exerted by i on j, perpendicular to branch [N]
   double normal_stiffness = 0;     ///< k_n = df/dd at this state [N/m]
   double tangential_stiffness = 0; ///< k_t at this state [N/m]
   bool sliding = false;            ///< tangential force at the Coulomb limit

@@ -11,7 +11,7 @@ namespace granum {
 /// for they stand across the branches.
 /// Assumes   contacts of the given law, with overlaps as listed.
 /// \return   p [Pa], compression positive; 0 without contacts
-/// Accuracy  1e-7 relative: a central difference over 1e-3 of the mean overlap.
+/// Accuracy  1e-8 relative: a central difference over 1e-4 of the mean overlap.
 ///           Checked by tests/assembly/test_cell_work.cpp
 [[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law);
 

@@ -51,6 +51,6 @@ struct Unit {
 
 /// A value with the fitting prefix and 4 significant digits, for tables: 3.66e7 Pa is "36.6 MPa"; angles in
 /// degrees.
-[[nodiscard]] std::string pretty(double si_value, Dimension dimension);
+[[nodiscard]] std::string pretty(double value, Dimension dimension);
 
 } // namespace granum

@@ -46,11 +46,15 @@ struct Scene {
 
   std::vector<double> pressures{10e3, 20e3, 30e3, 40e3, 50e3, 60e3, 70e3, 80e3, 90e3, 100e3}; ///< rising [Pa]
   std::vector<double> probe_pressures{10e3, 30e3, 100e3}; ///< some of the pressures [Pa]
-  std::size_t threads = 2; ///< specimens that run side by side; the results do not depend on it
+  /// Specimens that run side by side; 0: as many as the machine has cores. The results do not depend on it.
+  std::size_t threads = 0;
 };
 
 /// \throws InvalidArgument naming the value that no study can have.
 void require_valid(const Scene& scene);
+
+/// scene.threads, or the number of cores where that is 0.
+[[nodiscard]] std::size_t thread_count(const Scene& scene);
 
 [[nodiscard]] contact::PowerLaw law(const Scene& scene, Shape shape);
 [[nodiscard]] triaxial::SpecimenRecipe recipe(const Scene& scene, Shape shape, std::uint64_t seed);

@@ -74,8 +74,8 @@ struct RunControl {
 
 /// Runs the study: a frictionless packing for each contact and seed, from it a dense and a loose specimen,
 /// each compressed through the pressures, frozen at each, analysed, solved as a network, and probed where
-/// asked. Specimens run side by side on scene.threads threads; each is one thread's work from start to end,
-/// so the results are the same bits for any number of threads.
+/// asked. Specimens run side by side on as many threads as the scene says; each is one thread's work from
+/// start to end, so the results are the same bits for any number of threads.
 /// \return   specimens in the order contact, density, seed; those that failed or were stopped say so
 /// \throws   InvalidArgument for an impossible scene
 /// Checked by tests/verify/test_study.cpp

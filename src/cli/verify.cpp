@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/verify/findings.hpp>
+#include <granum/verify/study.hpp>
+#include <granum/verify/tables.hpp>
+
+#include "frame.hpp"
+#include "scene_file.hpp"
+#include "study_options.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+namespace fs = std::filesystem;
+
+struct Options {
+  StudyOptions study;
+  std::string out;
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
+
+std::atomic<bool> stop_requested = false;
+
+extern "C" void granum_verify_stop(int) { stop_requested = true; }
+
+/// The first Ctrl-C (or termination) ends the study in order, a second one at once.
+void listen_for_stop() {
+  struct sigaction action = {};
+  action.sa_handler = granum_verify_stop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// One line on the terminal, overwritten in place; silent elsewhere.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(fileno(stderr)) != 0) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const verify::Progress& progress) {
+    if (!shown_)
+      return;
+    const double elapsed = seconds_since(start_);
+    const double left = progress.done > 0 ? elapsed * (1 - progress.done) / progress.done : 0;
+    fmt::print(stderr, "\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
+               progress.what);
+    std::fflush(stderr);
+  }
+  void clear() {
+    if (shown_)
+      fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  bool shown_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The folder for results: the one asked for, checked before any work is done, or the first free
+/// granum-verify-N.
+/// \throws   FileError if it cannot be made, or holds results that --force does not release
+fs::path output_folder(const Options& options) {
+  fs::path folder = options.out;
+  if (options.out.empty()) {
+    int number = 1;
+    do
+      folder = fmt::format("granum-verify-{}", number++);
+    while (fs::exists(folder));
+  }
+  for (const char* file : file_names)
+    if (!options.force && fs::exists(folder / file))
+      throw FileError((folder / file).string(), 0, "exists already and is kept; --force replaces it");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw FileError(folder.string(), 0, "cannot be made: " + error.message());
+  if (access(folder.c_str(), W_OK) != 0)
+    throw FileError(folder.string(), 0, "cannot be written to");
+  return folder;
+}
+
+ordered_json exponent_json(const std::optional<verify::Exponent>& exponent) {
+  if (!exponent)
+    return nullptr;
+  return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
+}
+
+ordered_json state_json(const verify::StateResult& s) {
+  ordered_json json = {{"pressure_Pa", s.pressure},
+                       {"pressure_by_contacts_Pa", s.pressure_by_contacts},
+                       {"pressure_by_work_Pa", s.pressure_by_work},
+                       {"void_ratio", s.void_ratio},
+                       {"coordination_number", s.coordination_number},
+                       {"mechanical_coordination_number", s.mechanical_coordination_number},
+                       {"rattler_fraction", s.rattler_fraction},
+                       {"fabric_anisotropy", s.fabric_anisotropy},
+                       {"fabric_anisotropy_standard_error", s.fabric_anisotropy_error},
+                       {"sliding_fraction", s.sliding_fraction},
+                       {"G_closed_Pa", s.G_closed},
+                       {"K_closed_Pa", s.K_closed},
+                       {"G_uniform_strain_Pa", s.G_uniform_strain},
+                       {"K_uniform_strain_Pa", s.K_uniform_strain},
+                       {"G_network_Pa", s.G_network},
+                       {"K_network_Pa", s.K_network},
+                       {"K_lower_Pa", s.K_lower},
+                       {"K_upper_Pa", s.K_upper},
+                       {"steps", s.steps},
+                       {"unbalanced_force_ratio", s.unbalanced_force_ratio},
+                       {"largest_inertial_number", s.largest_inertial_number}};
+  if (s.probes)
+    json["probes"] = {{"G_hh_Pa", s.probes->G_hh},
+                      {"G_hv_Pa", s.probes->G_hv},
+                      {"G_vh_Pa", s.probes->G_vh},
+                      {"shear_strain", s.probes->amplitude}};
+  return json;
+}
+
+struct Outcome {
+  verify::Scene scene;
+  std::vector<verify::SpecimenResult> specimens;
+  std::vector<verify::ExponentRow> exponents;
+  std::vector<verify::Verdict> verdicts;
+  double seconds = 0;
+
+  [[nodiscard]] bool complete() const {
+    return std::all_of(specimens.begin(), specimens.end(), [](const auto& s) { return s.failure.empty(); });
+  }
+  [[nodiscard]] bool all_hold() const {
+    return std::all_of(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.holds; });
+  }
+};
+
+ordered_json manifest_of(const Outcome& outcome, const Options& options) {
+  ordered_json json = json_head("verify");
+  json["wall_time_s"] = outcome.seconds;
+  json["complete"] = outcome.complete();
+  json["scene_file"] = options.study.scene_file;
+  json["settings"] = options.study.settings;
+  json["scene"] = json_of(outcome.scene);
+  json["threads_used"] = verify::thread_count(outcome.scene);
+  json["conventions"] = {
+      {"units", "SI, as the names say"},
+      {"signs", "compression positive; overlap is the full approach of two centres; z is vertical"},
+      {"mass_scaling",
+       "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},
+      {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
+      {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
+  for (const verify::ExponentRow& row : outcome.exponents)
+    json["exponents"].push_back({{"contact", verify::name(row.contact)},
+                                 {"density", verify::name(row.density)},
+                                 {"contact_law", row.contact_law},
+                                 {"closed_form", exponent_json(row.closed_form)},
+                                 {"network", exponent_json(row.network)},
+                                 {"network_with_void_ratio_function", exponent_json(row.network_void)},
+                                 {"probe", exponent_json(row.probe)},
+                                 {"paper", row.paper ? ordered_json(*row.paper) : ordered_json()}});
+  for (const verify::Verdict& verdict : outcome.verdicts)
+    json["verdicts"].push_back(
+        {{"claim", verdict.claim}, {"holds", verdict.holds}, {"measured", verdict.measured}});
+  for (const verify::SpecimenResult& specimen : outcome.specimens) {
+    ordered_json entry = {{"contact", verify::name(specimen.contact)},
+                          {"density", verify::name(specimen.density)},
+                          {"seed", specimen.seed},
+                          {"failure", specimen.failure},
+                          {"states", ordered_json::array()}};
+    for (const verify::StateResult& state : specimen.states)
+      entry["states"].push_back(state_json(state));
+    json["specimens"].push_back(entry);
+  }
+  return json;
+}
+
+Outcome run_and_judge(const verify::Scene& scene, bool quiet) {
+  Outcome outcome;
+  outcome.scene = scene;
+  const Clock::time_point start = Clock::now();
+  ProgressLine line(quiet);
+  listen_for_stop();
+  outcome.specimens = verify::run_study(
+      scene, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop_requested});
+  outcome.seconds = seconds_since(start);
+  outcome.exponents = verify::exponents(scene, outcome.specimens);
+  outcome.verdicts = verify::verdicts(scene, outcome.specimens);
+  return outcome;
+}
+
+std::string report_of(const Outcome& outcome) {
+  return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {} threads\n",
+                     verify::states_table(outcome.specimens), verify::exponents_table(outcome.exponents),
+                     verify::verdicts_table(outcome.verdicts), outcome.specimens.size(), outcome.scene.grains,
+                     outcome.seconds, verify::thread_count(outcome.scene));
+}
+
+void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
+  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
+  io::write_file(folder / file_names[0], verify::states_csv(outcome.scene, outcome.specimens), existing);
+  io::write_file(folder / file_names[1], verify::exponents_csv(outcome.exponents), existing);
+  io::write_file(folder / file_names[2], manifest_of(outcome, options).dump(2) + "\n", existing);
+}
+
+ExitCode run(const Options& options) {
+  const verify::Scene scene = resolve(options.study);
+  const bool writes = !options.json || !options.out.empty();
+  const fs::path folder = writes ? output_folder(options) : fs::path();
+  const Outcome outcome = run_and_judge(scene, options.quiet);
+  if (writes)
+    write_results(folder, outcome, options);
+  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
+  const std::string where = writes ? "CSV and manifest in " + folder.string() + "\n" : "";
+  deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
+  if (!outcome.complete() && !stop_requested)
+    return ExitCode::not_converged;
+  return outcome.all_hold() ? ExitCode::ok : ExitCode::fell_short;
+}
+
+} // namespace
+
+Command add_verify(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "verify", "Closed form against network and DEM, dense and loose: the exponent s");
+  add_study_options(*command, options->study);
+  command->add_option("--out", options->out, "Folder for CSV and manifest; by default a new granum-verify-N")
+      ->type_name("DIR");
+  command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
+  command->add_flag("--force", options->force, "Let --out replace existing results");
+  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli
