@@ -22,10 +22,20 @@ foreach(pressure 0Pa 100kPa)
   endforeach()
 endforeach()
 
-# Of G_hv at equal stresses: n = (b/35 + r/15)/(b/15 + r/6)/3 with r = k_t/k_n = 34/37 and b = 1-r, and m = 1/3 - n.
-foreach(expectation "m=^0\\.19967532467532" "n=^0\\.13365800865800")
-  granum_cli_test("estimate: ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
+# Of G_hv at equal stresses n = (b/35 + c/15)/(b/15 + c/6)/3 and m = 1/3 - n; b = 1-r and c = r under uniform strain, of
+# the compliance 1/G_hv b = 4(1-1/r) and c = 4/r under uniform stress; r = k_t/k_n = 34/37.
+foreach(expectation "uniform_strain/m=^0\\.19967532467532" "uniform_strain/n=^0\\.13365800865800"
+    "uniform_stress/m=^0\\.20031923383878" "uniform_stress/n=^0\\.13301409949454")
+  granum_cli_test("estimate: ${expectation}" EXIT 0 JSON "${expectation}"
     ARGS estimate --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
+endforeach()
+
+# Contacts of one stiffness, a = 1/2, r = 0.9: moduli over P k_n are 234/875, 372/875, 1013/2385, 464967/1740115.
+foreach(expectation "C11=^3314886660\\.8442" "C33=^5269819819\\.8037" "E_v=^5264800774\\.0791"
+    "E_h=^3312112348\\.5494")
+  granum_cli_test("estimate: fabric ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
+    ARGS estimate --contact flat --punch-radius 50um --void-ratio 0.558 --fabric 0.5 --tangential-ratio 0.9
+      --pressure 100kPa --json)
 endforeach()
 
 # s = 1/(1+alpha) at any fabric and stress ratio
