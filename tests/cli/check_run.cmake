@@ -2,6 +2,7 @@
 # Runs a program and checks exit code and text:
 #   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON=key=regex]
 #     -P check_run.cmake -- arguments
+# A key within objects is written outer/inner.
 # What is not asked for must be empty: a run without STDERR may not warn.
 cmake_minimum_required(VERSION 3.25)
 
@@ -30,6 +31,7 @@ if(DEFINED JSON)
   string(SUBSTRING "${JSON}" 0 ${split} key)
   math(EXPR after "${split} + 1")
   string(SUBSTRING "${JSON}" ${after} -1 expected)
+  string(REPLACE "/" ";" key "${key}")
   string(JSON value ERROR_VARIABLE problem GET "${out}" ${key})
   if(problem OR NOT value MATCHES "${expected}")
     fail("JSON ${key} is '${value}' (${problem}), expected ${expected}")

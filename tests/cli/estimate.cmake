@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Grains of 36.6 GPa bulk and 45 GPa shear modulus, porosity 0.4, C_n = 8.6, 20 MPa: K and G as several independent
+# codes of the Hertz-Mindlin model give them, and E = 9KG/(3K+G). The expressions leave 1e-14 relative.
+set(golden --contact sphere --grain-shear-modulus 45GPa --grain-poisson-ratio 0.06395348837209303
+  --radius 0.5mm --porosity 0.4 --coordination-number 8.6 --fabric 0 --pressure 20MPa --json)
+set(golden_K "^1906319860\\.92(11[89]|117[2-9]|120)")
+set(golden_G "^2802805417\\.138(1[6-9]|15[5-9]|20)")
+set(golden_E "^5642891196\\.535(7[1-9]|80)")
+foreach(expectation "K=${golden_K}" "G_vh=${golden_G}" "G_hh=${golden_G}" "C44=${golden_G}" "C66=${golden_G}"
+    "E_v=${golden_E}" "E_h=${golden_E}")
+  granum_cli_test("estimate: golden ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}" ARGS estimate ${golden})
+endforeach()
+granum_cli_test("estimate: uniform stress has the same K" EXIT 0 JSON "uniform_stress/K=${golden_K}"
+  ARGS estimate ${golden})
+
+# k_n = 2 G a/(1-nu) of a flat punch at every stress: K = C_n k_n/(6 pi R (1+e)), G = C_n (k_n+1.5 k_t)/(10 pi R (1+e)).
+foreach(pressure 0Pa 100kPa)
+  foreach(expectation "K=^157008520\\.6169" "G_vh=^224055402\\.3938" "s=^0(\\.0)?$")
+    granum_cli_test("estimate: flat punch at ${pressure} ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
+      ARGS estimate --contact flat --punch-radius 5.7um --void-ratio 0.558 --pressure ${pressure} --json)
+  endforeach()
+endforeach()
+
+# Of G_hv at equal stresses n = (b/35 + c/15)/(b/15 + c/6)/3 and m = 1/3 - n; b = 1-r and c = r under uniform strain, of
+# the compliance 1/G_hv b = 4(1-1/r) and c = 4/r under uniform stress; r = k_t/k_n = 34/37.
+foreach(expectation "uniform_strain/m=^0\\.19967532467532" "uniform_strain/n=^0\\.13365800865800"
+    "uniform_stress/m=^0\\.20031923383878" "uniform_stress/n=^0\\.13301409949454")
+  granum_cli_test("estimate: ${expectation}" EXIT 0 JSON "${expectation}"
+    ARGS estimate --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
+endforeach()
+
+# Contacts of one stiffness, a = 1/2, r = 0.9: moduli over P k_n are 234/875, 372/875, 1013/2385, 464967/1740115.
+foreach(expectation "C11=^3314886660\\.8442" "C33=^5269819819\\.8037" "E_v=^5264800774\\.0791"
+    "E_h=^3312112348\\.5494")
+  granum_cli_test("estimate: fabric ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
+    ARGS estimate --contact flat --punch-radius 50um --void-ratio 0.558 --fabric 0.5 --tangential-ratio 0.9
+      --pressure 100kPa --json)
+endforeach()
+
+# s = 1/(1+alpha) at any fabric and stress ratio
+set(anisotropic --void-ratio 0.6 --fabric 0.5 --stress-v 200kPa --stress-h 100kPa --json)
+foreach(hypothesis uniform_strain uniform_stress)
+  granum_cli_test("estimate: s of cones, ${hypothesis}" EXIT 0
+    JSON "${hypothesis}/s=^0\\.(5$|50000000000000|4999999999999)"
+    ARGS estimate --contact cone --slope 0.4 ${anisotropic})
+  granum_cli_test("estimate: s of spheres, ${hypothesis}" EXIT 0 JSON "${hypothesis}/s=^0\\.3333333333333"
+    ARGS estimate --contact sphere ${anisotropic})
+  granum_cli_test("estimate: s of flat punches, ${hypothesis}" EXIT 0 JSON "${hypothesis}/s=^0(\\.0)?$"
+    ARGS estimate --contact flat --punch-radius 50um ${anisotropic})
+  granum_cli_test("estimate: s of alpha = 1.5, ${hypothesis}" EXIT 0
+    JSON "${hypothesis}/s=^0\\.(4$|40000000000000|3999999999999)"
+    ARGS estimate --contact power-law --alpha 1.5 --profile-constant 180 ${anisotropic})
+endforeach()
+string(REPLACE "--contact;sphere" "--contact;power-law;--alpha;2;--profile-constant;1000" parabola "${golden}")
+granum_cli_test("estimate: alpha = 2 and A = 1/(2R) is the sphere" EXIT 0 JSON "uniform_strain/K=${golden_K}"
+  ARGS estimate ${parabola})
+
+# limits: numbers, never NaN
+foreach(hypothesis uniform_strain uniform_stress)
+  foreach(modulus C11 C33 C12 C13 C44 C66 K G_hh G_vh E_v E_h)
+    granum_cli_test("estimate: unloaded spheres, ${hypothesis} ${modulus}" EXIT 0
+      JSON "${hypothesis}/${modulus}=^0(\\.0)?$" ARGS estimate --void-ratio 0.6 --pressure 0Pa --json)
+  endforeach()
+  granum_cli_test("estimate: exponents of unloaded spheres, ${hypothesis}" EXIT 0
+    JSON "${hypothesis}/s=^0\\.3333333333333" ARGS estimate --void-ratio 0.6 --pressure 0Pa --json)
+endforeach()
+granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limit on the isotropic path"
+  ARGS estimate --void-ratio 0.6 --pressure 0Pa)
+set(frictionless --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0 --json)
+foreach(expectation "E_v=^0(\\.0)?$" "E_h=^0(\\.0)?$" "s=^$")
+  granum_cli_test("estimate: k_t = 0, uniform stress ${expectation}" EXIT 0 JSON "uniform_stress/${expectation}"
+    STDERR "warning: uniform stress without tangential stiffness" ARGS estimate ${frictionless})
+endforeach()
+granum_cli_test("estimate: k_t = 0, uniform strain" EXIT 0 JSON "uniform_strain/E_v=^[1-9]"
+  STDERR "warning: uniform stress without" ARGS estimate ${frictionless})
+granum_cli_test("estimate: k_t = 0, in the table" EXIT 0 STDOUT "undefined.*Uniform strain overestimates"
+  STDERR "warning: uniform stress without" ARGS estimate --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0)
+granum_cli_test("estimate: unstable stiffness has no Young's modulus" EXIT 0 JSON "uniform_strain/E_v=^$"
+  STDERR "Young's moduli under uniform strain do not exist"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --fabric -2.3 --tangential-ratio 0.1 --json)
+
+# density
+foreach(density "--porosity;37.5%" "--porosity;0.375" "--solid-fraction;0.625" "--void-ratio;0.6")
+  granum_cli_test("estimate: density by ${density}" EXIT 0
+    JSON "inputs/void_ratio=^0\\.(6$|6000000000000|5999999999999)"
+    ARGS estimate ${density} --pressure 100kPa --json)
+endforeach()
+
+# what was assumed, and what else is remarked
+set(complete --grain-shear-modulus 30GPa --grain-poisson-ratio 0.15 --radius 0.5mm --tangential-ratio 0.9
+  --fabric 0 --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
+granum_cli_test("estimate: nothing assumed" EXIT 0 JSON "notes=^\\[\\]$"
+  ARGS estimate --contact sphere --coordination-number 5.73 ${complete})
+granum_cli_test("estimate: inputs are SI" EXIT 0 JSON "inputs/stress_h=^100000(\\.0)?$"
+  ARGS estimate --contact sphere --coordination-number 5.73 ${complete})
+foreach(note "--contact sphere" "--grain-shear-modulus 30 GPa" "--grain-poisson-ratio 0\\.15" "--radius 500 um"
+    "--tangential-ratio 0\\.9189" "--fabric 0" "--coordination-number 5\\.73, a dense packing")
+  granum_cli_test("estimate: assumed ${note}, JSON" EXIT 0 JSON "notes=assumed ${note}"
+    ARGS estimate --void-ratio 0.6 --pressure 100kPa --json)
+  granum_cli_test("estimate: assumed ${note}, table" EXIT 0 STDOUT "- assumed ${note}"
+    ARGS estimate --void-ratio 0.6 --pressure 100kPa)
+endforeach()
+granum_cli_test("estimate: assumed slope" EXIT 0 JSON "notes=assumed --slope 0\\.4"
+  ARGS estimate --contact cone --coordination-number 5.73 ${complete})
+granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.(7|69999)[0-9]*e-0?6$"
+  ARGS estimate --contact flat --coordination-number 5.73 ${complete})
+granum_cli_test("estimate: assumed punch is noted" EXIT 0 JSON "notes=assumed --punch-radius 5\\.7 um"
+  ARGS estimate --contact flat --coordination-number 5.73 ${complete})
+# (3.5/5.73)^(alpha/(1+alpha))
+foreach(loose "cone=0\\.78" "sphere=0\\.72" "flat=0\\.61")
+  string(REPLACE "=" ";" loose "${loose}")
+  list(GET loose 0 shape)
+  list(GET loose 1 share)
+  granum_cli_test("estimate: loose packing of ${shape}" EXIT 0 JSON "notes=at most ${share} of these moduli"
+    ARGS estimate --contact ${shape} ${complete})
+endforeach()
+granum_cli_test("estimate: table" EXIT 0
+  STDOUT "K +208 MPa +208 MPa.*s = m . n +0\\.3333 +0\\.3333.*Both overestimate.*0\\.7 of it if dense"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa)
+granum_cli_test("estimate: table of a profile" EXIT 0 STDOUT "profile 180 r\\^1\\.5 \\(SI\\)"
+  ARGS estimate --contact power-law --alpha 1.5 --profile-constant 180 --void-ratio 0.6 --pressure 100kPa)
+granum_cli_test("estimate: assumptions are not outside validity" EXIT 0 JSON "uniform_strain/K=^20"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --strict --json)
+granum_cli_test("estimate: a validity note fails under --strict" EXIT 4 JSON "notes=coordination number exceeds 12"
+  STDERR "^granum: error: coordination number exceeds 12[^\n]*\n$"
+  ARGS estimate --coordination-number 13 --void-ratio 0.6 --pressure 100kPa --strict --json)
+
+function(granum_estimate_refuses what message)
+  granum_cli_test("estimate: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS estimate ${ARGN})
+endfunction()
+set(state --void-ratio 0.6 --pressure 100kPa)
+granum_estimate_refuses("nu = 0.6" "grain_poisson_ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
+  ${state} --grain-poisson-ratio 0.6)
+granum_estimate_refuses("porosity 38" "--porosity = 38 is outside \\(0, 1\\); write 38% for per cent"
+  --porosity 38 --pressure 100kPa)
+granum_estimate_refuses("solid fraction 1" "--solid-fraction = 1 is outside \\(0, 1\\)\n"
+  --solid-fraction 1 --pressure 100kPa)
+granum_estimate_refuses("void ratio 0" "void_ratio = 0 is outside \\(0, inf\\)" --void-ratio 0 --pressure 100kPa)
+granum_estimate_refuses("negative void ratio" "void_ratio = -0\\.5 is outside" --void-ratio -0.5 --pressure 100kPa)
+granum_estimate_refuses("void ratio NaN" "--void-ratio = 'nan' is not a pure number"
+  --void-ratio nan --pressure 100kPa)
+granum_estimate_refuses("pressure NaN" "--pressure = 'nanPa' is not a pressure" --void-ratio 0.6 --pressure nanPa)
+granum_estimate_refuses("no density" "the density is missing: give one of --void-ratio" --pressure 100kPa)
+granum_estimate_refuses("density twice" "the density is given more than once" ${state} --porosity 0.38)
+granum_estimate_refuses("negative C_n" "coordination_number = -1 is outside" ${state} --coordination-number -1)
+granum_estimate_refuses("fabric too large" "fabric_anisotropy = 1\\.5 is outside" ${state} --fabric 1.5)
+granum_estimate_refuses("negative k_t" "tangential_ratio = -1 is outside" ${state} --tangential-ratio -1)
+granum_estimate_refuses("negative pressure" "--pressure = -5000 Pa is outside \\[0, inf\\)"
+  --void-ratio 0.6 --pressure -5kPa)
+granum_estimate_refuses("negative stress" "stress_h = -5000 Pa is outside"
+  --void-ratio 0.6 --stress-v 5kPa --stress-h -5kPa)
+granum_estimate_refuses("stress without unit" "--stress-v = 100 has no unit; write 100Pa, 100kPa"
+  --void-ratio 0.6 --stress-v 100 --stress-h 100kPa)
+granum_estimate_refuses("length for stress" "--pressure = '5mm' must be a pressure, not a length"
+  --void-ratio 0.6 --pressure 5mm)
+granum_estimate_refuses("no stress" "the stress is missing: give --pressure" --void-ratio 0.6)
+granum_estimate_refuses("only stress-v" "--stress-h is missing: --stress-v and --stress-h go together"
+  --void-ratio 0.6 --stress-v 100kPa)
+granum_estimate_refuses("only stress-h" "--stress-v is missing" --void-ratio 0.6 --stress-h 100kPa)
+granum_estimate_refuses("pressure and stress" "--pressure sets both stresses" ${state} --stress-h 100kPa)
+granum_estimate_refuses("one stress zero" "stress_h = 0 Pa is outside \\(0, inf\\)"
+  --void-ratio 0.6 --stress-v 100kPa --stress-h 0kPa)
+granum_estimate_refuses("alpha < 1" "alpha = 0\\.5 is outside \\[1, inf\\)"
+  ${state} --contact power-law --alpha 0.5 --profile-constant 180)
+granum_estimate_refuses("power law without constant" "--contact power-law needs --alpha and --profile-constant"
+  ${state} --contact power-law --alpha 1.5)
+granum_estimate_refuses("slope of a sphere" "--slope goes with --contact cone, not with --contact sphere"
+  ${state} --slope 0.4)
+granum_estimate_refuses("punch of a cone" "--punch-radius goes with --contact flat, not with --contact cone"
+  ${state} --contact cone --punch-radius 5um)
+granum_estimate_refuses("alpha of a flat" "--alpha goes with --contact power-law" ${state} --contact flat --alpha 2)
+granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --contact power-law"
+  ${state} --profile-constant 180)
+granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law}" ${state} --contact egg)
+granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
+granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state} --tangential-ratio 1e305)
+
+granum_cli_test("estimate: unwritable output" EXIT 3 STDERR "no such folder/estimate\\.json: cannot be written"
+  ARGS estimate ${state} --json --out "no such folder/estimate.json")
+granum_cli_test("estimate: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
+  ARGS estimate ${state} --out isotropic.csv)
+granum_cli_test("estimate: output to a file" EXIT 0
+  ARGS estimate ${state} --json --force --out "${CMAKE_CURRENT_BINARY_DIR}/estimate result.json")
