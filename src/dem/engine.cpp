@@ -69,7 +69,7 @@ constexpr double stability_fraction = 0.8;
 Engine::Data::Data(State initial, const Material& m)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
       friction(std::min(m.friction_coefficient, 1e100)), cold(std::move(initial)),
-      list(2 * cold.radius, 0.06 * cold.radius) {
+      list(2 * cold.radius, 0.02 * cold.radius) {
   require_valid(m);
   require_positive("radius", cold.radius, "m");
   const std::size_t count = cold.grain_count();
