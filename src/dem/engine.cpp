@@ -27,7 +27,6 @@ struct Engine::Data {
   void choose_time_step();
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
-  void measure_residual();
   void move();
   void take_figures(const SweepSums& sums);
   [[nodiscard]] std::vector<ContactHistory> history() const;
@@ -144,7 +143,6 @@ void Engine::Data::sweep(double elapsed) {
                               .tangential_ratio = material.tangential_stiffness_ratio,
                               .friction = friction},
                              tangential ? &memory : nullptr, load));
-  measure_residual();
 }
 
 void Engine::Data::take_figures(const SweepSums& sums) {
@@ -246,7 +244,7 @@ void Engine::Data::integrate() {
   if (fixed_damping >= 0)
     damping = fixed_damping;
   else if (kinetic > 0)
-    damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * kinetic))), 0.005 / dt, 0.5 / dt);
+    damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * kinetic))), 0.0002 / dt, 0.5 / dt);
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
@@ -258,20 +256,6 @@ void Engine::Data::integrate() {
       a.w = keep * a.w + (push / inertia) * load[g].t;
     speed_squared = std::max(speed_squared, dot(a.v, a.v));
   }
-}
-
-void Engine::Data::measure_residual() {
-  const double per_radius_squared = 1 / (cold.radius * cold.radius);
-  double residual = 0;
-  std::size_t touching = 0;
-  for (const Load& on : load) {
-    const double load_squared = dot(on.f, on.f) + per_radius_squared * dot(on.t, on.t);
-    if (load_squared > 0) {
-      residual += std::sqrt(load_squared);
-      ++touching;
-    }
-  }
-  figures.mean_residual = touching > 0 ? residual / static_cast<double>(touching) : 0;
 }
 
 Engine::Engine(State state, const Material& material)
@@ -297,6 +281,20 @@ void Engine::step() {
 }
 
 const StepFigures& Engine::figures() const { return data_->figures; }
+double Engine::unbalanced_force_ratio() const {
+  const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
+  double sum = 0;
+  std::size_t touching = 0;
+  for (const Load& on : data_->load) {
+    const double squared = dot(on.f, on.f) + per_radius_squared * dot(on.t, on.t);
+    if (squared > 0) {
+      sum += std::sqrt(squared);
+      ++touching;
+    }
+  }
+  return touching > 0 ? sum / static_cast<double>(touching) / data_->figures.mean_normal_force : 0;
+}
+
 double Engine::time_step() const { return data_->dt; }
 double Engine::diameter() const { return 2 * data_->cold.radius; }
 const Mat3& Engine::cell() const { return data_->cold.cell; }

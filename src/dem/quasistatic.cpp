@@ -44,7 +44,7 @@ bool interrupted(const Engine& engine, const QuasistaticOptions& options, Quasis
 }
 
 void conclude(const Engine& engine, QuasistaticReport& report) {
-  report.unbalanced_force_ratio = engine.figures().unbalanced_force_ratio();
+  report.unbalanced_force_ratio = engine.unbalanced_force_ratio();
   report.stress = engine.figures().stress;
   if (!engine.finite())
     report.outcome = Outcome::unstable;
@@ -82,7 +82,7 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
     }
     if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts > 0 &&
         worst < options.stress_tolerance * pressure &&
-        now.unbalanced_force_ratio() < options.force_tolerance) {
+        engine.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;
       break;
     }
@@ -119,7 +119,7 @@ QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_st
     if (interrupted(engine, options, report))
       break;
     if (report.steps % check_interval == 0 && engine.figures().contacts > 0 &&
-        engine.figures().unbalanced_force_ratio() < options.force_tolerance) {
+        engine.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;
       break;
     }

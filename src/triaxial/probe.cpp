@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/probe.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,7 +44,7 @@ double chosen_amplitude(const dem::Engine& engine, const dem::Material& material
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
   dem::Engine engine(state, sticking(material));
   FrozenState frozen;
-  frozen.report = dem::deform(engine, Mat3{}, 0, {.force_tolerance = force_tolerance});
+  frozen.report = dem::deform(engine, Mat3{}, 0, {.force_tolerance = force_tolerance, .max_steps = 40000});
   engine.rest();
   frozen.state = engine.state();
   return frozen;
@@ -68,6 +69,7 @@ ProbeResult probe(const dem::State& state, const dem::Material& material, ShearM
         dem::deform(engine, gradient, strain == 0 ? 0 : options.ramp_steps, relax);
     result.converged = result.converged && report.converged();
     result.steps += report.steps;
+    result.unbalanced_force_ratio = std::max(result.unbalanced_force_ratio, report.unbalanced_force_ratio);
     return -(report.stress(moving, stacked) + report.stress(stacked, moving)) / 2;
   };
   const double start = leg(0);

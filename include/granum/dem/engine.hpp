@@ -13,16 +13,10 @@ namespace granum::dem {
 struct StepFigures {
   Mat3 stress;                  ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
   double mean_normal_force = 0; ///< over contacts that touch [N]
-  double mean_residual = 0;     ///< of sqrt(force^2 + (torque/R)^2), over grains that touch others [N]
   double p_wave_modulus =
       0; ///< mean uniform-strain modulus of the network, (1/V) sum k_n l^2 (1/5 + 2r/15) [Pa]
   std::size_t contacts = 0;
   std::size_t sliding = 0; ///< contacts at the Coulomb limit in this step
-
-  /// Mean residual force and torque on a grain / mean contact force; 0 without contacts.
-  [[nodiscard]] double unbalanced_force_ratio() const {
-    return contacts > 0 ? mean_residual / mean_normal_force : 0;
-  }
 };
 
 /// Explicit dynamics of equal spheres in a periodic cell that deforms with a given velocity gradient.
@@ -54,6 +48,9 @@ class Engine {
   void step();
 
   [[nodiscard]] const StepFigures& figures() const;
+  /// Mean of sqrt(force^2 + (torque/R)^2) over the grains that touch others / mean contact force [1]; 0
+  /// without contacts.
+  [[nodiscard]] double unbalanced_force_ratio() const;
   /// Time that the next step takes [s]; may change every 50 steps, as the contacts stiffen or soften.
   [[nodiscard]] double time_step() const;
   [[nodiscard]] double diameter() const;

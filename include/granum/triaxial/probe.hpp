@@ -24,7 +24,7 @@ struct ProbeOptions {
   bool sliding = false;
   std::size_t ramp_steps = 100;
   double force_tolerance = 1e-8; ///< unbalanced force ratio after each leg [1]; G is then within about 0.2 %
-  std::size_t max_steps = 200000;
+  std::size_t max_steps = 40000; ///< of each leg
 };
 
 struct [[nodiscard]] ProbeResult {
@@ -33,6 +33,9 @@ struct [[nodiscard]] ProbeResult {
   double amplitude = 0;     ///< shear strain used [1]
   /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
   double opening = 0;
+  /// Largest after any leg [1]. Beyond the tolerance when a leg ran out of steps: a rattler that is slowly
+  /// squeezed out of its cage keeps a specimen from coming to rest, but bears no load.
+  double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
 };
 
