@@ -57,7 +57,8 @@ PowerLaw PowerLaw::flat(const GrainMaterial& grain, double punch_radius) {
 PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double profile_constant) {
   const auto& [shear, nu] = checked(grain);
   if (!(alpha >= 1) || std::isinf(alpha))
-    throw InvalidArgument("alpha", alpha, "", "[1, inf); a flat punch has its own constructor");
+    throw InvalidArgument("alpha", alpha, "",
+                          "[1, inf); infinite alpha is the flat punch (--contact flat, PowerLaw::flat)");
   require_positive("profile_constant", profile_constant, "m^(1-alpha)");
   const double root = std::pow(gamma_ratio(alpha) / (2 * std::sqrt(std::numbers::pi)), 1 / alpha) *
                       std::pow(profile_constant, -1 / alpha);
