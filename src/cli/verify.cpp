@@ -40,14 +40,19 @@ struct Options {
 constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
 
 std::atomic<bool> stop_requested = false;
+std::atomic<int> signals = 0;
 
-extern "C" void granum_verify_stop(int) { stop_requested = true; }
+/// The first Ctrl-C (or termination) ends the study in order; the third at once. Some callers, such as
+/// timeout(1), send each signal twice.
+extern "C" void granum_verify_stop(int) {
+  stop_requested = true;
+  if (++signals >= 3)
+    _exit(130);
+}
 
-/// The first Ctrl-C (or termination) ends the study in order, a second one at once.
 void listen_for_stop() {
   struct sigaction action = {};
   action.sa_handler = granum_verify_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

@@ -14,6 +14,8 @@
 #include <granum/assembly/force_moments.hpp>
 #include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/fabric/anisotropy_estimate.hpp>
@@ -74,7 +76,7 @@ void require_rest(double unbalanced_force_ratio, const std::string& what) {
   constexpr double limit = 1e-6;
   if (!(unbalanced_force_ratio < limit))
     throw NotConverged(what + " did not come to rest: unbalanced force ratio " +
-                       std::to_string(unbalanced_force_ratio));
+                       short_text(unbalanced_force_ratio));
 }
 
 double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
@@ -188,8 +190,8 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
   options.stop_requested = [&meter] { return meter.stopped(); };
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged()) {
-      out.failure =
-          "compression to " + std::to_string(snapshot.pressure) + " Pa " + words(snapshot.report.outcome);
+      out.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
+                    words(snapshot.report.outcome);
       return false;
     }
     const bool probed = std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(),
