@@ -48,11 +48,13 @@ contact::PowerLaw law(const Scene& scene, Shape shape) {
 }
 
 triaxial::SpecimenRecipe recipe(const Scene& scene, Shape shape, std::uint64_t seed) {
+  const contact::PowerLaw contact_law =
+      law(scene, shape); // first: it names the grain's values that cannot be
   const double ratio = scene.tangential_ratio < 0
                            ? contact::mindlin_stiffness_ratio(scene.grain_poisson_ratio)
                            : scene.tangential_ratio;
   return {
-      .material = {.law = law(scene, shape),
+      .material = {.law = contact_law,
                    .tangential_stiffness_ratio = ratio,
                    .friction_coefficient = contact::Friction::from_angle(scene.friction_angle).coefficient(),
                    .density = scene.density},
@@ -64,6 +66,18 @@ triaxial::SpecimenRecipe recipe(const Scene& scene, Shape shape, std::uint64_t s
       .unjamming_strain = scene.unjamming_strain,
       .agitation = scene.agitation};
 }
+
+namespace {
+
+/// One kind of specimen twice would enter the mean over the seeds twice.
+template <class Kind>
+void require_distinct(const std::string& list, const std::vector<Kind>& kinds) {
+  for (auto kind = kinds.begin(); kind != kinds.end(); ++kind)
+    if (std::find(kinds.begin(), kind, *kind) != kind)
+      throw InvalidArgument(list + ": " + std::string(name(*kind)) + " is given twice");
+}
+
+} // namespace
 
 void require_valid(const Scene& scene) {
   if (scene.pressures.size() < 3)
@@ -82,6 +96,8 @@ void require_valid(const Scene& scene) {
       throw InvalidArgument("probe_pressures", pressure, "Pa", "the list of pressures");
   if (scene.contacts.empty() || scene.densities.empty())
     throw InvalidArgument("contacts and densities: at least one of each is needed");
+  require_distinct("contacts", scene.contacts);
+  require_distinct("densities", scene.densities);
   if (scene.seeds < 1 || scene.seeds > 1000)
     throw InvalidArgument("seeds", static_cast<double>(scene.seeds), "", "[1, 1000]");
   if (scene.threads > 1024)

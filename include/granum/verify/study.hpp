@@ -18,6 +18,8 @@ struct Probes {
   double G_hv = 0;
   double G_vh = 0;
   double amplitude = 0; ///< shear strain [1]
+
+  bool operator==(const Probes&) const = default;
 };
 
 /// One frozen state: what was measured on it and what the estimates say of it.
@@ -51,6 +53,8 @@ struct StateResult {
   std::size_t steps = 0; ///< of the stage and its rest
   double unbalanced_force_ratio = 0;
   double largest_inertial_number = 0;
+
+  bool operator==(const StateResult&) const = default;
 };
 
 /// One specimen on its isotropic path.
@@ -60,6 +64,8 @@ struct SpecimenResult {
   std::uint64_t seed = 0;
   std::vector<StateResult> states; ///< as far as it came
   std::string failure;             ///< empty when the whole path was run
+
+  bool operator==(const SpecimenResult&) const = default;
 };
 
 struct Progress {

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+set(small --grains 120 --set study.contacts=sphere --set study.pressures=10kPa,20kPa,40kPa
+  --set study.probe_pressures=)
+
+# what cannot be run: told apart before anything runs, by both commands
+foreach(command verify plan)
+  function(granum_study_refuses what code message)
+    granum_cli_test("${command}: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS ${command} ${ARGN})
+  endfunction()
+  granum_study_refuses("unknown key in a scene" 3
+    "scene_unknown_key\\.toml:3: key 'grain\\.radios' is unknown; known are grain\\.radius, "
+    --scene scene_unknown_key.toml)
+  granum_study_refuses("pressure without unit in a scene" 3
+    "scene_unitless_pressure\\.toml:3: study\\.pressures = 10 has no unit; write 10Pa, 10kPa"
+    --scene scene_unitless_pressure.toml)
+  granum_study_refuses("scene that is no TOML" 3 "scene_broken\\.toml:4: [^\n]*expected '\\]'"
+    --scene scene_broken.toml)
+  granum_study_refuses("missing scene" 3 "none\\.toml: [^\n]*could not be opened" --scene none.toml)
+  granum_study_refuses("0 grains" 2 "grains = 0 is outside \\[40, 1e7\\]" --grains 0)
+  granum_study_refuses("1 grain" 2 "grains = 1 is outside \\[40, 1e7\\]" --grains 1)
+  granum_study_refuses("0 seeds" 2 "seeds = 0 is outside \\[1, 1000\\]" --seeds 0)
+  granum_study_refuses("--set without a value" 2 "--set nonsense: expected key=value" --set nonsense)
+  granum_study_refuses("--set of an unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
+  granum_study_refuses("--set of half a grain" 2 "study\\.grains = 80\\.5 is not a whole number"
+    --set study.grains=80.5)
+  granum_study_refuses("--set of an unknown contact" 2
+    "study\\.contacts: 'cube' is unknown; known are cone, sphere, flat, power-law" --set study.contacts=cube)
+  granum_study_refuses("a contact twice" 2 "contacts: sphere is given twice" --set study.contacts=sphere,sphere)
+  granum_study_refuses("nu = 0.6" 2 "grain_poisson_ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
+    --set grain.poisson_ratio=0.6)
+  granum_study_refuses("falling pressures" 2 "pressures must rise: 10000" --set study.pressures=20kPa,10kPa,30kPa)
+  granum_study_refuses("a probe at no pressure" 2 "probe_pressures = 15000 Pa is outside the list of pressures"
+    --set study.probe_pressures=15kPa)
+  granum_cli_test("${command}: help lists the keys" EXIT 0
+    STDOUT "Keys of scenes and of --set:.*grain\\.radius .*study\\.probe_pressures .*specimen\\.agitation "
+    ARGS ${command} --help)
+endforeach()
+granum_cli_test("verify: folder within a file" EXIT 3
+  STDERR "^granum: error: isotropic\\.csv/x: cannot be made: Not a directory" ARGS verify ${small} --out isotropic.csv/x)
+granum_cli_test("verify: folder that is a file" EXIT 3 STDERR "^granum: error: isotropic\\.csv: cannot be "
+  ARGS verify ${small} --out isotropic.csv)
+
+granum_cli_test("plan: table" EXIT 0
+  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads; [0-9]+ MB\n$"
+  ARGS plan ${small})
+foreach(expectation "command=^plan$" "packings=^1$" "specimens=^2$" "network_solutions=^6$" "probes=^0$"
+    "predicted_time_s=^[0-9]" "scene/study/grains=^120$" "scene/grain/radius_m=^0\\.00040*"
+    "scene/study/probe_pressures_Pa=^\\[\\]$")
+  granum_cli_test("plan: JSON ${expectation}" EXIT 0 JSON "${expectation}"
+    ARGS plan --scene scene_small.toml --grains 120 --set grain.radius=0.4mm --json)
+endforeach()
+granum_cli_test("plan: --set overrides the scene, --grains overrides --set" EXIT 0 JSON "scene/study/grains=^90$"
+  ARGS plan --scene scene_small.toml --set study.grains=70 --grains 90 --json)
+granum_cli_test("plan: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
+  ARGS plan ${small} --out isotropic.csv)
+
+# 120 grains are too few for the claims on s: exit 1
+foreach(expectation "complete=^(ON|true)$" "exponents/0/network/value=^0\\.[345]" "exponents/1/contact=^sphere$"
+    "exponents/1/probe=^$" "specimens/1/states/2/pressure_Pa=^40000" "specimens/0/failure=^$")
+  granum_cli_test("verify: JSON ${expectation}" EXIT 1 JSON "${expectation}" ARGS verify ${small} --json)
+endforeach()
+
+# runs that write, in folders of their own
+foreach(what files stop)
+  add_test(NAME "cli: verify: ${what}"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/verify ${what}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_study_${what}.cmake")
+  set_tests_properties("cli: verify: ${what}" PROPERTIES LABELS cli)
+endforeach()
