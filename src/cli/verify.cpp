@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -40,14 +41,18 @@ struct Options {
 constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
 
 std::atomic<bool> stop_requested = false;
-std::atomic<int> signals = 0;
+std::atomic<std::time_t> first_signal = 0;
 
-/// The first Ctrl-C (or termination) ends the study in order; the third at once. Some callers, such as
-/// timeout(1), send each signal twice.
+/// The first Ctrl-C (or termination) ends the study in order; another one two seconds later ends it at once.
+/// Some callers, such as timeout(1), send each signal more than once.
 extern "C" void granum_verify_stop(int) {
-  stop_requested = true;
-  if (++signals >= 3)
+  const std::time_t now = std::time(nullptr);
+  if (!stop_requested) {
+    stop_requested = true;
+    first_signal = now;
+  } else if (now - first_signal >= 2) {
     _exit(130);
+  }
 }
 
 void listen_for_stop() {

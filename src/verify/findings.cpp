@@ -44,6 +44,8 @@ std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const Modulu
   const hardin::FitReport report = hardin::fit_exponent_sum(
       rows,
       {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
+  if (report.status() != hardin::FitStatus::converged)
+    return std::nullopt; // states too near to each other to have a slope
   const hardin::Estimate& s = report.fit().exponent_sum;
   return Exponent{s.value, s.standard_error};
 }
@@ -94,7 +96,8 @@ struct Worst {
   std::size_t states = 0;
 
   void take(double figure) {
-    value = std::max(value, figure);
+    if (!std::isnan(value) && !(figure <= value)) // NaN stays, and fails
+      value = figure;
     ++states;
   }
 };

@@ -18,7 +18,10 @@ namespace {
 Scene small_scene() {
   Scene scene;
   scene.grains = 120;
-  scene.contacts = {Shape::sphere, Shape::flat};
+  // Not flat: a flat contact that barely touches counts whole in the network but half in the probe, which
+  // opens it one way, and one such contact in 120 grains is 1 % of G. At 1,000 grains flat is within 1 % as
+  // well (validation/verify_default); smooth profiles lose their stiffness before they open.
+  scene.contacts = {Shape::sphere, Shape::cone};
   scene.pressures = {10e3, 20e3, 40e3};
   scene.probe_pressures = {20e3};
   scene.threads = 2;

@@ -51,6 +51,9 @@ FrozenState freeze_in_place(const dem::State& state, const dem::Material& materi
 
 /// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.
+/// Accuracy  as the amplitude goes to zero the network's answer with its prestress term. At the chosen
+/// amplitude flat           contacts that barely touch are open for half of the cycle: up to 1 % of G in
+/// small, loose specimens.
 /// Checked against the network's answer by tests/triaxial/test_probe.cpp
 ProbeResult probe(const dem::State& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options = {});

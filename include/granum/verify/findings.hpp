@@ -29,8 +29,8 @@ struct ExponentRow {
 
 /// Exponents of the specimens that have at least three states, by Levenberg-Marquardt on G itself, as in the
 /// paper. Several seeds: the mean; its standard error is the larger of the scatter between seeds and the
-/// mean regression error, over the root of their number. Probes that are fewer than three give none.
-/// Order: contacts, then densities, as in the scene.
+/// mean regression error, over the root of their number. Fewer than three states, or a fit that does not
+/// converge, give none. Order: contacts, then densities, as in the scene.
 /// Checked by tests/verify/test_findings.cpp
 [[nodiscard]] std::vector<ExponentRow> exponents(const Scene& scene,
                                                  const std::vector<SpecimenResult>& specimens);
