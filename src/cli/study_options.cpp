@@ -2,6 +2,7 @@
 #include "study_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <granum/core/error.hpp>
 
 #include "scene_file.hpp"
 
@@ -11,11 +12,13 @@ namespace {
 
 void add_count(CLI::App& command, const std::string& name, std::size_t& target, bool& given,
                const std::string& help) {
-  const auto take = [&target, &given](const std::size_t& value) {
-    target = value;
+  const auto take = [name, &target, &given](const long long& value) {
+    if (value < 0)
+      throw InvalidArgument(name, static_cast<double>(value), "", "[0, inf)");
+    target = static_cast<std::size_t>(value);
     given = true;
   };
-  command.add_option_function<std::size_t>(name, take, help)->type_name("N");
+  command.add_option_function<long long>(name, take, help)->type_name("N");
 }
 
 } // namespace

@@ -112,7 +112,9 @@ Plan plan(const Scene& scene) {
   out.packings = scene.contacts.size() * scene.seeds;
   out.specimens = out.packings * scene.densities.size();
   out.network_solutions = out.specimens * scene.pressures.size();
-  out.probes = 3 * out.specimens * scene.probe_pressures.size();
+  const auto probed_stages = std::count_if(scene.pressures.begin(), scene.pressures.end(),
+                                           [&](double p) { return probed(scene, p); });
+  out.probes = 3 * out.specimens * static_cast<std::size_t>(probed_stages);
   out.grain_steps = total_work(scene);
   out.seconds_per_grain_step = measured_speed(scene);
   const double side_by_side = static_cast<double>(std::min(thread_count(scene), out.packings));
