@@ -7,6 +7,7 @@
 #include <granum/core/error.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "relative.hpp"
 
 using namespace granum;
 
@@ -29,13 +30,14 @@ TEST_CASE("forces of a three-sphere chain are those that three other codes print
   REQUIRE(assembly.contacts.size() == 2);
   const Contact& ab = assembly.contacts[0];
   const Contact& bc = assembly.contacts[1];
-  // Printed to 10 digits; the overlaps themselves are differences of lengths 1e4 times as large.
-  CHECK(ab.normal_force == doctest::Approx(0.0235294118).epsilon(1e-9));
-  CHECK(bc.normal_force == doctest::Approx(0.0665512265).epsilon(1e-9));
-  CHECK(bc.overlap == doctest::Approx(2e-7).epsilon(1e-10));
-  CHECK(bc.branch.z == doctest::Approx(0.9998e-3).epsilon(1e-14));
-  CHECK(bc.normal_stiffness == doctest::Approx(1.5 * bc.normal_force / bc.overlap).epsilon(1e-14));
-  CHECK(bc.tangential_stiffness / bc.normal_stiffness == doctest::Approx(2 * 0.85 / 1.85).epsilon(1e-15));
+  // Printed to 9 digits, half of the last one is 2.2e-9 of it; the overlaps themselves are differences of
+  // lengths 1e4 times as large.
+  CHECK(ab.normal_force == relative(0.0235294118, 2.2e-9));
+  CHECK(bc.normal_force == relative(0.0665512265, 2.2e-9));
+  CHECK(bc.overlap == relative(2e-7, 1e-10));
+  CHECK(bc.branch.z == relative(0.9998e-3, 1e-14));
+  CHECK(bc.normal_stiffness == relative(1.5 * bc.normal_force / bc.overlap, 1e-14));
+  CHECK(bc.tangential_stiffness / bc.normal_stiffness == relative(2 * 0.85 / 1.85, 1e-15));
   require_valid(assembly);
 }
 
@@ -66,7 +68,7 @@ TEST_CASE("contacts across the border of the cell have the same branch as inside
 
 TEST_CASE("void ratio of a touching face-centred cubic lattice") {
   const double expected = 3 * std::sqrt(2.0) / 3.14159265358979323846 - 1;
-  CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == doctest::Approx(expected).epsilon(1e-14));
+  CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == relative(expected, 1e-14));
 }
 
 TEST_CASE("impossible materials are named") {
