@@ -29,8 +29,8 @@ struct StepFigures {
 /// m R^2, which lengthens the stable time step and leaves quasi-static states as they are. The time step
 /// follows from the contact stiffnesses: 0.8 of the stability limit 2/omega, with a strict upper bound on
 /// omega. Without friction no rotations and no histories are modelled.
-/// Assumes   quasi-static motion: the time step follows the contacts that exist, so a grain that flies into
-/// its           first contact, deep within one step, gains energy.
+/// Assumes   quasi-static motion: the time step follows the contacts that exist, so a grain that flies
+///           into its first contact, deep within one step, gains energy.
 /// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp
 class Engine {
  public:
