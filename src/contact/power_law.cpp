@@ -30,11 +30,41 @@ double gamma_ratio(double alpha) {
   return alpha < 1e8 ? boost::math::tgamma_delta_ratio(z, 0.5) : 1 / std::sqrt(z);
 }
 
+/// An exponent as the sum of two doubles: forces span so many decades that the rounding of the exponent alone
+/// would cost a hundred units in the last place.
+struct Exponent {
+  double high;
+  double low;
+};
+
+/// x/(y+z), y >= z.
+Exponent quotient(double x, double y, double z) {
+  const double sum = y + z;
+  const double high = x / sum;
+  const double remainder = std::fma(-high, sum, x) - high * (z - (sum - y));
+  return {high, remainder / sum};
+}
+
+/// x^n for x >= 0.
+double power(double x, Exponent n) {
+  const double leading = std::pow(x, n.high);
+  return x > 0 ? leading + leading * (n.low * std::log(x)) : leading;
+}
+
+/// x^(1/(1+alpha)): 1 for the flat punch, at x = 0 too.
+double stiffness_root(double x, double alpha) {
+  if (alpha == 1)
+    return std::sqrt(x);
+  if (alpha == 2)
+    return std::cbrt(x);
+  return std::isinf(alpha) ? 1.0 : power(x, quotient(1, alpha, 1));
+}
+
 } // namespace
 
 PowerLaw::PowerLaw(const GrainMaterial& grain, double alpha, double coefficient)
     : grain_(grain), alpha_(alpha), coefficient_(coefficient),
-      unit_force_stiffness_(force_exponent() * (coefficient / std::pow(coefficient, stiffness_exponent()))) {}
+      unit_force_stiffness_(force_exponent() * (coefficient / stiffness_root(coefficient, alpha))) {}
 
 PowerLaw PowerLaw::cone(const GrainMaterial& grain, double slope) {
   const auto& [shear, nu] = checked(grain);
@@ -67,26 +97,33 @@ PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double prof
 
 double PowerLaw::force(double overlap) const {
   require_non_negative("overlap", overlap, "m");
+  if (alpha_ != 1 && alpha_ != 2 && std::isfinite(alpha_))
+    return coefficient_ * (overlap * power(overlap, quotient(1, alpha_, 0)));
   return std::visit([&](const auto& law) { return law(overlap).force; }, kernel());
 }
 
 double PowerLaw::overlap(double force) const {
   require_non_negative("force", force, "N");
-  return std::pow(force / coefficient_, 1 / force_exponent());
+  const double power_of_overlap = force / coefficient_;
+  if (alpha_ == 2) {
+    const double root = std::cbrt(power_of_overlap);
+    return root * root;
+  }
+  if (std::isinf(alpha_))
+    return power_of_overlap;
+  return alpha_ == 1 ? std::sqrt(power_of_overlap) : power(power_of_overlap, quotient(alpha_, alpha_, 1));
 }
 
 double PowerLaw::stiffness_at_overlap(double overlap) const {
   require_non_negative("overlap", overlap, "m");
+  if (alpha_ != 1 && alpha_ != 2 && std::isfinite(alpha_))
+    return force_exponent() * (coefficient_ * power(overlap, quotient(1, alpha_, 0)));
   return std::visit([&](const auto& law) { return law(overlap).stiffness; }, kernel());
 }
 
 double PowerLaw::stiffness_at_force(double force) const {
   require_non_negative("force", force, "N");
-  if (alpha_ == 1)
-    return unit_force_stiffness_ * std::sqrt(force);
-  if (alpha_ == 2)
-    return unit_force_stiffness_ * std::cbrt(force);
-  return unit_force_stiffness_ * std::pow(force, stiffness_exponent()); // pow(0, 0) = 1: the flat punch
+  return unit_force_stiffness_ * stiffness_root(force, alpha_);
 }
 
 double PowerLaw::energy(double overlap) const { return force(overlap) * overlap / (1 + force_exponent()); }

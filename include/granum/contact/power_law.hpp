@@ -94,40 +94,40 @@ class PowerLaw {
   /// \param    overlap   d >= 0, full approach [m]
   /// \return   f [N]
   /// \throws   InvalidArgument if the overlap is negative or not finite
-  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp and validation/accuracy
   [[nodiscard]] double force(double overlap) const;
   /// Overlap at a force, the inverse of force().
   /// \param    force   f >= 0 [N]
   /// \return   d [m], 0 at zero force
   /// \throws   InvalidArgument if the force is negative or not finite
-  /// Accuracy  relative 1e-14.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp and validation/accuracy
   [[nodiscard]] double overlap(double force) const;
   /// Tangent stiffness k_n = df/dd = 2 G a/(1-nu).
   /// \param    overlap   d >= 0, full approach [m]
   /// \return   k_n [N/m]
   /// \throws   InvalidArgument if the overlap is negative or not finite
-  /// Accuracy  3 ulp.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp and validation/accuracy
   [[nodiscard]] double stiffness_at_overlap(double overlap) const;
   /// The same at a force: k_n = (1+1/alpha) c^(alpha/(1+alpha)) f^(1/(1+alpha)).   [Chung2014, Eq. 4, halved]
   /// \param    force   f >= 0 [N]
   /// \return   k_n [N/m]; 0 at zero force except for the flat punch
   /// \throws   InvalidArgument if the force is negative or not finite
-  /// Accuracy  relative 1e-14.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp and validation/accuracy
   [[nodiscard]] double stiffness_at_force(double force) const;
   /// Elastic energy alpha/(2 alpha+1) f d, the integral of the force.
   /// \param    overlap   d >= 0, full approach [m]
   /// \return   U [J]
   /// \throws   InvalidArgument if the overlap is negative or not finite
-  /// Accuracy  4 ulp.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp and validation/accuracy
   [[nodiscard]] double energy(double overlap) const;
   /// Radius of the contact disc, k_n (1-nu)/(2 G).
   /// \param    overlap   d >= 0, full approach [m]
   /// \return   a [m]
   /// \throws   InvalidArgument if the overlap is negative or not finite
-  /// Accuracy  5 ulp.  Checked by tests/contact/test_power_law.cpp
+  /// Accuracy  8 ulp.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double contact_radius(double overlap) const;
 
-  /// The unchecked kernel of this law, for sweeps.
+  /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
   [[nodiscard]] NormalKernel kernel() const;
 
  private:

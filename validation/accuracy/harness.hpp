@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+
+/// Largest errors of granum's functions against the same formulas written anew in 50-digit arithmetic.
+namespace accuracy {
+
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+inline Real pi() { return boost::math::constants::pi<Real>(); }
+
+/// Random arguments, the same in every run and on every machine.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+
+  double uniform(double low, double high) { return low + (high - low) * unit_(engine_); }
+  double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  /// One of the given values in a third of the draws, else uniform between low and high.
+  double uniform_or(double low, double high, std::initializer_list<double> special) {
+    if (unit_(engine_) < 1.0 / 3)
+      return special.begin()[static_cast<std::size_t>(unit_(engine_) * static_cast<double>(special.size()))];
+    return uniform(low, high);
+  }
+  double poisson_ratio() { return uniform_or(-0.999999, 0.5, {0.0, 0.25, 0.5, -0.999999}); }
+  double anisotropy() { return uniform_or(-1, 1, {-1.0, 0.0, 1.0, 1e-9}); }
+  /// k_t/k_n.
+  double ratio() { return uniform_or(0, 2, {0.0, 1.0, 2.0, 1e-9}); }
+  double coordination_number() { return uniform_or(0.01, 14, {14.0, 4.0, 6.0}); }
+  double pressure() { return log_uniform(1e-300, 1e12); }
+
+ private:
+  boost::random::mt19937_64 engine_;
+  boost::random::uniform_01<double> unit_;
+};
+
+/// Error in units in the last place of the reference.
+double ulps(double value, const Real& reference);
+
+/// What a row promises: the largest error in units in the last place.
+struct Reach {
+  double ulp;
+};
+constexpr Reach closed_form{8};
+constexpr Reach quadrature{1e-13 / 2.220446049250313e-16}; ///< relative 1e-13
+
+/// The table: one row a function and domain, with its largest error so far.
+class Table {
+ public:
+  struct Row {
+    std::string function;
+    std::string domain;
+    double reach = 0;
+    double worst = 0;
+    std::string where; ///< arguments of the largest error
+    std::size_t samples = 0;
+  };
+
+  /// Compares one value; `where` says the arguments.
+  void take(const std::string& function, const std::string& domain, Reach reach, double value,
+            const Real& reference, const std::string& where);
+  /// The same for a quantity that is a difference of larger ones: error relative to `scale`.
+  void take_against(const std::string& function, const std::string& domain, Reach reach, double value,
+                    const Real& reference, const Real& scale, const std::string& where);
+
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  Row& row(const std::string& function, const std::string& domain, Reach reach);
+  void take_error(Row& row, double error, const std::string& where);
+
+  std::vector<Row> rows_;
+};
+
+/// "name=value" with all digits.
+std::string said(std::initializer_list<std::pair<const char*, double>> arguments);
+
+/// One function a group of formulas; each adds its rows.
+void check_contact(Table& table, std::size_t samples);
+void check_fabric(Table& table, std::size_t samples);
+void check_elastic(Table& table, std::size_t samples);
+void check_uniform_field(Table& table, std::size_t samples);
+void check_directional(Table& table, std::size_t samples);
+
+} // namespace accuracy
