@@ -9,7 +9,7 @@ run_packages=(
   libeigen3-dev libboost-dev libgsl-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
-test_packages=("${run_packages[@]}" doctest-dev clang-format)
+test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 
 case "${1:-}" in
