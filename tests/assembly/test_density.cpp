@@ -10,7 +10,7 @@
 
 using namespace granum;
 
-TEST_CASE("solid fractions of the lattices") { // theory C.1
+TEST_CASE("solid fractions of the lattices") {
   using std::numbers::pi;
   const auto fraction = [](const samples::Lattice& kind) {
     return solid_fraction(samples::lattice(kind, {.radius = 0.3}));

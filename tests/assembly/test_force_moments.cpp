@@ -45,12 +45,13 @@ TEST_CASE("both bounds meet where every contact carries the same force") {
   const Assembly a = samples::lattice(
       samples::face_centred,
       {.radius = radius, .normal_force = 0.02, .normal_stiffness = kn, .tangential_stiffness = 0.9e6});
-  const double closed = 2 * kn / (3 * std::sqrt(2) * radius); // (C11 + 2 C12)/3 of theory C.1
+  // (C11 + 2 C12)/3 of the lattice. [DuffyMindlin1957]
+  const double closed = 2 * kn / (3 * std::sqrt(2) * radius);
   CHECK(bulk_modulus_bounds(a).upper == doctest::Approx(closed).epsilon(1e-13));
   CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(closed).epsilon(1e-13));
 }
 
-TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // theory C.2
+TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // [AgnolinRoux2007]
   const double young = 70e9, poisson = 0.3, radius = 1e-3, diameter = 2 * radius;
   const double stiff = young / (1 - poisson * poisson), ratio = 2 * (1 - poisson) / (2 - poisson);
   Assembly a = samples::lattice(samples::face_centred, {.radius = radius});

@@ -8,7 +8,7 @@
 
 using namespace granum;
 
-TEST_CASE("contact forces of lattices under isotropic pressure") { // theory C.1
+TEST_CASE("contact forces of lattices under isotropic pressure") {
   const double radius = 0.5e-3, p = 1e5;
   const auto check = [&](const samples::Lattice& kind, double force) {
     const Assembly a = samples::lattice(kind, {.radius = radius, .normal_force = force});

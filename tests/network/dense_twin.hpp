@@ -80,7 +80,7 @@ inline Response response(const Assembly& a, bool prestress) {
   return {energy / a.volume(), (energy + w.transpose() * q) / a.volume(), k * (e + b * q)};
 }
 
-/// The closed sum over contacts of theory B.2: uniform strain, no spin.
+/// The closed sum over contacts, uniform strain, no spin. [Walton1987]
 inline Matrix6 contact_sum(const Assembly& a) {
   const int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   Matrix6 sum = Matrix6::Zero();

@@ -34,7 +34,7 @@ void check_exact(const samples::Lattice& kind, const Matrix6& closed_form) {
 
 } // namespace
 
-TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // theory C.1
+TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // [DuffyMindlin1957]
   const double r2 = std::sqrt(2), r3 = std::sqrt(3);
   check_exact(samples::simple_cubic, cubic(kn / (2 * radius), 0, kt / (4 * radius)));
   check_exact(samples::body_centred, cubic((kn + 2 * kt) / (2 * r3 * radius), (kn - kt) / (2 * r3 * radius),
@@ -43,7 +43,7 @@ TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // th
               cubic((kn + kt) / (r2 * radius), (kn - kt) / (2 * r2 * radius), (kn + kt) / (2 * r2 * radius)));
 }
 
-TEST_CASE("the hexagonal close packing relaxes") { // theory C.1, printed to five decimals
+TEST_CASE("the hexagonal close packing relaxes") { // known to five decimals
   const Assembly a = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189});
   const auto response = network::linear_response(a);
   const Matrix6& c = response.affine().matrix;

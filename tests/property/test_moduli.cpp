@@ -70,8 +70,8 @@ TEST_CASE("property: stress times a power of two scales the moduli by one") {
     state.stress_v *= 64;
     state.stress_h *= 64;
     const double factor = b == 0 ? 1 : state.law.alpha() == 1 ? 8 : 4;
-    // Only the cube root of the C library is not scaled exactly: by one unit in the last place, and two products
-    // round after it.
+    // Only the cube root of the C library is not scaled exactly: by one unit in the last place, and two
+    // products round after it.
     const TransverselyIsotropic after = uniform_strain(state).stiffness;
     const TransverselyIsotropic expected{.C11 = factor * before.C11,
                                          .C33 = factor * before.C33,

@@ -67,14 +67,13 @@ class [[nodiscard]] Response {
 
 /// Stiffness of the frozen contact network: C = (A - W^T H^+ W)/V with H the stiffness matrix of the grains'
 /// displacements and spins, W the forces that a uniform strain leaves unbalanced, A the affine energy.
-/// [theory D.1] Contact kinematics: delta = u_j - u_i - (a_i w_i + a_j w_j) x n, f = k_n (n.delta) n + k_t (1
-/// - n n) delta. The contact point divides the branch as the radii do, a_i = |branch| R_i/(R_i + R_j), so
-/// that a rigid rotation of the grains costs nothing and the moments balance with the same branch vectors
-/// that the stress is made of.
-/// Assumes   contacts neither open nor form; k_n, k_t those of the present state;
-/// rattlers (fewer than 2 contacts,
-///           fewer than 4 where no contact has tangential stiffness) left out one after the other, from A as
-///           well. Grains or clusters that can still move freely do so at no cost and take no part.
+/// [AgnolinRoux2007]
+/// Contact kinematics: delta = u_j - u_i - (a_i w_i + a_j w_j) x n, f = k_n (n.delta) n + k_t (1-nn) delta.
+/// The contact point divides the branch as the radii do, a_i = |branch| R_i/(R_i + R_j), so that a rigid
+/// rotation of the grains costs nothing and the moments balance with the branch vectors of the stress.
+/// Assumes   contacts neither open nor form; k_n, k_t those of the present state; rattlers (fewer than 2
+///           contacts, fewer than 4 where no contact has tangential stiffness) left out one after the other,
+///           from A as well. Grains or clusters that still move freely do so at no cost and take no part.
 /// \param    assembly  any number of grains; without load-bearing contacts both stiffnesses are zero
 /// \throws   InvalidArgument for an assembly that require_valid rejects, or an option outside its range
 /// Accuracy  the error of C is of second order in options.tolerance. Same input, same bits.
