@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/projection.hpp>
 
+#include <granum/elastic/mandel.hpp>
+
+#include "direction.hpp"
+#include "isotropic_part.hpp"
+
 namespace granum::elastic {
 
+namespace {
+
+/// The shortest rotation that turns `axis`, or its opposite, to axis 3.
+Mat3 rotation_to_axis_3(const Vec3& axis) {
+  Vec3 n = unit_along("axis", axis);
+  if (n.z < 0) // keeps 1 + n.z away from zero
+    n = -n;
+  const double f = 1 / (1 + n.z);
+  return {{{1 - f * n.x * n.x, -f * n.x * n.y, -n.x},
+           {-f * n.x * n.y, 1 - f * n.y * n.y, -n.y},
+           {n.x, n.y, n.z}}};
+}
+
+} // namespace
+
 Isotropic isotropic_projection(const VoigtStiffness& stiffness) {
-  const Matrix6& c = stiffness.matrix;
-  const double block = c.topLeftCorner<3, 3>().sum();
-  const double diagonal = c.topLeftCorner<3, 3>().trace();
-  const double shear = c.bottomRightCorner<3, 3>().trace();
-  // block - diagonal = 2 (C12+C13+C23)
-  return Isotropic::from_bulk_and_shear(block / 9, shear / 5 + (diagonal - (block - diagonal) / 2) / 15);
+  const IsotropicPart part = isotropic_part(mandel(stiffness).matrix);
+  return Isotropic::from_bulk_and_shear(part.volumetric / 3, part.deviatoric / 2);
 }
 
 TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness) {
@@ -20,6 +36,14 @@ TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& st
           .C12 = (diagonal + 6 * c(0, 1) - 4 * c(5, 5)) / 8,
           .C13 = (c(0, 2) + c(1, 2)) / 2,
           .C44 = (c(3, 3) + c(4, 4)) / 2};
+}
+
+TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness, const Vec3& axis) {
+  return transversely_isotropic_projection(rotate(stiffness, rotation_to_axis_3(axis)));
+}
+
+VoigtStiffness voigt(const TransverselyIsotropic& stiffness, const Vec3& axis) {
+  return rotate(voigt(stiffness), transpose(rotation_to_axis_3(axis)));
 }
 
 } // namespace granum::elastic

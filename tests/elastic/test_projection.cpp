@@ -57,6 +57,30 @@ TEST_CASE("what a projection leaves out is orthogonal to it") {
   CHECK(std::abs(inner) < rounding * c.matrix.squaredNorm());
 }
 
+TEST_CASE("projection about any axis is that about axis 3 of the turned material") {
+  const Mat3 turn = rotation_about({1, -2, 0.5}, 0.8);
+  const Vec3 axis = column(turn, 2); // where axis 3 has gone
+  const TransverselyIsotropic layered = layered_sample();
+  const VoigtStiffness turned = rotate(voigt(layered), turn);
+  for (const Vec3& along : {axis, -axis, 1e-200 * axis, 3e200 * axis}) {
+    CHECK(relative_distance(mandel(turned), mandel(voigt(layered, along))) < rounding);
+    CHECK(relative_distance(mandel(voigt(layered)),
+                            mandel(voigt(transversely_isotropic_projection(turned, along)))) < rounding);
+  }
+  // about axis 3 and its opposite it is the projection above
+  for (const Vec3& along : {Vec3{0, 0, 1}, Vec3{0, 0, -2}})
+    CHECK(relative_distance(mandel(voigt(transversely_isotropic_projection(triclinic_sample()))),
+                            mandel(voigt(transversely_isotropic_projection(triclinic_sample(), along)))) <
+          rounding);
+  // and about axis 1 it exchanges the indices
+  const TransverselyIsotropic lying = transversely_isotropic_projection(triclinic_sample(), {1, 0, 0});
+  CHECK(lying.C33 == relative(310e6, rounding));
+  CHECK(lying.C13 == relative((118e6 + 133e6) / 2, rounding));
+  CHECK(lying.C44 == relative((115e6 + 96e6) / 2, rounding));
+  CHECK_THROWS_AS((void)voigt(layered, {0, 0, 0}), InvalidArgument);
+  CHECK_THROWS_AS((void)transversely_isotropic_projection(turned, {0, std::nan(""), 1}), InvalidArgument);
+}
+
 TEST_CASE("a stiffness without positive average moduli has no isotropic projection") {
   CHECK_THROWS_AS((void)isotropic_projection(VoigtStiffness{}), InvalidArgument);
 }

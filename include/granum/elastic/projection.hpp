@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <granum/core/vec3.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
@@ -18,5 +19,17 @@ namespace granum::elastic {
 
 /// Average over the rotations about axis 3.
 [[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness);
+
+/// Average over the rotations about any axis; index 3 of the result stands for that axis.
+/// \param    axis   any vector but zero; its length and sense do not matter
+/// \throws   InvalidArgument for a zero vector or one that is not finite
+/// Accuracy  8 ulp of the largest entry.
+[[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness,
+                                                                      const Vec3& axis);
+
+/// Full Voigt matrix [Pa] of a material whose axis of symmetry, index 3 of `stiffness`, points along `axis`.
+/// \throws   InvalidArgument for a zero vector or one that is not finite
+/// Accuracy  8 ulp of the largest entry.
+[[nodiscard]] VoigtStiffness voigt(const TransverselyIsotropic& stiffness, const Vec3& axis);
 
 } // namespace granum::elastic

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/elastic/stiffness.hpp>
+
+/// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa are
+/// judged alike. Which distance still counts as symmetric is for the caller to say: rounding is 1e-15, a
+/// measured or simulated stiffness carries its own error.
+/// Checked by tests/elastic/test_symmetry.cpp
+namespace granum::elastic {
+
+/// |C - P(C)|/|C| in the Mandel norm, in [0, 1], with P(C) the nearest stiffness of the class and C the
+/// symmetric part of the given matrix (symmetry_residual of mandel.hpp tells the rest).        [Moakher2006]
+/// The classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and
+/// isotropic >= cubic >= orthotropic, but for rounding.
+struct SymmetryDistances {
+  double isotropic = 0;              ///< the same for every choice of axes
+  double cubic = 0;                  ///< cube edges along the coordinate axes
+  double transversely_isotropic = 0; ///< axis of symmetry 3
+  double orthotropic = 0;            ///< planes of symmetry across the coordinate axes
+};
+
+/// \throws   InvalidArgument if the stiffness is zero or an entry is not finite
+/// Accuracy  1e-15 absolute.
+[[nodiscard]] SymmetryDistances symmetry_distances(const VoigtStiffness& stiffness);
+
+} // namespace granum::elastic

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/averages.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <Eigen/LU>
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/quadrature.hpp>
+#include <granum/elastic/mandel.hpp>
+#include <relative.hpp>
+
+#include "samples.hpp"
+
+using namespace granum;
+using namespace granum::elastic;
+
+namespace {
+
+/// Mean of a tensor over all rotations, by Euler angles: a turned tensor of fourth rank has harmonics up to
+/// 4, which five Gauss points in the cosine and five equal steps in each of the other angles average exactly.
+Matrix6 mean_over_rotations(const Matrix6& m) {
+  Matrix6 mean = Matrix6::Zero();
+  const double step = 2 * std::numbers::pi / 5;
+  for (const auto& [x, w] : gauss_legendre(5))
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        const Mat3 turn = rotation_about({0, 0, 1}, i * step) * rotation_about({0, 1, 0}, std::acos(x)) *
+                          rotation_about({0, 0, 1}, j * step);
+        mean += w / 50 * rotate(MandelStiffness{m}, turn).matrix;
+      }
+  return mean;
+}
+
+Matrix6 random_positive_definite(std::mt19937_64& random) {
+  Matrix6 root;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      root(i, j) = uniform(random, -1, 1);
+  return 1e8 * (root * root.transpose() + 0.01 * Matrix6::Identity());
+}
+
+void check_ordered(const IsotropicAverages& m) {
+  for (const auto modulus : {&Isotropic::bulk_modulus, &Isotropic::shear_modulus}) {
+    CHECK((m.voigt.*modulus)() >= (m.hill.*modulus)());
+    CHECK((m.hill.*modulus)() >= (m.reuss.*modulus)());
+  }
+}
+
+} // namespace
+
+TEST_CASE("averages: Voigt is the mean stiffness over all rotations, Reuss the mean compliance") {
+  const Matrix6 c = mandel(triclinic_sample()).matrix;
+  const Matrix6 stiffness = mean_over_rotations(c), compliance = mean_over_rotations(c.inverse());
+  const IsotropicAverages m = isotropic_averages(triclinic_sample());
+  CHECK(relative_distance({stiffness}, mandel(voigt(m.voigt))) < 1e-14);
+  CHECK(relative_distance({compliance}, {mandel(voigt(m.reuss)).matrix.inverse()}) < 1e-14);
+  CHECK(m.hill.bulk_modulus() == relative((m.voigt.bulk_modulus() + m.reuss.bulk_modulus()) / 2, 1e-15));
+  CHECK(m.hill.shear_modulus() == relative((m.voigt.shear_modulus() + m.reuss.shear_modulus()) / 2, 1e-15));
+  CHECK(m.reuss.shear_modulus() < 0.999 * m.voigt.shear_modulus());
+}
+
+TEST_CASE("averages: the closed form of transverse isotropy is that of the full matrix") {
+  std::mt19937_64 random(17);
+  for (int i = 0; i < 200; ++i) {
+    const TransverselyIsotropic c = random_layered(random, -0.9, 0.9);
+    const IsotropicAverages closed = isotropic_averages(c), full = isotropic_averages(voigt(c));
+    const double tolerance = 1e-12; // condition numbers up to some 1000
+    CHECK(closed.voigt.bulk_modulus() == relative(full.voigt.bulk_modulus(), 1e-14));
+    CHECK(closed.voigt.shear_modulus() == relative(full.voigt.shear_modulus(), 1e-14));
+    CHECK(closed.reuss.bulk_modulus() == relative(full.reuss.bulk_modulus(), tolerance));
+    CHECK(closed.reuss.shear_modulus() == relative(full.reuss.shear_modulus(), tolerance));
+    check_ordered(closed);
+  }
+}
+
+TEST_CASE("averages: ordered for any stiffness, and no axes matter") {
+  std::mt19937_64 random(18);
+  for (int i = 0; i < 200; ++i) {
+    const VoigtStiffness c = voigt(MandelStiffness{random_positive_definite(random)});
+    const IsotropicAverages m = isotropic_averages(c);
+    check_ordered(m);
+    const IsotropicAverages turned = isotropic_averages(rotate(c, rotation_about(random_vector(random), 1)));
+    CHECK(turned.voigt.shear_modulus() == relative(m.voigt.shear_modulus(), 1e-13));
+    CHECK(turned.reuss.shear_modulus() == relative(m.reuss.shear_modulus(), 1e-10)); // condition 1e4
+    CHECK(turned.reuss.bulk_modulus() == relative(m.reuss.bulk_modulus(), 1e-10));
+  }
+  for (int i = 0; i < 200; ++i) { // isotropic to the last digits
+    const Isotropic solid =
+        Isotropic::from_bulk_and_shear(uniform(random, 1e6, 1e9), uniform(random, 1e6, 1e9));
+    check_ordered(isotropic_averages(voigt(solid)));
+    const IsotropicAverages m = isotropic_averages(transversely_isotropic(solid));
+    check_ordered(m);
+    CHECK(m.reuss.shear_modulus() == relative(solid.shear_modulus(), 1e-12));
+  }
+}
+
+TEST_CASE("averages: a stiffness with a floppy mode is refused") {
+  TransverselyIsotropic c = layered_sample();
+  c.C44 = 0;
+  CHECK_THROWS_AS((void)isotropic_averages(c), InvalidArgument);
+  CHECK_THROWS_AS((void)isotropic_averages(voigt(c)), InvalidArgument);
+  CHECK_THROWS_AS((void)isotropic_averages(VoigtStiffness{}), InvalidArgument);
+  VoigtStiffness bad = triclinic_sample();
+  bad.matrix(0, 3) = std::nan("");
+  CHECK_THROWS_AS((void)isotropic_averages(bad), InvalidArgument);
+}

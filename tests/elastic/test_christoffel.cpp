@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/christoffel.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/mandel.hpp>
+#include <relative.hpp>
+
+#include "samples.hpp"
+
+using namespace granum;
+using namespace granum::elastic;
+
+namespace {
+
+constexpr double density = 1650; // of a dry sand [kg/m3]
+constexpr double rounding = 1e-14;
+const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+
+/// The Christoffel matrix from the fourth-rank tensor, by the four-fold sum of its definition.
+Mat3 christoffel_matrix(const VoigtStiffness& c, const Vec3& n) {
+  const int index[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  Mat3 gamma;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+          gamma(i, k) += c.matrix(index[i][j], index[k][l]) * n[j] * n[l];
+  return gamma;
+}
+
+/// Axes, planes of symmetry, nearly these, and random ones.
+std::vector<Vec3> directions() {
+  std::vector<Vec3> list{{1, 0, 0}, {0, 1, 0}, {0, 0, 1},        {0, 0, -1},     {1, 1, 0},
+                         {1, 0, 1}, {0, 1, 1}, {1e-9, 2e-9, -1}, {-3, 4, 1e-12}, {1, 1, 1}};
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 100; ++i)
+    list.push_back(random_vector(random));
+  return list;
+}
+
+/// \param    tolerance   some rounding of products of rotations for the iterated eigenvectors, of one for closed
+void check_orthonormal(const std::array<Vec3, 3>& p, double tolerance) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(std::abs(dot(p[i], p[j]) - (i == j ? 1 : 0)) < tolerance);
+}
+
+std::array<Vec3, 3> polarisations(const TransverselyIsotropicWaves& w) {
+  return {w.quasi_p.polarisation, w.quasi_s.polarisation, w.pure_s.polarisation};
+}
+std::array<Vec3, 3> polarisations(const PlaneWaves& w) {
+  return {w.fastest.polarisation, w.middle.polarisation, w.slowest.polarisation};
+}
+
+std::array<double, 3> descending(const TransverselyIsotropicWaves& w) {
+  std::array<double, 3> speeds{w.quasi_p.speed, w.quasi_s.speed, w.pure_s.speed};
+  std::sort(speeds.rbegin(), speeds.rend());
+  return speeds;
+}
+
+/// Gamma p = density v^2 p, relative to the largest eigenvalue.
+void check_eigenpair(const Mat3& gamma, const PlaneWave& wave) {
+  const Vec3 residual = gamma * wave.polarisation - density * wave.speed * wave.speed * wave.polarisation;
+  CHECK(norm(residual) < rounding * trace(gamma));
+}
+
+} // namespace
+
+TEST_CASE("plane waves: every wave of a triclinic solid is an eigenpair of the Christoffel matrix") {
+  for (Vec3 n : directions()) {
+    const PlaneWaves waves = plane_waves(triclinic_sample(), density, n);
+    n *= 1 / norm(n);
+    const Mat3 gamma = christoffel_matrix(triclinic_sample(), n);
+    for (const PlaneWave& wave : {waves.fastest, waves.middle, waves.slowest})
+      check_eigenpair(gamma, wave);
+    check_orthonormal(polarisations(waves), 4e-15);
+    CHECK(waves.fastest.speed >= waves.middle.speed);
+    CHECK(waves.middle.speed >= waves.slowest.speed);
+    CHECK(dot(waves.fastest.polarisation, n) > 0);
+    // sum rule: V_p^2 + V_s1^2 + V_s2^2 = trace/density
+    double squares = 0;
+    for (const double v : {waves.fastest.speed, waves.middle.speed, waves.slowest.speed})
+      squares += v * v;
+    CHECK(squares == relative(trace(gamma) / density, rounding));
+  }
+}
+
+TEST_CASE("plane waves: the closed form of transverse isotropy is that of the full matrix") {
+  std::mt19937_64 random(5);
+  for (const Vec3& n : directions()) {
+    const TransverselyIsotropic c = random_layered(random, -0.9, 0.999);
+    const TransverselyIsotropicWaves closed = plane_waves(c, density, n);
+    const PlaneWaves full = plane_waves(voigt(c), density, n);
+    const std::array<double, 3> speeds = descending(closed);
+    const double scale = full.fastest.speed; // squares agree to the rounding of the largest
+    CHECK(std::abs(speeds[0] * speeds[0] - std::pow(full.fastest.speed, 2)) < rounding * scale * scale);
+    CHECK(std::abs(speeds[1] * speeds[1] - std::pow(full.middle.speed, 2)) < rounding * scale * scale);
+    CHECK(std::abs(speeds[2] * speeds[2] - std::pow(full.slowest.speed, 2)) < rounding * scale * scale);
+    const Mat3 gamma = christoffel_matrix(voigt(c), 1 / norm(n) * n);
+    for (const PlaneWave& wave : {closed.quasi_p, closed.quasi_s, closed.pure_s})
+      check_eigenpair(gamma, wave);
+    check_orthonormal(polarisations(closed), 1e-15);
+    CHECK(closed.quasi_p.speed >= closed.quasi_s.speed);
+    CHECK(dot(closed.quasi_p.polarisation, n) >= 0);
+    CHECK(closed.pure_s.polarisation.z == 0);
+  }
+}
+
+TEST_CASE("plane waves: closed speeds are right to 8 ulp, a slow quasi-S too") {
+  std::mt19937_64 random(7);
+  double worst_p = 0, worst_sv = 0, worst_sh = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const TransverselyIsotropic c = random_layered(random, 0, 0.99);
+    const Vec3 n = random_vector(random);
+    const auto waves = plane_waves(c, density, n);
+    // the textbook roots with the eleven more bits of long double, of which mean - root loses at most seven
+    using Long = long double;
+    const Long x = n.x, y = n.y, z = n.z, square = x * x + y * y + z * z;
+    const Long s2 = (x * x + y * y) / square, c2 = z * z / square;
+    const Long C11 = c.C11, C33 = c.C33, C13 = c.C13, C44 = c.C44, C12 = c.C12;
+    const Long g11 = C11 * s2 + C44 * c2, g33 = C44 * s2 + C33 * c2, g13 = (C13 + C44) * std::sqrt(s2 * c2);
+    const Long root = std::sqrt((g11 - g33) * (g11 - g33) / 4 + g13 * g13), mean = (g11 + g33) / 2;
+    worst_p = std::max(worst_p, ulps(waves.quasi_p.speed, std::sqrt((mean + root) / density)));
+    worst_sv = std::max(worst_sv, ulps(waves.quasi_s.speed, std::sqrt((mean - root) / density)));
+    worst_sh =
+        std::max(worst_sh, ulps(waves.pure_s.speed, std::sqrt(((C11 - C12) / 2 * s2 + C44 * c2) / density)));
+  }
+  CAPTURE(worst_p);
+  CAPTURE(worst_sv);
+  CAPTURE(worst_sh);
+  CHECK(worst_p < 8);
+  CHECK(worst_sv < 8);
+  CHECK(worst_sh < 8);
+}
+
+TEST_CASE("plane waves: a nearly fluid solid keeps the digits of its shear waves") {
+  // lambda + 2 mu and lambda of an isotropic solid with mu = 2^-30 lambda: mean - root would keep 8 digits
+  const double lambda = 2e9, mu = 2e9 * 0x1p-30;
+  const TransverselyIsotropic c{
+      .C11 = lambda + 2 * mu, .C33 = lambda + 2 * mu, .C12 = lambda, .C13 = lambda, .C44 = mu};
+  for (const Vec3& n : directions())
+    CHECK(plane_waves(c, density, n).quasi_s.speed == relative(std::sqrt(mu / density), 4e-15));
+}
+
+TEST_CASE("plane waves: degenerate speeds have orthonormal polarisations") {
+  const Isotropic sand = Isotropic::from_bulk_and_shear(190e6, 140e6);
+  const double V_p = std::sqrt((190e6 + 4 * 140e6 / 3) / density), V_s = std::sqrt(140e6 / density);
+  for (Vec3 n : directions()) {
+    const PlaneWaves full = plane_waves(voigt(sand), density, n);
+    const TransverselyIsotropicWaves closed = plane_waves(transversely_isotropic(sand), density, n);
+    n *= 1 / norm(n);
+    for (const double speed : {full.fastest.speed, closed.quasi_p.speed})
+      CHECK(speed == relative(V_p, rounding));
+    for (const double speed :
+         {full.middle.speed, full.slowest.speed, closed.quasi_s.speed, closed.pure_s.speed})
+      CHECK(speed == relative(V_s, rounding));
+    CHECK(norm(full.fastest.polarisation - n) < rounding);
+    CHECK(norm(closed.quasi_p.polarisation - n) < rounding);
+    check_orthonormal(polarisations(full), 4e-15);
+    check_orthonormal(polarisations(closed), 1e-15);
+  }
+  // on the axis of symmetry both shear waves run at sqrt(C44/density)
+  const auto vertical = plane_waves(layered_sample(), density, {0, 0, 2});
+  CHECK(vertical.quasi_p.polarisation == Vec3{0, 0, 1});
+  CHECK(vertical.quasi_s.speed == relative(std::sqrt(121e6 / density), 1e-15));
+  CHECK(vertical.pure_s.speed == vertical.quasi_s.speed);
+  // all three speeds equal: lambda = -mu
+  const TransverselyIsotropic same{.C11 = 1e8, .C33 = 1e8, .C12 = -1e8 / 2, .C13 = -1e8, .C44 = 1e8};
+  CHECK_THROWS_AS((void)plane_waves(same, density, {1, 2, 3}), InvalidArgument); // not semidefinite
+  const TransverselyIsotropic equal{.C11 = 1e8, .C33 = 1e8, .C12 = 0, .C13 = 0, .C44 = 1e8};
+  const auto waves = plane_waves(equal, density, {0, 0, 1});
+  CHECK(waves.quasi_p.speed == waves.quasi_s.speed);
+  CHECK(waves.quasi_p.polarisation == Vec3{0, 0, 1});
+  check_orthonormal(polarisations(waves), 1e-15);
+}
+
+TEST_CASE("plane waves: turning material and direction together changes no speed") {
+  for (const Vec3& n : directions()) {
+    const PlaneWaves before = plane_waves(triclinic_sample(), density, n);
+    const PlaneWaves after = plane_waves(rotate(triclinic_sample(), tilt), density, tilt * n);
+    CHECK(after.fastest.speed == relative(before.fastest.speed, rounding));
+    CHECK(after.middle.speed == relative(before.middle.speed, rounding));
+    CHECK(after.slowest.speed == relative(before.slowest.speed, rounding));
+    CHECK(norm(after.fastest.polarisation - tilt * before.fastest.polarisation) < 1e-13);
+  }
+}
+
+TEST_CASE("plane waves: group velocity is the gradient of the frequency and projects on the phase speed") {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 50; ++i) {
+    Vec3 n = random_vector(random);
+    n *= 1 / norm(n);
+    const PlaneWaves waves = plane_waves(triclinic_sample(), density, n);
+    for (const auto which : {&PlaneWaves::fastest, &PlaneWaves::middle, &PlaneWaves::slowest}) {
+      const Vec3 velocity = group_velocity(triclinic_sample(), density, n, waves.*which);
+      CHECK(dot(velocity, n) == relative((waves.*which).speed, rounding));
+      if (waves.middle.speed - waves.slowest.speed < 0.02 * waves.middle.speed)
+        continue;                   // curvature of the slowness sheets grows without bound where they meet
+      constexpr double step = 1e-4; // frequency is |k| v(k): central difference, error step^2 over the gap^2
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3 ahead = n, behind = n;
+        ahead[axis] += step, behind[axis] -= step;
+        const double slope =
+            (norm(ahead) * (plane_waves(triclinic_sample(), density, ahead).*which).speed -
+             norm(behind) * (plane_waves(triclinic_sample(), density, behind).*which).speed) /
+            (2 * step);
+        CHECK(std::abs(velocity[axis] - slope) < 1e-4 * waves.fastest.speed);
+      }
+    }
+  }
+}
+
+TEST_CASE("plane waves: neither the length of the direction nor the size of the moduli matters") {
+  const TransverselyIsotropic c = layered_sample();
+  const Vec3 n{0.3, -0.5, 0.7};
+  const auto waves = plane_waves(c, density, n);
+  for (const double length : {1e-300, 1e-3, 1e300}) {
+    CHECK(plane_waves(c, density, length * n).quasi_s.speed == relative(waves.quasi_s.speed, 1e-15));
+    CHECK(plane_waves(voigt(c), density, length * n).fastest.speed ==
+          relative(waves.quasi_p.speed, rounding));
+  }
+  for (const int power : {-800, 800}) { // of two: the bits are to be the same
+    const double f = std::ldexp(1, power);
+    const TransverselyIsotropic scaled{
+        .C11 = f * c.C11, .C33 = f * c.C33, .C12 = f * c.C12, .C13 = f * c.C13, .C44 = f * c.C44};
+    CHECK(plane_waves(scaled, density, n).quasi_s.speed == std::ldexp(waves.quasi_s.speed, power / 2));
+    CHECK(plane_waves(scaled, density, n).quasi_p.speed == std::ldexp(waves.quasi_p.speed, power / 2));
+  }
+}
+
+TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefinite one is refused") {
+  const TransverselyIsotropic water{.C11 = 2.2e9, .C33 = 2.2e9, .C12 = 2.2e9, .C13 = 2.2e9, .C44 = 0};
+  for (const Vec3& n : directions()) {
+    const auto waves = plane_waves(water, 1000, n);
+    CHECK(waves.quasi_p.speed == relative(std::sqrt(2.2e6), rounding));
+    CHECK(waves.quasi_s.speed < 1e-7 * waves.quasi_p.speed); // the root of a rounded zero
+    CHECK(waves.pure_s.speed == 0);
+    check_orthonormal(polarisations(waves), 1e-15);
+  }
+  CHECK(plane_waves(TransverselyIsotropic{}, density, {1, 2, 3}).quasi_p.speed == 0);
+  CHECK(plane_waves(VoigtStiffness{}, density, {1, 2, 3}).fastest.speed == 0);
+
+  TransverselyIsotropic broken = layered_sample();
+  broken.C13 = 300e6;
+  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
+  CHECK_THROWS_AS((void)plane_waves(voigt(broken), density, {0, 0, 1}), InvalidArgument);
+  try {
+    (void)plane_waves(broken, density, {0, 0, 1});
+  } catch (const InvalidArgument& error) {
+    CHECK(std::string(error.what()).find("not positive semidefinite") != std::string::npos);
+  }
+  broken.C13 = std::nan("");
+  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
+  broken.C13 = 0, broken.C11 = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
+}
+
+TEST_CASE("plane waves: bad densities, directions and waves are refused") {
+  const TransverselyIsotropic c = layered_sample();
+  CHECK_THROWS_AS((void)plane_waves(c, 0, {0, 0, 1}), InvalidArgument);
+  CHECK_THROWS_AS((void)plane_waves(voigt(c), -1, {0, 0, 1}), InvalidArgument);
+  CHECK_THROWS_AS((void)plane_waves(c, density, {0, 0, 0}), InvalidArgument);
+  CHECK_THROWS_AS((void)plane_waves(voigt(c), density, {0, std::nan(""), 1}), InvalidArgument);
+  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, {0, 0, 1}, {}), InvalidArgument);
+  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, {0, 0, 0}, {.speed = 1, .polarisation = {1, 0, 0}}),
+                  InvalidArgument);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/symmetry.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/mandel.hpp>
+#include <relative.hpp>
+
+#include "samples.hpp"
+
+using namespace granum;
+using namespace granum::elastic;
+
+namespace {
+
+constexpr double rounding = 1e-14;
+constexpr double quarter = std::numbers::pi / 2;
+const Vec3 axis_1{1, 0, 0}, axis_2{0, 1, 0}, axis_3{0, 0, 1};
+
+/// |C - mean of the turned C|/|C|
+double distance_to_mean(const VoigtStiffness& c, const std::vector<Mat3>& group) {
+  Matrix6 mean = Matrix6::Zero();
+  for (const Mat3& turn : group)
+    mean += rotate(mandel(c), turn).matrix / static_cast<double>(group.size());
+  return relative_distance(mandel(c), {mean});
+}
+
+} // namespace
+
+TEST_CASE("symmetry: a distance is that to the mean over the rotations of the class") {
+  const VoigtStiffness c = triclinic_sample();
+  const SymmetryDistances d = symmetry_distances(c);
+  const auto turns = [](const Vec3& axis, int count) {
+    std::vector<Mat3> list;
+    for (int i = 0; i < count; ++i)
+      list.push_back(rotation_about(axis, 4 * quarter * i / count));
+    return list;
+  };
+  CHECK(d.transversely_isotropic == relative(distance_to_mean(c, turns(axis_3, 5)), rounding));
+  // every half turn about an axis, once each: the products of {1, half turn} about 1 and about 2
+  std::vector<Mat3> orthotropic;
+  for (const Mat3& a : turns(axis_1, 2))
+    for (const Mat3& b : turns(axis_2, 2))
+      orthotropic.push_back(a * b);
+  CHECK(d.orthotropic == relative(distance_to_mean(c, orthotropic), rounding));
+  // the 24 rotations of the cube: 4 about axis 3 times the 6 that bring each face to the top
+  std::vector<Mat3> cubic;
+  std::vector<Mat3> faces = turns(axis_1, 4);
+  faces.push_back(rotation_about(axis_2, quarter));
+  faces.push_back(rotation_about(axis_2, -quarter));
+  for (const Mat3& a : faces)
+    for (const Mat3& b : turns(axis_3, 4))
+      cubic.push_back(a * b);
+  CHECK(d.cubic == relative(distance_to_mean(c, cubic), rounding));
+}
+
+TEST_CASE("symmetry: the nearest isotropic stiffness is nearest") {
+  const VoigtStiffness c = triclinic_sample();
+  const double nearest = symmetry_distances(c).isotropic;
+  double least = 1; // brute force over K and G about the minimum
+  for (double K = 180e6; K < 220e6; K += 1e6)
+    for (double G = 90e6; G < 130e6; G += 1e6)
+      least =
+          std::min(least, relative_distance(mandel(c), mandel(voigt(Isotropic::from_bulk_and_shear(K, G)))));
+  CHECK(nearest <= least);
+  CHECK(nearest == relative(least, 1e-3)); // a step of 1 MPa beside the minimum costs its square
+}
+
+TEST_CASE("symmetry: classes contain one another, and their members are at distance zero") {
+  const SymmetryDistances d = symmetry_distances(triclinic_sample());
+  CHECK(d.isotropic > d.transversely_isotropic);
+  CHECK(d.isotropic > d.cubic);
+  CHECK(d.transversely_isotropic > d.orthotropic);
+  CHECK(d.cubic > d.orthotropic);
+  CHECK(d.orthotropic > 0.05);
+
+  const SymmetryDistances sand = symmetry_distances(voigt(Isotropic::from_bulk_and_shear(190e6, 140e6)));
+  for (const double distance : {sand.isotropic, sand.cubic, sand.transversely_isotropic, sand.orthotropic})
+    CHECK(distance < 1e-15);
+  const SymmetryDistances layered = symmetry_distances(voigt(layered_sample()));
+  CHECK(layered.transversely_isotropic < 1e-15);
+  CHECK(layered.orthotropic < 1e-15);
+  CHECK(layered.isotropic > 0.01);
+  CHECK(layered.cubic > 0.01);
+  VoigtStiffness crystal = voigt(Isotropic::from_bulk_and_shear(190e6, 140e6));
+  for (const int i : {3, 4, 5})
+    crystal.matrix(i, i) *= 1.5;
+  const SymmetryDistances cubic = symmetry_distances(crystal);
+  CHECK(cubic.cubic < 1e-15);
+  CHECK(cubic.transversely_isotropic > 0.01);
+}
+
+TEST_CASE("symmetry: only isotropy does not depend on the axes, and no distance on the unit") {
+  const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+  const SymmetryDistances here = symmetry_distances(voigt(layered_sample()));
+  const SymmetryDistances turned = symmetry_distances(rotate(voigt(layered_sample()), tilt));
+  CHECK(turned.isotropic == relative(here.isotropic, rounding));
+  CHECK(turned.transversely_isotropic > 0.01);
+  for (const double unit : {1e-300, 1e-9, 1e300}) {
+    const SymmetryDistances scaled = symmetry_distances({unit * (voigt(layered_sample()).matrix / 402e6)});
+    CHECK(scaled.isotropic == relative(here.isotropic, rounding));
+    CHECK(scaled.cubic == relative(here.cubic, rounding));
+  }
+}
+
+TEST_CASE("symmetry: of nothing there is none") {
+  CHECK_THROWS_AS((void)symmetry_distances(VoigtStiffness{}), InvalidArgument);
+  VoigtStiffness bad = triclinic_sample();
+  bad.matrix(0, 3) = std::nan("");
+  CHECK_THROWS_AS((void)symmetry_distances(bad), InvalidArgument);
+}
