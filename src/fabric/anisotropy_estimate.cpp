@@ -3,27 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <granum/core/error.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "normals.hpp"
+
 namespace granum::fabric {
 
-namespace {
-
-void require_unit_normals(std::span<const Vec3> normals) {
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (const double length = norm(normals[i]); !(std::abs(length - 1) <= 1e-6))
-      throw InvalidArgument("length of contact normal " + std::to_string(i), length, "", "1 +- 1e-6");
-}
-
-} // namespace
-
 AnisotropyEstimate estimate_anisotropy(std::span<const Vec3> normals) {
-  if (normals.size() < 2)
-    throw InvalidArgument("number of contact normals", static_cast<double>(normals.size()), "", "[2, inf)");
-  require_unit_normals(normals);
+  require_normals(normals, 2);
   const auto count = static_cast<double>(normals.size());
   double sum = 0;
   for (const Vec3& n : normals)

@@ -48,7 +48,7 @@ std::vector<Vec3> directions() {
   return list;
 }
 
-/// \param    tolerance   some rounding of products of rotations for the iterated eigenvectors, of one for closed
+/// \param    tolerance   one rounding for closed vectors, that of many rotations for iterated ones
 void check_orthonormal(const std::array<Vec3, 3>& p, double tolerance) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -116,11 +116,11 @@ TEST_CASE("plane waves: the closed form of transverse isotropy is that of the fu
   }
 }
 
-TEST_CASE("plane waves: closed speeds are right to 8 ulp, a slow quasi-S too") {
+TEST_CASE("plane waves: closed speeds are right to 4 ulp, a slow quasi-S too") {
   std::mt19937_64 random(7);
   double worst_p = 0, worst_sv = 0, worst_sh = 0;
   for (int i = 0; i < 2000; ++i) {
-    const TransverselyIsotropic c = random_layered(random, 0, 0.99);
+    const TransverselyIsotropic c = random_layered(random, -0.99, 0.99);
     const Vec3 n = random_vector(random);
     const auto waves = plane_waves(c, density, n);
     // the textbook roots with the eleven more bits of long double, of which mean - root loses at most seven
@@ -138,9 +138,9 @@ TEST_CASE("plane waves: closed speeds are right to 8 ulp, a slow quasi-S too") {
   CAPTURE(worst_p);
   CAPTURE(worst_sv);
   CAPTURE(worst_sh);
-  CHECK(worst_p < 8);
-  CHECK(worst_sv < 8);
-  CHECK(worst_sh < 8);
+  CHECK(worst_p < 4);
+  CHECK(worst_sv < 4);
+  CHECK(worst_sh < 4);
 }
 
 TEST_CASE("plane waves: a nearly fluid solid keeps the digits of its shear waves") {
@@ -247,6 +247,10 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
     CHECK(waves.pure_s.speed == 0);
     check_orthonormal(polarisations(waves), 1e-15);
   }
+  TransverselyIsotropic rounded = water; // a shear modulus of zero, as a simulation would give it
+  rounded.C44 = -1e-15 * water.C33;
+  CHECK(plane_waves(rounded, 1000, {1, 2, 3}).pure_s.speed >= 0);
+  CHECK(plane_waves(rounded, 1000, {1, 2, 3}).quasi_s.speed >= 0);
   CHECK(plane_waves(TransverselyIsotropic{}, density, {1, 2, 3}).quasi_p.speed == 0);
   CHECK(plane_waves(VoigtStiffness{}, density, {1, 2, 3}).fastest.speed == 0);
 

