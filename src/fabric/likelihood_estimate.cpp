@@ -18,7 +18,8 @@ namespace {
 
 constexpr double lowest = -1, highest = 2; // a_c of a = -1 and a = 1
 
-/// First derivative of the log-likelihood and minus the second.
+/// First derivative of the log-likelihood and minus the second. Where a boundary density vanishes in the
+/// direction of a contact, the score there is infinite, with the sign that sends the maximum inside.
 struct Slopes {
   double score = 0;
   double information = 0;
@@ -34,16 +35,10 @@ Slopes slopes(const std::vector<double>& x, double a_c) {
   return sum;
 }
 
-/// A direction where the density of a boundary vanishes makes the sample impossible there: the maximum lies
-/// inside.
-bool impossible(const std::vector<double>& x, double a_c) {
-  return std::any_of(x.begin(), x.end(), [a_c](double value) { return !(1 + a_c * value > 0); });
-}
-
 double most_likely(const std::vector<double>& x) {
-  if (!impossible(x, highest) && slopes(x, highest).score >= 0)
+  if (slopes(x, highest).score >= 0)
     return highest;
-  if (!impossible(x, lowest) && slopes(x, lowest).score <= 0)
+  if (slopes(x, lowest).score <= 0)
     return lowest;
   double low = lowest, high = highest, a_c = 0;
   for (int i = 0; i < 100; ++i) { // halving alone would need fifty
