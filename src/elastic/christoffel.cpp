@@ -4,7 +4,9 @@
 #include <granum/elastic/christoffel.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include <Eigen/Eigenvalues>
@@ -52,10 +54,13 @@ double difference_of_products(double a, double d, double b, double c) {
   return std::fma(a, d, -bc) + rounding;
 }
 
-/// A power of two near the largest modulus: moduli over it have products within the range of doubles.
+/// The power of two below the largest modulus, its bits without the fraction: moduli over it have products
+/// within the range of doubles, and their own digits.
 double unit_of(const TransverselyIsotropic& c) {
   const double largest = std::max({c.C11, c.C33, c.C44});
-  return largest > 0 ? std::ldexp(1, std::clamp(std::ilogb(largest), -1000, 1000)) : 1;
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  const auto unit = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & exponent);
+  return unit > 0 ? unit : 1; // 1 for a modulus of zero, or too small to have an exponent
 }
 
 TransverselyIsotropic over(const TransverselyIsotropic& c, double unit) {

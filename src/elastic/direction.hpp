@@ -10,17 +10,20 @@
 
 namespace granum::elastic {
 
-/// The unit vector along `vector`, whatever its length; scaled first, so that no square leaves the range of
-/// doubles.
+/// The unit vector along `vector`, whatever its length.
 /// \throws   InvalidArgument for the zero vector or one that is not finite
 inline Vec3 unit_along(const char* name, const Vec3& vector) {
-  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
-  const bool finite = std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-  if (!finite || largest == 0)
-    throw InvalidArgument(std::string(name) + " must be a finite vector other than zero");
-  const Vec3 scaled{vector.x / largest, vector.y / largest, vector.z / largest};
-  const double length = norm(scaled);
-  return {scaled.x / length, scaled.y / length, scaled.z / length};
+  Vec3 v = vector;
+  double square = dot(v, v);
+  if (!(square > 1e-200 && square < 1e200)) { // squares near the ends of the range of doubles, or none at all
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || largest == 0)
+      throw InvalidArgument(std::string(name) + " must be a finite vector other than zero");
+    v = {v.x / largest, v.y / largest, v.z / largest};
+    square = dot(v, v);
+  }
+  const double length = std::sqrt(square);
+  return {v.x / length, v.y / length, v.z / length};
 }
 
 } // namespace granum::elastic
