@@ -51,8 +51,8 @@ struct DensityTest {
 /// Needs at least 20 normals.
 [[nodiscard]] DensityTest test_density(std::span<const Vec3> normals);
 
-/// Is axis 3 an axis of symmetry of the fabric tensor? Means of (n1^2-n2^2)/2, n1 n2, n1 n3 and n2 n3 over
-/// their standard errors, which under symmetry are uncorrelated; two degrees of freedom each.
+/// Is axis 3 an axis of symmetry of the fabric tensor? Squared means of (n1^2-n2^2)/2, n1 n2, n1 n3 and n2 n3
+/// over their variances, which under symmetry are uncorrelated: four degrees of freedom in two pairs.
 struct AxisymmetryTest {
   ChiSquareTest horizontal; ///< F11 = F22 and F12 = 0
   ChiSquareTest tilt;       ///< F13 = F23 = 0
