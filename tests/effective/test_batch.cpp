@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/batch.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+#include "relative.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace granum;
+using namespace granum::effective;
+
+/// Rows that differ in everything; the lengths of vectors and of the inner blocks do not divide `count`.
+struct Inputs {
+  std::vector<double> pressure, coordination_number, porosity;
+
+  explicit Inputs(std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const double x = static_cast<double>(k);
+      pressure.push_back(std::pow(10, -3 + std::fmod(0.37 * x, 12)));
+      coordination_number.push_back(3 + std::fmod(0.61 * x, 9));
+      porosity.push_back(0.2 + std::fmod(0.17 * x, 0.5));
+    }
+  }
+};
+
+struct Outputs {
+  std::vector<double> bulk, shear;
+  explicit Outputs(std::size_t count) : bulk(count, -1), shear(count, -1) {}
+  [[nodiscard]] ModuliColumns columns() { return {bulk, shear}; }
+};
+
+PackingBatch batch_of(const contact::PowerLaw& law, const Inputs& in) {
+  return {.law = law,
+          .tangential_ratio = 0.8,
+          .radius = 5e-4,
+          .pressure = in.pressure,
+          .coordination_number = in.coordination_number,
+          .porosity = in.porosity};
+}
+
+/// K and G of one row by the function for one state.
+elastic::TransverselyIsotropic one_by_one(const contact::PowerLaw& law, double p, double C, double n) {
+  return uniform_strain({.law = law,
+                         .tangential_ratio = 0.8,
+                         .radius = 5e-4,
+                         .void_ratio = n / (1 - n),
+                         .coordination_number = C,
+                         .stress_v = p,
+                         .stress_h = p})
+      .stiffness;
+}
+
+} // namespace
+
+TEST_CASE("batch: every row is what the function for one state gives, for any number of rows") {
+  for (const double alpha : {1.0, 1.5, 2.0, 8.0, 300.0, test::infinity}) {
+    const contact::PowerLaw law = test::law_of(alpha, 0.15);
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 5u, 7u, 8u, 9u, 17u, 31u, 64u, 255u, 256u, 257u, 700u}) {
+      const Inputs in(count);
+      Outputs out(count);
+      REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto c = one_by_one(law, in.pressure[k], in.coordination_number[k], in.porosity[k]);
+        CHECK(out.bulk[k] == relative(c.bulk_modulus(), 1e-14));
+        CHECK(out.shear[k] == relative(c.G_vh(), 1e-14));
+      }
+    }
+  }
+}
+
+TEST_CASE("batch: a column that is one number gives the same bits as that number in every row") {
+  const contact::PowerLaw law = test::law_of(2, 0.15);
+  Inputs in(300);
+  in.coordination_number.assign(300, 6.2);
+  in.porosity.assign(300, 0.37);
+  Outputs spelled(300), constant(300);
+  REQUIRE(uniform_strain(batch_of(law, in), spelled.columns()).ok());
+  PackingBatch batch = batch_of(law, in);
+  batch.coordination_number = 6.2;
+  batch.porosity = 0.37;
+  REQUIRE(uniform_strain(batch, constant.columns()).ok());
+  CHECK(spelled.bulk == constant.bulk);
+  CHECK(spelled.shear == constant.shear);
+}
+
+TEST_CASE("batch: large batches, which bypass the caches, give the same bits as small ones") {
+  const contact::PowerLaw law = test::law_of(2, 0.15);
+  const std::size_t count = (std::size_t{1} << 17) + 3;
+  const Inputs in(count);
+  Outputs out(count), shifted(count + 1);
+  REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
+  // An odd start is not aligned to 16 bytes.
+  REQUIRE(uniform_strain(batch_of(law, in),
+                         {std::span(shifted.bulk).subspan(1), std::span(shifted.shear).subspan(1)})
+              .ok());
+  for (std::size_t k = 0; k < count; k += 997) {
+    const auto c = one_by_one(law, in.pressure[k], in.coordination_number[k], in.porosity[k]);
+    CHECK(out.bulk[k] == relative(c.bulk_modulus(), 1e-14));
+    CHECK(out.bulk[k] == shifted.bulk[k + 1]);
+    CHECK(out.shear[k] == shifted.shear[k + 1]);
+  }
+  CHECK(out.bulk.back() > 0);
+}
+
+TEST_CASE("batch: results may take the place of the inputs") {
+  const contact::PowerLaw law = test::law_of(2, 0.15);
+  Inputs in(300);
+  Outputs out(300);
+  REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
+  REQUIRE(uniform_strain(batch_of(law, in), {in.pressure, in.porosity}).ok());
+  CHECK(in.pressure == out.bulk);
+  CHECK(in.porosity == out.shear);
+}
+
+TEST_CASE("batch: bad rows are named and zero, the others are worked out") {
+  const contact::PowerLaw law = test::law_of(2, 0.15);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Inputs in(600);
+  in.pressure[3] = -1;
+  in.pressure[257] = nan;
+  in.coordination_number[258] = -6;
+  in.porosity[599] = 38;
+  Outputs out(600), good(600);
+  const BatchReport report = uniform_strain(batch_of(law, in), out.columns());
+  REQUIRE(uniform_strain(batch_of(law, Inputs(600)), good.columns()).ok());
+  CHECK(report.failed == 4);
+  REQUIRE(report.errors.size() == 4);
+  CHECK(report.errors[0].row == 3);
+  CHECK(report.errors[0].message == "pressure = -1 Pa is outside [0, 1e+250]");
+  CHECK(report.errors[1].row == 257);
+  CHECK(report.errors[2].message == "coordination_number = -6 is outside [0, 1e+06]");
+  CHECK(report.errors[3].message == "porosity = 38 is outside (0, 1)");
+  for (std::size_t k = 0; k < 600; ++k) {
+    const bool bad = k == 3 || k == 257 || k == 258 || k == 599;
+    CHECK(out.bulk[k] == (bad ? 0 : good.bulk[k]));
+    CHECK(out.shear[k] == (bad ? 0 : good.shear[k]));
+  }
+}
+
+TEST_CASE("batch: of many bad rows the first thousand are named, all are counted") {
+  Inputs in(3000);
+  in.porosity.assign(3000, 1);
+  Outputs out(3000);
+  const BatchReport report = uniform_strain(batch_of(test::law_of(1, 0.15), in), out.columns());
+  CHECK(report.failed == 3000);
+  CHECK(report.errors.size() == 1000);
+}
+
+TEST_CASE("batch: columns of another length are refused with both lengths") {
+  const Inputs in(5);
+  Outputs out(4);
+  CHECK_THROWS_WITH_AS((void)uniform_strain(batch_of(test::law_of(2, 0.15), in), out.columns()),
+                       "pressure has 5 rows, the results have 4", InvalidArgument);
+  Outputs other(5);
+  CHECK_THROWS_WITH_AS((void)uniform_strain(batch_of(test::law_of(2, 0.15), in), {other.bulk, out.shear}),
+                       "shear_modulus has 4 rows, bulk_modulus has 5", InvalidArgument);
+  PackingBatch batch = batch_of(test::law_of(2, 0.15), in);
+  batch.radius = 0;
+  CHECK_THROWS_AS((void)uniform_strain(batch, other.columns()), InvalidArgument);
+}
+
+TEST_CASE("batch: the smallest and largest pressures, and the limits at zero") {
+  for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
+    const contact::PowerLaw law = test::law_of(alpha, 0.15);
+    const std::vector<double> pressure{0, 1e-300, 1e-308, 1e-3, 1e12, 1e250};
+    for (const double C : {0.01, 4.0, 14.0}) {
+      Outputs out(pressure.size());
+      REQUIRE(uniform_strain({law, 0.8, 5e-4, pressure, C, 0.4}, out.columns()).ok());
+      const double b = law.stiffness_exponent();
+      for (std::size_t k = 1; k < pressure.size(); ++k) // K ~ p^b
+        CHECK(std::log(out.bulk[k] / out.bulk[3]) ==
+              doctest::Approx(b * std::log(pressure[k] / 1e-3)).epsilon(1e-12));
+      CHECK(out.bulk[0] == (b == 0 ? out.bulk[3] : 0));
+    }
+    Outputs none(pressure.size());
+    REQUIRE(uniform_strain({law, 0.8, 5e-4, pressure, 0.0, 0.4}, none.columns()).ok());
+    CHECK(none.bulk == std::vector<double>(pressure.size(), 0.0));
+    CHECK(none.shear == std::vector<double>(pressure.size(), 0.0));
+  }
+}
