@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both ways of drawing a chart share.
+#pragma once
+
+#include <cstddef>
+
+#include <granum/io/chart.hpp>
+
+namespace granum::io {
+
+/// \throws   InvalidArgument if a chart contradicts itself, as svg says
+void require_valid(const Chart& chart);
+
+/// "#rrggbb" of the series of that index.
+[[nodiscard]] const char* series_colour(std::size_t index);
+
+} // namespace granum::io

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/chart.hpp>
+
+#include "chart_parts.hpp"
+
+namespace granum::io {
+
+namespace {
+
+/// A text in single quotes, in which only the quote itself is special.
+std::string quoted(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::string escaped = "'";
+  for (const char c : text)
+    escaped += c == '\'' ? "''" : std::string(1, c);
+  return escaped + "'";
+}
+
+std::string column(const std::string& heading, double unit) {
+  return "(column(" + quoted(heading) + ")/" + exact_text(unit) + ")";
+}
+
+const char* style(const Series& series) {
+  switch (series.mark) {
+  case Mark::line:
+    return "lines";
+  case Mark::marker:
+    return "points";
+  case Mark::both:
+    break;
+  }
+  return "linespoints";
+}
+
+std::string axis(const char* letter, const Axis& axis) {
+  std::string text = "set " + std::string(letter) + "label " + quoted(axis.title) + "\n";
+  if (axis.scale == Scale::logarithmic)
+    text += "set logscale " + std::string(letter) + "\n";
+  return text;
+}
+
+std::string plots(const Chart& chart, const std::string& csv, const std::vector<CsvColumns>& columns) {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const CsvColumns& c = columns[k];
+    const Series& series = chart.series[k];
+    const std::string number = std::to_string(k + 1);
+    const std::string xy = column(c.x, chart.x.unit) + ":" + column(c.y, chart.y.unit);
+    parts.push_back(quoted(csv) + " using " + xy + " with " + style(series) + " linestyle " + number +
+                    (series.name.empty() ? " notitle" : " title " + quoted(series.name)));
+    if (!c.y_error.empty())
+      parts.push_back(quoted(csv) + " using " + xy + ":" + column(c.y_error, chart.y.unit) +
+                      " with yerrorbars linestyle " + number + " notitle");
+  }
+  std::string text;
+  for (const std::string& part : parts)
+    text += (text.empty() ? "plot " : ", \\\n     ") + part;
+  return text + "\n";
+}
+
+} // namespace
+
+std::string gnuplot_script(const Chart& chart, const std::string& csv, const std::vector<CsvColumns>& columns,
+                           const std::string& picture) {
+  require_valid(chart);
+  if (columns.size() != chart.series.size())
+    throw InvalidArgument("there are columns for " + std::to_string(columns.size()) + " series, and " +
+                          std::to_string(chart.series.size()) + " series");
+  std::string text = "# Redraws the picture from " + quoted(csv) +
+                     " in the folder where gnuplot runs.\n"
+                     "set terminal svg noenhanced size 900,500 background rgb 'white'\n"
+                     "set encoding utf8\n"
+                     "set output " +
+                     quoted(picture) +
+                     "\nset datafile separator comma\n"
+                     "set datafile commentschars '#'\n"
+                     "set datafile columnheaders\n"
+                     "set key outside right top\n"
+                     "set grid\n";
+  text += "set title " + quoted(chart.title) + "\n" + axis("x", chart.x) + axis("y", chart.y);
+  for (std::size_t k = 0; k < chart.series.size(); ++k)
+    text += "set style line " + std::to_string(k + 1) + " linewidth 2 pointsize 0.6 linecolor rgb '" +
+            series_colour(k) + "'\n";
+  return text + (columns.empty() ? "" : plots(chart, csv, columns));
+}
+
+} // namespace granum::io
