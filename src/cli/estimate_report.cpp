@@ -38,17 +38,8 @@ ordered_json json_of(const FieldAnswer& answer) {
 }
 
 ordered_json inputs(const EstimateCase& question) {
-  const State& s = question.state;
-  ordered_json json = question.contact;
-  json.update({{"grain_shear_modulus", s.law.grain().shear_modulus},
-               {"grain_poisson_ratio", s.law.grain().poisson_ratio},
-               {"radius", s.radius},
-               {"tangential_ratio", s.tangential_ratio},
-               {"void_ratio", s.void_ratio},
-               {"coordination_number", s.coordination_number},
-               {"fabric", s.fabric_anisotropy},
-               {"stress_v", s.stress_v},
-               {"stress_h", s.stress_h}});
+  ordered_json json = question.packing;
+  json.update({{"stress_v", question.state.stress_v}, {"stress_h", question.state.stress_h}});
   return json;
 }
 
@@ -68,7 +59,7 @@ std::string contact_text(const ordered_json& contact) {
 std::string state_text(const EstimateCase& question) {
   const State& s = question.state;
   std::string text = "Small-strain stiffness of a packing of equal grains, closed form\n\n";
-  text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.contact),
+  text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
                       short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
                       pretty(s.law.grain().shear_modulus, Dimension::pressure),

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <granum/core/units.hpp>
+#include <granum/effective/state.hpp>
+#include <nlohmann/json.hpp>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+/// The options that describe a packing and its stress, for every command that works out closed forms.
+namespace granum::cli {
+
+/// A number of the command line or of a table: its value in SI, by default until it is given.
+struct Number {
+  double value = 0;
+  Dimension dimension = Dimension::dimensionless;
+  std::string symbol = {}; ///< what columns of tables may call it besides its option's name
+  std::string name = {};   ///< of the option, "--radius"
+  const CLI::Option* option = nullptr;
+  bool in_table = false; ///< a row of a table gives it
+
+  [[nodiscard]] bool given() const;
+};
+
+/// Defaults: grains of Table 1 of [Chung2014] and the C_n of its dense spheres (Table 2); cone and punch are
+/// those that agree with its Table 5. Numbers without a default are 0 and never used unless given.
+struct PackingOptions {
+  std::string contact = "sphere";
+  const CLI::Option* contact_option = nullptr;
+  bool contact_in_table = false;
+  Number slope{0.4};
+  Number punch_radius{5.7e-6, Dimension::length};
+  Number alpha;
+  Number profile_constant;
+  Number grain_shear_modulus{30e9, Dimension::pressure};
+  Number grain_poisson_ratio{0.15};
+  Number radius{0.5e-3, Dimension::length};
+  Number tangential_ratio;
+  Number void_ratio{0, Dimension::dimensionless, "e"};
+  Number porosity;
+  Number solid_fraction;
+  Number coordination_number{5.73, Dimension::dimensionless, "C_n"};
+  Number fabric{0, Dimension::dimensionless, "a"};
+  Number pressure{0, Dimension::pressure, "p"};
+  Number stress_v{0, Dimension::pressure, "sigma_v"};
+  Number stress_h{0, Dimension::pressure, "sigma_h"};
+};
+
+inline constexpr const char* contact_names[] = {"cone", "sphere", "flat", "power-law"};
+
+/// All numbers, in the order of their options.
+[[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);
+
+void add_packing_options(CLI::App& command, PackingOptions& options);
+
+struct Stresses {
+  double v;
+  double h;
+};
+
+/// The stresses that the options give.
+/// \throws   InvalidArgument if they are missing or given more than once
+[[nodiscard]] Stresses resolve_stresses(const PackingOptions& options);
+
+/// The packing that the options describe, at a stress.
+/// \throws   InvalidArgument for options that contradict one another or that no packing can have
+[[nodiscard]] effective::State resolve_state(const PackingOptions& options, const Stresses& stress);
+
+/// What was not given, one sentence each.
+[[nodiscard]] std::vector<std::string> assumed_inputs(const PackingOptions& options,
+                                                      const effective::State& state);
+/// How much less a loosely prepared packing may have, if the coordination number was assumed.
+[[nodiscard]] std::vector<std::string> loose_packing_remark(const PackingOptions& options,
+                                                            const effective::State& state);
+
+/// Contact, grains and packing in SI, without the stress.
+[[nodiscard]] nlohmann::ordered_json packing_json(const PackingOptions& options,
+                                                  const effective::State& state);
+
+} // namespace granum::cli

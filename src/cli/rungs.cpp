@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rungs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+namespace granum::cli {
+
+namespace {
+
+using effective::State;
+using elastic::TransverselyIsotropic;
+
+constexpr effective::Modulus G_hv = effective::Modulus::G_vh; // equal, by the symmetry of the stiffness
+
+/// The state at which exponents are taken: they depend on the stress ratio alone, which at zero stress is
+/// that of the isotropic path.
+State loaded(State state) {
+  if (state.stress_v == 0 && state.stress_h == 0)
+    state.stress_v = state.stress_h = 1;
+  return state;
+}
+
+/// Contacts of one stiffness, that of the mean force, which grows with the mean stress p' alone: a modulus
+/// goes as p'^b, and stress_v and stress_h share b as they share 3 p'.
+FieldAnswer at_mean_force(const State& state) {
+  const State at = loaded(state);
+  const double share_v = at.stress_v / (at.stress_v + 2 * at.stress_h);
+  const double b = state.law.stiffness_exponent();
+  return {.stiffness = effective::uniform_strain_stiffness(effective::uniform_contacts(state)),
+          .exponents = effective::StressExponents{.stress_v = b * share_v, .stress_h = b * (1 - share_v)},
+          .validity = effective::require_valid(state)};
+}
+
+FieldAnswer isotropic(const State& state) {
+  State without_fabric = state;
+  without_fabric.fabric_anisotropy = 0;
+  return at_mean_force(without_fabric);
+}
+
+FieldAnswer directional(const State& state) {
+  effective::Estimate estimate = effective::uniform_strain(state);
+  return {.stiffness = estimate.stiffness,
+          .exponents = effective::uniform_strain_exponents(loaded(state), G_hv),
+          .validity = std::move(estimate.validity)};
+}
+
+FieldAnswer uniform_stress(const State& state) {
+  effective::Estimate estimate = effective::uniform_stress(state);
+  FieldAnswer answer{
+      .stiffness = estimate.stiffness, .exponents = std::nullopt, .validity = std::move(estimate.validity)};
+  if (state.tangential_ratio > 0)
+    answer.exponents = effective::uniform_stress_exponents(loaded(state), G_hv);
+  return answer;
+}
+
+constexpr Rung rungs[] = {
+    {"0", "rung0", "uniform strain, isotropic, every contact at the mean force", "nothing more", isotropic},
+    {"1", "rung1", "uniform strain with fabric, every contact at the mean force", "a", at_mean_force},
+    {"2", "rung2", "uniform strain with fabric, contacts as stiff as the force in their direction",
+     "a, sigma_v, sigma_h", directional},
+    {"uniform-stress", "uniform_stress", "uniform stress with fabric and forces as rung 2",
+     "a, sigma_v, sigma_h", uniform_stress},
+};
+
+const Rung& rung(std::string_view key) {
+  return *std::find_if(std::begin(rungs), std::end(rungs), [key](const Rung& r) { return key == r.key; });
+}
+
+} // namespace
+
+std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Loading loading) {
+  if (stiffness.positive_definite())
+    return loading == Loading::vertical ? stiffness.E_v() : stiffness.E_h();
+  const bool without_shear_stiffness = stiffness.C44 == 0 && stiffness.C66() == 0;
+  return without_shear_stiffness ? std::optional(0.0) : std::nullopt;
+}
+
+std::span<const Rung> all_rungs() { return rungs; }
+
+FieldAnswer answer(const Rung& rung, const State& state) {
+  FieldAnswer answer = rung.answer(state);
+  const TransverselyIsotropic& c = answer.stiffness;
+  for (const double value : {c.C11, c.C33, c.C12, c.C13, c.C44})
+    if (!std::isfinite(value))
+      throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+  return answer;
+}
+
+const Rung& uniform_strain_rung() { return rung("2"); }
+const Rung& uniform_stress_rung() { return rung("uniform-stress"); }
+
+void keep_each_once(Validity& validity) {
+  std::vector<std::string> once;
+  for (const std::string& note : validity.notes)
+    if (std::find(once.begin(), once.end(), note) == once.end())
+      once.push_back(note);
+  validity.notes = once;
+}
+
+} // namespace granum::cli

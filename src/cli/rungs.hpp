@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <granum/effective/exponents.hpp>
+#include <granum/effective/state.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+/// The closed forms that the program offers, in one table.
+namespace granum::cli {
+
+/// Young's modulus of a stiffness [Pa]: 0 in the limit of vanishing shear stiffness, nothing if no stable
+/// material has this stiffness.
+enum class Loading { vertical, horizontal };
+[[nodiscard]] std::optional<double> young_modulus(const elastic::TransverselyIsotropic& stiffness,
+                                                  Loading loading);
+
+/// What a closed form says of a state.
+struct FieldAnswer {
+  elastic::TransverselyIsotropic stiffness;
+  /// Of G_hv; at zero stress those of the isotropic path; nothing where G_hv is zero by construction,
+  /// whatever the stress.
+  std::optional<effective::StressExponents> exponents;
+  Validity validity;
+};
+
+/// One closed form. To add one, add its row to the table in rungs.cpp.
+struct Rung {
+  const char* key;    ///< on the command line
+  const char* column; ///< in headings and JSON
+  const char* title;
+  const char* needs; ///< what it asks of a state beyond contact law, C_n, e and p'
+  FieldAnswer (*answer)(const effective::State& state);
+};
+
+[[nodiscard]] std::span<const Rung> all_rungs();
+
+/// The answer of a closed form.
+/// \throws   InvalidArgument if the state is not valid, or the moduli overflow
+[[nodiscard]] FieldAnswer answer(const Rung& rung, const effective::State& state);
+
+/// Rung 2 and its counterpart under uniform stress, the two sides of granum estimate.
+[[nodiscard]] const Rung& uniform_strain_rung();
+[[nodiscard]] const Rung& uniform_stress_rung();
+
+/// Leaves out notes that stand there before.
+void keep_each_once(Validity& validity);
+
+} // namespace granum::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/triaxial/stress_path.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::triaxial;
+
+namespace {
+
+constexpr double ulps = 8 * std::numeric_limits<double>::epsilon();
+
+double end_of(ShearPath path) { return is_compression(path) ? 1 : -0.75; }
+
+} // namespace
+
+TEST_CASE("each path holds its stress to the bit and arrives at its stress ratio") {
+  for (const ShearPath path : all_shear_paths)
+    for (const double share : {0.05, 0.3, 0.7, 1.0}) {
+      CAPTURE(name(path));
+      const double eta = share * end_of(path);
+      const AxialStress stress = stress_on_path(path, 100e3, eta);
+      CHECK(stress.ratio() == relative(eta, 4 * ulps)); // v - h cancels at small eta
+      const bool horizontal_constant = path == ShearPath::txc || path == ShearPath::rtxe;
+      CHECK((horizontal_constant ? stress.h : stress.v) == 100e3);
+    }
+}
+
+TEST_CASE("each path starts isotropic, and the stress that changes does so in its direction") {
+  for (const ShearPath path : all_shear_paths) {
+    const AxialStress start = stress_on_path(path, 100e3, 0);
+    CHECK(start.v == 100e3);
+    CHECK(start.h == 100e3);
+    CHECK(start.ratio() == 0);
+  }
+  CHECK(stress_on_path(ShearPath::txc, 100e3, 0.5).v > 100e3);
+  CHECK(stress_on_path(ShearPath::rtxc, 100e3, 0.5).h < 100e3);
+  CHECK(stress_on_path(ShearPath::rtxe, 100e3, -0.5).v < 100e3);
+  CHECK(stress_on_path(ShearPath::txe, 100e3, -0.5).h > 100e3);
+}
+
+TEST_CASE("stresses of a path are those of its two linear equations") {
+  // eta = 0.6: v = 1.4 p', h = 0.8 p'; eta = -0.6: v = 0.6 p', h = 1.2 p'
+  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).v == relative(140e3, ulps));
+  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).mean() == relative(100e3, ulps));
+  CHECK(stress_on_path(ShearPath::rtxc, 140e3, 0.6).h == relative(80e3, ulps));
+  CHECK(stress_on_path(ShearPath::rtxe, 120e3, -0.6).v == relative(60e3, ulps));
+  CHECK(stress_on_path(ShearPath::txe, 60e3, -0.6).h == relative(120e3, ulps));
+}
+
+TEST_CASE("at the failure ratio the friction angle is mobilised") {
+  for (const ShearPath path : all_shear_paths)
+    for (const double degrees : {5.0, 26.5, 30.0, 60.0}) {
+      CAPTURE(name(path));
+      const double angle = degrees * std::numbers::pi / 180;
+      const AxialStress s = stress_on_path(path, 100e3, failure_ratio(path, angle));
+      CHECK(std::abs(s.v - s.h) / (s.v + s.h) == relative(std::sin(angle), 4 * ulps));
+    }
+  // sin 30 = 1/2: 6/5 and -6/7
+  CHECK(failure_ratio(ShearPath::txc, std::numbers::pi / 6) == relative(1.2, ulps));
+  CHECK(failure_ratio(ShearPath::txe, std::numbers::pi / 6) == relative(-6.0 / 7, ulps));
+}
+
+TEST_CASE("a ratio that a path does not reach, and an angle that no material has, are refused") {
+  CHECK_THROWS_WITH_AS((void)stress_on_path(ShearPath::txc, 1e5, -0.1), "eta = -0.1 is outside [0, 3) of TXC",
+                       InvalidArgument);
+  CHECK_THROWS_AS((void)stress_on_path(ShearPath::rtxc, 1e5, 3), InvalidArgument);
+  CHECK_THROWS_AS((void)stress_on_path(ShearPath::rtxe, 1e5, 0.1), InvalidArgument);
+  CHECK_THROWS_AS((void)stress_on_path(ShearPath::txe, 1e5, -1.5), InvalidArgument);
+  CHECK_THROWS_AS((void)stress_on_path(ShearPath::txc, 1e5, std::nan("")), InvalidArgument);
+  CHECK_THROWS_AS((void)stress_on_path(ShearPath::txc, 0, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)failure_ratio(ShearPath::txc, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)failure_ratio(ShearPath::txc, 26.5), InvalidArgument);
+}
+
+TEST_CASE("no stress has the stress ratio 0") { CHECK(AxialStress{}.ratio() == 0); }
