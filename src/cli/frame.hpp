@@ -37,6 +37,7 @@ struct Command {
 Command add_estimate(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
+Command add_sweep(CLI::App& program);
 Command add_verify(CLI::App& program);
 
 /// Options that every subcommand takes.

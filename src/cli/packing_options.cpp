@@ -74,19 +74,6 @@ double resolve_void_ratio(const PackingOptions& o) {
   return o.void_ratio.value;
 }
 
-CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
-  CLI::Option* option = add_quantity(command, name, number.value, number.dimension, help);
-  number.name = name;
-  number.option = option;
-  return option;
-}
-
-/// A number that has no default to show.
-void add_number_without_default(CLI::App& command, const std::string& name, Number& number,
-                                const std::string& help) {
-  add_number(command, name, number, help)->default_str("");
-}
-
 void add_contact_options(CLI::App& command, PackingOptions& o) {
   o.contact_option =
       command.add_option("--contact", o.contact, "Shape of the grains near their contacts")
@@ -102,6 +89,20 @@ void add_contact_options(CLI::App& command, PackingOptions& o) {
 } // namespace
 
 bool Number::given() const { return in_table || (option != nullptr && option->count() > 0); }
+
+bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
+  CLI::Option* option = add_quantity(command, name, number.value, number.dimension, help);
+  number.name = name;
+  number.option = option;
+  return option;
+}
+
+CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
+                                        const std::string& help) {
+  return add_number(command, name, number, help)->default_str("");
+}
 
 std::vector<Number*> numbers(PackingOptions& o) {
   return {&o.slope,
@@ -180,7 +181,7 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
       notes.push_back(
           fmt::format("assumed {} {}{}", number.name, pretty(number.value, number.dimension), remark));
   };
-  if (o.contact_option->count() == 0 && !o.contact_in_table)
+  if (!o.contact_given())
     notes.emplace_back("assumed --contact sphere");
   if (o.contact == "cone")
     note_default(o.slope, ", fitted to Table 5 of Chung et al. 2014");

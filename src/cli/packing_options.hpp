@@ -28,6 +28,12 @@ struct Number {
   [[nodiscard]] bool given() const;
 };
 
+/// Adds the option of a number; its value is the default.
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help);
+/// The same for a number that has no default to show.
+CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
+                                        const std::string& help);
+
 /// Defaults: grains of Table 1 of [Chung2014] and the C_n of its dense spheres (Table 2); cone and punch are
 /// those that agree with its Table 5. Numbers without a default are 0 and never used unless given.
 struct PackingOptions {
@@ -50,8 +56,11 @@ struct PackingOptions {
   Number pressure{0, Dimension::pressure, "p"};
   Number stress_v{0, Dimension::pressure, "sigma_v"};
   Number stress_h{0, Dimension::pressure, "sigma_h"};
+
+  [[nodiscard]] bool contact_given() const;
 };
 
+/// Values of --contact.
 inline constexpr const char* contact_names[] = {"cone", "sphere", "flat", "power-law"};
 
 /// All numbers, in the order of their options.

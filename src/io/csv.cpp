@@ -117,12 +117,6 @@ std::string field_text(const CsvCell& cell) {
   return quoted + '"';
 }
 
-void append_row(std::string& text, const std::vector<CsvCell>& cells) {
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    text += (k > 0 ? "," : "") + field_text(cells[k]);
-  text += '\n';
-}
-
 } // namespace
 
 CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(name)) {
@@ -174,22 +168,25 @@ std::size_t CsvTable::find(std::string_view quantity, Dimension dimension) const
                       (unit.empty() ? "" : " (or another unit)") + ", found " + joined(headings_));
 }
 
-std::vector<double> CsvTable::numbers(std::string_view quantity, Dimension dimension) const {
-  const std::size_t column = find(quantity, dimension);
-  double factor = 1;
+CsvTable::Column CsvTable::column(std::string_view quantity, Dimension dimension) const {
+  const std::size_t index = find(quantity, dimension);
   try {
-    factor = column_factor(headings_[column], quantity, dimension);
+    return {index, column_factor(headings_[index], quantity, dimension)};
   } catch (const InvalidArgument& error) {
     throw FileError(name_, heading_line_, error.what());
   }
+}
+
+std::vector<double> CsvTable::numbers(std::string_view quantity, Dimension dimension) const {
+  const auto [index, factor] = column(quantity, dimension);
   std::vector<double> values;
   values.reserve(rows_.size());
   for (const Row& row : rows_) {
-    const auto number = parse_number(row.fields[column]);
+    const auto number = parse_number(row.fields[index]);
     if (!number || !std::isfinite(factor * *number))
       throw FileError(name_, row.line,
-                      "expected a finite number in column '" + headings_[column] + "', found '" +
-                          row.fields[column] + "'");
+                      "expected a finite number in column '" + headings_[index] + "', found '" +
+                          row.fields[index] + "'");
     values.push_back(factor * *number);
   }
   return values;
@@ -208,6 +205,13 @@ CsvTable read_csv(const std::filesystem::path& path) {
   return CsvTable(path.string(), text.str());
 }
 
+std::string csv_line(const std::vector<CsvCell>& cells) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += (k > 0 ? "," : "") + field_text(cells[k]);
+  return line + '\n';
+}
+
 std::string csv_text(const CsvContent& content) {
   std::string text;
   for (const auto& [key, value] : content.notes) {
@@ -215,12 +219,12 @@ std::string csv_text(const CsvContent& content) {
     std::replace(line.begin(), line.end(), '\n', ' ');
     text += line + '\n';
   }
-  append_row(text, {content.headings.begin(), content.headings.end()});
+  text += csv_line({content.headings.begin(), content.headings.end()});
   for (const auto& row : content.rows) {
     if (row.size() != content.headings.size())
       throw InvalidArgument("a CSV row has " + std::to_string(row.size()) + " cells for " +
                             std::to_string(content.headings.size()) + " headings");
-    append_row(text, row);
+    text += csv_line(row);
   }
   return text;
 }

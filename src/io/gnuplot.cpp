@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
@@ -19,6 +20,16 @@ std::string quoted(std::string text) {
   for (const char c : text)
     escaped += c == '\'' ? "''" : std::string(1, c);
   return escaped + "'";
+}
+
+constexpr int point_types[] = {7, 5, 13, 9}; // filled circle, square, diamond, triangle
+constexpr std::size_t dash_types = 4;
+
+/// Colour, dash and mark of the series of that index, as in the SVG.
+std::string line_style(std::size_t index) {
+  return "set style line " + std::to_string(index + 1) + " linewidth 2 pointsize 0.6 linecolor rgb '" +
+         series_colour(index) + "' dashtype " + std::to_string(index % dash_types + 1) + " pointtype " +
+         std::to_string(point_types[index % std::size(point_types)]) + "\n";
 }
 
 std::string column(const std::string& heading, double unit) {
@@ -84,8 +95,7 @@ std::string gnuplot_script(const Chart& chart, const std::string& csv, const std
                      "set grid\n";
   text += "set title " + quoted(chart.title) + "\n" + axis("x", chart.x) + axis("y", chart.y);
   for (std::size_t k = 0; k < chart.series.size(); ++k)
-    text += "set style line " + std::to_string(k + 1) + " linewidth 2 pointsize 0.6 linecolor rgb '" +
-            series_colour(k) + "'\n";
+    text += line_style(k);
   return text + (columns.empty() ? "" : plots(chart, csv, columns));
 }
 

@@ -42,6 +42,17 @@ TEST_CASE("columns are found by name and come in as SI") {
   CHECK_FALSE(table.has("sigma"));
 }
 
+TEST_CASE("a row is at hand as it stands, with the place and the factor of each quantity") {
+  const CsvTable table("a.csv", "name,G_MPa,e\n\"a, b\",120,dense\n");
+  CHECK(table.fields(0) == std::vector<std::string>{"a, b", "120", "dense"});
+  CHECK(table.column("G", Dimension::pressure).index == 1);
+  CHECK(table.column("G", Dimension::pressure).factor == 1e6);
+  CHECK(table.column("e", Dimension::dimensionless).factor == 1);
+  CHECK_THROWS_AS((void)table.column("G", Dimension::length), FileError);
+  CHECK_THROWS_AS((void)table.column("K", Dimension::pressure), FileError);
+  CHECK(csv_line({"a, b", 120.5, std::numeric_limits<double>::quiet_NaN(), ""}) == "\"a, b\",120.5,,\n");
+}
+
 TEST_CASE("quotes, byte order mark and lines inside quotes") {
   const CsvTable table("a.csv", "\xEF\xBB\xBF\"name\",G_Pa\n\"one, \"\"two\"\"\n\",1\n \"x\" ,2\n");
   CHECK(table.headings() == std::vector<std::string>{"name", "G_Pa"});

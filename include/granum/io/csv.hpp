@@ -30,12 +30,21 @@ class CsvTable {
   /// Line of the file on which a row begins, from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return rows_.at(row).line; }
 
+  /// The fields of a row as they stand in the file, one for each heading.
+  [[nodiscard]] const std::vector<std::string>& fields(std::size_t row) const { return rows_.at(row).fields; }
+
   /// Whether a column holds `quantity`, with any unit.
   [[nodiscard]] bool has(std::string_view quantity) const;
+  /// Place of a quantity in every row, and what its numbers are multiplied by to give SI.
+  struct Column {
+    std::size_t index = 0;
+    double factor = 1;
+  };
+  /// \throws   FileError if no column or more than one holds the quantity, or if its heading lacks a unit of
+  ///           `dimension`
+  [[nodiscard]] Column column(std::string_view quantity, Dimension dimension) const;
   /// The column of a quantity in SI: for sigma_v the column sigma_v_kPa, say, times 1000.
-  /// \throws   FileError if there is none or more than one, if its heading lacks a unit of `dimension`, or,
-  /// naming the
-  ///           line, if a field is not a finite number
+  /// \throws   FileError as column, or, naming the line, if a field is not a finite number
   [[nodiscard]] std::vector<double> numbers(std::string_view quantity, Dimension dimension) const;
 
  private:
@@ -65,6 +74,9 @@ struct CsvContent {
   std::vector<std::string> headings;
   std::vector<std::vector<CsvCell>> rows;
 };
+
+/// One line of a file, with its end.
+[[nodiscard]] std::string csv_line(const std::vector<CsvCell>& cells);
 
 /// The text of the file; CsvTable reads every finite number back to the same bits.
 /// \throws   InvalidArgument if a row has another number of cells than there are headings

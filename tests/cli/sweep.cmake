@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+set(packing --void-ratio 0.558 --coordination-number 5.73)
+set(iso sweep ${packing} --from 10kPa --to 1MPa --points 3)
+
+# states on the paths: both ends, and what each path holds constant
+foreach(expectation "0/p=^10000(\\.0)?$" "1/p=^100000(\\.0)?$" "2/p=^1000000(\\.0)?$" "1/q=^0(\\.0)?$" "1/eta=^0(\\.0)?$"
+    "1/sigma_v=^100000(\\.0)?$" "1/error=^$" "1/notes=^\\[\\]$")
+  granum_cli_test("sweep: isotropic ${expectation}" EXIT 0 JSON "states/${expectation}" ARGS ${iso} --json)
+endforeach()
+granum_cli_test("sweep: linear spacing" EXIT 0 JSON "states/1/p=^505000(\\.0)?$" ARGS ${iso} --spacing linear --json)
+granum_cli_test("sweep: from zero, linear" EXIT 0 JSON "states/0/rung2/G_hv=^0(\\.0)?$"
+  ARGS sweep ${packing} --from 0Pa --to 1MPa --points 3 --spacing linear --json)
+granum_cli_test("sweep: exponents at zero stress" EXIT 0 JSON "states/0/rung0/n=^0\\.1111111111111"
+  ARGS sweep ${packing} --from 0Pa --to 1MPa --points 3 --spacing linear --json)
+# eta = 0.6: v = 1.4 p', h = 0.8 p'; eta = -0.6: v = 0.6 p', h = 1.2 p'
+foreach(expectation "txc;0.6;v=^(140000|139999\\.9999999)" "txc;0.6;h=^80000(\\.0)?$" "rtxc;0.6;v=^80000(\\.0)?$"
+    "rtxc;0.6;h=^4571[45]\\." "rtxe;-0.6;v=^(40000|39999\\.9999999)" "rtxe;-0.6;h=^80000(\\.0)?$"
+    "txe;-0.6;v=^80000(\\.0)?$" "txe;-0.6;h=^(160000|159999\\.9999999)")
+  list(GET expectation 0 path)
+  list(GET expectation 1 eta)
+  list(GET expectation 2 stress)
+  granum_cli_test("sweep: end of ${path}, sigma_${stress}" EXIT 0 JSON "states/4/sigma_${stress}"
+    ARGS sweep ${packing} --path ${path} --from 80kPa --eta ${eta} --points 5 --json)
+endforeach()
+granum_cli_test("sweep: a path ends at failure" EXIT 0 JSON "states/1/eta=^1\\.(2$|2000000000000|1999999999999)"
+  ARGS sweep ${packing} --path txc --from 80kPa --friction-angle 30deg --points 2 --json)
+granum_cli_test("sweep: a path in words" EXIT 0 JSON "path=^RTXE from 80 kPa to eta = -0\\.6$"
+  ARGS sweep ${packing} --path rtxe --from 80kPa --eta -0.6 --points 2 --json)
+
+# rungs: at the mean force s is shared as sigma_v and 2 sigma_h share 3 p'; here 1.4/3 and 1.6/3
+set(txc sweep ${packing} --fabric 0.5 --path txc --from 80kPa --eta 0.6 --points 2 --json)
+foreach(rung rung0 rung1)
+  granum_cli_test("sweep: n of ${rung}" EXIT 0 JSON "states/1/${rung}/n=^0\\.1555555555555" ARGS ${txc})
+  granum_cli_test("sweep: m of ${rung}" EXIT 0 JSON "states/1/${rung}/m=^0\\.1777777777777" ARGS ${txc})
+endforeach()
+# Contacts of one stiffness, a = 1/2, r = 0.9, as in the tests of estimate; rung 0 leaves the fabric out.
+set(flat sweep --contact flat --punch-radius 50um --void-ratio 0.558 --tangential-ratio 0.9 --from 1kPa --to 100kPa
+  --points 2 --json)
+foreach(expectation "rung1/E_v=^5264800774\\.0791" "rung1/E_h=^3312112348\\.5494")
+  granum_cli_test("sweep: fabric ${expectation}" EXIT 0 JSON "states/1/${expectation}" ARGS ${flat} --fabric 0.5)
+endforeach()
+foreach(fabric 0 0.5)
+  granum_cli_test("sweep: rung 0 at fabric ${fabric}" EXIT 0 JSON "states/0/rung0/K=^1377267724\\.709" ARGS ${flat}
+    --fabric ${fabric})
+endforeach()
+granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error\n"
+  ARGS ${iso} --rungs uniform-stress,0)
+granum_cli_test("sweep: assumptions are noted" EXIT 0 STDOUT "# note: assumed --fabric 0, contacts in all directions"
+  ARGS ${iso})
+granum_cli_test("sweep: notes of states" EXIT 0 STDOUT "coordination number exceeds 12.*coordination number exceeds 12"
+  STDERR "^granum: warning: 3 of 3 states lie outside [^\n]*state 1: coordination number exceeds 12[^\n]*\n$"
+  ARGS sweep --void-ratio 0.6 --coordination-number 13 --from 10kPa --to 1MPa --points 3)
+granum_cli_test("sweep: notes fail under --strict" EXIT 4 STDOUT "p_Pa,q_Pa" STDERR "^granum: error: 3 of 3 states lie"
+  ARGS sweep --void-ratio 0.6 --coordination-number 13 --from 10kPa --to 1MPa --points 3 --strict)
+granum_cli_test("sweep: a state that fails leaves the others" EXIT 1 STDOUT "\n100000,0,0,100000,100000,[^\n]*,,\n33334[^\n]*,0,,,,[^\n]*,,\"ratio of vertical to horizontal"
+  STDERR "^granum: error: 1 of 2 states failed, see error; state 2: ratio of vertical"
+  ARGS sweep ${packing} --path rtxc --from 100kPa --eta 2.9999 --points 2)
+granum_cli_test("sweep: no shear stiffness has empty exponents" EXIT 0 JSON "states/0/uniform_stress/s=^$"
+  STDERR "warning: 3 of 3 states lie outside" ARGS ${iso} --tangential-ratio 0 --json)
+
+# tables
+set(table sweep --table sweep_states.csv --rungs 2)
+set(five_of_nine "1 of 9 states lie outside[^\n]*\ngranum: error: 5 of 9 states failed, see error; line 5: stress_h = -100000")
+foreach(line "sample,contact,e,C_n,a,sigma_v_kPa,sigma_h_kPa,slope,G_hh_rung2_Pa" "\"S1, top\",sphere,0\\.558,5\\.73,0\\.1,200,100,,3"
+    "S3,[^\n]*\"stress_h = -100000 Pa is outside" "S4,[^\n]*column 'C_n' is empty" "S5,[^\n]*contact 'egg' is not one of cone"
+    "S6,[^\n]*expected a finite number in column 'e', found 'dense'" "S7,[^\n]*--slope goes with --contact cone"
+    "S8,[^\n]*coordination number exceeds 12" "S1[^\n]*\nS2[^\n]*\nS3[^\n]*\nS4[^\n]*\nS5[^\n]*\nS6[^\n]*\nS7[^\n]*\nS8[^\n]*\nS9[^\n]*\n$"
+    "# note: columns that are no inputs: sample\n")
+  granum_cli_test("sweep: table, ${line}" EXIT 1 STDOUT "${line}" STDERR "${five_of_nine}" ARGS ${table})
+endforeach()
+foreach(expectation "2/error=stress_h" "2/rung2/K=^$" "1/rung2/s=^0\\.(5$|4999999999999|50000000000000)" "8/line=^11$")
+  granum_cli_test("sweep: table as JSON ${expectation}" EXIT 1 JSON "states/${expectation}" STDERR "${five_of_nine}"
+    ARGS ${table} --json)
+endforeach()
+granum_cli_test("sweep: options fill what a table leaves out" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
+  ARGS sweep --table isotropic.csv --contact cone --json)
+
+function(granum_sweep_refuses what message)
+  granum_cli_test("sweep: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})
+endfunction()
+granum_sweep_refuses("no path and no table" "--from is missing: the mean stress at which the path begins, or --table" ${packing})
+granum_sweep_refuses("no end" "--to is missing" ${packing} --from 10kPa)
+granum_sweep_refuses("no eta" "give one of --eta and --friction-angle" ${packing} --path txc --from 10kPa)
+granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"
+  ${packing} --path txc --from 10kPa --eta 0.5 --friction-angle 20deg)
+granum_sweep_refuses("eta of the isotropic path" "--eta goes with --path txc" ${packing} --from 1kPa --to 2kPa --eta 0.5)
+granum_sweep_refuses("end of a shear path as stress" "--to goes with --path iso" ${packing} --path txe --from 1kPa --to 2kPa)
+granum_sweep_refuses("eta of the wrong sign" "eta = 0\\.5 is outside .-1\\.5, 0. of TXE"
+  ${packing} --path txe --from 10kPa --eta 0.5)
+granum_sweep_refuses("angle without unit" "--friction-angle = 26 has no unit" ${packing} --path txc --from 1kPa
+  --friction-angle 26)
+granum_sweep_refuses("log spacing from zero" "--from = 0 has no logarithm; use --spacing linear"
+  ${packing} --from 0Pa --to 1kPa)
+granum_sweep_refuses("log spacing in eta" "--spacing log goes with --path iso"
+  ${packing} --path txc --from 1kPa --eta 0.5 --spacing log)
+granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} --from -1kPa --to 1kPa)
+granum_sweep_refuses("one point" "--points: Value 1 not in range" ${packing} --from 1kPa --to 2kPa --points 1)
+granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
+granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
+granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"
+  ${packing} --from 1kPa --to 2kPa --pressure 1kPa)
+granum_sweep_refuses("an impossible packing once" "void_ratio = -1 is outside[^\n]*\n$" --void-ratio -1 --from 1kPa --to 2kPa)
+granum_sweep_refuses("no density" "the density is missing" --from 1kPa --to 2kPa)
+granum_sweep_refuses("path and table" "--from excludes --table" --table isotropic.csv --from 1kPa)
+granum_sweep_refuses("option and column" "--void-ratio is an option and the column 'e' too"
+  --table isotropic.csv --void-ratio 0.6)
+granum_sweep_refuses("picture without numbers" "--picture requires --out" ${packing} --from 1kPa --to 2kPa --picture a.svg)
+granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
+  ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)
+
+granum_cli_test("sweep: missing table" EXIT 3 STDERR "none\\.csv: cannot be read: No such file" ARGS sweep --table none.csv)
+granum_cli_test("sweep: truncated table" EXIT 3 STDERR "truncated\\.csv:5: expected 4 fields" ARGS sweep --table truncated.csv)
+granum_cli_test("sweep: column without unit" EXIT 3 STDERR "sweep_unitless\\.csv:1: column 'sigma_v' has no unit"
+  ARGS sweep --table sweep_unitless.csv)
+granum_cli_test("sweep: unwritable output" EXIT 3 STDERR "no such folder/s\\.csv: cannot be written"
+  ARGS ${iso} --out "no such folder/s.csv")
+granum_cli_test("sweep: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
+  ARGS sweep --table isotropic.csv --out isotropic.csv)
+
+add_test(NAME "cli: sweep: files, and the same numbers as estimate" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sweep files"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sweep.cmake")
+set_tests_properties("cli: sweep: files, and the same numbers as estimate" PROPERTIES LABELS cli)
