@@ -33,14 +33,15 @@ foreach(rung rung0 rung1)
   granum_cli_test("sweep: n of ${rung}" EXIT 0 JSON "states/1/${rung}/n=^0\\.1555555555555" ARGS ${txc})
   granum_cli_test("sweep: m of ${rung}" EXIT 0 JSON "states/1/${rung}/m=^0\\.1777777777777" ARGS ${txc})
 endforeach()
-# Contacts of one stiffness, a = 1/2, r = 0.9, as in the tests of estimate; rung 0 leaves the fabric out.
+# Contacts of one stiffness, a = 1/2, r = 0.9, as in the tests of estimate; rung 0 leaves the fabric out:
+# G = C_n k_n (1 + 1.5 r)/(10 pi R (1+e)).
 set(flat sweep --contact flat --punch-radius 50um --void-ratio 0.558 --tangential-ratio 0.9 --from 1kPa --to 100kPa
   --points 2 --json)
 foreach(expectation "rung1/E_v=^5264800774\\.0791" "rung1/E_h=^3312112348\\.5494")
   granum_cli_test("sweep: fabric ${expectation}" EXIT 0 JSON "states/1/${expectation}" ARGS ${flat} --fabric 0.5)
 endforeach()
 foreach(fabric 0 0.5)
-  granum_cli_test("sweep: rung 0 at fabric ${fabric}" EXIT 0 JSON "states/0/rung0/K=^1377267724\\.709" ARGS ${flat}
+  granum_cli_test("sweep: rung 0 at fabric ${fabric}" EXIT 0 JSON "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat}
     --fabric ${fabric})
 endforeach()
 granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error\n"
