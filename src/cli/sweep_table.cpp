@@ -26,11 +26,11 @@ std::string heading_of(const Number& number) {
 /// The inputs that a table holds, and the packing of each of its rows.
 class RowReader {
  public:
-  /// \throws   FileError for an input that two columns hold or whose unit is missing; InvalidArgument for one
-  ///           that an option gives too
-  RowReader(const CsvTable& table, const PackingOptions& options) : table_(table), row_(options) {
+  /// \throws   FileError for an input without its unit or with two; InvalidArgument for one that stands under
+  ///           both of its names, or that an option gives too
+  RowReader(const CsvTable& table, const PackingOptions& options)
+      : table_(table), row_(options), read_(table.headings().size(), false) {
     const auto& headings = table.headings();
-    read_.resize(headings.size(), false);
     for (Number* number : numbers(row_))
       for (const std::string& name : {heading_of(*number), number->symbol})
         if (!name.empty() && table.has(name))

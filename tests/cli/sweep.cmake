@@ -105,6 +105,7 @@ granum_sweep_refuses("no density" "the density is missing" --from 1kPa --to 2kPa
 granum_sweep_refuses("path and table" "--from excludes --table" --table isotropic.csv --from 1kPa)
 granum_sweep_refuses("option and column" "--void-ratio is an option and the column 'e' too"
   --table isotropic.csv --void-ratio 0.6)
+granum_sweep_refuses("an input under both its names" "both 'void_ratio' and 'e' hold void_ratio" --table sweep_twice.csv)
 granum_sweep_refuses("picture without numbers" "--picture requires --out" ${packing} --from 1kPa --to 2kPa --picture a.svg)
 granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
   ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)
@@ -113,6 +114,8 @@ granum_cli_test("sweep: missing table" EXIT 3 STDERR "none\\.csv: cannot be read
 granum_cli_test("sweep: truncated table" EXIT 3 STDERR "truncated\\.csv:5: expected 4 fields" ARGS sweep --table truncated.csv)
 granum_cli_test("sweep: column without unit" EXIT 3 STDERR "sweep_unitless\\.csv:1: column 'sigma_v' has no unit"
   ARGS sweep --table sweep_unitless.csv)
+granum_cli_test("sweep: a column of the results is there" EXIT 3 STDERR "sweep_again\\.csv: has a column 'K_rung2_Pa' already"
+  ARGS sweep --table sweep_again.csv)
 granum_cli_test("sweep: unwritable output" EXIT 3 STDERR "no such folder/s\\.csv: cannot be written"
   ARGS ${iso} --out "no such folder/s.csv")
 granum_cli_test("sweep: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
