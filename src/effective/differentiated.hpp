@@ -46,9 +46,8 @@ Dual<N> contact_stiffness(const contact::PowerLaw& law, const Dual<N>& area, con
 }
 
 /// Means of f^exponent over the directions. Only stresses move: straight away.
-inline AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a,
-                                                   const Dual<stress_seeds>& root,
-                                                   const Dual<stress_seeds>& exponent) {
+inline AxialMoments<Dual<stress_seeds>>
+moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root, const Dual<stress_seeds>& exponent) {
   if (exponent.value() == 0)
     return fabric_moments(a);
   const double c2 = root.value();
@@ -64,9 +63,8 @@ inline AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const 
   const double c2 = root.value();
   const Node node_exponent(exponent.value(), 4, 3);
   const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
-  const AxialMoments<Node> m =
-      direction_moments(Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent,
-                        rule_for(c2 * c2));
+  const AxialMoments<Node> m = direction_moments(
+      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
   const auto outer = [&](const Node& x) -> Dual<all_seeds> {
     const auto& d = x.derivatives();
     return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +

@@ -31,8 +31,7 @@ void require_members(const State& s) {
     return;
   require_positive("stress_v", s.stress_v, "Pa");
   require_positive("stress_h", s.stress_h, "Pa");
-  const double ratio =
-      s.stress_v / s.stress_h * ((5 - 3 * s.fabric_anisotropy) / (5 + s.fabric_anisotropy));
+  const double ratio = s.stress_v / s.stress_h * ((5 - 3 * s.fabric_anisotropy) / (5 + s.fabric_anisotropy));
   if (!(ratio <= largest_force_ratio && ratio >= 1 / largest_force_ratio))
     throw InvalidArgument("ratio of vertical to horizontal contact forces", ratio, "", "[1e-4, 1e4]");
 }

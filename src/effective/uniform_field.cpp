@@ -92,8 +92,8 @@ TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts) 
 UniformContacts uniform_contacts(const State& state) {
   const auto checked = kernel::checked(state);
   kernel::require_contacts(state);
-  const double stiffness = kernel::contact_stiffness(state.law, checked.geometry.force_area,
-                                                     state.stress_v + 2 * state.stress_h);
+  const double stiffness =
+      kernel::contact_stiffness(state.law, checked.geometry.force_area, state.stress_v + 2 * state.stress_h);
   return {.prefactor = checked.geometry.prefactor,
           .normal_stiffness = stiffness,
           .tangential_stiffness = state.tangential_ratio * stiffness,

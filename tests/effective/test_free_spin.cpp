@@ -67,10 +67,8 @@ TEST_CASE("free spin: closed form in the fabric") {
   const double P = 2.5, k_n = 3;
   for (const double a : {-1.0, -0.4, 0.0, 0.3, 1.0})
     for (const double r : {0.0, 0.4, 1.0, 2.0}) {
-      const UniformContacts c{.prefactor = P,
-                              .normal_stiffness = k_n,
-                              .tangential_stiffness = r * k_n,
-                              .fabric_anisotropy = a};
+      const UniformContacts c{
+          .prefactor = P, .normal_stiffness = k_n, .tangential_stiffness = r * k_n, .fabric_anisotropy = a};
       const double F11 = (5 - 3 * a) / (5 * (3 - a)), F33 = (5 + a) / (5 * (3 - a));
       const double n1133 = (7 - a) / (35 * (3 - a));
       const double expected = P * k_n * ((1 - r) * n1133 + r * F11 * F33 / (F11 + F33));
@@ -86,11 +84,11 @@ TEST_CASE("free spin: networks are not above it, and at it where a cell holds on
   // Lattices whose steep contacts are of another stiffness. In the simple cubic one a strain moves no grain
   // out of its place, but the grains spin; in the hexagonal one they move as well.
   const double R = 0.5e-3, k_n = 1.3e6, k_t = 0.9e6;
-  for (const auto& kind : {samples::simple_cubic, samples::hexagonal})
+  for (const auto* kind : {&samples::simple_cubic, &samples::hexagonal})
     for (const double factor : {0.2, 1.0, 5.0}) {
       CAPTURE(factor);
       Assembly lattice =
-          samples::lattice(kind, {.radius = R, .normal_stiffness = k_n, .tangential_stiffness = k_t});
+          samples::lattice(*kind, {.radius = R, .normal_stiffness = k_n, .tangential_stiffness = k_t});
       std::vector<Direction> directions;
       double sum = 0;
       for (Contact& c : lattice.contacts) {
@@ -109,7 +107,7 @@ TEST_CASE("free spin: networks are not above it, and at it where a cell holds on
       CHECK(relaxed <= bound * (1 + 1e-12));
       if (factor != 1)
         CHECK(bound < response.affine().matrix(4, 4) * (1 - 1e-3));
-      if (&kind == &samples::simple_cubic || lattice.grains.size() == 1)
+      if (kind == &samples::simple_cubic)
         CHECK(close(relaxed, k_t * factor / (2 * R * (1 + factor)), 1e-12));
     }
 }

@@ -154,7 +154,8 @@ TEST_CASE("state: stresses at the end of the range of doubles") {
     CAPTURE(lift);
     // 2e5 2^-1050 keeps 41 binary digits of the stress.
     const double tolerance = lift < -1026 ? 1e-12 : 2e-14;
-    CHECK(close(effective::uniform_strain(s).stiffness.C33, std::exp2(lift / 3.0) * reference.C33, tolerance));
+    CHECK(
+        close(effective::uniform_strain(s).stiffness.C33, std::exp2(lift / 3.0) * reference.C33, tolerance));
   }
   State tiny = base;
   tiny.stress_v = tiny.stress_h = 5e-324;

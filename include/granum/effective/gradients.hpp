@@ -48,7 +48,7 @@ inline constexpr std::size_t input_count = 12;
 
 /// A modulus and its derivatives.
 struct Gradient {
-  double value = 0;                      ///< the modulus [Pa]
+  double value = 0;                     ///< the modulus [Pa]
   std::array<double, input_count> by{}; ///< dX/d input in the order of Input [Pa by unit of the input]
 
   [[nodiscard]] double operator[](Input input) const { return by[static_cast<std::size_t>(input)]; }
