@@ -120,4 +120,18 @@ Estimate uniform_stress(const State& state) {
   return estimate;
 }
 
+IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing) {
+  const double r = require_non_negative("tangential_ratio", packing.tangential_ratio);
+  require_positive("radius", packing.radius, "m");
+  require_positive("void_ratio", packing.void_ratio);
+  require_non_negative("coordination_number", packing.coordination_number);
+  require_non_negative("pressure", packing.pressure, "Pa");
+  if (packing.coordination_number == 0)
+    return {};
+  const auto [prefactor, force_area] =
+      kernel::geometry(packing.coordination_number, packing.radius, packing.void_ratio);
+  const double scale = prefactor * kernel::contact_stiffness(packing.law, force_area, 3 * packing.pressure);
+  return {.bulk_modulus = scale / 9, .shear_modulus = scale * (2 + 3 * r) / 30};
+}
+
 } // namespace granum::effective

@@ -72,4 +72,25 @@ struct Estimate {
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_stress(const State& state);
 
+/// A packing that has no directions: State with one stress and no fabric.
+struct IsotropicPacking {
+  contact::PowerLaw law;                     ///< normal contact of two grains
+  double tangential_ratio = State::unset;    ///< k_t/k_n >= 0
+  double radius = State::unset;              ///< R > 0 of a grain [m]
+  double void_ratio = State::unset;          ///< e > 0
+  double coordination_number = State::unset; ///< C_n >= 0
+  double pressure = State::unset;            ///< p >= 0 [Pa]
+};
+
+struct IsotropicModuli {
+  double bulk_modulus = 0;  ///< K [Pa]
+  double shear_modulus = 0; ///< G [Pa]
+};
+
+/// K = P k_n/9 and G = P (2 k_n + 3 k_t)/30 alone, for the many calls of a fit or a table; the same as
+/// uniform_strain, without notes on validity. K has no cancellation at any k_t/k_n.    [Walton1987; Digby1981]
+/// \throws   InvalidArgument if a member is out of its range
+/// Accuracy  8 ulp.  Checked by tests/effective/test_uniform_field.cpp
+[[nodiscard]] IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing);
+
 } // namespace granum::effective
