@@ -34,7 +34,8 @@ double least_shear_energy(const std::vector<Direction>& directions) {
   const double low = shear_energy(directions, -1), middle = shear_energy(directions, 0),
                high = shear_energy(directions, 1);
   const double slope = (high - low) / 2, curvature = high + low - 2 * middle;
-  const double best = shear_energy(directions, -slope / curvature);
+  // Without k_t a spin costs nothing.
+  const double best = shear_energy(directions, curvature > 1e-12 * middle ? -slope / curvature : 0);
   for (const double w : {-0.4, -0.1, 0.05, 0.3}) // it is the least
     CHECK(best <= shear_energy(directions, w) * (1 + 1e-14));
   return best;
