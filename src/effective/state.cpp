@@ -4,36 +4,42 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/fabric/orientation.hpp>
 
-#include "kernels.hpp"
+#include "checked_state.hpp"
 
 namespace granum::effective {
 
 namespace {
 
 constexpr double largest_force_ratio = 1e4;
+constexpr double largest_tangential_ratio = 100;
+constexpr double largest_contact_radius = 0.1; // of the grain radius
 
-void require_stresses(const State& s, const StaticForceField& field) {
+void require_members(const State& s) {
+  require_closed("tangential_ratio", s.tangential_ratio, 0, largest_tangential_ratio);
+  require_positive("radius", s.radius, "m");
+  require_positive("void_ratio", s.void_ratio);
+  require_non_negative("coordination_number", s.coordination_number);
+  require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
+  require_non_negative("stress_v", s.stress_v, "Pa");
+  require_non_negative("stress_h", s.stress_h, "Pa");
   if (s.stress_v == 0 && s.stress_h == 0)
     return;
   require_positive("stress_v", s.stress_v, "Pa");
   require_positive("stress_h", s.stress_h, "Pa");
-  const double ratio = field.vertical / field.horizontal;
+  const double ratio = s.stress_v / s.stress_h * ((5 - 3 * s.fabric_anisotropy) / (5 + s.fabric_anisotropy));
   if (!(ratio <= largest_force_ratio && ratio >= 1 / largest_force_ratio))
     throw InvalidArgument("ratio of vertical to horizontal contact forces", ratio, "", "[1e-4, 1e4]");
 }
 
-void note_contact_size(const State& s, const StaticForceField& field, Validity& validity) {
-  const double force = std::max(field.horizontal, field.vertical);
+void note_contact_size(const State& s, double stiffness, Validity& validity) {
   const auto& grain = s.law.grain();
-  const double contact_radius =
-      s.law.stiffness_at_force(force) * (1 - grain.poisson_ratio) / (2 * grain.shear_modulus);
-  if (contact_radius > 0.1 * s.radius) {
+  const double contact_radius = stiffness * (1 - grain.poisson_ratio) / (2 * grain.shear_modulus);
+  if (contact_radius > largest_contact_radius * s.radius) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "contact radius is %.3g grain radii: contact laws are derived for contacts that are small "
@@ -45,32 +51,51 @@ void note_contact_size(const State& s, const StaticForceField& field, Validity& 
 
 } // namespace
 
-Validity require_valid(const State& s) {
-  require_non_negative("tangential_ratio", s.tangential_ratio);
-  require_positive("radius", s.radius, "m");
-  require_positive("void_ratio", s.void_ratio);
-  require_positive("coordination_number", s.coordination_number);
-  require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
-  require_non_negative("stress_v", s.stress_v, "Pa");
-  require_non_negative("stress_h", s.stress_h, "Pa");
-  const StaticForceField field = kernel::static_force_field(s, fabric::second_moments(s.fabric_anisotropy));
-  require_stresses(s, field);
+namespace kernel {
 
-  Validity validity = fabric::anisotropy_validity(s.fabric_anisotropy);
+CheckedState checked(const State& s) {
+  require_members(s);
+  CheckedState state{.geometry = geometry(s),
+                     .loads = static_loads(s.fabric_anisotropy, s.stress_v, s.stress_h),
+                     .stiffness = 0,
+                     .validity = {}};
+  if (std::abs(s.fabric_anisotropy) > 1)
+    state.validity = fabric::anisotropy_validity(s.fabric_anisotropy);
+  if (s.coordination_number == 0) {
+    state.validity.add("a packing without contacts carries no stress: its stiffness is the limit 0");
+    return state;
+  }
   if (s.coordination_number > 12)
-    validity.add("coordination number exceeds 12, the most that equal spheres can have");
-  note_contact_size(s, field, validity);
-  return validity;
+    state.validity.add("coordination number exceeds 12, the most that equal spheres can have");
+
+  const auto [horizontal, vertical] = state.loads;
+  const bool uniform = horizontal == vertical;
+  const double mean = uniform ? vertical : std::sqrt(horizontal) * std::sqrt(vertical);
+  const double largest = std::max(horizontal, vertical);
+  state.stiffness = contact_stiffness(s.law, state.geometry.force_area, mean);
+  // k_n grows with a power of the force that is at most 1/2: a bound tells almost every state apart from
+  // those that need the stiffness of the largest force.
+  const double bound = uniform ? state.stiffness : state.stiffness * (largest / mean);
+  if (bound * (1 - s.law.grain().poisson_ratio) >
+      2 * s.law.grain().shear_modulus * largest_contact_radius * s.radius)
+    note_contact_size(s, contact_stiffness(s.law, state.geometry.force_area, largest), state.validity);
+  return state;
 }
 
-double prefactor(const State& state) {
-  require_valid(state);
-  return kernel::prefactor(state);
+void require_contacts(const State& state) {
+  require_positive("coordination_number", state.coordination_number);
 }
+
+} // namespace kernel
+
+Validity require_valid(const State& state) { return kernel::checked(state).validity; }
+
+double prefactor(const State& state) { return kernel::checked(state).geometry.prefactor; }
 
 double mean_contact_force(const State& state) {
-  require_valid(state);
-  return 2 * state.radius * (state.stress_v + 2 * state.stress_h) / kernel::prefactor(state);
+  const auto checked = kernel::checked(state);
+  kernel::require_contacts(state);
+  return checked.geometry.force_area * (state.stress_v + 2 * state.stress_h);
 }
 
 double StaticForceField::tangential_force(double n3) const {
@@ -83,8 +108,10 @@ double StaticForceField::mobilised_friction() const {
 }
 
 StaticForceField static_force_field(const State& state) {
-  require_valid(state);
-  return kernel::static_force_field(state, fabric::second_moments(state.fabric_anisotropy));
+  const auto checked = kernel::checked(state);
+  kernel::require_contacts(state);
+  const double area = checked.geometry.force_area;
+  return {.horizontal = area * checked.loads.horizontal, .vertical = area * checked.loads.vertical};
 }
 
 } // namespace granum::effective

@@ -2,49 +2,53 @@
 #include <granum/effective/uniform_field.hpp>
 
 #include <cmath>
+#include <utility>
 
 #include <granum/core/check.hpp>
-#include <granum/core/error.hpp>
-#include <granum/fabric/orientation.hpp>
 
-#include "kernels.hpp"
+#include "checked_state.hpp"
 
 namespace granum::effective {
 
 namespace {
 
+using elastic::TransverselyIsotropic;
 using kernel::AxialMoments;
+using kernel::Spin;
 
-elastic::TransverselyIsotropic transversely_isotropic(const kernel::Constants<double>& c) {
+constexpr double largest_tangential_ratio = 100;
+
+TransverselyIsotropic transversely_isotropic(const kernel::Constants<double>& c) {
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
 }
 
-/// Moments of the weight 1.
-AxialMoments<double> fabric_moments(double anisotropy) {
-  return {
-      .m0 = 1, .m2 = fabric::second_moments(anisotropy).F33, .m4 = fabric::fourth_moments(anisotropy).n3333};
-}
-
-/// Stiffness ratios of the contacts over direction, to be multiplied by one stiffness.
-struct ContactStiffness {
-  double reference = 0;         ///< k_ref [N/m]
-  AxialMoments<double> moments; ///< of (k_n/k_ref)^sign
-};
-
-ContactStiffness contact_stiffness(const State& s, double sign) {
-  const StaticForceField field = kernel::static_force_field(s, fabric::second_moments(s.fabric_anisotropy));
+/// Means of (k_n/k_ref)^sign over the directions.
+AxialMoments<double> contact_moments(const State& s, const kernel::NormalLoads<double>& loads, double sign) {
   const double b = s.law.stiffness_exponent();
-  if (field.horizontal == field.vertical || b == 0)
-    return {s.law.stiffness_at_force(field.vertical), fabric_moments(s.fabric_anisotropy)};
-  return {s.law.stiffness_at_force(std::sqrt(field.horizontal) * std::sqrt(field.vertical)),
-          kernel::stiffness_moments(s.fabric_anisotropy, field, b, sign)};
+  if (loads.horizontal == loads.vertical || b == 0)
+    return kernel::fabric_moments(s.fabric_anisotropy);
+  const double ratio = loads.horizontal / loads.vertical;
+  const double root = std::sqrt(ratio);
+  const auto power = [exponent = sign * b](double f) { return kernel::power(f, exponent); };
+  return kernel::direction_moments(s.fabric_anisotropy, root, 1 / root, root, power, kernel::rule_for(ratio));
 }
 
 /// Where the density of contacts is negative the sums over them may lose their sign too.
-void note_instability(const State& s, const elastic::TransverselyIsotropic& c, Validity& validity) {
-  if (std::abs(s.fabric_anisotropy) > 1 && !c.positive_definite())
-    validity.add(
+void note_instability(const State& s, Estimate& estimate) {
+  if (std::abs(s.fabric_anisotropy) > 1 && !estimate.stiffness.positive_definite())
+    estimate.validity.add(
         "the stiffness is not positive definite: this fabric anisotropy cannot be used at these stresses");
+}
+
+Estimate strained(const State& state, Spin spin) {
+  kernel::CheckedState checked = kernel::checked(state);
+  const double scale = checked.geometry.prefactor * checked.stiffness;
+  const auto moments = contact_moments(state, checked.loads, 1);
+  Estimate estimate{.stiffness = transversely_isotropic(
+                        kernel::uniform_strain(scale, state.tangential_ratio, moments, spin)),
+                    .validity = std::move(checked.validity)};
+  note_instability(state, estimate);
+  return estimate;
 }
 
 struct CheckedContacts {
@@ -55,60 +59,79 @@ struct CheckedContacts {
 CheckedContacts checked(const UniformContacts& c) {
   require_positive("prefactor", c.prefactor, "1/m");
   require_non_negative("normal_stiffness", c.normal_stiffness, "N/m");
-  require_non_negative("tangential_stiffness", c.tangential_stiffness, "N/m");
+  require_closed("tangential_stiffness", c.tangential_stiffness, 0,
+                 largest_tangential_ratio * c.normal_stiffness, "N/m");
   require_open("fabric_anisotropy", c.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
-  if (c.normal_stiffness == 0) {
-    require_closed("tangential_stiffness", c.tangential_stiffness, 0, 0, "N/m");
+  if (c.normal_stiffness == 0)
     return {0, 0};
-  }
   return {c.prefactor * c.normal_stiffness, c.tangential_stiffness / c.normal_stiffness};
+}
+
+TransverselyIsotropic strained(const UniformContacts& contacts, Spin spin) {
+  const auto [scale, ratio] = checked(contacts);
+  return transversely_isotropic(
+      kernel::uniform_strain(scale, ratio, kernel::fabric_moments(contacts.fabric_anisotropy), spin));
 }
 
 } // namespace
 
-elastic::TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts) {
-  const auto [scale, ratio] = checked(contacts);
-  return transversely_isotropic(
-      kernel::uniform_strain(scale, ratio, fabric_moments(contacts.fabric_anisotropy)));
+TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts) {
+  return strained(contacts, Spin::none);
 }
 
-elastic::TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts) {
+TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts) {
+  return strained(contacts, Spin::free);
+}
+
+TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts) {
   const auto [scale, ratio] = checked(contacts);
-  const double a = contacts.fabric_anisotropy;
-  return transversely_isotropic(
-      kernel::uniform_stress(scale, ratio, fabric::second_moments(a), fabric_moments(a)));
+  const auto moments = kernel::fabric_moments(contacts.fabric_anisotropy);
+  return transversely_isotropic(kernel::uniform_stress(scale, ratio, moments, moments));
 }
 
 UniformContacts uniform_contacts(const State& state) {
-  const double stiffness = state.law.stiffness_at_force(mean_contact_force(state));
-  return {.prefactor = kernel::prefactor(state),
+  const auto checked = kernel::checked(state);
+  kernel::require_contacts(state);
+  const double stiffness =
+      kernel::contact_stiffness(state.law, checked.geometry.force_area, state.stress_v + 2 * state.stress_h);
+  return {.prefactor = checked.geometry.prefactor,
           .normal_stiffness = stiffness,
           .tangential_stiffness = state.tangential_ratio * stiffness,
           .fabric_anisotropy = state.fabric_anisotropy};
 }
 
-Estimate uniform_strain(const State& state) {
-  Estimate estimate{.stiffness = {}, .validity = require_valid(state)};
-  const auto [reference, moments] = contact_stiffness(state, 1);
-  const double scale = kernel::prefactor(state) * reference;
-  estimate.stiffness = transversely_isotropic(kernel::uniform_strain(scale, state.tangential_ratio, moments));
-  note_instability(state, estimate.stiffness, estimate.validity);
-  return estimate;
-}
+Estimate uniform_strain(const State& state) { return strained(state, Spin::none); }
+
+Estimate free_spin(const State& state) { return strained(state, Spin::free); }
 
 Estimate uniform_stress(const State& state) {
-  Estimate estimate{.stiffness = {}, .validity = require_valid(state)};
-  const auto [reference, moments] = contact_stiffness(state, -1);
-  const double scale = kernel::prefactor(state) * reference;
-  const fabric::SecondMoments F = fabric::second_moments(state.fabric_anisotropy);
-  estimate.stiffness =
-      transversely_isotropic(kernel::uniform_stress(scale, state.tangential_ratio, F, moments));
-  note_instability(state, estimate.stiffness, estimate.validity);
+  kernel::CheckedState checked = kernel::checked(state);
+  const double scale = checked.geometry.prefactor * checked.stiffness;
+  const auto moments = contact_moments(state, checked.loads, -1);
+  const auto fabric = kernel::fabric_moments(state.fabric_anisotropy);
+  Estimate estimate{.stiffness = transversely_isotropic(
+                        kernel::uniform_stress(scale, state.tangential_ratio, fabric, moments)),
+                    .validity = std::move(checked.validity)};
+  note_instability(state, estimate);
   if (state.tangential_ratio == 0)
     estimate.validity.add(
         "uniform stress without tangential stiffness gives zero shear moduli: its force field "
         "lets every contact slide");
   return estimate;
+}
+
+IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing) {
+  const double r = require_non_negative("tangential_ratio", packing.tangential_ratio);
+  require_positive("radius", packing.radius, "m");
+  require_positive("void_ratio", packing.void_ratio);
+  require_non_negative("coordination_number", packing.coordination_number);
+  require_non_negative("pressure", packing.pressure, "Pa");
+  if (packing.coordination_number == 0)
+    return {};
+  const auto [prefactor, force_area] =
+      kernel::geometry(packing.coordination_number, packing.radius, packing.void_ratio);
+  const double scale = prefactor * kernel::contact_stiffness(packing.law, force_area, 3 * packing.pressure);
+  return {.bulk_modulus = scale / 9, .shear_modulus = scale * (2 + 3 * r) / 30};
 }
 
 } // namespace granum::effective

@@ -99,7 +99,7 @@ TEST_CASE("state: every impossible member is refused by name") {
     CHECK(begins(refusal([&](State& s) { s.stress_v = bad; }), "stress_v"));
     CHECK(begins(refusal([&](State& s) { s.stress_h = bad; }), "stress_h"));
   }
-  CHECK(begins(refusal([](State& s) { s.coordination_number = 0; }), "coordination_number"));
+  CHECK(begins(refusal([](State& s) { s.tangential_ratio = 1e20; }), "tangential_ratio"));
   CHECK(begins(refusal([](State& s) { s.void_ratio = 0; }), "void_ratio"));
   CHECK(begins(refusal([](State& s) { s.fabric_anisotropy = 1.4; }), "fabric_anisotropy"));
   CHECK(begins(refusal([](State& s) { s.stress_h = 0; }), "stress_h"));
@@ -123,4 +123,46 @@ TEST_CASE("state: what is possible but outside the derivation is noted") {
   CHECK(notes([](State& s) { s.coordination_number = 12.5; }) == 1);
   CHECK(notes([](State& s) { s.stress_v = s.stress_h = 200e6; }) == 1); // contact radius 0.19 R
   CHECK(notes([](State& s) { s.stress_v = s.stress_h = 10e6; }) == 0);  // 0.07 R
+}
+
+TEST_CASE("state: without contacts moduli are the limit 0, and there is no force to tell") {
+  State none = sample;
+  none.coordination_number = 0;
+  CHECK(effective::require_valid(none).notes.size() == 1);
+  CHECK(effective::prefactor(none) == 0);
+  CHECK_THROWS_AS((void)effective::mean_contact_force(none), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::static_force_field(none), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::uniform_contacts(none), InvalidArgument);
+  for (const auto estimate : {effective::uniform_strain, effective::free_spin, effective::uniform_stress})
+    for (const double stress : {0.0, 1e5}) {
+      none.stress_v = none.stress_h = stress;
+      CHECK(estimate(none).stiffness == elastic::TransverselyIsotropic{});
+    }
+  State few = sample; // K ~ C_n^(alpha/(1+alpha))
+  few.coordination_number *= 0x1p-12;
+  CHECK(close(effective::uniform_strain(few).stiffness.C11 * 256,
+              effective::uniform_strain(sample).stiffness.C11, 1e-14));
+}
+
+TEST_CASE("state: stresses at the end of the range of doubles") {
+  const State base = state_of(2, 0.3, 0.15, 2e5, 1e5);
+  const auto reference = effective::uniform_strain(base).stiffness;
+  for (const int lift : {-1050, -1026, -990, 100}) { // subnormal stresses first
+    State s = base;
+    s.stress_v = std::ldexp(s.stress_v, lift);
+    s.stress_h = std::ldexp(s.stress_h, lift);
+    CAPTURE(lift);
+    // 2e5 2^-1050 keeps 41 binary digits of the stress.
+    const double tolerance = lift < -1026 ? 1e-12 : 2e-14;
+    CHECK(
+        close(effective::uniform_strain(s).stiffness.C33, std::exp2(lift / 3.0) * reference.C33, tolerance));
+  }
+  State tiny = base;
+  tiny.stress_v = tiny.stress_h = 5e-324;
+  CHECK(all_finite(effective::uniform_strain(tiny).stiffness));
+  State huge = base;
+  huge.stress_v = huge.stress_h = 1e307;
+  CHECK(all_finite(effective::uniform_strain(huge).stiffness));
+  tiny.stress_v = 1e-300;
+  CHECK(refusal([&](State& s) { s = tiny; }).find("nan") == std::string::npos);
 }

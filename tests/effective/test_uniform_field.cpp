@@ -193,6 +193,30 @@ TEST_CASE("uniform field: limits of the contact stiffness") {
   }
 }
 
+TEST_CASE("uniform field: the two isotropic moduli alone") {
+  for (const double alpha : {1.0, 1.5, 2.0, infinity})
+    for (const double pressure : {0.0, 1e-300, 1e5, 1e12})
+      for (const double coordination : {1e-3, 5.0, 14.0}) {
+        State s = state_of(alpha, 0, 0.15, pressure, pressure);
+        s.coordination_number = coordination;
+        const effective::IsotropicPacking packing{.law = s.law,
+                                                  .tangential_ratio = s.tangential_ratio,
+                                                  .radius = s.radius,
+                                                  .void_ratio = s.void_ratio,
+                                                  .coordination_number = coordination,
+                                                  .pressure = pressure};
+        const auto moduli = effective::uniform_strain_moduli(packing);
+        const auto stiffness = effective::uniform_strain(s).stiffness;
+        CHECK(close(moduli.bulk_modulus, stiffness.bulk_modulus(), 4e-15)); // K: a sum of four of them
+        CHECK(close(moduli.shear_modulus, stiffness.G_vh(), 4e-15));
+        auto rough = packing;
+        rough.tangential_ratio = 1e20;
+        CHECK(effective::uniform_strain_moduli(rough).bulk_modulus == moduli.bulk_modulus);
+        rough.pressure = -1;
+        CHECK_THROWS_AS((void)effective::uniform_strain_moduli(rough), InvalidArgument);
+      }
+}
+
 TEST_CASE("uniform field: bad input") {
   const UniformContacts good{.prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1};
   const auto refused = [&](auto change) {
@@ -208,5 +232,6 @@ TEST_CASE("uniform field: bad input") {
   }
   refused([](UniformContacts& c) { c.prefactor = 0; });
   refused([](UniformContacts& c) { c.normal_stiffness = 0; });
+  refused([](UniformContacts& c) { c.tangential_stiffness = 1e20; });
   refused([](UniformContacts& c) { c.fabric_anisotropy = -2.5; });
 }

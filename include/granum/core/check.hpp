@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 /// Range checks of public functions. Each returns its value, so that a check can stand where the value is
@@ -10,19 +11,54 @@
 /// Checked by tests/core/test_check.cpp
 namespace granum {
 
+/// What the checks share: cold, so that a check that passes costs a comparison.
+namespace detail {
+[[noreturn]] void refuse(std::string_view name, double value, std::string_view unit, const char* range);
+[[noreturn]] void refuse_open(std::string_view name, double value, std::string_view unit, double low,
+                              double high);
+[[noreturn]] void refuse_closed(std::string_view name, double value, std::string_view unit, double low,
+                                double high);
+inline constexpr double largest = std::numeric_limits<double>::max();
+} // namespace detail
+
 /// Any finite number.
-double require_finite(std::string_view name, double value, std::string_view unit = "");
+inline double require_finite(std::string_view name, double value, std::string_view unit = "") {
+  if (!(value >= -detail::largest && value <= detail::largest)) [[unlikely]]
+    detail::refuse(name, value, unit, "(-inf, inf)");
+  return value;
+}
 /// value > 0 and finite.
-double require_positive(std::string_view name, double value, std::string_view unit = "");
+inline double require_positive(std::string_view name, double value, std::string_view unit = "") {
+  if (!(value > 0 && value <= detail::largest)) [[unlikely]]
+    detail::refuse(name, value, unit, "(0, inf)");
+  return value;
+}
 /// value >= 0 and finite.
-double require_non_negative(std::string_view name, double value, std::string_view unit = "");
+inline double require_non_negative(std::string_view name, double value, std::string_view unit = "") {
+  if (!(value >= 0 && value <= detail::largest)) [[unlikely]]
+    detail::refuse(name, value, unit, "[0, inf)");
+  return value;
+}
 /// low <= value <= high.
-double require_closed(std::string_view name, double value, double low, double high,
-                      std::string_view unit = "");
+inline double require_closed(std::string_view name, double value, double low, double high,
+                             std::string_view unit = "") {
+  if (!(value >= low && value <= high)) [[unlikely]]
+    detail::refuse_closed(name, value, unit, low, high);
+  return value;
+}
 /// low < value < high.
-double require_open(std::string_view name, double value, double low, double high, std::string_view unit = "");
+inline double require_open(std::string_view name, double value, double low, double high,
+                           std::string_view unit = "") {
+  if (!(value > low && value < high)) [[unlikely]]
+    detail::refuse_open(name, value, unit, low, high);
+  return value;
+}
 
 /// Poisson's ratio of an isotropic elastic solid: -1 < value <= 0.5.
-double require_poisson_ratio(std::string_view name, double value);
+inline double require_poisson_ratio(std::string_view name, double value) {
+  if (!(value > -1 && value <= 0.5)) [[unlikely]]
+    detail::refuse(name, value, "", "(-1, 0.5]");
+  return value;
+}
 
 } // namespace granum

@@ -7,7 +7,7 @@
 namespace granum::effective {
 
 /// Moduli whose growth with stress is asked for. G_vh = G_hv = C44, G_hh = C66.
-enum class Modulus { K, G_hh, G_vh, E_v, E_h, C11, C33 };
+enum class Modulus { K, G_hh, G_vh, E_v, E_h, C11, C33, C12, C13 };
 
 /// Local exponents of a modulus X at a state of constant C_n, e and a. Of G_ij = const sigma_i^m sigma_j^n
 /// the exponent m belongs to i: for G_hv, m = stress_h and n = stress_v; for G_vh the other way round.
@@ -22,9 +22,15 @@ struct StressExponents {
 [[nodiscard]] double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which);
 
 /// Exponents of a modulus of uniform_strain(state), differentiated exactly under the integral.    [Chung2014]
-/// \throws   InvalidArgument as require_valid(State), and if the stresses are zero
+/// \throws   InvalidArgument as require_valid(State), without stress or contacts, and where the modulus is
+///           zero, as C12 and C13 at k_t = k_n
 /// Accuracy  1e-12 absolute.  Checked by tests/effective/test_exponents.cpp
 [[nodiscard]] StressExponents uniform_strain_exponents(const State& state, Modulus which);
+
+/// Exponents of a modulus of free_spin(state).
+/// \throws   InvalidArgument as uniform_strain_exponents
+/// Accuracy  1e-12 absolute.  Checked by tests/effective/test_exponents.cpp
+[[nodiscard]] StressExponents free_spin_exponents(const State& state, Modulus which);
 
 /// Exponents of a modulus of uniform_stress(state).
 /// \throws   InvalidArgument as uniform_strain_exponents, and for G and E at k_t = 0, where they vanish

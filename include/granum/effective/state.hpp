@@ -15,10 +15,10 @@ struct State {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
   contact::PowerLaw law;              ///< normal contact of two grains
-  double tangential_ratio = unset;    ///< k_t/k_n >= 0, e.g. contact::mindlin_stiffness_ratio(nu_g)
+  double tangential_ratio = unset;    ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
   double radius = unset;              ///< R > 0 of a grain [m]; branch length 2 R
   double void_ratio = unset;          ///< e > 0
-  double coordination_number = unset; ///< C_n = 2 N_c/N over all grains, > 0
+  double coordination_number = unset; ///< C_n = 2 N_c/N over all grains, >= 0
   double fabric_anisotropy = 0;       ///< a of E(gamma; a), in (-7/3, 7/5), a density in [-1, 1]
   double stress_v = unset;            ///< vertical stress, compression positive [Pa]
   double stress_h = unset;            ///< horizontal stress in both directions, compression positive [Pa]
@@ -27,9 +27,14 @@ struct State {
 /// Checks every member of a state.
 /// Stresses are both zero or both positive: grains without bonds carry no tension, and a zero stress across
 /// loaded contacts asks for unlimited friction. Forces of the static field may differ by a factor of 1e4.
-/// \throws   InvalidArgument naming the first member that no packing can have
-/// \return   notes if |a| > 1, if C_n > 12 (equal spheres touch at most 12), or if the largest contact radius
-///           exceeds a tenth of the grain radius, where contact laws of the half-space no longer hold
+/// k_t/k_n is at most 4/3 in elastic grains (nu_g = -1); beyond 100 the bulk modulus would drown in the
+/// rounding of the five constants. C_n = 0 is taken as a limit: forces grow as 1/C_n, k_n no faster than
+/// C_n^(-1/2), so that every modulus falls to 0 with the number of contacts.
+/// \throws   InvalidArgument naming the first member that no packing can have, or "force" where the contact
+///           force is beyond what a double holds
+/// \return   notes if |a| > 1, if C_n = 0 (nothing carries the stress), if C_n > 12 (equal spheres touch at
+///           most 12), or if the largest contact radius exceeds a tenth of the grain radius, where contact
+///           laws of the half-space no longer hold
 /// Checked by tests/effective/test_state.cpp
 Validity require_valid(const State& state);
 
@@ -41,7 +46,7 @@ Validity require_valid(const State& state);
 
 /// Mean normal contact force 4 pi R^2 (1+e) p/C_n at the mean stress p = (stress_v + 2 stress_h)/3 [N].
 /// Exact for equal spheres in static equilibrium, whatever the fabric.
-/// \throws   InvalidArgument as require_valid
+/// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);
 
@@ -64,7 +69,7 @@ struct StaticForceField {
 
 /// Forces of the static hypothesis at this state; their mean normal part is mean_contact_force. They
 /// balance the stress, but not every single grain.                                            [ChangLiao1994]
-/// \throws   InvalidArgument as require_valid
+/// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  8 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] StaticForceField static_force_field(const State& state);
 

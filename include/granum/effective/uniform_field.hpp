@@ -11,7 +11,7 @@ namespace granum::effective {
 struct UniformContacts {
   double prefactor = State::unset;            ///< P = N_c l^2/V > 0 [1/m]
   double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
-  double tangential_stiffness = State::unset; ///< k_t >= 0 [N/m]; 0 if k_n is 0
+  double tangential_stiffness = State::unset; ///< k_t in [0, 100 k_n] [N/m]
   double fabric_anisotropy = 0;               ///< a in (-7/3, 7/5)
 };
 
@@ -29,6 +29,14 @@ struct Estimate {
 /// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts);
 
+/// The same if all grains may spin alike, as their energy likes best: a tighter upper bound. In a plane ij
+///   C_ijij = P [<(k_n-k_t) n_i^2 n_j^2> + A_i A_j/(A_i+A_j)],  A_i = <k_t n_i^2>,
+/// where uniform strain has (A_i+A_j)/4 for the last term. Only C44 differs, and only if A_1 != A_3: by
+/// fabric, or by stiffness that depends on direction.
+/// \throws   InvalidArgument if a member is out of its range
+/// Accuracy  relative 1e-14.  Checked by tests/effective/test_free_spin.cpp
+[[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
+
 /// Stiffness if the contact forces are df = (l/P) dstress F^-1 n, contacts of uniform stiffness: from the
 /// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. No lower
 /// bound: the forces do not balance grain by grain.                          [ChangLiao1994; YimsiriSoga2000]
@@ -39,18 +47,23 @@ struct Estimate {
 /// The state with all contacts at the stiffness of the mean force: rungs 0 and 1 of the ladder. Equal to what
 /// uniform_strain and uniform_stress use only where the static forces do not depend on direction (a = 0 and
 /// stress_v = stress_h) or the law is linear; else they go further and take k_n(f_n(gamma)).
-/// \throws   InvalidArgument as require_valid(State)
+/// \throws   InvalidArgument as require_valid(State), and if C_n = 0
 /// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
 [[nodiscard]] UniformContacts uniform_contacts(const State& state);
 
 /// Stiffness under uniform strain with k_n(gamma) = k_n(f_n(gamma)) of the static force field and
 /// k_t = tangential_ratio k_n. Fabric alone makes the forces depend on direction: with a != 0 the sparse
 /// directions carry more force a contact, also at stress_v = stress_h. Unloaded (both stresses 0): exactly
-/// 0, or the constant of a flat punch.                                             [Chung2014; ChangLiao1994]
+/// 0, or the constant of a flat punch. Without contacts (C_n = 0): 0.              [Chung2014; ChangLiao1994]
 /// Assumes   grains do not spin on average; C_n and a are those of this very state.
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_strain(const State& state);
+
+/// The same with a free mean spin, see free_spin_stiffness: not above uniform_strain in any direction.
+/// \throws   InvalidArgument as require_valid(State)
+/// Accuracy  relative 1e-12.  Checked by tests/effective/test_free_spin.cpp
+[[nodiscard]] Estimate free_spin(const State& state);
 
 /// Stiffness under the static hypothesis with the same k_n(f_n(gamma)); see uniform_strain and
 /// uniform_stress_stiffness. Adds a note if k_t = 0, where its shear moduli vanish by construction.
@@ -58,5 +71,26 @@ struct Estimate {
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_stress(const State& state);
+
+/// A packing that has no directions: State with one stress and no fabric.
+struct IsotropicPacking {
+  contact::PowerLaw law;                     ///< normal contact of two grains
+  double tangential_ratio = State::unset;    ///< k_t/k_n >= 0
+  double radius = State::unset;              ///< R > 0 of a grain [m]
+  double void_ratio = State::unset;          ///< e > 0
+  double coordination_number = State::unset; ///< C_n >= 0
+  double pressure = State::unset;            ///< p >= 0 [Pa]
+};
+
+struct IsotropicModuli {
+  double bulk_modulus = 0;  ///< K [Pa]
+  double shear_modulus = 0; ///< G [Pa]
+};
+
+/// K = P k_n/9 and G = P (2 k_n + 3 k_t)/30 alone, for the many calls of a fit or a table; the same as
+/// uniform_strain, without notes on validity. K has no cancellation at any k_t/k_n. [Walton1987; Digby1981]
+/// \throws   InvalidArgument if a member is out of its range
+/// Accuracy  8 ulp.  Checked by tests/effective/test_uniform_field.cpp
+[[nodiscard]] IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing);
 
 } // namespace granum::effective

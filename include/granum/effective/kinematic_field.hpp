@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/effective/state.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+/// Contact forces of a uniform strain, the counterpart of the static hypothesis.
+namespace granum::effective {
+
+/// Forces of contacts that have followed a mean strain on a proportional path from zero, without spin and
+/// without slip: d = l (strain_h sin^2 gamma + strain_v cos^2 gamma), f_n = c d^(1+1/alpha), and since k_t
+/// grows on the way, f_t = alpha/(1+alpha) k_t d_t with d_t = l (strain_h - strain_v) sin gamma cos gamma.
+struct KinematicForceField {
+  contact::PowerLaw law;
+  double tangential_ratio = 0; ///< k_t/k_n
+  double branch_length = 0;    ///< l = 2 R [m]
+  double strain_v = 0;         ///< compression positive
+  double strain_h = 0;         ///< in both horizontal directions
+
+  /// d at n3 = cos gamma [m]; n3 in [-1, 1], not checked.
+  [[nodiscard]] double overlap(double n3) const;
+  /// f_n at n3 [N].
+  [[nodiscard]] double normal_force(double n3) const { return law.force(overlap(n3)); }
+  /// f_t along growing gamma at n3 >= 0 [N].
+  [[nodiscard]] double tangential_force(double n3) const;
+};
+
+/// The field whose mean stress sum f_i n_j l/V is that of the state; no strain if the state bears none.
+///                                                                     [JenkinsStrack1993; ChangLiao1994]
+/// Assumes   all contacts of the fabric carry force: C_n and a are those of this very state, so that a strain
+///           that opens some of them contradicts it. That bounds the stress ratio: at k_t = k_n hardly,
+///           at k_t = 0 and a = 0 for spheres to stress_v/stress_h in about (2/5, 4).
+/// \throws   InvalidArgument as require_valid, if C_n = 0, or if the strains of all-compressed directions
+///           (ratio strain_v/strain_h within [1e-4, 1e4]) cannot give the stress ratio; the text names the
+///           range that they can
+/// Accuracy  relative 1e-12 for the strains.  Checked by tests/effective/test_kinematic_field.cpp
+[[nodiscard]] KinematicForceField kinematic_force_field(const State& state);
+
+/// Stiffness under uniform strain with k_n(gamma) of the kinematic field: rung 2 with forces from the same
+/// hypothesis as the moduli. It is (1+alpha)/alpha times the secant stiffness that links the field's stress
+/// to its strain. Unloaded, without contacts and for flat punches as uniform_strain.
+/// \throws   InvalidArgument as kinematic_force_field, but not for C_n = 0
+/// Accuracy  relative 1e-11.  Checked by tests/effective/test_kinematic_field.cpp
+[[nodiscard]] Estimate uniform_strain_kinematic(const State& state);
+
+/// Stiffness under the static hypothesis with the same k_n(gamma): not consistent in itself, and there to
+/// tell how much of the difference between uniform_strain and uniform_stress lies in the forces.
+/// \throws   InvalidArgument as kinematic_force_field, but not for C_n = 0
+/// Accuracy  relative 1e-11.  Checked by tests/effective/test_kinematic_field.cpp
+[[nodiscard]] Estimate uniform_stress_kinematic(const State& state);
+
+} // namespace granum::effective

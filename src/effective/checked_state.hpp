@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/validity.hpp>
+
+#include "kernels.hpp"
+
+namespace granum::effective::kernel {
+
+/// A state that has passed require_valid, and what every estimate needs of it.
+struct CheckedState {
+  Geometry<double> geometry;
+  NormalLoads<double> loads; ///< of the static field
+  double stiffness = 0;      ///< k_n at the geometric mean of the loads, 0 without contacts [N/m]
+  Validity validity;
+};
+
+/// \throws   InvalidArgument as require_valid
+CheckedState checked(const State& state);
+
+/// Without contacts there is nothing that could carry a force.
+/// \throws   InvalidArgument if C_n = 0
+void require_contacts(const State& state);
+
+} // namespace granum::effective::kernel

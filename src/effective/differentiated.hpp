@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The estimates with their derivatives: the kernels at dual numbers.
+#pragma once
+
+#include <granum/effective/gradients.hpp>
+
+#include "checked_state.hpp"
+#include "dual.hpp"
+
+namespace granum::effective::kernel {
+
+/// By what a Dual<N> of this file is differentiated: the first N of these.
+enum Seed { log_stress_v, log_stress_h, log_coordination, log_radius, voids, anisotropy, shape, ratio };
+
+/// All of them: Seed::ratio is the last.
+inline constexpr int all_seeds = 8;
+/// The stresses alone.
+inline constexpr int stress_seeds = 2;
+
+template <int N>
+Dual<N> seeded(double value, Seed seed, double slope = 1) {
+  Dual<N> x(value);
+  if (seed < N)
+    x.derivatives()[seed] = slope;
+  return x;
+}
+template <int N>
+Dual<N> log_seeded(double value, Seed seed) {
+  return seeded<N>(value, seed, value);
+}
+
+/// d ln k_n/d alpha at a given force and a given profile constant A; 0 for the flat punch, where A^(-1/alpha)
+/// is its radius.
+double log_stiffness_by_shape(const contact::PowerLaw& law, double log_force);
+
+/// k_n of the force area x load, by the chain rule of ln k_n.
+template <int N>
+Dual<N> contact_stiffness(const contact::PowerLaw& law, const Dual<N>& area, const Dual<N>& load) {
+  const double value = contact_stiffness(law, area.value(), load.value());
+  Dual<N> k(value, (area.derivatives() / area.value() + load.derivatives() / load.value()) *
+                       (value * law.stiffness_exponent()));
+  if constexpr (shape < N)
+    k.derivatives()[shape] +=
+        value * log_stiffness_by_shape(law, std::log(area.value()) + std::log(load.value()));
+  return k;
+}
+
+/// Means of f^exponent over the directions. Only stresses move: straight away.
+inline AxialMoments<Dual<stress_seeds>>
+moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root, const Dual<stress_seeds>& exponent) {
+  if (exponent.value() == 0)
+    return fabric_moments(a);
+  const double c2 = root.value();
+  const auto to_exponent = [&](const Dual<stress_seeds>& f) { return power(f, exponent.value()); };
+  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
+}
+
+/// The same by way of the four numbers that the nodes see, so that each node carries four derivatives.
+inline AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
+                                                const Dual<all_seeds>& exponent) {
+  using Node = Dual<4>;
+  const Dual<all_seeds> inverse = 1 / root;
+  const double c2 = root.value();
+  const Node node_exponent(exponent.value(), 4, 3);
+  const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
+  const AxialMoments<Node> m = direction_moments(
+      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
+  const auto outer = [&](const Node& x) -> Dual<all_seeds> {
+    const auto& d = x.derivatives();
+    return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
+                           d[3] * exponent.derivatives()};
+  };
+  return {.m0 = outer(m.m0), .m2 = outer(m.m2), .m4 = outer(m.m4)};
+}
+
+/// The stiffness of a model with derivatives by the first N seeds. Assumes a checked, loaded state.
+template <int N>
+Constants<Dual<N>> differentiated(const State& s, const Model& model) {
+  using T = Dual<N>;
+  const T stress_v = log_seeded<N>(s.stress_v, log_stress_v);
+  const T stress_h = log_seeded<N>(s.stress_h, log_stress_h);
+  const T a = seeded<N>(s.fabric_anisotropy, anisotropy);
+  const T r = seeded<N>(s.tangential_ratio, ratio);
+  const double b = s.law.stiffness_exponent();
+  const Geometry<T> packing = geometry(log_seeded<N>(s.coordination_number, log_coordination),
+                                       log_seeded<N>(s.radius, log_radius), seeded<N>(s.void_ratio, voids));
+  const AxialMoments<T> fabric = fabric_moments(a);
+  const bool by_stress = model.hypothesis == Hypothesis::uniform_stress;
+
+  AxialMoments<T> moments = fabric;
+  T load = stress_v + 2 * stress_h;
+  if (model.forces == ContactForces::by_direction) {
+    const NormalLoads<T> loads = static_loads(a, stress_v, stress_h);
+    const T root = sqrt(T(loads.horizontal / loads.vertical));
+    load = root * loads.vertical;
+    const double sign = by_stress ? -1 : 1;
+    moments = moments_of(a, root, seeded<N>(sign * b, shape, -sign * b * b)); // d b/d alpha = -b^2
+  }
+  const T scale = packing.prefactor * contact_stiffness(s.law, packing.force_area, load);
+  if (by_stress)
+    return uniform_stress(scale, r, fabric, moments);
+  return uniform_strain(scale, r, moments,
+                        model.hypothesis == Hypothesis::free_spin ? Spin::free : Spin::none);
+}
+
+/// A modulus of five constants, with the derivatives that they carry.
+template <class T>
+T modulus(const Constants<T>& c, Modulus which) {
+  const T determinant = c.C33 * (c.C11 + c.C12) - 2 * c.C13 * c.C13;
+  switch (which) {
+  case Modulus::K:
+    return (2 * c.C11 + c.C33 + 2 * c.C12 + 4 * c.C13) / 9;
+  case Modulus::G_hh:
+    return (c.C11 - c.C12) / 2;
+  case Modulus::G_vh:
+    return c.C44;
+  case Modulus::E_v:
+    return determinant / (c.C11 + c.C12);
+  case Modulus::E_h:
+    return 2 * determinant * (c.C11 - c.C12) / (c.C33 * (c.C11 - c.C12) + determinant);
+  case Modulus::C11:
+    return c.C11;
+  case Modulus::C33:
+    return c.C33;
+  case Modulus::C12:
+    return c.C12;
+  case Modulus::C13:
+    return c.C13;
+  }
+  return T(0); // not reached: the public function has refused other values
+}
+
+/// What derivatives need beyond a valid state: stress and contacts, and for a Young's modulus of uniform
+/// stress k_t.
+/// \throws   InvalidArgument otherwise
+void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which);
+
+/// The modulus of the five plain constants [Pa].
+/// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite
+template <int N>
+double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
+  return effective::modulus({.C11 = c.C11.value(),
+                             .C33 = c.C33.value(),
+                             .C12 = c.C12.value(),
+                             .C13 = c.C13.value(),
+                             .C44 = c.C44.value()},
+                            which);
+}
+
+} // namespace granum::effective::kernel

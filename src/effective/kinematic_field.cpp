@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts that have been loaded in proportion respond by f = alpha/(1+alpha) (k_n d_n n + k_t d_t), so that
+// stress = alpha/(1+alpha) C strain with the tangent stiffness C of the same contacts: the kernel of uniform
+// strain serves for both. The law is homogeneous, and the ratio of the strains, exp(t), is the one unknown.
+#include <granum/effective/kinematic_field.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+#include "checked_state.hpp"
+
+namespace granum::effective {
+
+namespace {
+
+using kernel::AxialMoments;
+
+/// Strains exp(t/2) along the axis and exp(-t/2) across, t = ln(strain_v/strain_h).
+const double largest_t = std::log(1e4);
+
+/// Moments of (k_n/k_ref)^sign at such strains, k_ref that of an overlap of l times strain 1.
+AxialMoments<double> strain_moments(const State& s, double t, double sign) {
+  const double exponent = sign / s.law.alpha(); // k_n ~ d^(1/alpha)
+  if (exponent == 0 || t == 0)
+    return kernel::fabric_moments(s.fabric_anisotropy);
+  const double root = std::exp(-t / 2);
+  const auto power = [exponent](double d) { return kernel::power(d, exponent); };
+  return kernel::direction_moments(s.fabric_anisotropy, root, 1 / root, root, power,
+                                   kernel::rule_for(root * root));
+}
+
+struct Stresses {
+  double v;
+  double h;
+};
+
+/// Stresses over P/l c (l strain)^(1+1/alpha).
+Stresses stresses_at(const State& s, double t) {
+  const auto c = kernel::uniform_strain(1.0, s.tangential_ratio, strain_moments(s, t, 1), kernel::Spin::none);
+  const double v = std::exp(t / 2), h = std::exp(-t / 2);
+  return {.v = c.C33 * v + 2 * c.C13 * h, .h = (c.C11 + c.C12) * h + c.C13 * v};
+}
+
+[[noreturn]] void refuse(const State& s) {
+  const auto ratio = [&](double t) {
+    const Stresses stress = stresses_at(s, t);
+    return stress.v / stress.h;
+  };
+  const double low = ratio(-largest_t), high = ratio(largest_t);
+  const auto bound = [](double x) { return x > 0 ? std::to_string(x) : std::string("0"); };
+  throw InvalidArgument("stress_v/stress_h", s.stress_v / s.stress_h, "",
+                        "(" + bound(low) + ", " + (high > 0 ? std::to_string(high) : "inf") +
+                            "), beyond which a uniform strain opens contacts");
+}
+
+/// The ratio of strains whose stresses stand in the ratio of the state's.
+double strain_ratio(const State& s) {
+  const double share = s.stress_v / (s.stress_v + s.stress_h);
+  const auto excess = [&](double t) { // grows with t, of the size of 1 where both stresses are positive
+    const Stresses stress = stresses_at(s, t);
+    return ((1 - share) * stress.v - share * stress.h) / (std::abs(stress.v) + std::abs(stress.h));
+  };
+  const double low = excess(-largest_t), high = excess(largest_t);
+  if (!(low < 0 && high > 0))
+    refuse(s);
+  std::uintmax_t steps = 200;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      excess, -largest_t, largest_t, low, high, boost::math::tools::eps_tolerance<double>(52), steps);
+  return (left + right) / 2;
+}
+
+/// The strains exp(t/2) and exp(-t/2) times one that takes a contact to the force force_area load.
+struct Solution {
+  double t = 0;
+  double load = 0; ///< [Pa]
+};
+
+Solution solve(const State& s) {
+  if (s.stress_v == 0)
+    return {};
+  const double t = strain_ratio(s);
+  const Stresses stress = stresses_at(s, t);
+  return {.t = t, .load = (s.stress_v + 2 * s.stress_h) / (stress.v + 2 * stress.h)};
+}
+
+struct Field {
+  kernel::CheckedState checked;
+  Solution solution;
+  double scale = 0; ///< P k_ref
+};
+
+Field field(const State& s) {
+  Field field{.checked = kernel::checked(s), .solution = {}, .scale = 0};
+  if (s.coordination_number == 0)
+    return field;
+  const auto& [prefactor, force_area] = field.checked.geometry;
+  field.solution = solve(s);
+  field.scale = prefactor * kernel::contact_stiffness(s.law, force_area, field.solution.load);
+  return field;
+}
+
+Estimate estimate(Field&& field, const kernel::Constants<double>& c) {
+  return {.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44},
+          .validity = std::move(field.checked.validity)};
+}
+
+} // namespace
+
+double KinematicForceField::overlap(double n3) const {
+  return branch_length * (strain_h * (1 - n3) * (1 + n3) + strain_v * n3 * n3);
+}
+
+double KinematicForceField::tangential_force(double n3) const {
+  const double slide = branch_length * (strain_h - strain_v) * n3 * std::sqrt((1 - n3) * (1 + n3));
+  return tangential_ratio * law.stiffness_at_overlap(overlap(n3)) / law.force_exponent() * slide;
+}
+
+KinematicForceField kinematic_force_field(const State& s) {
+  const auto checked = kernel::checked(s);
+  kernel::require_contacts(s);
+  const Solution solution = solve(s);
+  const double strain = s.law.overlap(checked.geometry.force_area * solution.load) / (2 * s.radius);
+  return {.law = s.law,
+          .tangential_ratio = s.tangential_ratio,
+          .branch_length = 2 * s.radius,
+          .strain_v = strain * std::exp(solution.t / 2),
+          .strain_h = strain * std::exp(-solution.t / 2)};
+}
+
+Estimate uniform_strain_kinematic(const State& s) {
+  Field f = field(s);
+  const auto moments = strain_moments(s, f.solution.t, 1);
+  const double scale = f.scale;
+  return estimate(std::move(f),
+                  kernel::uniform_strain(scale, s.tangential_ratio, moments, kernel::Spin::none));
+}
+
+Estimate uniform_stress_kinematic(const State& s) {
+  Field f = field(s);
+  const auto moments = strain_moments(s, f.solution.t, -1);
+  const auto fabric = kernel::fabric_moments(s.fabric_anisotropy);
+  const double scale = f.scale;
+  return estimate(std::move(f), kernel::uniform_stress(scale, s.tangential_ratio, fabric, moments));
+}
+
+} // namespace granum::effective
