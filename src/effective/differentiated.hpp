@@ -2,6 +2,9 @@
 // The estimates with their derivatives: the kernels at dual numbers.
 #pragma once
 
+#include <cmath>
+
+#include <granum/core/error.hpp>
 #include <granum/effective/gradients.hpp>
 
 #include "checked_state.hpp"
@@ -136,9 +139,12 @@ T modulus(const Constants<T>& c, Modulus which) {
 void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which);
 
 /// The modulus of the five plain constants [Pa].
-/// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite
+/// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite, and where
+///           the stiffness is beyond what a double holds
 template <int N>
 double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
+  if (!std::isfinite(c.C11.value()) || !std::isfinite(c.C33.value()))
+    throw InvalidArgument("the moduli exceed what a double can hold");
   return effective::modulus({.C11 = c.C11.value(),
                              .C33 = c.C33.value(),
                              .C12 = c.C12.value(),

@@ -174,7 +174,9 @@ granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --c
   ${state} --profile-constant 180)
 granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
-granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state} --tangential-ratio 1e305)
+granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
+granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state}
+  --contact flat --punch-radius 1m --radius 1nm --grain-shear-modulus 1e300Pa)
 
 granum_cli_test("estimate: unwritable output" EXIT 3 STDERR "no such folder/estimate\\.json: cannot be written"
   ARGS estimate ${state} --json --out "no such folder/estimate.json")

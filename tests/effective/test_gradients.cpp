@@ -211,4 +211,10 @@ TEST_CASE("gradients: refused where a derivative does not exist") {
   const Gradient G = effective::gradient(s, {.hypothesis = Hypothesis::uniform_stress}, Modulus::G_vh);
   CHECK(G.value == 0);
   CHECK(G[Input::tangential_ratio] > 0);
+  // Punches of a metre on grains of a nanometre, of a solid beyond any: infinite moduli.
+  State huge = s;
+  huge.law = contact::PowerLaw::flat({1e300, 0.15}, 1);
+  huge.radius = 1e-9;
+  CHECK_THROWS_AS((void)effective::gradient(huge, {}, Modulus::K), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::uniform_strain_exponents(huge, Modulus::K), InvalidArgument);
 }
