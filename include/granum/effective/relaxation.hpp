@@ -42,8 +42,8 @@ struct Relaxation {
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
-/// Accuracy  G: 3 % rms and 8 % at worst, K: 2 % rms, on contact shapes left out of the fit, r >= 0.5; below,
-///           G 4 % and K up to 15 %. Rounding: relative 1e-13.
+/// Accuracy  of packings left out of the fit, r >= 0.5: G 3 % rms and 9 % at worst; K 2 % rms, worse for
+///           z* < 4.3. At r = 0.1: G 3 %, K 6 %; at r = 0: 7 % and 8 %. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent);
@@ -71,7 +71,7 @@ struct RelaxedEstimate {
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
 /// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none
 /// \throws   InvalidArgument as require_valid(State) and relaxation
-/// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1.
+/// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.28.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number);
 
