@@ -249,9 +249,9 @@ class Record {
       end = line.find(',', end + 1);
     return line.substr(0, end);
   }
-  [[nodiscard]] bool has(const Row& key) {
+  [[nodiscard]] bool has(const Row& row) {
     const std::lock_guard lock(mutex_);
-    return done_.count(key.cells) > 0;
+    return done_.count(key_of(row.cells)) > 0;
   }
   void append(const Row& row) {
     const std::lock_guard lock(mutex_);
@@ -269,7 +269,7 @@ class Record {
   std::mutex mutex_;
 };
 
-/// The first six columns, which name a state.
+/// The first columns: six that name a state, and what else it was made with.
 Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, const Stage& stage,
         std::size_t number) {
   Row row;
@@ -316,9 +316,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
   std::size_t last_missing = 0;
   for (std::size_t k = 0; k < preparation.path.size(); ++k) {
     keys.push_back(key(shape, preparation, seed, preparation.path[k], k));
-    Row first_six = keys.back();
-    first_six.cells = Record::key_of(first_six.cells);
-    if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(first_six))
+    if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(keys.back()))
       last_missing = k + 1;
   }
   if (last_missing == 0)
@@ -341,9 +339,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
       throw std::runtime_error("stage " + std::to_string(k) + " became unstable");
     engine.rest();
     state = engine.state();
-    Row first_six = keys[k];
-    first_six.cells = Record::key_of(first_six.cells);
-    if (record.has(first_six))
+    if (record.has(keys[k]))
       continue;
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
     if (!(frozen.report.unbalanced_force_ratio < 1e-6))
