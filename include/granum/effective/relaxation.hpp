@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/validity.hpp>
+#include <granum/effective/state.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+/// Rung 3: what uniform strain (rungs 0 to 2) makes too much of because grains do not follow the mean
+/// strain. Calibrated on contact networks of granum's own specimens; validation/relaxation holds the data,
+/// the fit and the errors.
+namespace granum::effective {
+
+/// A factor and its standard error from the covariance of the coefficients and the scatter of specimens.
+struct RelaxationFactor {
+  double value = 0;          ///< modulus over that of uniform strain with k_n at the mean force [1]
+  double relative_error = 0; ///< standard error over value [1]; 0 where value is 0
+};
+
+struct Relaxation {
+  RelaxationFactor shear; ///< of G
+  RelaxationFactor bulk;  ///< of K
+  Validity validity;
+};
+
+/// z* = C_n/(1 - x_0), coordination number without the rattlers.                        [AgnolinRoux2007]
+/// Assumes   rattlers carry no contacts. Those that do, grains with one contact, make the true z* smaller by
+///           2 N_x/(N (1 - x_0)), N_x their contacts: less than 1 % for specimens at rest.
+/// \param    coordination_number   C_n >= 0 over all grains [1]
+/// \param    rattler_fraction      x_0 in [0, 1) [1]
+/// \throws   InvalidArgument if a value is out of its range
+/// Accuracy  1 ulp of the formula.  Checked by tests/effective/test_relaxation.cpp
+[[nodiscard]] double mechanical_coordination_number(double coordination_number, double rattler_fraction);
+
+/// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.9; 6 for
+/// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
+/// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
+/// depend weakly on the contact law, as the scatter of its stiffnesses does.
+/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
+/// \param    mechanical_coordination_number   z* >= 0 [1]
+/// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
+/// \param    stiffness_exponent               b of k_n ~ f^b, PowerLaw::stiffness_exponent(), in [0, 0.5]
+/// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
+///           where r exceeds 1 or lies between 0 and 0.1
+/// \throws   InvalidArgument if a value is out of its range
+/// Accuracy  of packings left out of the fit, r >= 0.5: G 3 % rms and 9 % at worst; K 2 % rms, worse for
+///           z* < 4.3. At r = 0.1: G 3 %, K 6 %; at r = 0: 7 % and 8 %. Rounding: relative 1e-13.
+/// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
+[[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
+                                    double stiffness_exponent);
+
+/// Standard errors of moduli, over the moduli [1].
+struct ModulusErrors {
+  double bulk_modulus = 0;
+  double G_hh = 0;
+  double G_vh = 0;
+};
+
+/// A relaxed stiffness, the standard errors of its moduli and the remarks that go with it.
+struct RelaxedEstimate {
+  elastic::TransverselyIsotropic stiffness;
+  ModulusErrors relative_error;
+  Validity validity;
+};
+
+/// uniform_strain(state), relaxed: its volumetric and its deviatoric part by the two factors; then, where
+/// fabric or stresses are anisotropic, C33/C11 by exp((1 - h)(A ln(F33/F11) + B b ln(stress_v/stress_h))) at
+/// constant volume, h the factor of G, because directions of many or stiff contacts relax less. Transversely
+/// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
+/// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
+/// \param    state    of the packing; its coordination_number counts all grains
+/// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
+/// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none
+/// \throws   InvalidArgument as require_valid(State) and relaxation
+/// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.28.
+/// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
+[[nodiscard]] RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number);
+
+} // namespace granum::effective

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unchecked formulas of the relaxation factors, templates on the number type, so that one formula serves
+// values (double) and values with their derivatives (e.g. Eigen's AutoDiffScalar). Private to src/effective
+// and to validation/relaxation, which fits the coefficients of relaxation_coefficients.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "relaxation_coefficients.hpp"
+
+namespace granum::effective::kernel {
+
+/// z* at which a network of frictional contacts loses its rigidity: 4, less what grains with two contacts
+/// take off, since each spins freely about the line through them.
+template <class T>
+const T& frictional_isostatic(const ShearCoefficients<T>& c) {
+  return c[7];
+}
+/// The same for contacts without tangential stiffness.
+inline constexpr double frictionless_isostatic = 6;
+
+/// Coefficients as numbers of another type, constants to it.
+template <class T, std::size_t n>
+std::array<T, n> constants(const std::array<double, n>& values) {
+  std::array<T, n> numbers;
+  for (std::size_t k = 0; k < n; ++k)
+    numbers[k] = T(values[k]);
+  return numbers;
+}
+
+/// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0: of
+/// slope `slope` at the isostatic point and 1 far above. Below, continued to negative values.
+template <class T>
+T frictionless_branch(const T& u, const T& slope, const T& floor) {
+  const T rise = slope * u;
+  const T damping = u > 0.0 ? T(1.0 + rise) : T(1.0 - floor * u);
+  return rise / damping;
+}
+
+/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b.
+/// With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where g_0 is
+/// the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the isostatic
+/// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and b.
+template <class T>
+T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T>& c) {
+  using std::sqrt;
+  const auto& [slope, floor, strength, bend, hold, spread, reach, isostatic] = c;
+  if (!(z > isostatic))
+    return T(0.0);
+  const T x = z - isostatic;
+  const T u = z - frictionless_isostatic;
+  const T g0 = frictionless_branch(u, slope, floor);
+  const T ratio = x / reach;
+  const T root_ratio = sqrt(ratio);
+  const T near_share = 1.0 / (1.0 + ratio * ratio * root_ratio);
+  const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
+  const T near_coupling = strength * (1.0 - spread * b * b) * growth;
+  const T coupling = near_share * near_coupling + (1.0 - near_share) * (1.5 + 2.25 * r);
+  const T product = r * coupling;
+  const T square = g0 * g0 + 4.0 * product;
+  if (!(square > 0.0))
+    return T(0.0);
+  const T root = sqrt(square);
+  // The positive root of the quadratic, without cancellation.
+  const T g = g0 > 0.0 ? T(0.5 * (g0 + root)) : T(2.0 * product / (root - g0));
+  return g / (1.0 + 1.5 * r);
+}
+
+/// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
+/// pressure, allow (the lower bound of bulk_modulus_bounds). Their scatter costs the first term, less of it
+/// where contacts stiffen with their force; their tangential part, the softer r is the more, the second. Both
+/// fade for z -> infinity; at the isostatic point K has a jump.
+template <class T>
+T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
+  const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
+  const T d1 = z - scatter_pole + stiffening * b;
+  const T d2 = z - tangential_pole;
+  const T square = d2 * d2;
+  const T lost = scatter / d1 + tangential / (square * (r + own * square));
+  return 1.0 / (1.0 + lost);
+}
+
+/// The stiffness that relaxation leaves of a uniform-strain one: volumetric and deviatoric strain keep
+/// sqrt(bulk) and sqrt(shear) of their amplitudes, then the axis is stretched against the plane so that
+/// C33/C11 grows by the factor stretch at constant volume. Both steps are congruences: symmetric, positive
+/// definite and transversely isotropic they leave what was so, and an isotropic stiffness at stretch 1 turns
+/// into (bulk K, shear G) exactly.
+template <class T>
+struct RelaxedConstants {
+  T C11, C33, C12, C13, C44;
+};
+template <class T>
+RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear, const T& log_stretch) {
+  using std::exp;
+  using std::sqrt;
+  // M = sqrt(bulk) J + sqrt(shear) (1 - J), J the volumetric projector: s 1 + t J. On the normal block,
+  // (M C M)_ij = s^2 C_ij + s t (p_i + p_j)/3 + t^2 p/9 with p_i the row sums and p their sum.
+  const T s = sqrt(shear);
+  const T t = sqrt(bulk) - s;
+  const T row_h = c.C11 + c.C12 + c.C13;
+  const T row_v = c.C33 + 2.0 * c.C13;
+  const T mean = (2.0 * row_h + row_v) / 9.0;
+  const T common = t * t * mean;
+  const T hh = 2.0 / 3.0 * s * t * row_h + common;
+  const T vv = 2.0 / 3.0 * s * t * row_v + common;
+  const T hv = s * t * (row_h + row_v) / 3.0 + common;
+  const T sixth = exp(log_stretch / 6.0);
+  const T plane = 1.0 / (sixth * sixth);
+  const T axis = sixth * sixth * sixth * sixth;
+  return {T(plane * (shear * c.C11 + hh)), T(axis * (shear * c.C33 + vv)), T(plane * (shear * c.C12 + hh)),
+          T(sixth * (shear * c.C13 + hv)), T(sixth * shear * c.C44)};
+}
+
+/// ln of that stretch: directions that hold more contacts, or stiffer ones, relax less than the average.
+/// \param  log_fabric  ln(F33/F11);  \param  log_stress  ln(stress_v/stress_h)
+template <class T>
+T log_stretch(const T& shear, const T& b, const T& log_fabric, const T& log_stress,
+              const StretchCoefficients<T>& c) {
+  const T anisotropy = c[0] * log_fabric + c[1] * b * log_stress;
+  return (1.0 - shear) * anisotropy;
+}
+
+} // namespace granum::effective::kernel

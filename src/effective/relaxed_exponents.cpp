@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/relaxed_exponents.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/fabric/orientation.hpp>
+
+#include "relaxation_kernel.hpp"
+
+namespace granum::effective {
+
+namespace {
+
+using Eigen::Vector2d;
+/// A number with its derivatives by ln stress_v and ln stress_h.
+using Dual = Eigen::AutoDiffScalar<Vector2d>;
+using elastic::TransverselyIsotropic;
+
+double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
+
+/// d ln p by ln stress_v and ln stress_h.
+Vector2d pressure_slopes(const State& s) {
+  return Vector2d(s.stress_v, 2 * s.stress_h) / (3 * mean_stress(s));
+}
+
+/// Constants of uniform_strain(state) with their slopes. At frozen contacts those of the stress; and all of
+/// them are (C_n/(1+e))^(1-b) times what only the stresses decide.
+kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
+  const TransverselyIsotropic c = uniform_strain(s).stiffness;
+  const double per_pressure = (1 - s.law.stiffness_exponent()) *
+                              (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
+  const Vector2d common = per_pressure * pressure_slopes(s);
+  const auto slopes = [&](Modulus which) {
+    const StressExponents e = uniform_strain_exponents(s, which);
+    return Vector2d(modulus(c, which) * (Vector2d(e.stress_v, e.stress_h) + common));
+  };
+  const Vector2d C11 = slopes(Modulus::C11), C33 = slopes(Modulus::C33);
+  const Vector2d C12 = C11 - 2 * slopes(Modulus::G_hh);
+  const Vector2d C13 = (9 * slopes(Modulus::K) - 2 * C11 - C33 - 2 * C12) / 4;
+  return {Dual(c.C11, C11), Dual(c.C33, C33), Dual(c.C12, C12), Dual(c.C13, C13),
+          Dual(c.C44, slopes(Modulus::G_vh))};
+}
+
+kernel::RelaxedConstants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
+  const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
+  const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
+  const Dual r = constant(s.tangential_ratio), b = constant(s.law.stiffness_exponent());
+  const Dual shear =
+      kernel::shear_relaxation(z_star, r, b, kernel::constants<Dual>(kernel::shear_coefficients));
+  const Dual bulk = kernel::bulk_relaxation(z_star, r, b, kernel::constants<Dual>(kernel::bulk_coefficients));
+  const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
+  const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
+  const Dual stretch = kernel::log_stretch(shear, b, constant(std::log(F.F33 / F.F11)), log_stress,
+                                           kernel::constants<Dual>(kernel::stretch_coefficients));
+  return kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
+}
+
+Dual relaxed_modulus(const kernel::RelaxedConstants<Dual>& c, Modulus which) {
+  switch (which) {
+  case Modulus::K:
+    return (2.0 * c.C11 + c.C33 + 2.0 * c.C12 + 4.0 * c.C13) / 9.0;
+  case Modulus::G_hh:
+    return 0.5 * (c.C11 - c.C12);
+  case Modulus::G_vh:
+    return c.C44;
+  case Modulus::E_v: {
+    const Dual sum = c.C11 + c.C12;
+    return c.C33 - 2.0 * c.C13 * c.C13 / sum;
+  }
+  case Modulus::E_h: {
+    const Dual determinant = c.C33 * (c.C11 + c.C12) - 2.0 * c.C13 * c.C13;
+    const Dual minor = c.C11 * c.C33 - c.C13 * c.C13;
+    const Dual difference = c.C11 - c.C12;
+    return difference * determinant / minor;
+  }
+  case Modulus::C11:
+    return c.C11;
+  case Modulus::C33:
+    return c.C33;
+  }
+  throw InvalidArgument("modulus is not one of the known ones");
+}
+
+void require_finite(const Growth& growth) {
+  granum::require_finite("growth.coordination_number", growth.coordination_number);
+  granum::require_finite("growth.mechanical_coordination_number", growth.mechanical_coordination_number);
+  granum::require_finite("growth.void_ratio", growth.void_ratio);
+}
+
+constexpr ClosingGapLaw law_of(const std::array<double, 7>& c) {
+  return {.initial = c[0],
+          .amplitude = c[1],
+          .exponent = c[2],
+          .spread = c[3],
+          .rattlers = c[4],
+          .rattler_decay = c[5],
+          .scatter = c[6]};
+}
+
+void require_valid(const MeasuredPacking& packing) {
+  require_positive("pressure", packing.pressure, "Pa");
+  require_positive("coordination_number", packing.coordination_number);
+  require_positive("mechanical_coordination_number", packing.mechanical_coordination_number);
+  require_positive("void_ratio", packing.void_ratio);
+}
+
+} // namespace
+
+Growth growth_between(const MeasuredPacking& first, const MeasuredPacking& second) {
+  require_valid(first);
+  require_valid(second);
+  const double step = std::log(second.pressure / first.pressure);
+  if (step == 0)
+    throw InvalidArgument("growth between two packings needs two pressures; both are " +
+                          std::to_string(first.pressure) + " Pa");
+  return {.coordination_number = std::log(second.coordination_number / first.coordination_number) / step,
+          .mechanical_coordination_number =
+              (second.mechanical_coordination_number - first.mechanical_coordination_number) / step,
+          .void_ratio = (second.void_ratio - first.void_ratio) / step};
+}
+
+StressExponents relaxed_exponents(const State& state, double mechanical_coordination_number,
+                                  const Growth& growth, Modulus which) {
+  require_finite(growth);
+  const Relaxation factors =
+      relaxation(mechanical_coordination_number, state.tangential_ratio, state.law.stiffness_exponent());
+  effective::require_valid(state);
+  require_positive("stress_v", state.stress_v, "Pa");
+  if (!(factors.shear.value > 0))
+    throw InvalidArgument("mechanical_coordination_number", mechanical_coordination_number, "",
+                          "above the isostatic point");
+  const Dual X = relaxed_modulus(relaxed_constants(state, mechanical_coordination_number, growth), which);
+  return {.stress_v = X.derivatives()[0] / X.value(), .stress_h = X.derivatives()[1] / X.value()};
+}
+
+PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, double pressure) {
+  require_positive("pressure", pressure, "Pa");
+  require_positive("radius", state.radius, "m");
+  require_positive("void_ratio", state.void_ratio);
+  const double R = state.radius;
+  const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure; // f C_n
+  const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
+  const double amplitude = law.amplitude * (1 - law.spread * state.law.stiffness_exponent());
+  // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each round gains digits.
+  double z = law.initial;
+  for (int round = 0; round < 60; ++round) {
+    const double force = load / (z * (1 - rattlers(z)));
+    z = law.initial + amplitude * std::pow(state.law.overlap(force) / (2 * R), law.exponent);
+  }
+  const double x0 = rattlers(z);
+  const double relative = 1 / z + law.rattler_decay * x0 / (1 - x0); // d ln C_n/dz
+  const double free = law.exponent * (1 - state.law.stiffness_exponent()) * (z - law.initial);
+  const double slope = free / (1 + free * relative);
+  return {.coordination_number = z * (1 - x0),
+          .mechanical_coordination_number = z,
+          .growth = {.coordination_number = relative * slope,
+                     .mechanical_coordination_number = slope,
+                     .void_ratio = 0}};
+}
+
+const ClosingGapLaw& dense_closing_gaps() {
+  static constexpr ClosingGapLaw law = law_of(kernel::dense_gaps);
+  return law;
+}
+const ClosingGapLaw& loose_closing_gaps() {
+  static constexpr ClosingGapLaw law = law_of(kernel::loose_gaps);
+  return law;
+}
+
+} // namespace granum::effective

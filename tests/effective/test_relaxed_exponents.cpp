@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/relaxed_exponents.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+
+#include "effective/support.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::test;
+using effective::Growth;
+using effective::Modulus;
+using effective::StressExponents;
+
+namespace {
+
+const std::vector<Modulus> all_moduli{Modulus::K,   Modulus::G_hh, Modulus::G_vh, Modulus::E_v,
+                                      Modulus::E_h, Modulus::C11,  Modulus::C33};
+const Growth some_growth{
+    .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
+
+double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
+
+/// ln of the modulus when one stress has grown by a factor e^step, and the packing with the mean stress.
+double log_modulus(State s, double z, const Growth& growth, Modulus which, double State::*stress,
+                   double step) {
+  const double before = mean_stress(s);
+  s.*stress *= std::exp(step);
+  const double dlnp = std::log(mean_stress(s) / before);
+  s.coordination_number *= std::exp(growth.coordination_number * dlnp);
+  s.void_ratio += growth.void_ratio * dlnp;
+  z += growth.mechanical_coordination_number * dlnp;
+  return std::log(effective::modulus(effective::relaxed(s, z).stiffness, which));
+}
+
+} // namespace
+
+TEST_CASE("relaxed exponents: of frozen contacts their sum is 1/(1+alpha), whatever the modulus") {
+  for (const double alpha : {1.0, 1.5, 2.0, infinity})
+    for (const double a : {-0.2, 0.0, 0.2})
+      for (const Modulus which : all_moduli) {
+        const State s = state_of(alpha, a, 0.15, 1.5e5, 1e5);
+        CHECK(std::abs(effective::relaxed_exponents(s, 5.0, {}, which).sum() - 1 / (1 + alpha)) < 1e-12);
+      }
+}
+
+TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path") {
+  for (const double alpha : {1.0, 2.0, infinity})
+    for (const double a : {-0.2, 0.0, 0.15})
+      for (const double ratio : {0.6, 1.0, 1.8})
+        for (const double z : {4.4, 5.3, 6.2})
+          for (const Modulus which : all_moduli) {
+            const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
+            const StressExponents e = effective::relaxed_exponents(s, z, some_growth, which);
+            const auto slope = [&](double State::*stress) {
+              const auto f = [&](double step) { return log_modulus(s, z, some_growth, which, stress, step); };
+              const double h = 2e-3; // truncation ~ h^4, round-off 1e-14/h
+              return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+            };
+            CAPTURE(int(which));
+            CHECK(std::abs(e.stress_v - slope(&State::stress_v)) < 1e-9);
+            CHECK(std::abs(e.stress_h - slope(&State::stress_h)) < 1e-9);
+          }
+}
+
+TEST_CASE("relaxed exponents: the isotropic sum in closed form") {
+  const State s = state_of(2, 0, 0.15, 1e5, 1e5);
+  const double b = 1.0 / 3, z = 4.6, step = 1e-5;
+  const auto log_shear = [&](double at) {
+    return std::log(effective::relaxation(at, s.tangential_ratio, b).shear.value);
+  };
+  const double slope = (log_shear(z + step) - log_shear(z - step)) / (2 * step);
+  const double expected = b + (1 - b) * (0.05 + 0.003 / (1 + s.void_ratio)) + 0.2 * slope;
+  CHECK(effective::relaxed_exponents(s, z, some_growth, Modulus::G_vh).sum() == relative(expected, 1e-8));
+  // The same growth moves a loose packing's modulus more than a dense one's.
+  CHECK(effective::relaxed_exponents(s, 4.4, some_growth, Modulus::G_vh).sum() >
+        effective::relaxed_exponents(s, 6.0, some_growth, Modulus::G_vh).sum() + 0.1);
+}
+
+TEST_CASE("relaxed exponents: growth between two states") {
+  const Growth g = effective::growth_between(
+      {.pressure = 1e4, .coordination_number = 4, .mechanical_coordination_number = 4.4, .void_ratio = 0.58},
+      {.pressure = 1e5,
+       .coordination_number = 4.4,
+       .mechanical_coordination_number = 4.7,
+       .void_ratio = 0.57});
+  const double decade = std::log(10.0);
+  CHECK(g.coordination_number == relative(std::log(1.1) / decade, 1e-14));
+  CHECK(g.mechanical_coordination_number == relative(0.3 / decade, 1e-14));
+  CHECK(g.void_ratio == relative(-0.01 / decade, 1e-13));
+  const effective::MeasuredPacking one{
+      .pressure = 1e4, .coordination_number = 4, .mechanical_coordination_number = 4.4, .void_ratio = 0.58};
+  CHECK_THROWS_AS((void)effective::growth_between(one, one), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::growth_between(one, {.pressure = 1e5}), InvalidArgument);
+}
+
+TEST_CASE("relaxed exponents: a closing-gap law solves for C_n and the mean force together") {
+  for (const auto& law : {effective::dense_closing_gaps(), effective::loose_closing_gaps()})
+    for (const double alpha : {1.0, 2.0, infinity})
+      for (const double p : {1e4, 1e5, 1e6}) {
+        State s = state_of(alpha, 0, 0.15, p, p);
+        const effective::PredictedPacking found = effective::predict_packing(law, s, p);
+        s.coordination_number = found.coordination_number;
+        const double amplitude = law.amplitude * (1 - law.spread * s.law.stiffness_exponent());
+        const double overlap = s.law.overlap(effective::mean_contact_force(s)) / (2 * s.radius);
+        CHECK(found.mechanical_coordination_number ==
+              relative(law.initial + amplitude * std::pow(overlap, law.exponent), 1e-12));
+        const double x0 = 1 - found.coordination_number / found.mechanical_coordination_number;
+        CHECK(x0 == relative(law.rattlers *
+                                 std::exp(-law.rattler_decay * (found.mechanical_coordination_number - 4)),
+                             1e-9));
+
+        const double h = 1e-4;
+        const auto up = effective::predict_packing(law, s, p * std::exp(h));
+        const auto down = effective::predict_packing(law, s, p * std::exp(-h));
+        CHECK(found.growth.mechanical_coordination_number ==
+              relative((up.mechanical_coordination_number - down.mechanical_coordination_number) / (2 * h),
+                       1e-6));
+        CHECK(found.growth.coordination_number ==
+              relative(std::log(up.coordination_number / down.coordination_number) / (2 * h), 1e-6));
+      }
+}
+
+TEST_CASE("relaxed exponents: loose specimens have a larger s than dense ones, by their laws alone") {
+  // Loose minus dense as in validation/verify_default: 0.17 (cone), 0.22 (sphere), 0.28 (flat).
+  for (const double alpha : {1.0, 2.0, infinity}) {
+    const auto s_of = [&](const effective::ClosingGapLaw& law) {
+      State s = state_of(alpha, 0, 0.15, 30e3, 30e3);
+      const effective::PredictedPacking packing = effective::predict_packing(law, s, 30e3);
+      s.coordination_number = packing.coordination_number;
+      return effective::relaxed_exponents(s, packing.mechanical_coordination_number, packing.growth,
+                                          Modulus::G_vh)
+          .sum();
+    };
+    const double difference = s_of(effective::loose_closing_gaps()) - s_of(effective::dense_closing_gaps());
+    CHECK(difference > 0.1);
+    CHECK(difference < 0.4);
+  }
+}
+
+TEST_CASE("relaxed exponents: refuses what has no exponent") {
+  const State s = state_of(2, 0, 0.15, 1e5, 1e5);
+  CHECK_THROWS_AS((void)effective::relaxed_exponents(s, 3.5, {}, Modulus::K), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::relaxed_exponents(state_of(2, 0, 0.15, 0, 0), 5, {}, Modulus::K),
+                  InvalidArgument);
+  CHECK_THROWS_AS((void)effective::relaxed_exponents(s, 5, {.void_ratio = NAN}, Modulus::K), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::predict_packing(effective::loose_closing_gaps(), s, 0), InvalidArgument);
+}

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits the relaxation factors to the recorded networks.
+//
+//     relaxation_fit coefficients states.csv   writes src/effective/relaxation_coefficients.hpp
+//     relaxation_fit check states.csv          fits again, compares with that file, and asks whether errors,
+//                                              also on packings left out of the fit, are in reach
+//     relaxation_fit points states.csv         measured and fitted factors as CSV, for the picture
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <set>
+
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/hardin/fit.hpp>
+
+#include "calibration.hpp"
+
+namespace {
+
+using namespace relaxation;
+
+// ---- coefficients ----
+
+std::string number(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+void print_row(const char* open, int digits, const double* values, int count, const char* close) {
+  std::printf("%s", open);
+  for (int k = 0; k < count; ++k)
+    std::printf("%s%s", k > 0 ? ", " : "", number(values[k], digits).c_str());
+  std::printf("%s", close);
+}
+
+template <int n>
+void print_fit(const char* name, const Fit<n>& fit) {
+  std::printf("inline constexpr std::array<double, %d> %s_coefficients{\n", n, name);
+  print_row("    ", 9, fit.coefficients.data(), n, "};\n");
+  std::printf("inline constexpr double %s_covariance[%d][%d] = {\n", name, n, n);
+  for (int row = 0; row < n; ++row) {
+    const Eigen::Matrix<double, n, 1> values = fit.covariance.col(row);
+    print_row("    {", 5, values.data(), n, row + 1 < n ? "},\n" : "}};\n");
+  }
+}
+
+void print_gaps(const char* name, const ClosingGaps& gaps) {
+  const auto& g = gaps.growth;
+  const auto& x = gaps.rattlers;
+  double values[7], errors[6];
+  for (int k = 0; k < 6; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    values[k] = k < 4 ? g.coefficients[i] : x.coefficients[i - 4];
+    errors[k] = std::sqrt(k < 4 ? g.covariance(k, k) : x.covariance(k - 4, k - 4));
+  }
+  values[6] = gaps.scatter;
+  print_row("// ", 2, errors, 6, "\n");
+  std::printf("inline constexpr std::array<double, 7> %s_gaps{\n", name);
+  print_row("    ", 9, values, 7, "};\n");
+}
+
+void print_coefficients(const Result& r) {
+  std::printf(
+      "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "// Written by `relaxation_fit coefficients states.csv` from validation/relaxation/states.csv; "
+      "the test\n"
+      "// \"validation: relaxation\" fits them again and compares. Not to be edited by hand.\n"
+      "// clang-format off\n#pragma once\n\n#include <array>\n\nnamespace granum::effective::kernel {\n\n");
+  const struct {
+    const char* name;
+    int size;
+  } lists[] = {{"Shear", shear_size}, {"Bulk", bulk_size}, {"Stretch", stretch_size}};
+  for (const auto& [name, size] : lists)
+    std::printf("template <class T>\nusing %sCoefficients = std::array<T, %d>;\n", name, size);
+  std::printf("\n");
+  print_fit("shear", r.shear);
+  print_fit("bulk", r.bulk);
+  print_fit("stretch", r.stretch);
+  std::printf("\n"
+              "/// Relative scatter of specimens about a factor: base, and gain times d ln/dz* (shear) or d "
+              "ln/d ln r\n"
+              "/// (bulk), in quadrature; of ln C33/C11 over ln of the stretch.\n"
+              "struct Scatter {\n  double base;\n  double gain;\n};\n");
+  std::printf("inline constexpr Scatter shear_scatter{%.9g, %.9g};\n", r.shear_scatter.base,
+              r.shear_scatter.gain);
+  std::printf("inline constexpr Scatter bulk_scatter{%.9g, %.9g};\n", r.bulk_scatter.base,
+              r.bulk_scatter.gain);
+  std::printf("inline constexpr double stretch_scatter = %.9g;\n", r.stretch_scatter);
+  std::printf(
+      "/// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.\n"
+      "inline constexpr double shear_by_stress = %.9g;\ninline constexpr double bulk_by_stress = %.9g;\n\n",
+      r.shear_by_stress, r.bulk_by_stress);
+  std::printf("/// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard "
+              "errors.\n");
+  print_gaps("dense", r.dense);
+  print_gaps("loose", r.loose);
+  std::printf("\n} // namespace granum::effective::kernel\n");
+}
+
+// ---- errors ----
+
+/// Relative errors of one quantity.
+class Errors {
+ public:
+  void add(const Errors& more) {
+    sum_ += more.sum_;
+    worst_ = std::max(worst_, more.worst_);
+    count_ += more.count_;
+  }
+  void add(double error) {
+    sum_ += error * error;
+    worst_ = std::max(worst_, std::abs(error));
+    ++count_;
+  }
+  [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : 0; }
+  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  double sum_ = 0;
+  double worst_ = 0;
+  int count_ = 0;
+};
+
+struct FactorErrors {
+  Errors shear, bulk;
+};
+
+FactorErrors errors_of(const std::vector<Packing>& packings, const ShearFit& shear, const BulkFit& bulk,
+                       double low, double high, const Choice& chosen) {
+  FactorErrors errors;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks) {
+      if (!p.isotropic() || !chosen(p) || n.ratio < low || n.ratio > high)
+        continue;
+      if (has_shear_factor(p, n))
+        errors.shear.add(shear_model(p, n, shear.coefficients) / shear_factor(p, n) - 1);
+      if (has_bulk_factor(p, n))
+        errors.bulk.add(bulk_model(p, n, bulk.coefficients) / bulk_factor(p, n) - 1);
+    }
+  return errors;
+}
+
+void print_errors(const std::string& what, const FactorErrors& e) {
+  std::printf("%-40s %5d | G rms %5.2f %% worst %5.2f %% | K rms %5.2f %% worst %5.2f %%\n", what.c_str(),
+              e.shear.count(), 100 * e.shear.rms(), 100 * e.shear.worst(), 100 * e.bulk.rms(),
+              100 * e.bulk.worst());
+}
+
+using Label = std::function<std::string(const Packing&)>;
+
+/// Every value of a label left out of the fit in turn, and the errors on what was left out.
+FactorErrors cross_validate(const std::vector<Packing>& packings, const std::string& title,
+                            const Label& label) {
+  std::set<std::string> values;
+  for (const Packing& p : packings)
+    if (p.isotropic())
+      values.insert(label(p));
+  FactorErrors all;
+  for (const std::string& value : values) {
+    const Choice kept = [&](const Packing& p) { return label(p) != value; };
+    const ShearFit shear = fit_shear(packings, kept);
+    const BulkFit bulk = fit_bulk(packings, kept);
+    const FactorErrors left_out = errors_of(packings, shear, bulk, lowest_usual_ratio, 1,
+                                            [&](const Packing& p) { return label(p) == value; });
+    print_errors("  without " + title + " " + value, left_out);
+    all.shear.add(left_out.shear);
+    all.bulk.add(left_out.bulk);
+  }
+  print_errors("left out by " + title + ", together", all);
+  return all;
+}
+
+// ---- the library against the networks ----
+
+/// Errors of relaxed(), and how many of them exceed twice the stated standard error.
+struct LibraryErrors {
+  Errors G, K, axis_ratio, shear_ratio, constants;
+  int beyond = 0;
+};
+
+LibraryErrors library_errors(const std::vector<Packing>& packings, bool isotropic) {
+  LibraryErrors errors;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks) {
+      if (p.isotropic() != isotropic || n.ratio < lowest_usual_ratio || p.relative_overlap > largest_overlap)
+        continue;
+      State state = p.state;
+      state.tangential_ratio = n.ratio;
+      const auto estimate = granum::effective::relaxed(state, p.mechanical_coordination);
+      const TransverselyIsotropic &c = estimate.stiffness, &measured = n.stiffness;
+      const double G_error = isotropic_shear_modulus(c) / isotropic_shear_modulus(measured) - 1;
+      const double K_error = c.bulk_modulus() / measured.bulk_modulus() - 1;
+      errors.G.add(G_error);
+      errors.K.add(K_error);
+      errors.beyond += std::abs(G_error) > 2 * estimate.relative_error.G_vh;
+      errors.beyond += std::abs(K_error) > 2 * estimate.relative_error.bulk_modulus;
+      errors.axis_ratio.add(c.C33 / c.C11 / (measured.C33 / measured.C11) - 1);
+      errors.shear_ratio.add(c.C66() / c.C44 / (measured.C66() / measured.C44) - 1);
+      for (const auto member :
+           {&TransverselyIsotropic::C11, &TransverselyIsotropic::C33, &TransverselyIsotropic::C44})
+        errors.constants.add(c.*member / (measured.*member) - 1);
+      errors.constants.add(c.C66() / measured.C66() - 1);
+    }
+  return errors;
+}
+
+void print_errors(const char* what, const Errors& e) {
+  std::printf("  %-36s %5d | rms %5.2f %% worst %5.2f %%\n", what, e.count(), 100 * e.rms(), 100 * e.worst());
+}
+
+void print_errors(const std::string& what, const LibraryErrors& e) {
+  std::printf("%s\n", what.c_str());
+  print_errors("G", e.G);
+  print_errors("K", e.K);
+  print_errors("C33/C11", e.axis_ratio);
+  print_errors("G_hh/G_vh", e.shear_ratio);
+  print_errors("C11, C33, G_vh, G_hh", e.constants);
+  std::printf("  G or K beyond two standard errors: %d of %d\n", e.beyond, 2 * e.G.count());
+}
+
+// ---- exponents ----
+
+granum::effective::MeasuredPacking measured(const Packing& p) {
+  return {.pressure = p.pressure,
+          .coordination_number = p.state.coordination_number,
+          .mechanical_coordination_number = p.mechanical_coordination,
+          .void_ratio = p.state.void_ratio};
+}
+
+double own_shear_modulus(const Packing& p) {
+  for (const Network& n : p.networks)
+    if (n.ratio == p.state.tangential_ratio)
+      return isotropic_shear_modulus(n.stiffness);
+  throw std::runtime_error("no network of the specimen's own stiffness");
+}
+
+/// s from 10 to 100 kPa at the middle of the path, the growth of C_n and z* given by its two ends.
+double exponent_by_growth(const Packing& first, const Packing& last) {
+  State state = last.state;
+  state.stress_v = state.stress_h = std::sqrt(first.pressure * last.pressure);
+  state.coordination_number = std::sqrt(first.state.coordination_number * last.state.coordination_number);
+  state.void_ratio = (first.state.void_ratio + last.state.void_ratio) / 2;
+  state.fabric_anisotropy = 0;
+  const double z = (first.mechanical_coordination + last.mechanical_coordination) / 2;
+  return granum::effective::relaxed_exponents(
+             state, z, granum::effective::growth_between(measured(first), measured(last)),
+             granum::effective::Modulus::G_vh)
+      .sum();
+}
+
+/// The same from a closing-gap law alone.
+double exponent_by_law(const Packing& last, const granum::effective::ClosingGapLaw& law) {
+  State state = last.state;
+  const double middle = std::sqrt(10e3 * 100e3);
+  state.stress_v = state.stress_h = middle;
+  state.fabric_anisotropy = 0;
+  const auto packing = granum::effective::predict_packing(law, state, middle);
+  state.coordination_number = packing.coordination_number;
+  return granum::effective::relaxed_exponents(state, packing.mechanical_coordination_number, packing.growth,
+                                              granum::effective::Modulus::G_vh)
+      .sum();
+}
+
+/// s of a path, fitted as `granum verify` does.
+double fitted_exponent(const std::vector<const Packing*>& path) {
+  std::vector<granum::hardin::Measurement> rows;
+  for (const Packing* p : path)
+    rows.push_back({own_shear_modulus(*p), {p->pressure, p->pressure, p->state.void_ratio}});
+  return granum::hardin::fit_exponent_sum(rows,
+                                          {.atmospheric_pressure = 100e3,
+                                           .void_ratio_function = granum::hardin::VoidRatioFunction::none,
+                                           .weights = granum::hardin::Weights::absolute})
+      .fit()
+      .exponent_sum.value;
+}
+
+/// Prints s of every specimen with states from 10 to 100 kPa; returns the largest difference between fit and
+/// prediction of the dense and the loose ones.
+double compare_exponents(const std::vector<Packing>& packings) {
+  std::printf("exponent s of G, 10 to 100 kPa: network by its ends, by the fit of verify; by the growth "
+              "found; by the "
+              "closing-gap law\n");
+  std::map<std::string, std::vector<const Packing*>> paths;
+  for (const Packing& p : packings)
+    if (p.pressure <= 100e3 && p.isotropic() && p.preparation.find_first_of(" c") == std::string::npos)
+      paths[p.contact + " " + p.preparation + " #" + std::to_string(p.seed)].push_back(&p);
+  double worst = 0;
+  for (auto& [name, path] : paths) {
+    std::ranges::sort(path, {}, &Packing::pressure);
+    const Packing &first = *path.front(), &last = *path.back();
+    if (first.pressure != 10e3 || last.pressure != 100e3)
+      continue;
+    const double predicted = exponent_by_growth(first, last);
+    std::printf("  %-24s %.3f", name.c_str(),
+                std::log(own_shear_modulus(last) / own_shear_modulus(first)) / std::log(10.0));
+    if (path.size() < 3) {
+      std::printf("         %.3f\n", predicted);
+      continue;
+    }
+    const double network = fitted_exponent(path);
+    std::printf("  %.3f  %.3f", network, predicted);
+    const bool dense = first.preparation == "dense", loose = first.preparation == "loose";
+    if (dense || loose) {
+      worst = std::max(worst, std::abs(predicted - network));
+      std::printf("  %.3f", exponent_by_law(last, dense ? granum::effective::dense_closing_gaps()
+                                                        : granum::effective::loose_closing_gaps()));
+    }
+    std::printf("\n");
+  }
+  std::printf("  largest difference, dense and loose, growth given: %.3f\n", worst);
+  return worst;
+}
+
+// ---- check ----
+
+/// Claims that do not hold, named as they are found.
+class Claims {
+ public:
+  void require(bool holds, const std::string& claim) {
+    std::printf("%s  %s\n", holds ? "ok    " : "FAILED", claim.c_str());
+    failed_ += !holds;
+  }
+  [[nodiscard]] int failed() const { return failed_; }
+
+ private:
+  int failed_ = 0;
+};
+
+template <std::size_t n>
+bool same(const std::array<double, n>& fitted, const std::array<double, n>& recorded) {
+  for (std::size_t k = 0; k < n; ++k)
+    if (!(std::abs(fitted[k] - recorded[k]) <= 1e-5 * std::abs(recorded[k])))
+      return false;
+  return true;
+}
+
+template <int n, std::size_t m>
+bool same(const Eigen::Matrix<double, n, n>& fitted, const double (&recorded)[m][m]) {
+  const Eigen::Map<const Eigen::Matrix<double, n, n>> matrix(&recorded[0][0]);
+  const Eigen::Matrix<double, n, 1> errors = matrix.diagonal().cwiseSqrt();
+  // Relative to the standard errors: entries near 0 have no digits of their own.
+  return (fitted - matrix).cwiseQuotient(errors * errors.transpose()).cwiseAbs().maxCoeff() < 1e-3;
+}
+
+/// Largest difference between z* and C_n/(1 - x_0), relative.
+double worst_rattler_estimate(const std::vector<Packing>& packings) {
+  double worst = 0;
+  for (const Packing& p : packings) {
+    const double z =
+        granum::effective::mechanical_coordination_number(p.state.coordination_number, p.rattler_fraction);
+    worst = std::max(worst, std::abs(z / p.mechanical_coordination - 1));
+  }
+  return worst;
+}
+
+int check(const std::vector<Packing>& packings, const Result& result) {
+  std::printf("errors of the factors by k_t/k_n, all isotropic states\n");
+  for (const double r : {0.0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1.0})
+    print_errors("  k_t/k_n = " + number(r, 3),
+                 errors_of(packings, result.shear, result.bulk, r - 1e-6, r + 1e-6, everything));
+  std::printf("errors on packings left out of the fit, k_t/k_n >= %.1f\n", lowest_usual_ratio);
+  const FactorErrors by_contact =
+      cross_validate(packings, "contact", [](const Packing& p) { return p.contact; });
+  const FactorErrors by_preparation = cross_validate(packings, "preparation", [](const Packing& p) {
+    return p.preparation.substr(0, p.preparation.find(' '));
+  });
+  const FactorErrors by_seed =
+      cross_validate(packings, "seed", [](const Packing& p) { return std::to_string(p.seed % 100); });
+  const LibraryErrors isotropic = library_errors(packings, true), sheared = library_errors(packings, false);
+  print_errors("relaxed(), isotropic states, overlap < 1 %", isotropic);
+  print_errors("relaxed(), sheared states", sheared);
+  const double exponent_error = compare_exponents(packings);
+  const double rattler_error = worst_rattler_estimate(packings);
+
+  Claims claims;
+  claims.require(same(result.shear.coefficients, kernel::shear_coefficients) &&
+                     same(result.bulk.coefficients, kernel::bulk_coefficients) &&
+                     same(result.stretch.coefficients, kernel::stretch_coefficients),
+                 "the coefficients of the library are those of these data");
+  claims.require(same(result.shear.covariance, kernel::shear_covariance) &&
+                     same(result.bulk.covariance, kernel::bulk_covariance) &&
+                     same(result.stretch.covariance, kernel::stretch_covariance),
+                 "so are their covariances");
+  for (const FactorErrors* e : {&by_contact, &by_preparation, &by_seed})
+    claims.require(e->shear.rms() < 0.04 && e->shear.worst() < 0.10,
+                   "G of packings left out: 4 % rms, 10 % at worst");
+  // Not claimed by contact: flat ones (b = 0) are the end of the range, and K does not extrapolate to them.
+  for (const FactorErrors* e : {&by_preparation, &by_seed})
+    claims.require(e->bulk.rms() < 0.02, "K of packings left out: 2 % rms");
+  claims.require(isotropic.beyond < 0.1 * 2 * isotropic.G.count(),
+                 "one in ten G and K at most is beyond two errors");
+  claims.require(sheared.axis_ratio.rms() < 0.03, "C33/C11 of sheared states: 3 % rms");
+  claims.require(exponent_error < 0.03, "s within 0.03, growth given");
+  claims.require(rattler_error < 0.01,
+                 "z* = C_n/(1-x_0) within 1 % (" + number(100 * rattler_error, 2) + " %)");
+  return claims.failed() == 0 ? 0 : 1;
+}
+
+/// Columns for the pictures.
+void print_points(const std::vector<Packing>& packings, const Result& result) {
+  std::printf("contact,z_star,ratio,shear,shear_fit,bulk,bulk_fit,isotropic\n");
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      std::printf("%s,%.5g,%.3g,%.5g,%.5g,%.5g,%.5g,%d\n", p.contact.c_str(), p.mechanical_coordination,
+                  n.ratio, shear_factor(p, n), shear_model(p, n, result.shear.coefficients),
+                  bulk_factor(p, n), bulk_model(p, n, result.bulk.coefficients), p.isotropic() ? 1 : 0);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: %s coefficients|check|points states.csv\n", argv[0]);
+    return 2;
+  }
+  try {
+    const std::vector<Packing> packings = read_packings(argv[2]);
+    const Result result = fit_everything(packings);
+    if (std::strcmp(argv[1], "coefficients") == 0) {
+      print_coefficients(result);
+      return 0;
+    }
+    if (std::strcmp(argv[1], "points") == 0) {
+      print_points(packings, result);
+      return 0;
+    }
+    if (std::strcmp(argv[1], "check") == 0)
+      return check(packings, result);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  std::fprintf(stderr, "unknown command %s\n", argv[1]);
+  return 2;
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Non-linear least squares with exact derivatives, and a covariance that knows that the rows of one specimen
+// err together.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace relaxation {
+
+template <int n>
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
+template <class T, int n>
+using Numbers = std::array<T, static_cast<std::size_t>(n)>;
+
+/// One measured value: residual = model - target, each times the weight.
+template <int n>
+struct Observation {
+  std::function<Dual<n>(const Numbers<Dual<n>, n>&)> model;
+  double target = 0;
+  double weight = 1;
+  std::string specimen;
+};
+
+template <int n>
+struct Fit {
+  Numbers<double, n> coefficients;
+  Eigen::Matrix<double, n, n> covariance;
+};
+
+namespace detail {
+
+template <int n>
+Dual<n> residual(const Observation<n>& o, const Numbers<double, n>& c) {
+  Numbers<Dual<n>, n> duals;
+  for (int k = 0; k < n; ++k)
+    duals[static_cast<std::size_t>(k)] = Dual<n>(c[static_cast<std::size_t>(k)], n, k);
+  return o.weight * (o.model(duals) - o.target);
+}
+
+template <int n>
+using Observations = std::vector<Observation<n>>;
+
+template <int n>
+int fill(const gsl_vector* x, void* data, gsl_vector* values, gsl_matrix* slopes) {
+  const auto& rows = *static_cast<const Observations<n>*>(data);
+  Numbers<double, n> c;
+  for (std::size_t k = 0; k < c.size(); ++k)
+    c[k] = gsl_vector_get(x, k);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Dual<n> f = residual<n>(rows[i], c);
+    // A step that leads out of the model's domain counts as a very bad one.
+    if (values != nullptr)
+      gsl_vector_set(values, i, std::isfinite(f.value()) ? f.value() : 1e3);
+    for (int k = 0; slopes != nullptr && k < n; ++k)
+      gsl_matrix_set(slopes, i, static_cast<std::size_t>(k), f.derivatives()[k]);
+  }
+  return GSL_SUCCESS;
+}
+template <int n>
+int fill_values(const gsl_vector* x, void* data, gsl_vector* values) {
+  return fill<n>(x, data, values, nullptr);
+}
+template <int n>
+int fill_slopes(const gsl_vector* x, void* data, gsl_matrix* slopes) {
+  return fill<n>(x, data, nullptr, slopes);
+}
+
+/// (J'J)^-1 (sum over specimens of g g') (J'J)^-1 with g the specimen's share of J'f: right also when the
+/// rows of a specimen are correlated.                                                       [LiangZeger1986]
+template <int n>
+Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, const Numbers<double, n>& c) {
+  Eigen::Matrix<double, n, n> normal = Eigen::Matrix<double, n, n>::Zero();
+  std::map<std::string, Eigen::Matrix<double, n, 1>> shares;
+  for (const Observation<n>& o : rows) {
+    const Dual<n> f = residual<n>(o, c);
+    normal += f.derivatives() * f.derivatives().transpose();
+    auto [share, fresh] = shares.try_emplace(o.specimen, Eigen::Matrix<double, n, 1>::Zero());
+    share->second += f.value() * f.derivatives();
+  }
+  Eigen::Matrix<double, n, n> scatter = Eigen::Matrix<double, n, n>::Zero();
+  for (const auto& [name, share] : shares)
+    scatter += share * share.transpose();
+  const Eigen::Matrix<double, n, n> inverse = normal.inverse();
+  const double groups = static_cast<double>(shares.size());
+  return groups / (groups - 1) * inverse * scatter * inverse;
+}
+
+} // namespace detail
+
+template <int n>
+Fit<n> least_squares(std::vector<Observation<n>> rows, const Numbers<double, n>& start) {
+  gsl_multifit_nlinear_fdf system{};
+  system.f = detail::fill_values<n>;
+  system.df = detail::fill_slopes<n>;
+  system.n = rows.size();
+  system.p = n;
+  system.params = &rows;
+  gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
+  gsl_multifit_nlinear_workspace* work =
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, rows.size(), n);
+  const gsl_vector_const_view first = gsl_vector_const_view_array(start.data(), n);
+  gsl_multifit_nlinear_init(&first.vector, &system, work);
+  int info = 0;
+  const int status = gsl_multifit_nlinear_driver(500, 1e-10, 1e-12, 0, nullptr, nullptr, &info, work);
+  Fit<n> fit;
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
+    fit.coefficients[k] = gsl_vector_get(gsl_multifit_nlinear_position(work), k);
+  gsl_multifit_nlinear_free(work);
+  if (status != GSL_SUCCESS)
+    throw std::runtime_error(std::string("the fit did not converge: ") + gsl_strerror(status));
+  fit.covariance = detail::clustered_covariance<n>(rows, fit.coefficients);
+  return fit;
+}
+
+} // namespace relaxation

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes the packings that the relaxation factor is calibrated on, and solves their contact networks.
+//
+//     relaxation_run states.csv [threads]
+//
+// One row a state is appended as soon as the state is finished. A run that is started again skips the states
+// that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
+// anew, to the same bits. States that do not come to rest are named on the error stream and left out.
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include <granum/assembly/cell_work.hpp>
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/assembly/force_moments.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/contact/friction.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/dem/quasistatic.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+namespace {
+
+using namespace granum;
+
+constexpr double radius = 0.5e-3; // R [m]
+constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+constexpr double ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; // k_t/k_n of the solved networks
+constexpr double kPa = 1e3, MPa = 1e6;
+
+/// One kind of contact.
+struct Shape {
+  const char* name;
+  contact::PowerLaw law;
+  double pressure_limit; // [Pa]; beyond, the contact discs are no longer small
+};
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all{
+      {"cone", contact::PowerLaw::cone(grain, 0.4), 100 * MPa},
+      {"sphere", contact::PowerLaw::sphere(grain, radius), 100 * MPa},
+      {"flat", contact::PowerLaw::flat(grain, 5.7e-6), 30 * MPa},
+      {"alpha1.5", contact::PowerLaw::general(grain, 1.5, 180), 100 * MPa},
+  };
+  return all;
+}
+
+/// Mean stress and stress ratio q/p of one state on a path.
+struct Stage {
+  double pressure = 0;     // [Pa]
+  double stress_ratio = 0; // (stress_v - stress_h)/p
+};
+
+/// One way to make a specimen, and its stress path.
+struct Preparation {
+  const char* name;
+  triaxial::Density density;
+  double friction_coefficient; // of the compression
+  double unjamming_strain;
+  double agitation;
+  std::vector<Stage> path;
+  std::size_t grains = 4000;
+  std::size_t max_steps = 40000; // of a stage
+};
+
+const std::vector<Preparation>& preparations() {
+  using enum triaxial::Density;
+  const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  const std::vector<Stage> low{{10 * kPa}, {30 * kPa}, {100 * kPa}};
+  std::vector<Stage> wide = low;
+  wide.insert(wide.end(), {{1 * MPa}, {10 * MPa}, {30 * MPa}, {100 * MPa}});
+  const std::vector<Stage> decades{{10 * kPa}, {100 * kPa}, {1 * MPa}};
+  const std::vector<Stage> cycle{{10 * kPa}, {3 * MPa}, {300 * kPa}, {100 * kPa}, {30 * kPa}, {10 * kPa}};
+  const std::vector<Stage> compression{{100 * kPa},      {100 * kPa, 0.2}, {100 * kPa, 0.4},
+                                       {100 * kPa, 0.6}, {100 * kPa, 0.7}, {100 * kPa, 0.8}};
+  const std::vector<Stage> extension{{100 * kPa}, {100 * kPa, -0.25}, {100 * kPa, -0.5}, {100 * kPa, -0.6}};
+  static const std::vector<Preparation> all{
+      {"dense", dense, mu, 0.003, 0.03, wide},
+      {"loose", loose, mu, 0.003, 0.03, low},
+      {"mu0.1", loose, 0.1, 0.003, 0.03, decades},
+      {"mu0.2", loose, 0.2, 0.003, 0.03, decades},
+      {"dense txc", dense, mu, 0.003, 0.03, compression},
+      {"loose txc", loose, mu, 0.003, 0.03, compression},
+      {"mu0.03", loose, 0.03, 0.003, 0.03, decades},
+      {"mu1", loose, 1.0, 0.01, 0.1, low, 1000, 200000},
+      {"dense txe", dense, mu, 0.003, 0.03, extension},
+      {"cycle", loose, mu, 0.003, 0.03, cycle},
+      {"mu0.2 txc", loose, 0.2, 0.003, 0.03, compression},
+      {"agitated", loose, mu, 0.02, 0.3, low, 1000, 200000},
+  };
+  return all;
+}
+
+triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparation, std::uint64_t seed) {
+  return {.material = {.law = shape.law,
+                       .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                       .friction_coefficient = preparation.friction_coefficient},
+          .radius = radius,
+          .grains = preparation.grains,
+          .seed = seed,
+          .first_pressure = preparation.path.front().pressure,
+          .unjamming_strain = preparation.unjamming_strain,
+          .agitation = preparation.agitation};
+}
+
+/// A row in the making: headings and cells side by side.
+struct Row {
+  std::string headings;
+  std::string cells;
+
+  void add(const std::string& heading, const std::string& cell) {
+    const char* comma = headings.empty() ? "" : ",";
+    headings += comma + heading;
+    cells += comma + cell;
+  }
+  void add(const std::string& heading, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", value);
+    add(heading, std::isnan(value) ? std::string() : std::string(text));
+  }
+};
+
+void add_stiffness(Row& row, const std::string& suffix, const elastic::VoigtStiffness& stiffness) {
+  const elastic::TransverselyIsotropic c = elastic::transversely_isotropic_projection(stiffness);
+  row.add("C11_" + suffix + "_Pa", c.C11);
+  row.add("C33_" + suffix + "_Pa", c.C33);
+  row.add("C12_" + suffix + "_Pa", c.C12);
+  row.add("C13_" + suffix + "_Pa", c.C13);
+  row.add("C44_" + suffix + "_Pa", c.C44);
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// The packing stays; only the tangential stiffness of its elastic contacts is another.
+void add_networks(Row& row, Assembly assembly, double own_ratio) {
+  int iterations = 0;
+  double residual = 0;
+  network::Options options;
+  for (const double ratio : ratios) {
+    for (Contact& contact : assembly.contacts)
+      contact.tangential_stiffness = ratio * contact.normal_stiffness;
+    // Without tangential stiffness most of the packings are floppy: no use in insisting on ten digits.
+    options.iteration_limit = ratio > 0 ? 20000 : 1500;
+    const network::Response response = network::linear_response(assembly, options);
+    if (ratio > 0 && !response.converged())
+      throw std::runtime_error("a network did not converge");
+    add_stiffness(row, short_number(ratio), response.last_iterate());
+    if (ratio > 0) {
+      iterations = std::max(iterations, response.report().iterations);
+      residual = std::max(residual, response.report().residual);
+    } else {
+      row.add("residual_0", response.report().residual);
+    }
+  }
+  row.add("iterations", iterations);
+  row.add("residual", residual);
+
+  for (Contact& contact : assembly.contacts)
+    contact.tangential_stiffness = own_ratio * contact.normal_stiffness;
+  const network::Response plain = network::linear_response(assembly);
+  add_stiffness(row, "affine", plain.affine());
+  options.prestress = true;
+  const network::Response stressed = network::linear_response(assembly, options);
+  const bool definite = stressed.converged();
+  const elastic::Matrix6& c = stressed.last_iterate().matrix;
+  row.add("C44_prestress_Pa", definite ? (c(3, 3) + c(4, 4)) / 2 : std::numeric_limits<double>::quiet_NaN());
+  row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
+}
+
+double mean_tangential_share(const Assembly& assembly) {
+  double normal_sum = 0, tangential_sum = 0;
+  for (const Contact& c : assembly.contacts) {
+    normal_sum += c.normal_force;
+    tangential_sum += norm(c.tangential_force);
+  }
+  return tangential_sum / normal_sum;
+}
+
+void add_assembly(Row& row, const Assembly& assembly, const dem::Material& material) {
+  const MechanicalCoordination frictional = mechanical_coordination(assembly, ContactKind::frictional);
+  const MechanicalCoordination frictionless = mechanical_coordination(assembly, ContactKind::frictionless);
+  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(contact_normals(assembly));
+  const ContactStress stress = contact_stress(assembly);
+  const BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
+  const double b = material.law.stiffness_exponent();
+  row.add("C_n", coordination_number(assembly));
+  row.add("z_star", frictional.coordination_number);
+  row.add("rattler_fraction", frictional.rattler_fraction);
+  row.add("z_star_frictionless", frictionless.coordination_number);
+  row.add("rattler_fraction_frictionless", frictionless.rattler_fraction);
+  row.add("a", anisotropy.anisotropy);
+  row.add("stress_v_Pa", stress.symmetric(2, 2));
+  row.add("stress_h_Pa", (stress.symmetric(0, 0) + stress.symmetric(1, 1)) / 2);
+  row.add("force_moment_b", normal_force_moment(assembly, b));
+  row.add("force_moment_2", normal_force_moment(assembly, 2));
+  row.add("force_moment_2_minus_b", normal_force_moment(assembly, 2 - b));
+  row.add("tangential_share", mean_tangential_share(assembly));
+  row.add("K_lower_Pa", bounds.lower);
+  row.add("K_upper_Pa", bounds.upper);
+}
+
+/// What one row says of a frozen state.
+void describe(Row& row, const dem::State& frozen, const dem::Material& material) {
+  const Assembly assembly = dem::freeze(frozen, material);
+  row.add("e", dem::void_ratio(frozen));
+  add_assembly(row, assembly, material);
+  add_networks(row, assembly, material.tangential_stiffness_ratio);
+}
+
+/// The output file: which states it holds, and how another is added.
+class Record {
+ public:
+  explicit Record(const std::filesystem::path& path) : path_(path) {
+    std::ifstream in(path);
+    std::string line, whole;
+    while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut: it is done again
+      whole += line + "\n";
+      done_.insert(key_of(line));
+    }
+    in.close();
+    std::ofstream(path) << whole;
+  }
+  static std::string key_of(const std::string& line) {
+    std::size_t end = 0;
+    for (int field = 0; field < key_fields && end != std::string::npos; ++field)
+      end = line.find(',', end + 1);
+    return line.substr(0, end);
+  }
+  [[nodiscard]] bool has(const Row& row) {
+    const std::lock_guard lock(mutex_);
+    return done_.count(key_of(row.cells)) > 0;
+  }
+  void append(const Row& row) {
+    const std::lock_guard lock(mutex_);
+    std::ofstream out(path_, std::ios::app);
+    if (done_.empty())
+      out << row.headings << "\n";
+    out << row.cells << "\n";
+    done_.insert(key_of(row.cells));
+  }
+
+ private:
+  static constexpr int key_fields = 6;
+  std::filesystem::path path_;
+  std::set<std::string> done_;
+  std::mutex mutex_;
+};
+
+/// The first columns: six that name a state, and what else it was made with.
+Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, const Stage& stage,
+        std::size_t number) {
+  Row row;
+  row.add("contact", std::string(shape.name));
+  row.add("preparation", std::string(preparation.name));
+  row.add("seed", static_cast<double>(seed));
+  row.add("grains", static_cast<double>(preparation.grains));
+  row.add("stage", static_cast<double>(number));
+  row.add("p_Pa", stage.pressure);
+  row.add("alpha", shape.law.alpha());
+  row.add("stress_ratio", stage.stress_ratio);
+  row.add("friction_coefficient", preparation.friction_coefficient);
+  return row;
+}
+
+/// Frictionless specimens, each made once and then used by every preparation of its shape, seed and size.
+class Packings {
+ public:
+  dem::State get(const Shape& shape, const triaxial::SpecimenRecipe& recipe) {
+    Entry& entry = find({shape.name, recipe.seed, recipe.grains});
+    const std::lock_guard lock(entry.mutex);
+    if (!entry.state)
+      entry.state = triaxial::frictionless_specimen(recipe).state;
+    return *entry.state;
+  }
+
+ private:
+  struct Entry {
+    std::mutex mutex;
+    std::optional<dem::State> state;
+  };
+  using Name = std::tuple<std::string, std::uint64_t, std::size_t>;
+  Entry& find(const Name& name) {
+    const std::lock_guard lock(mutex_);
+    return entries_[name];
+  }
+  std::mutex mutex_;
+  std::map<Name, Entry> entries_;
+};
+
+void run_specimen(const Shape& shape, const Preparation& preparation, std::uint64_t seed, Packings& packings,
+                  Record& record) {
+  std::vector<Row> keys;
+  std::size_t last_missing = 0;
+  for (std::size_t k = 0; k < preparation.path.size(); ++k) {
+    keys.push_back(key(shape, preparation, seed, preparation.path[k], k));
+    if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(keys.back()))
+      last_missing = k + 1;
+  }
+  if (last_missing == 0)
+    return;
+  const triaxial::SpecimenRecipe specimen = recipe(shape, preparation, seed);
+  triaxial::SpecimenRecipe at_10_kPa = specimen;
+  at_10_kPa.first_pressure = 10 * kPa;
+  dem::State state =
+      triaxial::start_of_compression(packings.get(shape, at_10_kPa), preparation.density, specimen);
+  // The loosest specimens creep for long. A stage that runs out of steps is frozen as it stands: its stress
+  // is measured on the contacts.
+  dem::QuasistaticOptions options = triaxial::compression_options();
+  options.max_steps = preparation.max_steps;
+  for (std::size_t k = 0; k < last_missing; ++k) {
+    const auto [p, eta] = preparation.path[k];
+    const double stress_h = p * (1 - eta / 3), stress_v = p * (1 + 2 * eta / 3);
+    dem::Engine engine(std::move(state), specimen.material);
+    const dem::QuasistaticReport report = dem::equilibrate(engine, {stress_h, stress_h, stress_v}, options);
+    if (report.outcome == dem::Outcome::unstable)
+      throw std::runtime_error("stage " + std::to_string(k) + " became unstable");
+    engine.rest();
+    state = engine.state();
+    if (record.has(keys[k]))
+      continue;
+    const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
+    if (!(frozen.report.unbalanced_force_ratio < 1e-6))
+      throw std::runtime_error("a frozen state did not come to rest");
+    Row row = keys[k];
+    describe(row, frozen.state, specimen.material);
+    record.append(row);
+    std::fprintf(stderr, "%s\n", Record::key_of(row.cells).c_str());
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: %s states.csv [threads]\n", argv[0]);
+    return 2;
+  }
+  const std::size_t threads = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
+  constexpr std::uint64_t seeds_per_shape = 3;
+  struct Task {
+    const Shape* shape;
+    const Preparation* preparation;
+    std::uint64_t seed;
+  };
+  // Every shape and preparation once before any of them with a second seed. No two shapes share a seed.
+  std::vector<Task> tasks;
+  for (std::uint64_t round = 0; round < seeds_per_shape; ++round)
+    for (const Preparation& preparation : preparations())
+      for (std::size_t k = 0; k < shapes().size(); ++k)
+        tasks.push_back({&shapes()[k], &preparation, 100 * (k + 1) + round});
+  Record record(argv[1]);
+  Packings packings;
+  std::atomic<std::size_t> next = 0;
+  const auto worker = [&] {
+    for (std::size_t k = next++; k < tasks.size(); k = next++) {
+      const Task& task = tasks[k];
+      try {
+        run_specimen(*task.shape, *task.preparation, task.seed, packings, record);
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s %s #%zu: %s\n", task.shape->name, task.preparation->name,
+                     static_cast<std::size_t>(task.seed), error.what());
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < threads; ++t)
+    others.emplace_back(worker);
+  worker();
+  for (std::thread& other : others)
+    other.join();
+}
