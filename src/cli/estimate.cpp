@@ -22,8 +22,9 @@ struct Options {
 
 EstimateCase resolve(const PackingOptions& o) {
   const State state = resolve_state(o, resolve_stresses(o));
-  EstimateCase question{
-      .state = state, .packing = packing_json(o, state), .assumptions = assumed_inputs(o, state)};
+  EstimateCase question{.subject = {state, resolve_mechanical_coordination_number(o)},
+                        .packing = packing_json(o, state),
+                        .assumptions = assumed_inputs(o, state)};
   for (const std::string& note : loose_packing_remark(o, state))
     question.assumptions.push_back(note);
   if (state.stress_v == 0 && state.stress_h == 0)
@@ -38,21 +39,26 @@ void note_missing_young_moduli(const FieldAnswer& answer, const char* hypothesis
                              hypothesis));
 }
 
-EstimateAnswer solve(const State& state) {
-  EstimateAnswer both{.uniform_strain = answer(uniform_strain_rung(), state),
-                      .uniform_stress = answer(uniform_stress_rung(), state),
-                      .validity = {}};
-  both.validity.merge(both.uniform_strain.validity);
-  both.validity.merge(both.uniform_stress.validity);
-  note_missing_young_moduli(both.uniform_strain, "uniform strain", both.validity);
-  note_missing_young_moduli(both.uniform_stress, "uniform stress", both.validity);
-  keep_each_once(both.validity);
-  return both;
+EstimateAnswer solve(const Packing& packing) {
+  EstimateAnswer all{.uniform_strain = answer(uniform_strain_rung(), packing),
+                     .uniform_stress = answer(uniform_stress_rung(), packing),
+                     .relaxed = std::nullopt,
+                     .validity = {}};
+  all.validity.merge(all.uniform_strain.validity);
+  all.validity.merge(all.uniform_stress.validity);
+  note_missing_young_moduli(all.uniform_strain, "uniform strain", all.validity);
+  note_missing_young_moduli(all.uniform_stress, "uniform stress", all.validity);
+  if (packing.mechanical_coordination_number) {
+    all.relaxed = answer(relaxed_rung(), packing);
+    all.validity.merge(all.relaxed->validity);
+  }
+  keep_each_once(all.validity);
+  return all;
 }
 
 ExitCode run(const Options& options) {
   const EstimateCase question = resolve(options.packing);
-  const EstimateAnswer answer = solve(question.state);
+  const EstimateAnswer answer = solve(question.subject);
   return deliver(options.output, estimate_table(question, answer), estimate_json(question, answer),
                  answer.validity);
 }

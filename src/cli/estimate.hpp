@@ -14,7 +14,7 @@ namespace granum::cli {
 
 /// The question: a state, and where its numbers come from.
 struct EstimateCase {
-  effective::State state;
+  Packing subject;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
   std::vector<std::string> assumptions; ///< what was not given, one sentence each
 };
@@ -22,7 +22,8 @@ struct EstimateCase {
 struct EstimateAnswer {
   FieldAnswer uniform_strain;
   FieldAnswer uniform_stress;
-  Validity validity; ///< notes of both, each once
+  std::optional<FieldAnswer> relaxed; ///< where z* is given
+  Validity validity;                  ///< notes of all, each once
 };
 
 [[nodiscard]] nlohmann::ordered_json estimate_json(const EstimateCase& question,

@@ -34,12 +34,17 @@ ordered_json json_of(const FieldAnswer& answer) {
   json["m"] = exponents ? ordered_json(exponents->stress_h) : ordered_json();
   json["n"] = exponents ? ordered_json(exponents->stress_v) : ordered_json();
   json["s"] = exponents ? ordered_json(exponents->sum()) : ordered_json();
+  if (const auto& error = answer.relative_error)
+    json["relative_error"] = {{"K", error->bulk_modulus}, {"G_vh", error->G_vh}, {"G_hh", error->G_hh}};
   return json;
 }
 
 ordered_json inputs(const EstimateCase& question) {
   ordered_json json = question.packing;
-  json.update({{"stress_v", question.state.stress_v}, {"stress_h", question.state.stress_h}});
+  const State& state = question.subject.state;
+  json.update({{"stress_v", state.stress_v}, {"stress_h", state.stress_h}});
+  if (const auto& z = question.subject.mechanical_coordination_number)
+    json["mechanical_coordination_number"] = *z;
   return json;
 }
 
@@ -57,25 +62,37 @@ std::string contact_text(const ordered_json& contact) {
 }
 
 std::string state_text(const EstimateCase& question) {
-  const State& s = question.state;
+  const State& s = question.subject.state;
   std::string text = "Small-strain stiffness of a packing of equal grains, closed form\n\n";
   text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
                       short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
                       pretty(s.law.grain().shear_modulus, Dimension::pressure),
                       short_text(s.law.grain().poisson_ratio));
-  text += fmt::format("  packing   e = {}, C_n = {}, fabric a = {}\n", short_text(s.void_ratio),
-                      short_text(s.coordination_number), short_text(s.fabric_anisotropy));
+  const auto& z = question.subject.mechanical_coordination_number;
+  text += fmt::format("  packing   e = {}, C_n = {}{}, fabric a = {}\n", short_text(s.void_ratio),
+                      short_text(s.coordination_number), z ? ", z* = " + short_text(*z) : "",
+                      short_text(s.fabric_anisotropy));
   text += fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
                       pretty(s.stress_h, Dimension::pressure));
   return text;
 }
 
-std::string row(const std::string& label, const std::string& strain, const std::string& stress,
-                const std::string& meaning) {
-  std::string line = fmt::format("  {:<12} {:>14} {:>16}   {}", label, strain, stress, meaning);
+/// One line: a label, what each closed form says, and the meaning.
+std::string row(const std::string& label, const std::vector<std::string>& cells, const std::string& meaning) {
+  std::string line = fmt::format("  {:<12}", label);
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += fmt::format(" {:>{}}", cells[k], k == 0 ? 14 : k == 1 ? 16 : 22);
+  line += "   " + meaning;
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
+}
+
+/// "+- 3 %" of the moduli whose error is stated.
+std::string error_text(const ordered_json& answer, const char* key) {
+  if (!answer.contains("relative_error") || !answer["relative_error"].contains(key))
+    return "";
+  return fmt::format(" +- {} %", short_text(100 * answer["relative_error"][key].get<double>(), 2));
 }
 
 struct Label {
@@ -111,11 +128,18 @@ std::string exponent_text(const ordered_json& value) {
 }
 
 /// What no closed form of a mean field knows; ratios measured on contact networks of all three shapes.
-std::string relaxation_text(const State& state) {
+std::string relaxation_text(const EstimateCase& question) {
+  const bool both = question.subject.state.tangential_ratio > 0;
+  if (question.subject.mechanical_coordination_number)
+    return fmt::format(
+        "\n{} G of a real packing, whose grains relax. The last column corrects that by\n"
+        "factors calibrated on contact networks; its exponents are those of frozen contacts.\n",
+        both ? "Uniform strain and stress overestimate" : "Uniform strain overestimates");
   return fmt::format(
       "\n{} G of a real packing, whose grains relax: it has about 0.7 of it if dense,\n"
-      "0.2 to 0.5 if weakly coordinated. granum verify measures this, by network and by DEM.\n",
-      state.tangential_ratio > 0 ? "Both overestimate" : "Uniform strain overestimates");
+      "0.2 to 0.5 if weakly coordinated. --mechanical-coordination-number or --rattler-fraction\n"
+      "tell which; granum verify measures it, by network and by DEM.\n",
+      both ? "Both overestimate" : "Uniform strain overestimates");
 }
 
 } // namespace
@@ -125,6 +149,8 @@ ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& a
   json["inputs"] = inputs(question);
   json["uniform_strain"] = json_of(answer.uniform_strain);
   json["uniform_stress"] = json_of(answer.uniform_stress);
+  if (answer.relaxed)
+    json["relaxed"] = json_of(*answer.relaxed);
   json["notes"] = question.assumptions;
   for (const std::string& note : answer.validity.notes)
     json["notes"].push_back(note);
@@ -132,16 +158,30 @@ ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& a
 }
 
 std::string estimate_table(const EstimateCase& question, const EstimateAnswer& answer) {
-  const ordered_json strain = json_of(answer.uniform_strain);
-  const ordered_json stress = json_of(answer.uniform_stress);
+  std::vector<ordered_json> answers{json_of(answer.uniform_strain), json_of(answer.uniform_stress)};
+  std::vector<std::string> titles{"uniform strain", "uniform stress"};
+  if (answer.relaxed) {
+    answers.push_back(json_of(*answer.relaxed));
+    titles.emplace_back("relaxed");
+  }
+  const auto cells = [&answers](const auto& text_of) {
+    std::vector<std::string> texts;
+    for (const ordered_json& one : answers)
+      texts.push_back(text_of(one));
+    return texts;
+  };
   std::string text = state_text(question);
-  text += row("", "uniform strain", "uniform stress", "");
+  text += row("", titles, "");
   for (const Label& m : moduli)
-    text += row(m.label, pressure_text(strain[m.key]), pressure_text(stress[m.key]), m.meaning);
+    text += row(m.label, cells([&m](const ordered_json& one) {
+                  return pressure_text(one[m.key]) + error_text(one, m.key);
+                }),
+                m.meaning);
   text += "\n  exponents of stress\n";
   for (const Label& e : exponents)
-    text += row(e.label, exponent_text(strain[e.key]), exponent_text(stress[e.key]), e.meaning);
-  text += relaxation_text(question.state);
+    text +=
+        row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }), e.meaning);
+  text += relaxation_text(question);
   for (const std::string& note : question.assumptions)
     text += "- " + note + "\n";
   return text;

@@ -8,6 +8,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/effective/relaxation.hpp>
 
 #include "frame.hpp"
 
@@ -117,6 +118,8 @@ std::vector<Number*> numbers(PackingOptions& o) {
           &o.porosity,
           &o.solid_fraction,
           &o.coordination_number,
+          &o.mechanical_coordination_number,
+          &o.rattler_fraction,
           &o.fabric,
           &o.pressure,
           &o.stress_v,
@@ -137,6 +140,10 @@ void add_packing_options(CLI::App& command, PackingOptions& o) {
                              "Share of grains in the volume, instead of --void-ratio");
   add_number(command, "--coordination-number", o.coordination_number,
              "C_n = 2 N_c/N, contacts per grain over all grains");
+  add_number_without_default(command, "--mechanical-coordination-number", o.mechanical_coordination_number,
+                             "z*, contacts per grain without rattlers: rung 3, with relaxation");
+  add_number_without_default(command, "--rattler-fraction", o.rattler_fraction,
+                             "Share of grains that carry no force, instead of z* = C_n/(1 - share)");
   add_number(command, "--fabric", o.fabric, "a, anisotropy of the contact normals; > 0: more are vertical");
   add_number_without_default(command, "--pressure", o.pressure, "Isotropic stress");
   add_number_without_default(command, "--stress-v", o.stress_v, "Vertical stress, with --stress-h");
@@ -172,6 +179,18 @@ State resolve_state(const PackingOptions& o, const Stresses& stress) {
                     .stress_h = stress.h};
   effective::require_valid(state);
   return state;
+}
+
+std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& o) {
+  const bool one_table = o.mechanical_coordination_number.in_table && o.rattler_fraction.in_table;
+  if (o.mechanical_coordination_number.given() && o.rattler_fraction.given() && !one_table)
+    throw InvalidArgument("--mechanical-coordination-number and --rattler-fraction say the same: give one");
+  if (o.mechanical_coordination_number.given())
+    return require_non_negative(o.mechanical_coordination_number.name,
+                                o.mechanical_coordination_number.value);
+  if (o.rattler_fraction.given())
+    return effective::mechanical_coordination_number(o.coordination_number.value, o.rattler_fraction.value);
+  return std::nullopt;
 }
 
 std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& state) {

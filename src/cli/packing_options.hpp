@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct PackingOptions {
   Number porosity;
   Number solid_fraction;
   Number coordination_number{5.73, Dimension::dimensionless, "C_n"};
+  Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star"};
+  Number rattler_fraction;
   Number fabric{0, Dimension::dimensionless, "a"};
   Number pressure{0, Dimension::pressure, "p"};
   Number stress_v{0, Dimension::pressure, "sigma_v"};
@@ -80,6 +83,10 @@ struct Stresses {
 /// The packing that the options describe, at a stress.
 /// \throws   InvalidArgument for options that contradict one another or that no packing can have
 [[nodiscard]] effective::State resolve_state(const PackingOptions& options, const Stresses& stress);
+
+/// z* of the packing, if it is given, or the share of rattlers. A table may hold both: then z*.
+/// \throws   InvalidArgument if both are given, or if the value is out of its range
+[[nodiscard]] std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& options);
 
 /// What was not given, one sentence each.
 [[nodiscard]] std::vector<std::string> assumed_inputs(const PackingOptions& options,

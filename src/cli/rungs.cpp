@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <granum/core/error.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 namespace granum::cli {
@@ -35,20 +36,24 @@ FieldAnswer at_mean_force(const State& state) {
           .validity = effective::require_valid(state)};
 }
 
-FieldAnswer isotropic(const State& state) {
-  State without_fabric = state;
+FieldAnswer fabric_at_mean_force(const Packing& packing) { return at_mean_force(packing.state); }
+
+FieldAnswer isotropic(const Packing& packing) {
+  State without_fabric = packing.state;
   without_fabric.fabric_anisotropy = 0;
   return at_mean_force(without_fabric);
 }
 
-FieldAnswer directional(const State& state) {
+FieldAnswer directional(const Packing& packing) {
+  const State& state = packing.state;
   effective::Estimate estimate = effective::uniform_strain(state);
   return {.stiffness = estimate.stiffness,
           .exponents = effective::uniform_strain_exponents(loaded(state), G_hv),
           .validity = std::move(estimate.validity)};
 }
 
-FieldAnswer uniform_stress(const State& state) {
+FieldAnswer uniform_stress(const Packing& packing) {
+  const State& state = packing.state;
   effective::Estimate estimate = effective::uniform_stress(state);
   FieldAnswer answer{
       .stiffness = estimate.stiffness, .exponents = std::nullopt, .validity = std::move(estimate.validity)};
@@ -57,13 +62,30 @@ FieldAnswer uniform_stress(const State& state) {
   return answer;
 }
 
+/// Exponents at frozen contacts: they do not know how C_n and z* grow.
+FieldAnswer relaxed(const Packing& packing) {
+  const double z = *packing.mechanical_coordination_number;
+  effective::RelaxedEstimate estimate = effective::relaxed(packing.state, z);
+  FieldAnswer answer{.stiffness = estimate.stiffness,
+                     .exponents = std::nullopt,
+                     .validity = std::move(estimate.validity),
+                     .relative_error = estimate.relative_error};
+  if (estimate.stiffness.C44 > 0)
+    answer.exponents = effective::relaxed_exponents(loaded(packing.state), z, {}, G_hv);
+  return answer;
+}
+
 constexpr Rung rungs[] = {
-    {"0", "rung0", "uniform strain, isotropic, every contact at the mean force", "nothing more", isotropic},
-    {"1", "rung1", "uniform strain with fabric, every contact at the mean force", "a", at_mean_force},
+    {"0", "rung0", "uniform strain, isotropic, every contact at the mean force", "nothing more", false,
+     isotropic},
+    {"1", "rung1", "uniform strain with fabric, every contact at the mean force", "a", false,
+     fabric_at_mean_force},
     {"2", "rung2", "uniform strain with fabric, contacts as stiff as the force in their direction",
-     "a, sigma_v, sigma_h", directional},
+     "a, sigma_v, sigma_h", false, directional},
+    {"3", "rung3", "rung 2 relaxed, as contact networks of this coordination do", "z* as well", true,
+     relaxed},
     {"uniform-stress", "uniform_stress", "uniform stress with fabric and forces as rung 2",
-     "a, sigma_v, sigma_h", uniform_stress},
+     "a, sigma_v, sigma_h", false, uniform_stress},
 };
 
 const Rung& rung(std::string_view key) {
@@ -81,8 +103,11 @@ std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Load
 
 std::span<const Rung> all_rungs() { return rungs; }
 
-FieldAnswer answer(const Rung& rung, const State& state) {
-  FieldAnswer answer = rung.answer(state);
+FieldAnswer answer(const Rung& rung, const Packing& packing) {
+  if (rung.needs_mechanical_coordination_number && !packing.mechanical_coordination_number)
+    throw InvalidArgument(std::string("rung ") + rung.key +
+                          " needs z*: give --mechanical-coordination-number or --rattler-fraction");
+  FieldAnswer answer = rung.answer(packing);
   const TransverselyIsotropic& c = answer.stiffness;
   for (const double value : {c.C11, c.C33, c.C12, c.C13, c.C44})
     if (!std::isfinite(value))
@@ -92,6 +117,7 @@ FieldAnswer answer(const Rung& rung, const State& state) {
 
 const Rung& uniform_strain_rung() { return rung("2"); }
 const Rung& uniform_stress_rung() { return rung("uniform-stress"); }
+const Rung& relaxed_rung() { return rung("3"); }
 
 void keep_each_once(Validity& validity) {
   std::vector<std::string> once;

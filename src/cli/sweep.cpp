@@ -6,16 +6,26 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <granum/core/error.hpp>
 
 namespace granum::cli {
 
 namespace {
 
-Rungs chosen_rungs(const std::vector<std::string>& keys) {
+/// The rungs that were asked for, or all that the options allow.
+Rungs chosen_rungs(const SweepOptions& o) {
+  const bool z_given = o.packing.mechanical_coordination_number.given() || o.packing.rattler_fraction.given();
   Rungs rungs;
-  for (const Rung& rung : all_rungs())
-    if (std::find(keys.begin(), keys.end(), rung.key) != keys.end())
+  for (const Rung& rung : all_rungs()) {
+    const bool asked_for = std::find(o.rungs.begin(), o.rungs.end(), rung.key) != o.rungs.end();
+    const bool allowed = !rung.needs_mechanical_coordination_number || z_given;
+    if (asked_for && !allowed && o.table.empty())
+      throw InvalidArgument(fmt::format("--rungs {} needs --mechanical-coordination-number or "
+                                        "--rattler-fraction",
+                                        rung.key));
+    if (asked_for || (o.rungs.empty() && allowed))
       rungs.push_back(&rung);
+  }
   return rungs;
 }
 
@@ -55,11 +65,10 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
 
 void add_sweep_options(CLI::App& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
-  o.rungs = names_of(all_rungs(), &Rung::key);
   command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember(o.rungs))
-      ->default_str("all");
+      ->check(CLI::IsMember(names_of(all_rungs(), &Rung::key)))
+      ->default_str("all, 3 if z* is an option");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =
       command.add_option("--table", o.table, "States from the rows of this CSV file")->type_name("FILE.csv");
@@ -88,7 +97,7 @@ Command add_sweep(CLI::App& program) {
   add_sweep_options(*command, *options);
   command->footer(rungs_help());
   return {command, [options] {
-            const Rungs rungs = chosen_rungs(options->rungs);
+            const Rungs rungs = chosen_rungs(*options);
             return options->table.empty() ? sweep_path(*options, rungs) : sweep_table(*options, rungs);
           }};
 }

@@ -53,7 +53,7 @@ struct StateResult {
   std::string error;                               ///< empty: none
 };
 
-[[nodiscard]] StateResult evaluate(const effective::State& state, const Rungs& rungs);
+[[nodiscard]] StateResult evaluate(const Packing& packing, const Rungs& rungs);
 /// Of a state that is none.
 [[nodiscard]] StateResult failed(const std::string& error, const Rungs& rungs);
 

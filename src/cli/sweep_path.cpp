@@ -138,10 +138,10 @@ PathSweep solve(const SweepOptions& o, const Rungs& rungs) {
   for (const std::string& remark : loose_packing_remark(o.packing, sweep.packing))
     sweep.remarks.push_back(remark);
   for (const PathPoint& point : path.points) {
-    effective::State state = sweep.packing;
-    state.stress_v = point.stress.v;
-    state.stress_h = point.stress.h;
-    sweep.results.push_back(evaluate(state, rungs));
+    Packing packing{sweep.packing, resolve_mechanical_coordination_number(o.packing)};
+    packing.state.stress_v = point.stress.v;
+    packing.state.stress_h = point.stress.h;
+    sweep.results.push_back(evaluate(packing, rungs));
     sweep.tally.count(sweep.results.back(), fmt::format("state {}", sweep.results.size()));
   }
   return sweep;

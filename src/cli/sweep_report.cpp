@@ -67,12 +67,12 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   return *found;
 }
 
-StateResult evaluate(const effective::State& state, const Rungs& rungs) {
+StateResult evaluate(const Packing& packing, const Rungs& rungs) {
   StateResult result;
   std::vector<std::string> errors;
   for (const Rung* rung : rungs) {
     try {
-      result.answers.emplace_back(answer(*rung, state));
+      result.answers.emplace_back(answer(*rung, packing));
       for (const std::string& note : result.answers.back()->validity.notes)
         add_once(result.notes, note);
     } catch (const Error& error) {

@@ -172,7 +172,7 @@ class TableSweep {
       const effective::State state = resolve_state(packing, resolve_stresses(packing));
       if (!remarks_)
         remarks_ = remarks_on(packing, state);
-      return evaluate(state, rungs_);
+      return evaluate({state, resolve_mechanical_coordination_number(packing)}, rungs_);
     } catch (const Error& error) {
       return failed(error.what(), rungs_);
     }

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Core>
-#include <unsupported/Eigen/AutoDiff>
-
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "differentiated.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {
@@ -21,7 +19,7 @@ namespace {
 
 using Eigen::Vector2d;
 /// A number with its derivatives by ln stress_v and ln stress_h.
-using Dual = Eigen::AutoDiffScalar<Vector2d>;
+using Dual = kernel::Dual<2>;
 using elastic::TransverselyIsotropic;
 
 double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
@@ -42,10 +40,8 @@ kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& g
     const StressExponents e = uniform_strain_exponents(s, which);
     return Vector2d(modulus(c, which) * (Vector2d(e.stress_v, e.stress_h) + common));
   };
-  const Vector2d C11 = slopes(Modulus::C11), C33 = slopes(Modulus::C33);
-  const Vector2d C12 = C11 - 2 * slopes(Modulus::G_hh);
-  const Vector2d C13 = (9 * slopes(Modulus::K) - 2 * C11 - C33 - 2 * C12) / 4;
-  return {Dual(c.C11, C11), Dual(c.C33, C33), Dual(c.C12, C12), Dual(c.C13, C13),
+  return {Dual(c.C11, slopes(Modulus::C11)), Dual(c.C33, slopes(Modulus::C33)),
+          Dual(c.C12, slopes(Modulus::C12)), Dual(c.C13, slopes(Modulus::C13)),
           Dual(c.C44, slopes(Modulus::G_vh))};
 }
 
@@ -64,29 +60,7 @@ kernel::RelaxedConstants<Dual> relaxed_constants(const State& s, double z, const
 }
 
 Dual relaxed_modulus(const kernel::RelaxedConstants<Dual>& c, Modulus which) {
-  switch (which) {
-  case Modulus::K:
-    return (2.0 * c.C11 + c.C33 + 2.0 * c.C12 + 4.0 * c.C13) / 9.0;
-  case Modulus::G_hh:
-    return 0.5 * (c.C11 - c.C12);
-  case Modulus::G_vh:
-    return c.C44;
-  case Modulus::E_v: {
-    const Dual sum = c.C11 + c.C12;
-    return c.C33 - 2.0 * c.C13 * c.C13 / sum;
-  }
-  case Modulus::E_h: {
-    const Dual determinant = c.C33 * (c.C11 + c.C12) - 2.0 * c.C13 * c.C13;
-    const Dual minor = c.C11 * c.C33 - c.C13 * c.C13;
-    const Dual difference = c.C11 - c.C12;
-    return difference * determinant / minor;
-  }
-  case Modulus::C11:
-    return c.C11;
-  case Modulus::C33:
-    return c.C33;
-  }
-  throw InvalidArgument("modulus is not one of the known ones");
+  return kernel::modulus<Dual>({.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44}, which);
 }
 
 void require_finite(const Growth& growth) {

@@ -184,3 +184,21 @@ granum_cli_test("estimate: existing output is kept" EXIT 3 STDERR "isotropic\\.c
   ARGS estimate ${state} --out isotropic.csv)
 granum_cli_test("estimate: output to a file" EXIT 0
   ARGS estimate ${state} --json --force --out "${CMAKE_CURRENT_BINARY_DIR}/estimate result.json")
+
+# Rung 3 where z* is given: z* = C_n/(1 - share), softer than uniform strain by the factor of a dense packing, with its
+# standard error; nothing below the isostatic point.
+set(dense --void-ratio 0.56 --pressure 100kPa --coordination-number 5.9)
+granum_cli_test("estimate: relaxed where rattlers are given" EXIT 0 JSON "inputs/mechanical_coordination_number=^6\\.0204"
+  ARGS estimate ${dense} --rattler-fraction 0.02 --json)
+granum_cli_test("estimate: relaxed dense spheres have two thirds of G" EXIT 0 JSON "relaxed/G_vh=^20[0-9][0-9]+\\."
+  ARGS estimate ${dense} --rattler-fraction 0.02 --json)
+granum_cli_test("estimate: relaxed with its error" EXIT 0 STDOUT "G_vh = C44 .* 20[0-9]\\.?[0-9]* MPa \\+- 2\\.[0-9] %"
+  ARGS estimate ${dense} --mechanical-coordination-number 6.02)
+granum_cli_test("estimate: no relaxed column without z*" EXIT 0 STDOUT "--rattler-fraction"
+  ARGS estimate ${dense})
+granum_cli_test("estimate: below the isostatic point" EXIT 0 STDERR "z\\* = 3.5 is not above the isostatic point"
+  JSON "relaxed/G_vh=^0\\.0$" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --json)
+granum_cli_test("estimate: z* given twice" EXIT 2 STDERR "say the same: give one"
+  ARGS estimate ${dense} --mechanical-coordination-number 6 --rattler-fraction 0.02)
+granum_cli_test("estimate: rattlers in per cent" EXIT 2 STDERR "rattler_fraction = 2 is outside"
+  ARGS estimate ${dense} --rattler-fraction 2)

@@ -96,7 +96,7 @@ granum_sweep_refuses("log spacing in eta" "--spacing log goes with --path iso"
   ${packing} --path txc --from 1kPa --eta 0.5 --spacing log)
 granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} --from -1kPa --to 1kPa)
 granum_sweep_refuses("one point" "--points: Value 1 not in range" ${packing} --from 1kPa --to 2kPa --points 1)
-granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
+granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
 granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"
   ${packing} --from 1kPa --to 2kPa --pressure 1kPa)
@@ -125,3 +125,9 @@ add_test(NAME "cli: sweep: files, and the same numbers as estimate" WORKING_DIRE
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sweep files"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sweep.cmake")
 set_tests_properties("cli: sweep: files, and the same numbers as estimate" PROPERTIES LABELS cli)
+
+# Rung 3 needs z*, as an option or as a column of a table.
+granum_cli_test("sweep: rung 3 without z*" EXIT 2 STDERR "--rungs 3 needs --mechanical-coordination-number or --rattler-fraction"
+  ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2 --rungs 3)
+granum_cli_test("sweep: rung 3 joins where z* is given" EXIT 0 STDOUT ",s_rung2,G_hh_rung3_Pa,"
+  ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2 --rattler-fraction 0.02)
