@@ -293,6 +293,8 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   if (locals) {
     builder.note_digits(locals->digits, "overlaps or lines of centres");
     to_si(locals->rows, local_file->units().stated ? local_file->units() : units);
+    if (!locals->layout.has_forces())
+      builder.expect_no_forces();
     LocalJoin(builder, *locals).run();
   }
   note_unknown(builder, atom_file, box, locals);

@@ -136,7 +136,7 @@ void PackingBuilder::add(const PairRow& row) {
       !std::isfinite(norm(row.tangential_force)))
     fail_contact(row.line, pair_text(row.a, row.b) + " has numbers beyond all range");
   if (row.overlap <= 0) {
-    if (row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
+    if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
       ++neighbours_;
       return;
     }

@@ -78,6 +78,8 @@ class PackingBuilder {
   void note_digits(const DigitWatch& coordinates, std::string_view what);
   /// Every pair is to stand there twice, once from each side.
   void expect_both_sides() { both_sides_ = true; }
+  /// The files hold no forces: no row is a neighbour without contact.
+  void expect_no_forces() { forces_known_ = false; }
 
   /// The packing with its contacts sorted, each pair once.
   /// \throws   FileError for a pair that stands there twice with different values
@@ -106,6 +108,7 @@ class PackingBuilder {
   PeriodicCell cell_;
   bool has_cell_ = false;
   bool both_sides_ = false;
+  bool forces_known_ = true;
   bool unsorted_ = false;
   std::vector<Entry> entries_;
   std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;

@@ -26,6 +26,7 @@ enum class Finding {
   contacts_unknown,   ///< no contacts in the files
   forces_unknown,     ///< contacts, but no forces
   tangential_unknown, ///< normal forces, but no tangential ones
+  ids_assumed,        ///< grains have no ids in the file; they were numbered
   cell_unknown,       ///< no box in the files: the cell is the smallest upright box around the grains
   boundary_unknown,   ///< which faces are periodic is not in the files
   units_unknown,      ///< no units in the files: taken for SI
