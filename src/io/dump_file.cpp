@@ -50,7 +50,8 @@ void DumpFile::read_value(const char* what, TextRow& row) {
   row.require_size(1, what);
 }
 
-/// Labels are the user's (dump_modify label); they are the same word in the two sections that belong together.
+/// Labels are the user's (dump_modify label); they are the same word in the two sections that belong
+/// together.
 bool DumpFile::is_table(std::string_view name, const std::string& label) const {
   if (!label.empty())
     return name == label;

@@ -50,7 +50,8 @@ class DumpFile {
   explicit DumpFile(TextSource source) : source_(std::move(source)) {}
 
   /// The next frame, its table handed to the sink row by row; nothing at the end of the file.
-  /// \throws   FileError for what is no dump, a frame cut off, or a table of another number of rows than stated
+  /// \throws   FileError for what is no dump, a frame cut off, or a table of another number of rows than
+  ///           stated
   [[nodiscard]] std::optional<DumpFrame> next(const TableSink& sink);
 
   [[nodiscard]] const DumpUnits& units() const { return units_; }

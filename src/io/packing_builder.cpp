@@ -17,7 +17,8 @@ namespace {
 
 /// Two rows of one pair state the same if they differ by no more than the rounding to six digits.
 constexpr double same_value = 1e-5;
-/// A branch that a file states and the one between its grains may differ by six-digit coordinates in a large box.
+/// A branch that a file states and the one between its grains may differ by six-digit coordinates in a large
+/// box.
 constexpr double same_branch = 1e-2;
 /// Grains whose centres are further apart than this many sums of their radii do not touch in any code.
 constexpr double farthest = 2;

@@ -67,7 +67,8 @@ class PackingBuilder {
   [[nodiscard]] Vec3 straight(std::uint32_t a, std::uint32_t b) const;
   /// The shortest periodic image of a difference of positions.
   [[nodiscard]] Vec3 nearest(const Vec3& difference) const { return cell_.nearest(difference); }
-  /// \throws   FileError if a branch that the file states is not the one between the grains (1 % of the radii)
+  /// \throws   FileError if a branch that the file states is not the one between the grains (1 % of the
+  ///           radii)
   void require_agreement(const PairRow& row) const;
 
   /// Takes a contact in; a row without overlap and force is a neighbour and left out.

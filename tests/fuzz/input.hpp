@@ -11,7 +11,8 @@
 #include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
 
-/// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a fault.
+/// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a
+/// fault.
 namespace granum::fuzz {
 
 /// Divides an input for readers of two files: a line "=====" stands between them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds a corpus to a fuzz target where libFuzzer is not at hand: every file of a folder as it is, cut off at many
-// places, and with bytes changed at random, always the same ones.    replay_<target> <folder>
+// Feeds a corpus to a fuzz target where libFuzzer is not at hand: every file of a folder as it is, cut off at
+// many places, and with bytes changed at random, always the same ones.    replay_<target> <folder>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

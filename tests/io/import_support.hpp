@@ -58,7 +58,8 @@ inline void check_vector(const Vec3& value, const Vec3& expected, double toleran
   CHECK(norm(value - expected) <= tolerance * norm(expected));
 }
 
-/// The two contacts of the chain, whichever code wrote them; tolerance of forces, and of overlaps relative to them.
+/// The two contacts of the chain, whichever code wrote them; tolerance of forces, and of overlaps relative to
+/// them.
 inline void check_chain(const io::ImportedPacking& packing, double force_tolerance,
                         double overlap_tolerance) {
   const Assembly& a = packing.assembly;

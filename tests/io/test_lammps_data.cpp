@@ -37,6 +37,18 @@ TEST_CASE("LAMMPS data: a tilted box is the box itself, not its bounds") {
   CHECK(packing.has(Finding::few_digits));
 }
 
+TEST_CASE("LAMMPS data: eight significant digits are too few for overlaps, nine are not told") {
+  const auto few = [](const std::string& coordinate) {
+    const std::string text =
+        "title\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1 0 0 " + coordinate;
+    return read_lammps_data(text_source("d", text)).has(Finding::few_digits);
+  };
+  CHECK(few("0.0012345678"));
+  CHECK(few("-1.2345678e-123"));
+  CHECK_FALSE(few("0.00123456789"));
+  CHECK_FALSE(few("1.2345678901234567e+00"));
+}
+
 TEST_CASE("LAMMPS data: sections in another order, without hint, without image flags") {
   const std::string text =
       "title\n 2 atoms # two\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nVelocities\n\n1 0 0 0 0 0 0\n\n"

@@ -75,6 +75,7 @@ TEST_CASE("LAMMPS: frames of both files are joined by their time step, others ar
        {0.0208082, 0.0102244, -0.0586027},
        {0.00100828, 0.000449762, 0.0606728}},
       1e-5);
+  CHECK_FALSE(second->has(Finding::few_digits)); // nine are printed of numbers that need them
   CHECK_FALSE(both.next());
   CHECK(both.skipped() == 0);
 
@@ -124,6 +125,9 @@ TEST_CASE("LAMMPS: a negative tilt, all three tilts, and a box of three edges") 
   // edges 4 along x, y, z, corner (1, 2, 3), tilts xy, xz, yz = -1, 0.5, -0.25
   const Mat3 expected{{{4, -1, 0.5}, {0, 4, -0.25}, {0, 0, 4}}};
   CHECK(cell("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 5.5 -1\n1.75 6 0.5\n3 7 -0.25\n") == expected);
+  // xy, xz = -1, -0.5: the lower bound is that of both together
+  CHECK(cell("ITEM: BOX BOUNDS xy xz yz pp pp pp\n-0.5 5 -1\n1.75 6 -0.5\n3 7 -0.25\n") ==
+        Mat3{{{4, -1, -0.5}, {0, 4, -0.25}, {0, 0, 4}}});
   CHECK(cell("ITEM: BOX BOUNDS abc origin pp pp pp\n4 0 0 1\n-1 4 0 2\n0.5 -0.25 4 3\n") == expected);
 }
 

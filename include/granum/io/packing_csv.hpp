@@ -8,7 +8,8 @@
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text_source.hpp>
 
-/// Packings out of comma-separated values: spreadsheets, tomography, exports of codes without a reader of their own.
+/// Packings out of comma-separated values: spreadsheets, tomography, exports of codes without a reader of
+/// their own.
 ///
 /// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them stands for SI throughout.
 /// Contacts:  nx, ny, nz              needed; from grain 1 to grain 2, of any length
@@ -35,8 +36,8 @@ struct ContactTable {
   std::vector<std::size_t> line;       ///< of the file
 };
 
-/// \throws   FileError with path and line for what is no such table, numbers that are none, a normal of length 0, one
-///           coordinate of a vector without the others
+/// \throws   FileError with path and line for what is no such table, numbers that are none, a normal of
+///           length 0, one coordinate of a vector without the others
 [[nodiscard]] ContactTable read_contact_csv(TextSource source);
 
 /// The box of a packing that a table does not tell.
@@ -49,10 +50,10 @@ struct CsvBox {
 /// \throws   FileError also for ids twice, a radius that is not positive, a box without volume
 [[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, const std::optional<CsvBox>& box = {});
 
-/// Grains and contacts; id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the positions;
-/// overlaps are delta, or come from the radii.
-/// \throws   FileError also for an unknown grain, a grain in contact with itself, a line of centres that does not fit
-///           the positions or the normal, one pair with two forces
+/// Grains and contacts; id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
+/// positions; overlaps are delta, or come from the radii.
+/// \throws   FileError also for an unknown grain, a grain in contact with itself, a line of centres that does
+///           not fit the positions or the normal, one pair with two forces
 [[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, TextSource contacts,
                                                const std::optional<CsvBox>& box = {});
 
