@@ -222,7 +222,7 @@ TEST_CASE("LAMMPS: normal and tangential force in the other order are told apart
             .starts_with("c:10: neither force vector"));
 }
 
-TEST_CASE("LAMMPS: a column map overrides the names; forces as one vector are split") {
+TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector are split") {
   const std::string map =
       "id1=c_pl[1],id2=c_pl[2],fx=c_cp[3],fy=c_cp[4],fz=c_cp[5],dx=c_cp[15],dy=c_cp[16],dz=c_cp[17]";
   LammpsDump reader = dump(atoms, contacts, map);

@@ -64,7 +64,8 @@ TEST_CASE("CSV: a table without forces keeps its contacts even where grains seem
   CHECK(packing.has(Finding::open_contacts));
 }
 
-TEST_CASE("CSV: without a box the smallest upright one stands for it; diameters and row numbers are taken") {
+TEST_CASE(
+    "CSV: without a box the smallest upright one stands for it, and diameters and row numbers are taken") {
   const ImportedPacking packing =
       read_packing_csv(text_source("g", "# units: SI\nx,y,z,diameter\n0,0,0,1\n2,0,1,1\n"));
   CHECK(packing.assembly.cell == Mat3::diagonal(3, 1, 2));

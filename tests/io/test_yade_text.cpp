@@ -47,6 +47,18 @@ TEST_CASE("YADE: the chain as the script writes it, forces on the second grain, 
   check_vector(residuals(packing.assembly)[0].force, {-force_ab, -0.003, 0}, 1e-15);
 }
 
+TEST_CASE(
+    "YADE: what the script writes keeps all digits, and names of bodies that are no spheres do not disturb") {
+  const ImportedPacking packing =
+      read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
+  check_chain(packing, 1e-15, 1e-15);
+  CHECK(packing.id == std::vector<long>{0, 2, 4});
+  CHECK(packing.time == 1.0 / 3);
+  CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01 / 3, 0});
+  CHECK(packing.has(Finding::wall_contacts));
+  CHECK_FALSE(packing.has(Finding::cell_unknown));
+}
+
 TEST_CASE("YADE: rows that it printed itself") {
   const ImportedPacking packing = read_yade(text_source("g", grains), data_source("yade_chain.contacts"));
   const Contact &ab = packing.assembly.contacts[0], &bc = packing.assembly.contacts[1];

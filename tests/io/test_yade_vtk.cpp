@@ -39,7 +39,7 @@ TEST_CASE("YADE VTK: contacts find their spheres, forces on the second one") {
   CHECK(read_yade_vtk(text_source("s", spheres)).has(Finding::contacts_unknown));
 }
 
-TEST_CASE("YADE VTK: numbers may be spread over lines as they like; forces may be missing") {
+TEST_CASE("YADE VTK: numbers may be spread over lines as they like, and forces may be missing") {
   const std::string spread =
       with(spheres, "0.001 0.002 0.002\n0.0019999 0.002", "0.001 0.002\n0.002 0.0019999\n0.002");
   const std::string bare = pairs.substr(0, pairs.find("CELL_DATA"));
