@@ -15,6 +15,7 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/granumConfig.cmake.in
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/granumConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/granumConfigVersion.cmake"
   DESTINATION "${granum_config_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/share/yade/granum_export.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum/yade")
 
 if(TARGET granum_cli)
   install(TARGETS granum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/assembly/assembly.hpp>
+
+/// What the output of a DEM code becomes when it is read, whatever code wrote it.
+namespace granum::io {
+
+/// What an import found out that a user of its numbers should know.
+enum class Finding {
+  few_digits,         ///< coordinates or overlaps have at most 8 significant digits
+  duplicated,         ///< a pair stood there more than once with the same values; it counts once
+  unsorted,           ///< contacts were not in the order of their grains; sorted here
+  through_faces,      ///< contacts reach through periodic faces; the nearest image was taken
+  open_contacts,      ///< contacts whose grains do not overlap
+  wall_contacts,      ///< contacts with walls are there; they are in `walls`, not in the assembly
+  one_sided,          ///< pairs of which one of two expected rows is there
+  forces_swapped,     ///< normal and tangential force stand in the other order than the layout says
+  viscous_forces,     ///< the forces may hold viscous parts
+  contacts_unknown,   ///< no contacts in the files
+  forces_unknown,     ///< contacts, but no forces
+  tangential_unknown, ///< normal forces, but no tangential ones
+  ids_assumed,        ///< grains have no ids in the file; they were numbered
+  cell_unknown,       ///< no box in the files: the cell is the smallest upright box around the grains
+  boundary_unknown,   ///< which faces are periodic is not in the files
+  units_unknown,      ///< no units in the files: taken for SI
+  stiffness_unknown,  ///< k_n, k_t are zero until assign_stiffness is called
+  law_unknown,        ///< contact law and grain material are not in the files
+  history_unknown,    ///< loading history of the tangential springs is not in the files
+};
+
+/// A finding and the words for it, with counts where there are any.
+struct ImportNote {
+  Finding finding;
+  std::string text;
+};
+
+/// A contact of a grain with a wall. Everything points from the grain to the wall.
+struct WallContact {
+  std::uint32_t grain = 0; ///< index in the assembly
+  long wall = 0;           ///< number of the wall as the code counts, from 0
+  Vec3 point{};            ///< [m]
+  Vec3 normal{};           ///< unit vector from the grain to the wall
+  double overlap = 0;      ///< [m]
+  double normal_force = 0; ///< compression positive [N]
+  Vec3 tangential_force{}; ///< exerted by the grain on the wall [N]
+};
+
+/// One state of a packing, SI, compression positive, grains in the order of their ids.
+struct ImportedPacking {
+  Assembly assembly;
+  std::vector<long> id; ///< of each grain, as the files name it, ascending
+  std::array<bool, 3> periodic{true, true, true};
+  std::vector<WallContact> walls;
+  long step = 0;
+  std::optional<double> time; ///< [s]
+  std::vector<ImportNote> notes;
+
+  [[nodiscard]] bool has(Finding finding) const {
+    for (const ImportNote& note : notes)
+      if (note.finding == finding)
+        return true;
+    return false;
+  }
+};
+
+} // namespace granum::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/io/imported_packing.hpp>
+#include <granum/io/text_source.hpp>
+
+namespace granum::io {
+
+/// The grains of a LAMMPS data file (write_data), atom style sphere: diameters, upright or tilted box. The
+/// step is the one that the first line names. Not in such a file, and so noted: contacts, which faces are
+/// periodic (all are taken so), units, contact law.
+/// \throws   FileError with path and line for text that is no data file, another atom style, a box or count
+///           that is missing, rows too few or too many, numbers that are none, ids twice, a diameter that is
+///           not positive
+/// Checked by tests/io/test_lammps_data.cpp
+[[nodiscard]] ImportedPacking read_lammps_data(TextSource source);
+
+} // namespace granum::io

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dump_file.hpp"
+
+#include <algorithm>
+
+#include <granum/core/number.hpp>
+
+namespace granum::io {
+
+namespace {
+
+constexpr std::string_view item = "ITEM:";
+
+/// Box and periodicity flags "pp ff ss"; any other letters mean a box that ends there.
+void set_boundary(DumpBox& box, const std::vector<std::string_view>& words, std::size_t first) {
+  if (words.size() < first + 3)
+    return;
+  box.boundary_known = true;
+  for (std::size_t k = 0; k < 3; ++k)
+    box.periodic[k] = words[first + k] == "pp";
+}
+
+/// The box whose corner and far corner a dump gives as bounds of the tilted box.
+DumpBox tilted_box(const Vec3& low_bound, const Vec3& high_bound, double xy, double xz, double yz) {
+  DumpBox box;
+  const Vec3 low{low_bound.x - std::min({0.0, xy, xz, xy + xz}), low_bound.y - std::min(0.0, yz),
+                 low_bound.z};
+  const Vec3 high{high_bound.x - std::max({0.0, xy, xz, xy + xz}), high_bound.y - std::max(0.0, yz),
+                  high_bound.z};
+  box.origin = low;
+  box.edges = {{{high.x - low.x, xy, xz}, {0, high.y - low.y, yz}, {0, 0, high.z - low.z}}};
+  return box;
+}
+
+} // namespace
+
+std::optional<std::size_t> find_column(const std::vector<std::string>& columns, std::string_view name) {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+bool DumpFile::at_item() const { return source_.line().starts_with(item); }
+
+void DumpFile::read_value(const char* what, TextRow& row) {
+  if (!source_.next())
+    source_.fail(std::string("the file ends; expected ") + what);
+  row.split();
+  row.require_size(1, what);
+}
+
+/// Labels are the user's (dump_modify label); they are the same word in the two sections that belong
+/// together.
+bool DumpFile::is_table(std::string_view name, const std::string& label) const {
+  if (!label.empty())
+    return name == label;
+  return name == "ATOMS" || name == "ENTRIES" || name == "CONTACTS";
+}
+
+DumpBox DumpFile::read_box(const std::vector<std::string_view>& words) {
+  const bool general = words.size() > 4 && words[3] == "abc" && words[4] == "origin";
+  const bool tilted = words.size() > 5 && words[3] == "xy" && words[4] == "xz" && words[5] == "yz";
+  std::vector<std::string> flags(words.begin() + (general ? 5 : tilted ? 6 : 3), words.end());
+  const std::size_t line = source_.line_number();
+  const std::size_t width = general ? 4 : tilted ? 3 : 2;
+  double number[3][4] = {};
+  TextRow row(source_);
+  for (auto& numbers : number) {
+    if (!source_.next() || at_item())
+      source_.fail("expected three lines of box bounds");
+    row.split();
+    row.require_size(width, "numbers of the box");
+    for (std::size_t k = 0; k < width; ++k)
+      numbers[k] = row.number(k, "box bound");
+  }
+  DumpBox box;
+  if (general) {
+    for (int edge = 0; edge < 3; ++edge)
+      for (int k = 0; k < 3; ++k)
+        box.edges(k, edge) = number[edge][k];
+    box.origin = {number[0][3], number[1][3], number[2][3]};
+  } else {
+    box = tilted_box({number[0][0], number[1][0], number[2][0]}, {number[0][1], number[1][1], number[2][1]},
+                     number[0][2], number[1][2], number[2][2]);
+  }
+  set_boundary(box, {flags.begin(), flags.end()}, 0);
+  box.line = line;
+  return box;
+}
+
+void DumpFile::read_units() {
+  TextRow row(source_);
+  read_value("a unit style", row);
+  const std::string_view style = row[0];
+  if (style == "si")
+    units_ = {1, 1, 1, true};
+  else if (style == "cgs")
+    units_ = {1e-2, 1e-5, 1, true};
+  else if (style == "micro")
+    units_ = {1e-6, 1e-9, 1e-6, true};
+  else if (style == "nano")
+    units_ = {1e-9, 1e-12, 1e-9, true};
+  else
+    source_.fail("units " + shown(style) + " have no values in SI here; expected si, cgs, micro or nano");
+}
+
+std::size_t DumpFile::read_table(const DumpFrame& frame, const TableSink& sink) {
+  TextRow row(source_);
+  row.split();
+  const std::vector<std::string> columns(row.fields().begin() + 2, row.fields().end());
+  if (columns.empty())
+    source_.fail("expected the names of the columns behind " + shown(source_.line()));
+  sink.heading(columns);
+  std::size_t rows = 0;
+  const auto wanted = [&] { return frame.count ? std::to_string(*frame.count) + " rows" : "rows"; };
+  while (!frame.count || rows < *frame.count) {
+    const bool more = source_.next();
+    if (!more || at_item()) {
+      if (frame.count)
+        source_.fail("expected " + wanted() + ", found " + std::to_string(rows));
+      if (more)
+        source_.hold();
+      break;
+    }
+    row.split();
+    row.require_size(columns.size(), "fields, as many as the heading names");
+    sink.row(row, source_.line_number());
+    ++rows;
+  }
+  return rows;
+}
+
+void DumpFile::skip_section() {
+  while (source_.next())
+    if (at_item())
+      return source_.hold();
+}
+
+std::optional<DumpFrame> DumpFile::next(const TableSink& sink) {
+  DumpFrame frame;
+  std::string label;
+  std::optional<std::size_t> rows;
+  bool begun = false;
+  TextRow row(source_);
+  while (!(frame.step && frame.count && frame.box && rows)) {
+    if (!source_.next()) {
+      if (!begun)
+        return std::nullopt;
+      source_.fail(std::string("the file ends within a frame; expected ITEM: ") + (!frame.step ? "TIMESTEP"
+                                                                                   : !frame.count
+                                                                                       ? "NUMBER OF ..."
+                                                                                   : !frame.box ? "BOX BOUNDS"
+                                                                                                : "a table"));
+    }
+    if (!at_item()) {
+      if (trimmed(source_.line()).empty())
+        continue;
+      source_.fail("expected a line that begins with ITEM:, found " + shown(source_.line()));
+    }
+    begun = true;
+    row.split();
+    const auto& words = row.fields();
+    const std::string_view name = words.size() > 1 ? words[1] : "";
+    if (name == "TIMESTEP" && !frame.step) {
+      read_value("a time step", row);
+      frame.step = row.integer(0, "time step");
+    } else if (name == "TIME" && !frame.time) {
+      read_value("a time", row);
+      frame.time = row.number(0, "time");
+    } else if (name == "UNITS") {
+      read_units();
+    } else if (name == "NUMBER" && words.size() == 4 && words[2] == "OF" && !frame.count) {
+      label = words[3];
+      read_value("a number of rows", row);
+      frame.count = row.count(0, "rows");
+      if (rows && *rows != *frame.count)
+        source_.fail("expected " + std::to_string(*frame.count) + " rows, found " + std::to_string(*rows));
+    } else if (name == "BOX" && words.size() > 2 && words[2] == "BOUNDS" && !frame.box) {
+      frame.box = read_box(words);
+    } else if (is_table(name, label) && !rows) {
+      rows = read_table(frame, sink);
+    } else if (name == "TIMESTEP" || name == "BOX" || name == "NUMBER") {
+      source_.fail("the frame before is not complete when " + shown(source_.line()) + " comes again");
+    } else {
+      skip_section();
+    }
+  }
+  if (source_.next()) {
+    if (!at_item() && !trimmed(source_.line()).empty())
+      source_.fail("expected " + std::to_string(*frame.count) + " rows and then ITEM:, found " +
+                   shown(source_.line()));
+    source_.hold();
+  }
+  return frame;
+}
+
+} // namespace granum::io

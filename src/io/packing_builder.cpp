@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+#include "text_row.hpp"
+
+namespace granum::io {
+
+namespace {
+
+/// Two rows of one pair state the same if they differ by no more than the rounding to six digits.
+constexpr double same_value = 1e-5;
+/// A branch that a file states and the one between its grains may differ by six-digit coordinates in a large
+/// box.
+constexpr double same_branch = 1e-2;
+/// Grains whose centres are further apart than this many sums of their radii do not touch in any code.
+constexpr double farthest = 2;
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool same(const Vec3& a, const Vec3& b) { return norm(a - b) <= same_value * std::max(norm(a), norm(b)); }
+
+Contact turned(Contact c) {
+  std::swap(c.i, c.j);
+  c.branch = -c.branch;
+  c.tangential_force = -c.tangential_force;
+  return c;
+}
+
+std::string many(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
+
+} // namespace
+
+void DigitWatch::see(std::string_view number) {
+  if (seen_ <= enough)
+    seen_ = std::max(seen_, significant_digits(number));
+}
+
+void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) {
+  const double volume = determinant(cell);
+  const Mat3 back = inverse(cell);
+  bool usable = volume > 0 && std::isfinite(volume);
+  for (int k = 0; k < 3; ++k)
+    usable = usable && finite(column(cell, k)) && finite(column(back, k));
+  if (!usable)
+    throw FileError(grain_file_, line,
+                    "expected a box of positive volume, found " + short_text(volume) + " m^3");
+  packing_.assembly.cell = cell;
+  packing_.periodic = periodic;
+  cell_ = PeriodicCell(cell, periodic);
+  has_cell_ = true;
+}
+
+void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
+  if (rows.empty())
+    throw FileError(grain_file_, 0, "holds no grains");
+  if (rows.size() >= std::numeric_limits<std::uint32_t>::max())
+    throw FileError(grain_file_, 0, "holds more grains than an assembly can");
+  const auto by_id = [](const GrainRow& a, const GrainRow& b) { return a.id < b.id; };
+  if (!std::is_sorted(rows.begin(), rows.end(), by_id))
+    std::stable_sort(rows.begin(), rows.end(), by_id);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const GrainRow& grain = rows[k];
+    if (k > 0 && rows[k - 1].id == grain.id)
+      throw FileError(grain_file_, grain.line,
+                      "the grain " + std::to_string(grain.id) + " stands on line " +
+                          std::to_string(rows[k - 1].line) + " too");
+    if (!(grain.radius > 0) || !std::isfinite(grain.radius))
+      throw FileError(grain_file_, grain.line,
+                      "expected a positive radius of grain " + std::to_string(grain.id) + ", found " +
+                          short_text(grain.radius));
+    if (!finite(grain.position))
+      throw FileError(grain_file_, grain.line, "the position of the grain is beyond all range");
+    packing_.id.push_back(grain.id);
+    packing_.assembly.position.push_back(grain.position);
+    packing_.assembly.radius.push_back(grain.radius);
+  }
+  if (!has_cell_)
+    bound_grains();
+}
+
+void PackingBuilder::bound_grains() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec3 low{infinity, infinity, infinity}, high = -low;
+  for (std::size_t g = 0; g < packing_.assembly.grain_count(); ++g)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], packing_.assembly.position[g][k] - packing_.assembly.radius[g]);
+      high[k] = std::max(high[k], packing_.assembly.position[g][k] + packing_.assembly.radius[g]);
+    }
+  set_cell(Mat3::diagonal(high.x - low.x, high.y - low.y, high.z - low.z), {false, false, false}, 0);
+  note(Finding::cell_unknown,
+       "no box in the file: the smallest upright box around the grains stands for the cell");
+}
+
+std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
+  const auto& ids = packing_.id;
+  const auto found = std::lower_bound(ids.begin(), ids.end(), id);
+  if (found == ids.end() || *found != id)
+    fail_contact(line, "the grain " + std::to_string(id) + " is not among the " + many(ids.size(), "grains") +
+                           " (ids " + std::to_string(ids.front()) + " to " + std::to_string(ids.back()) +
+                           ")");
+  return static_cast<std::uint32_t>(found - ids.begin());
+}
+
+double PackingBuilder::radius_sum(std::uint32_t a, std::uint32_t b) const {
+  return packing_.assembly.radius[a] + packing_.assembly.radius[b];
+}
+
+Vec3 PackingBuilder::straight(std::uint32_t a, std::uint32_t b) const { return position(b) - position(a); }
+
+void PackingBuilder::require_agreement(const PairRow& row) const {
+  const Vec3 expected = nearest(straight(row.a, row.b));
+  if (!(norm(row.branch - expected) <= same_branch * radius_sum(row.a, row.b)))
+    fail_contact(row.line, pair_text(row.a, row.b) +
+                               " has a line of centres that does not fit the positions of "
+                               "the grains: are both of the same state?");
+}
+
+std::string PackingBuilder::pair_text(std::uint32_t a, std::uint32_t b) const {
+  return "the pair " + std::to_string(packing_.id[a]) + ", " + std::to_string(packing_.id[b]);
+}
+
+void PackingBuilder::add(const PairRow& row) {
+  if (row.a == row.b)
+    fail_contact(row.line, "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself");
+  const double length = norm(row.branch);
+  if (!(length > 0) || !std::isfinite(length))
+    fail_contact(row.line, pair_text(row.a, row.b) + " has no line of centres");
+  if (!std::isfinite(row.overlap) || !std::isfinite(row.normal_force) ||
+      !std::isfinite(norm(row.tangential_force)))
+    fail_contact(row.line, pair_text(row.a, row.b) + " has numbers beyond all range");
+  if (row.overlap <= 0) {
+    if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
+      ++neighbours_;
+      return;
+    }
+    ++open_;
+  }
+  if (length > farthest * radius_sum(row.a, row.b))
+    fail_contact(row.line,
+                 pair_text(row.a, row.b) + " is in contact across a gap: are the right faces periodic?");
+  if (norm(row.branch - straight(row.a, row.b)) > same_branch * radius_sum(row.a, row.b))
+    ++through_faces_;
+  const Contact as_read{.i = row.a,
+                        .j = row.b,
+                        .branch = row.branch,
+                        .overlap = row.overlap,
+                        .normal_force = row.normal_force,
+                        .tangential_force = row.tangential_force,
+                        .normal_stiffness = row.normal_stiffness,
+                        .tangential_stiffness = row.tangential_stiffness};
+  const bool turn = row.a > row.b;
+  const Contact contact = turn ? turned(as_read) : as_read;
+  if (!entries_.empty() && !both_sides_) {
+    const Contact& last = entries_.back().contact;
+    unsorted_ = unsorted_ || std::tie(contact.i, contact.j) < std::tie(last.i, last.j);
+  }
+  entries_.push_back({contact, {turn, row.line}});
+}
+
+/// Takes the rows of one pair in as one contact.
+void PackingBuilder::merge(const std::vector<Entry>& group) {
+  const Contact& first = group.front().contact;
+  std::size_t turned_rows = 0;
+  for (const Entry& entry : group) {
+    const Contact& c = entry.contact;
+    if (!same(c.branch, first.branch) || !same(force(c), force(first)))
+      fail_contact(entry.side.line, pair_text(c.i, c.j) + " stands on line " +
+                                        std::to_string(group.front().side.line) +
+                                        " too, with another line of centres or force");
+    turned_rows += entry.side.turned ? 1 : 0;
+  }
+  const std::size_t straight_rows = group.size() - turned_rows;
+  if (both_sides_) {
+    one_sided_ += (turned_rows == 0 || straight_rows == 0) ? 1 : 0;
+    duplicated_ += (turned_rows > 1 ? turned_rows - 1 : 0) + (straight_rows > 1 ? straight_rows - 1 : 0);
+  } else {
+    duplicated_ += group.size() - 1;
+  }
+  packing_.assembly.contacts.push_back(first);
+}
+
+void PackingBuilder::note_digits(const DigitWatch& coordinates, std::string_view what) {
+  if (coordinates.few())
+    note(Finding::few_digits, std::string(what) + " have at most " + std::to_string(coordinates.most()) +
+                                  " significant digits: overlaps taken from them are rough");
+}
+
+void PackingBuilder::note_counts() {
+  if (duplicated_ > 0)
+    note(Finding::duplicated, many(duplicated_, "rows repeat a pair and were left out"));
+  if (one_sided_ > 0)
+    note(Finding::one_sided, many(one_sided_, "pairs stand there from one side only"));
+  if (unsorted_)
+    note(Finding::unsorted, "the contacts were not in the order of their grains");
+  if (through_faces_ > 0)
+    note(Finding::through_faces, many(through_faces_, "rows of contacts reach through periodic faces"));
+  if (open_ > 0)
+    note(Finding::open_contacts, many(open_, "rows carry a force without an overlap, or touch with none"));
+  if (neighbours_ > 0)
+    note(Finding::open_contacts,
+         many(neighbours_, "rows without overlap and force are neighbours, not contacts; left out"));
+  if (!packing_.walls.empty())
+    note(Finding::wall_contacts,
+         many(packing_.walls.size(), "contacts with walls are not part of the assembly"));
+}
+
+ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
+  std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.contact.i, a.contact.j) < std::tie(b.contact.i, b.contact.j);
+  });
+  packing_.assembly.contacts.reserve(entries_.size());
+  std::vector<Entry> group;
+  for (const Entry& entry : entries_) {
+    if (!group.empty() &&
+        (group.front().contact.i != entry.contact.i || group.front().contact.j != entry.contact.j)) {
+      merge(group);
+      group.clear();
+    }
+    group.push_back(entry);
+  }
+  if (!group.empty())
+    merge(group);
+  entries_.clear();
+  note_counts();
+  packing_.step = step;
+  packing_.time = time;
+  try {
+    require_valid(packing_.assembly);
+  } catch (const InvalidArgument& error) {
+    throw FileError(contact_file_, 0, error.what());
+  }
+  return std::move(packing_);
+}
+
+void PackingBuilder::fail_contact(std::size_t line, const std::string& what) const {
+  throw FileError(contact_file_, line, what);
+}
+
+} // namespace granum::io

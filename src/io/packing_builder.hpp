@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/io/imported_packing.hpp>
+
+#include "periodic_cell.hpp"
+
+namespace granum::io {
+
+/// A grain as a file states it.
+struct GrainRow {
+  long id = 0;
+  Vec3 position{}; ///< [m]
+  double radius = 0;
+  std::size_t line = 0;
+};
+
+/// A contact as a file states it, in the file's order of the two grains a and b.
+struct PairRow {
+  std::uint32_t a = 0, b = 0; ///< indices in the assembly
+  Vec3 branch{};              ///< from a to b [m]
+  double overlap = 0;
+  double normal_force = 0;
+  Vec3 tangential_force{}; ///< exerted by a on b [N]
+  double normal_stiffness = 0;
+  double tangential_stiffness = 0;
+  std::size_t line = 0;
+};
+
+/// Significant digits that a group of numbers is written with: the most seen, as trailing zeros are not
+/// written.
+class DigitWatch {
+ public:
+  void see(std::string_view number);
+  /// "at most 6 significant digits" where that is too few for overlaps.
+  [[nodiscard]] bool few() const { return seen_ > 0 && seen_ <= enough; }
+  [[nodiscard]] int most() const { return seen_; }
+
+ private:
+  static constexpr int enough = 8;
+  int seen_ = 0;
+};
+
+/// Puts the rows of any format together to one packing, and refuses what cannot be one.
+class PackingBuilder {
+ public:
+  PackingBuilder(std::string grain_file, std::string contact_file)
+      : grain_file_(std::move(grain_file)), contact_file_(std::move(contact_file)) {}
+
+  /// \throws   FileError unless the volume is finite and positive
+  void set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line);
+  /// Takes the grains in the order of their ids. Without a cell before: the smallest upright box, and a note.
+  /// \throws   FileError for no grains, a radius or position that is none, an id that stands there twice
+  void set_grains(std::vector<GrainRow> rows);
+
+  /// Index of the grain of an id.
+  /// \throws   FileError if there is none
+  [[nodiscard]] std::uint32_t index(long id, std::size_t line) const;
+  [[nodiscard]] double radius_sum(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] const Vec3& position(std::uint32_t grain) const { return packing_.assembly.position[grain]; }
+  /// Centre of b minus centre of a, without periodic images.
+  [[nodiscard]] Vec3 straight(std::uint32_t a, std::uint32_t b) const;
+  /// The shortest periodic image of a difference of positions.
+  [[nodiscard]] Vec3 nearest(const Vec3& difference) const { return cell_.nearest(difference); }
+  /// \throws   FileError if a branch that the file states is not the one between the grains (1 % of the
+  ///           radii)
+  void require_agreement(const PairRow& row) const;
+
+  /// Takes a contact in; a row without overlap and force is a neighbour and left out.
+  /// \throws   FileError for a grain in contact with itself, centres that coincide, numbers beyond all range
+  void add(const PairRow& row);
+  void add_wall(const WallContact& contact) { packing_.walls.push_back(contact); }
+  void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
+  void note_digits(const DigitWatch& coordinates, std::string_view what);
+  /// Every pair is to stand there twice, once from each side.
+  void expect_both_sides() { both_sides_ = true; }
+  /// The files hold no forces: no row is a neighbour without contact.
+  void expect_no_forces() { forces_known_ = false; }
+
+  /// The packing with its contacts sorted, each pair once.
+  /// \throws   FileError for a pair that stands there twice with different values
+  [[nodiscard]] ImportedPacking finish(long step, std::optional<double> time);
+
+  [[noreturn]] void fail_contact(std::size_t line, const std::string& what) const;
+
+ private:
+  struct Side {
+    bool turned;
+    std::size_t line;
+  };
+  struct Entry {
+    Contact contact;
+    Side side;
+  };
+
+  void bound_grains();
+  void merge(const std::vector<Entry>& group);
+  [[nodiscard]] std::string pair_text(std::uint32_t a, std::uint32_t b) const;
+  void note_counts();
+
+  std::string grain_file_;
+  std::string contact_file_;
+  ImportedPacking packing_;
+  PeriodicCell cell_;
+  bool has_cell_ = false;
+  bool both_sides_ = false;
+  bool forces_known_ = true;
+  bool unsorted_ = false;
+  std::vector<Entry> entries_;
+  std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;
+};
+
+} // namespace granum::io

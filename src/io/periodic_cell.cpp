@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "periodic_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace granum::io {
+
+PeriodicCell::PeriodicCell(const Mat3& edges, const std::array<bool, 3>& periodic)
+    : edges_(edges), inverse_(inverse(edges)), periodic_(periodic) {
+  safe_length_ = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+    if (periodic_[static_cast<std::size_t>(k)]) { // the faces lie 1/|row k of the inverse| apart
+      const Vec3 row{inverse_(k, 0), inverse_(k, 1), inverse_(k, 2)};
+      safe_length_ = std::min(safe_length_, 0.5 / norm(row));
+    }
+}
+
+Vec3 PeriodicCell::shifted(Vec3 difference, int a, int b, int c) const {
+  const int steps[3] = {a, b, c};
+  for (int k = 0; k < 3; ++k)
+    if (periodic_[static_cast<std::size_t>(k)])
+      difference += steps[k] * column(edges_, k);
+  return difference;
+}
+
+Vec3 PeriodicCell::nearest(const Vec3& difference) const {
+  const Vec3 fraction = inverse_ * difference;
+  Vec3 rounded = difference;
+  for (int k = 0; k < 3; ++k)
+    if (periodic_[static_cast<std::size_t>(k)])
+      if (const double turns = std::round(fraction[k]); turns != 0)
+        rounded -= turns * column(edges_, k);
+  if (norm(rounded) <= safe_length_)
+    return rounded;
+  Vec3 best = rounded;
+  for (int a = -1; a <= 1; ++a)
+    for (int b = -1; b <= 1; ++b)
+      for (int c = -1; c <= 1; ++c)
+        if (const Vec3 image = shifted(rounded, a, b, c); norm(image) < norm(best))
+          best = image;
+  return best;
+}
+
+} // namespace granum::io

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/stiffness.hpp>
+
+#include <algorithm>
+
+namespace granum::io {
+
+namespace {
+
+void assign(Contact& c, const contact::PowerLaw& law, double ratio, StiffnessFrom from) {
+  c.normal_stiffness = from == StiffnessFrom::overlap ? law.stiffness_at_overlap(std::max(c.overlap, 0.0))
+                                                      : law.stiffness_at_force(std::max(c.normal_force, 0.0));
+  c.tangential_stiffness = ratio * c.normal_stiffness;
+}
+
+} // namespace
+
+void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double ratio, StiffnessFrom from) {
+  require_valid(assembly);
+  const double checked_ratio = contact::given_stiffness_ratio(ratio);
+  for (Contact& c : assembly.contacts)
+    assign(c, law, checked_ratio, from);
+}
+
+void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& grain, double ratio,
+                            StiffnessFrom from) {
+  require_valid(assembly);
+  const double checked_ratio = contact::given_stiffness_ratio(ratio);
+  for (Contact& c : assembly.contacts) {
+    const double ri = assembly.radius[c.i], rj = assembly.radius[c.j];
+    const double equal_radius = 2 * ri * (rj / (ri + rj)); // two spheres of it have the same R*
+    assign(c, contact::PowerLaw::sphere(grain, equal_radius), checked_ratio, from);
+  }
+}
+
+} // namespace granum::io

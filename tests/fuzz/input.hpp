@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include <granum/core/error.hpp>
+#include <granum/io/imported_packing.hpp>
+
+/// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a
+/// fault.
+namespace granum::fuzz {
+
+/// Divides an input for readers of two files: a line "=====" stands between them.
+inline constexpr std::string_view border = "=====\n";
+
+struct Parts {
+  std::string_view first;
+  std::optional<std::string_view> second;
+};
+
+inline std::string_view text(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+inline Parts parts(std::string_view input) {
+  const std::size_t at = input.find(border);
+  if (at == std::string_view::npos)
+    return {input, std::nullopt};
+  return {input.substr(0, at), input.substr(at + border.size())};
+}
+
+inline void demand(bool promise) {
+  if (!promise)
+    std::abort();
+}
+
+/// What every imported packing promises.
+inline void check(const io::ImportedPacking& packing) {
+  const Assembly& a = packing.assembly;
+  require_valid(a);
+  demand(packing.id.size() == a.grain_count());
+  for (std::size_t k = 1; k < packing.id.size(); ++k)
+    demand(packing.id[k - 1] < packing.id[k]);
+  for (std::size_t k = 1; k < a.contacts.size(); ++k) {
+    const Contact &before = a.contacts[k - 1], &here = a.contacts[k];
+    demand(std::tie(before.i, before.j) < std::tie(here.i, here.j));
+  }
+  for (const io::WallContact& wall : packing.walls)
+    demand(wall.grain < a.grain_count() && wall.wall >= 0);
+}
+
+/// Runs a reader; the refusals that it may make are taken for an answer.
+template <class Action>
+int run(const Action& action) {
+  try {
+    action();
+  } catch (const FileError&) {
+    return 0;
+  }
+  return 0;
+}
+
+} // namespace granum::fuzz

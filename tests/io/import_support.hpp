@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/io/imported_packing.hpp>
+#include <granum/io/text_source.hpp>
+#include <relative.hpp>
+
+/// What the tests of the readers share.
+namespace granum::samples {
+
+inline constexpr double force_ab = 0.0235294118; // [N], as the codes print it
+inline constexpr double force_bc = 0.0665512265; // [N]
+
+inline std::string data_path(const std::string& name) { return std::string(GRANUM_IO_DATA) + "/" + name; }
+
+inline std::string data_text(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(data_path(name), std::ios::binary).rdbuf();
+  if (text.str().empty())
+    throw std::runtime_error("no test data " + name);
+  return text.str();
+}
+
+inline io::TextSource data_source(const std::string& name) { return io::TextSource(data_path(name)); }
+
+inline io::TextSource text_source(const std::string& name, const std::string& text) {
+  return io::TextSource::of_text(name, text);
+}
+
+/// The text with the first `from` replaced; `from` must be there.
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos)
+    throw std::runtime_error("the test data do not hold " + from);
+  return text.replace(at, from.size(), to);
+}
+
+/// The message with which `action` refuses a file; empty if it does not.
+template <class Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline void check_vector(const Vec3& value, const Vec3& expected, double tolerance) {
+  INFO(value.x, " ", value.y, " ", value.z, " expected ", expected.x, " ", expected.y, " ", expected.z);
+  CHECK(norm(value - expected) <= tolerance * norm(expected));
+}
+
+/// The two contacts of the chain, whichever code wrote them; tolerance of forces, and of overlaps relative to
+/// them.
+inline void check_chain(const io::ImportedPacking& packing, double force_tolerance,
+                        double overlap_tolerance) {
+  const Assembly& a = packing.assembly;
+  REQUIRE(a.grain_count() == 3);
+  REQUIRE(a.contacts.size() == 2);
+  CHECK(a.radius == std::vector<double>{0.5e-3, 0.5e-3, 0.5e-3});
+  const Contact &ab = a.contacts[0], &bc = a.contacts[1];
+  CHECK((ab.i == 0 && ab.j == 1 && bc.i == 1 && bc.j == 2));
+  check_vector(ab.branch, {0.9999e-3, 0, 0}, 1e-6);
+  check_vector(bc.branch, {0, 0, 0.9998e-3}, 1e-6);
+  CHECK(ab.overlap == relative(1e-7, overlap_tolerance));
+  CHECK(bc.overlap == relative(2e-7, overlap_tolerance));
+  CHECK(ab.normal_force == relative(force_ab, force_tolerance));
+  CHECK(bc.normal_force == relative(force_bc, force_tolerance));
+}
+
+} // namespace granum::samples

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/stiffness.hpp>
+
+#include <granum/core/error.hpp>
+#include <granum/io/lammps_dump.hpp>
+
+#include "import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+constexpr contact::GrainMaterial glass{30e9, 0.15};
+
+Assembly chain() {
+  LammpsDump reader(data_source("lammps_chain.atoms"), data_source("lammps_chain.contacts"));
+  return reader.next()->assembly;
+}
+
+} // namespace
+
+TEST_CASE("stiffnesses of the chain by overlap and by force are those of Hertz and Mindlin") {
+  const double ratio = contact::mindlin_stiffness_ratio(glass.poisson_ratio);
+  for (const StiffnessFrom from : {StiffnessFrom::overlap, StiffnessFrom::force}) {
+    Assembly a = chain();
+    assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), ratio, from);
+    CHECK(a.contacts[0].normal_stiffness == relative(1.5 * force_ab / 1e-7, 1e-8));
+    CHECK(a.contacts[1].normal_stiffness == relative(1.5 * force_bc / 2e-7, 1e-8));
+    CHECK(a.contacts[1].tangential_stiffness == relative(0.918918918918919 * 1.5 * force_bc / 2e-7, 1e-8));
+    Assembly b = chain();
+    assign_hertz_stiffness(b, glass, ratio, from);
+    CHECK(b.contacts[0].normal_stiffness == relative(a.contacts[0].normal_stiffness, 1e-14));
+  }
+}
+
+TEST_CASE("spheres of two sizes have the stiffness of their reduced radius") {
+  Assembly a = chain();
+  a.radius[0] = 1.5e-3; // 1/R* = 1/1.5 + 1/0.5 per mm: that of two spheres of 0.75 mm
+  assign_hertz_stiffness(a, glass, 0);
+  const auto law = contact::PowerLaw::sphere(glass, 0.75e-3);
+  CHECK(a.contacts[0].normal_stiffness == relative(law.stiffness_at_overlap(a.contacts[0].overlap), 1e-14));
+  CHECK(a.contacts[0].tangential_stiffness == 0);
+}
+
+TEST_CASE("a contact that does not press has no Hertz stiffness, and a bad ratio is refused") {
+  Assembly a = chain();
+  a.contacts[0].overlap = -1e-9;
+  a.contacts[1].normal_force = -1;
+  assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), 1);
+  CHECK(a.contacts[0].normal_stiffness == 0);
+  assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), 1, StiffnessFrom::force);
+  CHECK(a.contacts[1].normal_stiffness == 0);
+  CHECK_THROWS_AS(assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), -1), InvalidArgument);
+  CHECK_THROWS_AS(assign_hertz_stiffness(a, glass, -1), InvalidArgument);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/text_source.hpp>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <zlib.h>
+
+#include "import_support.hpp"
+#include "temporary_folder.hpp"
+
+using namespace granum;
+using namespace granum::io;
+
+namespace {
+
+std::vector<std::string> lines(TextSource source) {
+  std::vector<std::string> result;
+  while (source.next())
+    result.emplace_back(source.line());
+  return result;
+}
+
+std::string packed(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.gz";
+  const gzFile file = gzopen(path.c_str(), "wb");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+std::filesystem::path written(const TemporaryFolder& folder, const std::string& bytes) {
+  const auto path = folder.path() / "file";
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+std::string numbered_lines(int count) {
+  std::string text;
+  for (int k = 0; k < count; ++k)
+    text += "line " + std::to_string(k) + "\n";
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("lines come without their ends, counted from 1, with or without a last line end") {
+  using Lines = std::vector<std::string>;
+  CHECK(lines(TextSource::of_text("t", "")) == Lines{});
+  CHECK(lines(TextSource::of_text("t", "\n")) == Lines{""});
+  CHECK(lines(TextSource::of_text("t", "a\r\n\nb")) == Lines{"a", "", "b"});
+  CHECK(lines(TextSource::of_text("t", "\xEF\xBB\xBFhead\nb\n")) == Lines{"head", "b"});
+  TextSource source = TextSource::of_text("t", "a\nb\n");
+  CHECK(source.next());
+  source.hold();
+  CHECK(source.next());
+  CHECK(source.line() == "a");
+  CHECK(source.line_number() == 1);
+  CHECK(source.next());
+  CHECK(source.line_number() == 2);
+  CHECK_FALSE(source.next());
+  CHECK_FALSE(source.next());
+  CHECK(samples::refusal([&] { source.fail("expected more"); }) == "t:2: expected more");
+}
+
+TEST_CASE("plain and gzip files give the same lines, across the buffer's border and whatever their length") {
+  const TemporaryFolder folder;
+  const std::string text = numbered_lines(50000) + std::string(700000, 'x') + "\nlast";
+  const auto expected = lines(TextSource::of_text("t", text));
+  REQUIRE(expected.size() == 50002);
+  CHECK(expected[50000].size() == 700000);
+  CHECK(lines(TextSource(written(folder, text))) == expected);
+  CHECK(lines(TextSource(written(folder, packed(text)))) == expected);
+  CHECK(lines(TextSource(written(folder, packed("a\n") + packed("b\n")))) ==
+        std::vector<std::string>{"a", "b"});
+}
+
+TEST_CASE("compressed data that end too early or are damaged are refused, not taken for a short file") {
+  const TemporaryFolder folder;
+  const std::string whole = packed(numbered_lines(50000));
+  for (const std::size_t missing : {std::size_t{1}, std::size_t{8}, whole.size() / 2, whole.size() - 12}) {
+    const auto path = written(folder, whole.substr(0, whole.size() - missing));
+    CAPTURE(missing);
+    CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("the file is cut off") !=
+          std::string::npos);
+  }
+  std::string damaged = whole;
+  damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1); // its checksum
+  const auto path = written(folder, damaged);
+  CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("cannot be read on") != std::string::npos);
+}
+
+TEST_CASE("a missing file and a folder are refused by name") {
+  const TemporaryFolder folder;
+  const std::string missing = (folder.path() / "none").string();
+  CHECK(samples::refusal([&] { TextSource source{std::filesystem::path(missing)}; }) ==
+        missing + ": cannot be read: No such file or directory");
+  CHECK(samples::refusal([&] { TextSource source{folder.path()}; }).ends_with("it is a folder"));
+}
+
+TEST_CASE("a file that compresses endless zeros into one line costs no more than the longest line") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "bomb.gz";
+  const gzFile file = gzopen(path.c_str(), "wb1");
+  const std::string zeros(std::size_t{1} << 20, '\0');
+  for (int k = 0; k < 70; ++k)
+    gzwrite(file, zeros.data(), static_cast<unsigned>(zeros.size()));
+  gzclose(file);
+  CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("a line of more than 64 MiB") !=
+        std::string::npos);
+}
