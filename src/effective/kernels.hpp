@@ -148,8 +148,9 @@ std::span<const QuadratureNode> rule_for(double ratio);
 /// interval as A/B = horizontal/vertical leaves 1. The substitution tan(gamma) -> c tan(gamma),
 /// c^2 = sqrt(A/B), halves that ratio on a logarithmic scale and makes both sides of 1 alike:
 ///   x^2 = c^2 y^2/g,  1 - x^2 = (1 - y^2)/g,  dx = c g^(-3/2) dy,  g = 1 + (c^2-1) y^2.
-/// A Gauss-Legendre rule of n points in y then errs by about exp(-2 n artanh((A/B)^(-1/4))), A > B. Nodes are
-/// plain numbers, c2 = sqrt(A/B) among them: derivatives are taken at a fixed x.
+/// A Gauss-Legendre rule of n points in y then errs by about exp(-2 n artanh((A/B)^(-1/4))), A > B, times a
+/// power of n that is not small: rule_for holds what was measured. Nodes are plain numbers, c2 = sqrt(A/B)
+/// among them: derivatives are taken at a fixed x.
 template <class T, class Power>
 AxialMoments<T> direction_moments(const T& a, const T& horizontal, const T& vertical, double c2, Power power,
                                   std::span<const QuadratureNode> rule) {

@@ -9,14 +9,20 @@ namespace granum::effective {
 
 namespace {
 
-/// 1/(s/(a+c) + (1-s)/(b+c)) - c, written without the difference.
-double mixed(double a, double b, double s, double c) {
-  if (s == 0)
+/// Volume shares of the pack and the mineral. Each is a quotient: 1 minus the other would lose digits.
+struct Shares {
+  double pack;
+  double mineral;
+};
+
+/// 1/(s_a/(a+c) + s_b/(b+c)) - c, written without the difference.
+double mixed(double a, double b, const Shares& s, double c) {
+  if (s.pack == 0)
     return b;
-  if (s == 1)
+  if (s.mineral == 0)
     return a;
-  const double numerator = a * b + c * (s * a + (1 - s) * b);
-  return numerator == 0 ? 0 : numerator / (c + s * b + (1 - s) * a);
+  const double numerator = a * b + c * (s.pack * a + s.mineral * b);
+  return numerator == 0 ? 0 : numerator / (c + s.pack * b + s.mineral * a);
 }
 
 /// G/6 (9 K + 8 G)/(K + 2 G).
@@ -27,8 +33,8 @@ double shear_constant(const IsotropicModuli& m) {
          ((9 * m.bulk_modulus + 8 * m.shear_modulus) / (m.bulk_modulus + 2 * m.shear_modulus));
 }
 
-/// A share s of the pack in the mineral, `around` being the phase that surrounds the other.
-IsotropicModuli mixture(const IsotropicModuli& pack, const IsotropicModuli& mineral, double s,
+/// The pack in the mineral, `around` being the phase that surrounds the other.
+IsotropicModuli mixture(const IsotropicModuli& pack, const IsotropicModuli& mineral, const Shares& s,
                         const IsotropicModuli& around) {
   return {.bulk_modulus = mixed(pack.bulk_modulus, mineral.bulk_modulus, s, 4.0 / 3 * around.shear_modulus),
           .shear_modulus = mixed(pack.shear_modulus, mineral.shear_modulus, s, shear_constant(around))};
@@ -42,24 +48,24 @@ IsotropicModuli mineral_of(const contact::GrainMaterial& grain) {
           .shear_modulus = grain.shear_modulus};
 }
 
-double share(double porosity, double critical) {
+Shares shares(double porosity, double critical) {
   require_non_negative("porosity", porosity);
   if (porosity > critical)
     throw InvalidArgument("porosity", porosity, "",
                           "[0, critical porosity]; a more porous packing is a suspension, or hertz_mindlin "
                           "with that porosity");
-  return porosity / critical;
+  return {.pack = porosity / critical, .mineral = (critical - porosity) / critical};
 }
 
 struct Ends {
   IsotropicModuli pack;
   IsotropicModuli mineral;
-  double share;
+  Shares shares;
 };
 
 Ends ends(const Sand& sand) {
   const IsotropicModuli pack = hertz_mindlin(sand.end_member, sand.no_slip_share);
-  return {pack, mineral_of(sand.end_member.grain), share(sand.porosity, sand.end_member.porosity)};
+  return {pack, mineral_of(sand.end_member.grain), shares(sand.porosity, sand.end_member.porosity)};
 }
 
 } // namespace
@@ -80,7 +86,7 @@ IsotropicModuli sand_below(const IsotropicModuli& point, double point_porosity,
   require_positive("bulk_modulus", point.bulk_modulus, "Pa");
   require_positive("shear_modulus", point.shear_modulus, "Pa");
   require_open("point_porosity", point_porosity, 0, 1);
-  return mixture(point, mineral_of(grain), share(porosity, point_porosity), point);
+  return mixture(point, mineral_of(grain), shares(porosity, point_porosity), point);
 }
 
 } // namespace granum::effective

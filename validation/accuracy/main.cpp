@@ -53,6 +53,7 @@ int main(int count, char** arguments) {
   accuracy::check_elastic(table, samples);
   accuracy::check_uniform_field(table, samples);
   accuracy::check_directional(table, samples / 200);
+  accuracy::check_sphere_packs(table, samples);
   const bool all = print(table);
   if (out)
     granum::io::write_file(out, csv(table), granum::io::Existing::replace);

@@ -12,7 +12,7 @@ namespace granum::effective {
 /// \param    bond_radius_ratio   b/R >= 0, small against 1
 /// \return   exactly 0 for C_n = 0; at p = 0 the moduli of the bonds alone
 /// \throws   InvalidArgument if a member is out of its range
-/// Accuracy  8 ulp.  Checked by tests/effective/test_digby.cpp
+/// Accuracy  12 ulp.  Checked by tests/effective/test_digby.cpp and validation/accuracy
 [[nodiscard]] IsotropicModuli digby(const SpherePack& pack, double bond_radius_ratio);
 
 } // namespace granum::effective
