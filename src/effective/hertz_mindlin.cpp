@@ -2,31 +2,33 @@
 #include <granum/effective/hertz_mindlin.hpp>
 
 #include <cmath>
-#include <numbers>
+#include <limits>
 
-#include "sphere_pack.hpp"
+#include "sphere_checks.hpp"
 
 namespace granum::effective {
 
 namespace {
 
-/// (m^2 p/(18 pi^2))^(1/3); one root where the product is safe from overflow and loss of digits.
-double bulk_modulus(double m, double p) {
-  constexpr double divisor = 18 * std::numbers::pi * std::numbers::pi;
-  const double product = m * m * p;
-  if (product > 1e-290 && product < 1e300)
-    return std::cbrt(product / divisor);
-  const double root = std::cbrt(m);
-  return root * root * (p < 1 ? std::cbrt(p / divisor * 1e30) * 1e-10 : std::cbrt(p / divisor));
+/// (x^2 y)^(1/3) of x, y >= 0. The cubed value may leave the range of a double where the root does not.
+double cube_root_of_square(double x, double y) {
+  constexpr double smallest = std::numeric_limits<double>::min();
+  const double cubed = x * x * y;
+  if (cubed >= smallest && std::isfinite(cubed))
+    return std::cbrt(cubed);
+  const double root = std::cbrt(x);
+  return root * root * std::cbrt(y);
 }
 
 } // namespace
 
-IsotropicModuli hertz_mindlin(const SpherePack& pack, double no_slip_share) {
-  require_valid(pack);
-  const double r = slipping_ratio(pack.grain, no_slip_share);
-  const double K = bulk_modulus(contact_modulus(pack), pack.pressure);
-  return {.bulk_modulus = K, .shear_modulus = K * (0.3 * (2 + 3 * r))};
+IsotropicEstimate hertz_mindlin(const SpherePacking& packing) {
+  IsotropicEstimate estimate{.bulk_modulus = 0, .shear_modulus = 0, .validity = require_valid(packing)};
+  // K^3 = (stiffness_density G)^2 p/2
+  const double modulus = sphere::stiffness_density(packing) * packing.shear_modulus;
+  estimate.bulk_modulus = cube_root_of_square(modulus, packing.pressure / 2);
+  estimate.shear_modulus = estimate.bulk_modulus * (0.6 + 0.9 * sphere::mean_tangential_ratio(packing));
+  return estimate;
 }
 
 } // namespace granum::effective

@@ -1,92 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/sand_bounds.hpp>
 
-#include <granum/core/error.hpp>
+#include <cmath>
+#include <cstdio>
+#include <utility>
 
-#include "sphere_pack.hpp"
+#include <granum/effective/hertz_mindlin.hpp>
+
+#include "sphere_checks.hpp"
 
 namespace granum::effective {
 
 namespace {
 
-/// Volume shares of the pack and the mineral. Each is a quotient: 1 minus the other would lose digits.
+struct Moduli {
+  double bulk;
+  double shear;
+};
+
+/// K = 2 G (1+nu)/(3 (1-2 nu)), infinite for nu = 0.5.
+Moduli mineral(const SpherePacking& s) {
+  const double nu = s.poisson_ratio, G = s.shear_modulus;
+  return {2 * G * (1 + nu) / (3 * (1 - 2 * nu)), G};
+}
+
+/// Shares of the volume. Each is a quotient: 1 minus the other would lose digits.
 struct Shares {
-  double pack;
+  double packing;
   double mineral;
 };
 
-/// 1/(s_a/(a+c) + s_b/(b+c)) - c, written without the difference.
-double mixed(double a, double b, const Shares& s, double c) {
-  if (s.pack == 0)
-    return b;
-  if (s.mineral == 0)
-    return a;
-  const double numerator = a * b + c * (s.pack * a + s.mineral * b);
-  return numerator == 0 ? 0 : numerator / (c + s.pack * b + s.mineral * a);
+/// [f/(x + a) + g/(y + a)]^-1 - a without its differences, shares f and g; y may be infinite.
+double shifted_harmonic_mean(double x, double y, const Shares& share, double a) {
+  const auto [f, g] = share;
+  if (std::isinf(y))
+    return (x + a * g) / f;
+  return (x * y + a * (f * x + g * y)) / (f * y + g * x + a);
 }
 
-/// G/6 (9 K + 8 G)/(K + 2 G).
-double shear_constant(const IsotropicModuli& m) {
-  if (m.shear_modulus == 0)
-    return 0;
-  return m.shear_modulus / 6 *
-         ((9 * m.bulk_modulus + 8 * m.shear_modulus) / (m.bulk_modulus + 2 * m.shear_modulus));
+/// G (9 K + 8 G)/(6 (K + 2 G)), the shear shift of a surrounding solid; 0 for none.
+double shear_shift(const Moduli& m) {
+  if (std::isinf(m.bulk))
+    return 1.5 * m.shear;
+  return m.shear > 0 ? m.shear * (9 * m.bulk + 8 * m.shear) / (6 * (m.bulk + 2 * m.shear)) : 0;
 }
 
-/// The pack in the mineral, `around` being the phase that surrounds the other.
-IsotropicModuli mixture(const IsotropicModuli& pack, const IsotropicModuli& mineral, const Shares& s,
-                        const IsotropicModuli& around) {
-  return {.bulk_modulus = mixed(pack.bulk_modulus, mineral.bulk_modulus, s, 4.0 / 3 * around.shear_modulus),
-          .shear_modulus = mixed(pack.shear_modulus, mineral.shear_modulus, s, shear_constant(around))};
+Moduli mixed(const Moduli& packing, const Moduli& solid, const Shares& f, const Moduli& surrounding) {
+  return {shifted_harmonic_mean(packing.bulk, solid.bulk, f, 4.0 / 3 * surrounding.shear),
+          shifted_harmonic_mean(packing.shear, solid.shear, f, shear_shift(surrounding))};
 }
 
-IsotropicModuli mineral_of(const contact::GrainMaterial& grain) {
-  const double nu = grain.poisson_ratio;
-  if (nu == 0.5)
-    throw InvalidArgument("grain_poisson_ratio", nu, "", "(-1, 0.5): the mineral's bulk modulus is needed");
-  return {.bulk_modulus = 2 * grain.shear_modulus * (1 + nu) / (3 * (1 - 2 * nu)),
-          .shear_modulus = grain.shear_modulus};
+void require_porosity(double porosity, double critical) {
+  require_positive("porosity of the packing", critical);
+  if (porosity >= 0 && porosity <= critical)
+    return;
+  char range[160];
+  std::snprintf(range, sizeof range,
+                "[0, %g], the critical porosity of the packing: looser grains do not touch; for a looser "
+                "packing give that porosity to the packing itself",
+                critical);
+  throw InvalidArgument("porosity", porosity, "", range);
 }
 
-Shares shares(double porosity, double critical) {
-  require_non_negative("porosity", porosity);
-  if (porosity > critical)
-    throw InvalidArgument("porosity", porosity, "",
-                          "[0, critical porosity]; a more porous packing is a suspension, or hertz_mindlin "
-                          "with that porosity");
-  return {.pack = porosity / critical, .mineral = (critical - porosity) / critical};
-}
+enum class Surrounding { packing, mineral };
 
-struct Ends {
-  IsotropicModuli pack;
-  IsotropicModuli mineral;
-  Shares shares;
-};
-
-Ends ends(const Sand& sand) {
-  const IsotropicModuli pack = hertz_mindlin(sand.end_member, sand.no_slip_share);
-  return {pack, mineral_of(sand.end_member.grain), shares(sand.porosity, sand.end_member.porosity)};
+IsotropicEstimate sand(const SpherePacking& packing, double porosity, Surrounding which) {
+  IsotropicEstimate end = hertz_mindlin(packing);
+  require_porosity(porosity, packing.porosity);
+  if (porosity == packing.porosity)
+    return end;
+  const Moduli loose{end.bulk_modulus, end.shear_modulus}, solid = mineral(packing);
+  if (porosity == 0)
+    return {solid.bulk, solid.shear, std::move(end.validity)};
+  const Moduli& surrounding = which == Surrounding::packing ? loose : solid;
+  const double critical = packing.porosity;
+  const Moduli sand =
+      mixed(loose, solid, {porosity / critical, (critical - porosity) / critical}, surrounding);
+  return {sand.bulk, sand.shear, std::move(end.validity)};
 }
 
 } // namespace
 
-IsotropicModuli soft_sand(const Sand& sand) {
-  const auto [pack, mineral, s] = ends(sand);
-  return mixture(pack, mineral, s, pack);
+IsotropicEstimate soft_sand(const SpherePacking& packing, double porosity) {
+  return sand(packing, porosity, Surrounding::packing);
 }
 
-IsotropicModuli stiff_sand(const Sand& sand) {
-  const auto [pack, mineral, s] = ends(sand);
-  return mixture(pack, mineral, s, mineral);
-}
-
-IsotropicModuli sand_below(const IsotropicModuli& point, double point_porosity,
-                           const contact::GrainMaterial& grain, double porosity) {
-  require_grain(grain);
-  require_positive("bulk_modulus", point.bulk_modulus, "Pa");
-  require_positive("shear_modulus", point.shear_modulus, "Pa");
-  require_open("point_porosity", point_porosity, 0, 1);
-  return mixture(point, mineral_of(grain), shares(porosity, point_porosity), point);
+IsotropicEstimate stiff_sand(const SpherePacking& packing, double porosity) {
+  return sand(packing, porosity, Surrounding::mineral);
 }
 
 } // namespace granum::effective

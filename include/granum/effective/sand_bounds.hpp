@@ -1,40 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/effective/hertz_mindlin.hpp>
-#include <granum/elastic/isotropic.hpp>
+#include <granum/effective/sphere_packing.hpp>
 
-/// Sands less porous than a packing of spheres, between the packing and the mineral: modified bounds of
-/// Hashin and Shtrikman. They are models of a sand, not bounds of its moduli.
+/// Sands between a packing of clean spheres at its critical porosity and the solid mineral at porosity 0, by
+/// modified Hashin-Shtrikman bounds: the packing takes porosity/critical porosity of the volume.
 namespace granum::effective {
 
-/// A sand whose end member is a packing of spheres at the critical porosity.
-struct Sand {
-  SpherePack end_member;          ///< its porosity is the critical one
-  double no_slip_share = 1;       ///< of the end member, see hertz_mindlin
-  double porosity = State::unset; ///< of the sand, from 0 to the critical one
-};
+/// The lower bound: pore-filling fines, sorting. The packing surrounds the mineral.       [DvorkinNur1996]
+/// \param    packing    end member by hertz_mindlin; its porosity > 0 is the critical one
+/// \param    porosity   in [0, critical porosity]
+/// \return   K and G [Pa]: at porosity 0 those of the mineral (K infinite for nu_g = 0.5), at the critical
+///           porosity those of the packing, both exactly; 0 at p = 0 in between
+/// \throws   InvalidArgument as require_valid(SpherePacking), and for a porosity out of its range
+/// Accuracy  8 ulp.  Checked by tests/effective/test_sand_bounds.cpp
+[[nodiscard]] IsotropicEstimate soft_sand(const SpherePacking& packing, double porosity);
 
-/// Lower modified bound: the softer phase surrounds the other, as if small grains fell into the pores
-/// ("soft", "friable" or "uncemented" sand).                                         [DvorkinNur1996]
-/// \return   exactly the end member at the critical porosity, exactly the mineral at 0; 0 at p = 0 between
-/// \throws   InvalidArgument if a member is out of its range; above the critical porosity
-/// Accuracy  16 ulp.  Checked by tests/effective/test_sand_bounds.cpp
-[[nodiscard]] IsotropicModuli soft_sand(const Sand& sand);
-
-/// Upper modified bound: the mineral surrounds the packing, as if cement grew at the contacts first. At least
-/// soft_sand.                                                                        [DvorkinNur1996]
-/// \throws   InvalidArgument as soft_sand
-/// Accuracy  16 ulp.  Checked by tests/effective/test_sand_bounds.cpp
-[[nodiscard]] IsotropicModuli stiff_sand(const Sand& sand);
-
-/// The curve of the lower modified bound through a known point of higher porosity, such as a cemented sand
-/// ("constant cement").                                                              [DvorkinNur1996]
-/// \param    point      moduli at point_porosity, both positive [Pa]
-/// \param    porosity   from 0 to point_porosity
-/// \throws   InvalidArgument if an argument is out of its range
-/// Accuracy  16 ulp.  Checked by tests/effective/test_sand_bounds.cpp
-[[nodiscard]] IsotropicModuli sand_below(const IsotropicModuli& point, double point_porosity,
-                                         const contact::GrainMaterial& grain, double porosity);
+/// The upper bound: contacts stiffened by the mineral, which surrounds the packing.       [DvorkinNur1996]
+/// Parameters, result and errors as soft_sand, but not 0 at p = 0.
+/// Accuracy  8 ulp.  Checked by tests/effective/test_sand_bounds.cpp
+[[nodiscard]] IsotropicEstimate stiff_sand(const SpherePacking& packing, double porosity);
 
 } // namespace granum::effective
