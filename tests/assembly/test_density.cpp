@@ -21,7 +21,7 @@ TEST_CASE("solid fractions of the lattices") {
   CHECK(fraction(samples::hexagonal) == doctest::Approx(pi / std::sqrt(18)).epsilon(1e-14));
 }
 
-TEST_CASE("unequal radii add their own volumes; void ratio is the complement") {
+TEST_CASE("unequal radii add their own volumes, and the void ratio is the complement") {
   Assembly a;
   a.cell = {{{2, 0.5, 0}, {0, 1, 0}, {0, 0, 1}}}; // skewed, volume 2
   a.position = {{0, 0, 0}, {0.5, 0.5, 0.5}};

@@ -220,7 +220,7 @@ TEST_CASE("3.6: the average over contacts is the scalar formula of Hertz and Min
   }
 }
 
-TEST_CASE("3.6: which coordination number is meant has a name; no contacts is no mean, not NaN") {
+TEST_CASE("3.6: which coordination number is meant has a name, and no contacts is no mean, not NaN") {
   const Assembly row = row_of_four();
   CHECK(coordination_number(row) == 1.5); // 2 N_c over all grains
   const auto mechanical = mechanical_coordination(row, ContactKind::frictional);

@@ -68,7 +68,7 @@ TEST_CASE("sampling: the whole distribution of the polar cosine and of the azimu
   }
 }
 
-TEST_CASE("sampling: one seed, one sample; a longer sample begins with the shorter") {
+TEST_CASE("sampling: one seed, one sample, and a longer one begins with it") {
   const auto first = fabric::sample_normals(0.5, 100, 7), again = fabric::sample_normals(0.5, 100, 7);
   const auto longer = fabric::sample_normals(0.5, 150, 7), other = fabric::sample_normals(0.5, 100, 8);
   CHECK(first == again);
