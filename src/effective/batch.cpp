@@ -18,10 +18,10 @@
 
 #include "vector_math.hpp"
 
-// Same source for each vector level, chosen when the program starts; Haswell stands for AVX2 with FMA.
+// Same source for each vector level, chosen when the program starts; x86-64-v3 stands for AVX2 with FMA.
 // Sanitized builds take the plain one: their runtime starts after the choice is made.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "arch=haswell", "default")))
+#define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "arch=x86-64-v3", "default")))
 #else
 #define GRANUM_VECTOR_LEVELS
 #endif
@@ -30,7 +30,7 @@ namespace granum::effective {
 
 namespace {
 
-constexpr double most_pressure = 1e250;
+constexpr double most_pressure = 1e200;
 constexpr double most_contacts = 1e6;
 /// Rows at a time: five arrays of them stay in the first cache.
 constexpr std::size_t block_size = 256;

@@ -134,7 +134,7 @@ TEST_CASE("batch: bad rows are named and zero, the others are worked out") {
   CHECK(report.failed == 4);
   REQUIRE(report.errors.size() == 4);
   CHECK(report.errors[0].row == 3);
-  CHECK(report.errors[0].message == "pressure = -1 Pa is outside [0, 1e+250]");
+  CHECK(report.errors[0].message == "pressure = -1 Pa is outside [0, 1e+200]");
   CHECK(report.errors[1].row == 257);
   CHECK(report.errors[2].message == "coordination_number = -6 is outside [0, 1e+06]");
   CHECK(report.errors[3].message == "porosity = 38 is outside (0, 1)");
@@ -170,7 +170,7 @@ TEST_CASE("batch: columns of another length are refused with both lengths") {
 TEST_CASE("batch: the smallest and largest pressures, and the limits at zero") {
   for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);
-    const std::vector<double> pressure{0, 1e-300, 1e-308, 1e-3, 1e12, 1e250};
+    const std::vector<double> pressure{0, 1e-300, 1e-308, 1e-3, 1e12, 1e200};
     for (const double C : {0.01, 4.0, 14.0}) {
       Outputs out(pressure.size());
       REQUIRE(uniform_strain({law, 0.8, 5e-4, pressure, C, 0.4}, out.columns()).ok());

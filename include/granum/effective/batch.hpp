@@ -36,7 +36,7 @@ struct PackingBatch {
   contact::PowerLaw law;      ///< normal contact of two grains
   double tangential_ratio;    ///< k_t/k_n >= 0
   double radius;              ///< R > 0 of a grain [m]
-  Column pressure;            ///< p in [0, 1e250] [Pa]
+  Column pressure;            ///< p in [0, 1e200] [Pa]
   Column coordination_number; ///< C_n in [0, 1e6], over all grains
   Column porosity;            ///< voids in the volume, in (0, 1); e/(1+e)
 };
