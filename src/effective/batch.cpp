@@ -18,7 +18,8 @@
 
 #include "vector_math.hpp"
 
-// Same source for each vector level, chosen when the program starts; x86-64-v3 stands for AVX2 with FMA.
+// Same source for each vector level, chosen when the program starts by what the machine can do;
+// x86-64-v3 is AVX2 with FMA ("arch=x86-64-v3" would be that one model).
 // Sanitized builds take the plain one: their runtime starts after the choice is made.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "arch=x86-64-v3", "default")))
@@ -32,88 +33,157 @@ namespace {
 
 constexpr double most_pressure = 1e200;
 constexpr double most_contacts = 1e6;
-/// Rows at a time: five arrays of them stay in the first cache.
+/// Rows at a time: all arrays of one block stay in the first cache.
 constexpr std::size_t block_size = 256;
-using Block = std::array<double, block_size>;
+struct alignas(64) Block : std::array<double, block_size> {};
 
 /// Pressures are multiplied by 2^180 under the root, so that no product of small numbers is subnormal.
 constexpr double lift = 0x1p180;
 
+/// Inputs of one block of rows.
+struct Inputs {
+  const double* pressure;
+  const double* coordination_number;
+  const double* porosity;
+  std::size_t count;
+};
+
+/// Where the moduli of the block go.
+struct Results {
+  double* bulk_modulus;
+  double* shear_modulus;
+  double shear_by_bulk;
+};
+
+/// What stands between inputs and results.
+struct Work {
+  Block x; ///< what the root is taken of
+  Block y;
+  Block z;
+};
+
+/// A rule works a block out in passes: argument() of every row into x (and more), 0 for a row without forces,
+/// then passes that make roots of it, and root() of every row, to be multiplied by `factor`.
 struct SphereRule {
   double factor; ///< c 2^-60
-  [[gnu::always_inline]] double operator()(double w, double p) const {
-    return factor * vector_math::cube_root(w * w * (p * lift));
+  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+    const double x = w * w * (p * lift);
+    work.x[k] = good ? x : 0.0;
+    work.y[k] = vector_math::inverse_cube_root_guess(work.x[k]);
+  }
+  [[gnu::always_inline]] static void pass(Work& work, std::size_t k) {
+    work.y[k] = vector_math::inverse_cube_root_step(work.x[k], work.y[k]);
+  }
+  [[gnu::always_inline]] double root(const Work& work, std::size_t k) const {
+    return vector_math::cube_root_from(work.x[k], work.y[k]);
   }
 };
 struct ConeRule {
   double factor; ///< c 2^-90
-  [[gnu::always_inline]] double operator()(double w, double p) const {
-    return factor * std::sqrt(w * (p * lift));
+  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+    const double x = w * (p * lift);
+    work.x[k] = good ? x : 0.0;
   }
+  [[gnu::always_inline]] static void pass(Work&, std::size_t) {}
+  [[gnu::always_inline]] static double root(const Work& work, std::size_t k) { return std::sqrt(work.x[k]); }
 };
 struct FlatRule {
   double factor; ///< c
-  [[gnu::always_inline]] double operator()(double w, double) const { return factor * w; }
+  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double, bool good) {
+    work.x[k] = good ? w : 0.0;
+  }
+  [[gnu::always_inline]] static void pass(Work&, std::size_t) {}
+  [[gnu::always_inline]] static double root(const Work& work, std::size_t k) { return work.x[k]; }
 };
 struct GeneralRule {
   double factor; ///< c 2^(-180 b)
   vector_math::Exponent b;
-  [[gnu::always_inline]] double operator()(double w, double p) const {
-    const double K = factor * w * vector_math::power(p * lift / w, b);
-    return (p > 0) & (w > 0) ? K : 0.0;
+  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+    const bool loaded = good & (p > 0) & (w > 0);
+    const double ratio = p * lift / w;
+    work.x[k] = loaded ? w : 0.0;
+    work.y[k] = loaded ? ratio : 1.0;
+  }
+  [[gnu::always_inline]] static void pass(Work& work, std::size_t k) {
+    const vector_math::Log2 log2 = vector_math::log2_of(work.y[k]);
+    work.y[k] = log2.whole;
+    work.z[k] = log2.part;
+  }
+  [[gnu::always_inline]] double root(const Work& work, std::size_t k) const {
+    return work.x[k] * vector_math::power_from({work.y[k], work.z[k]}, b);
   }
 };
 
-/// Inputs and results of one block of rows.
-struct Rows {
-  const double* pressure;
-  const double* coordination_number;
-  const double* porosity;
-  double* bulk_modulus;
-  double* shear_modulus;
-  std::size_t count;
-};
+/// NaN fails every comparison.
+[[gnu::always_inline]] inline bool is_good(double p, double C, double n) {
+  return (p >= 0) & (p <= most_pressure) & (C >= 0) & (C <= most_contacts) & (n > 0) & (n < 1);
+}
 
-/// Results of good rows, zeros for bad ones; whether there are bad ones. NaN fails every comparison.
+/// Bad rows go on as rows without forces, which gives them moduli of 0. Returns whether all rows are good.
 template <class Rule>
-[[gnu::always_inline]] inline bool sweep(const Rule& rule, double shear_by_bulk, const Rows& rows) {
-  const double* const __restrict pressure = rows.pressure;
-  const double* const __restrict contacts = rows.coordination_number;
-  const double* const __restrict porosity = rows.porosity;
-  double* const __restrict bulk = rows.bulk_modulus;
-  double* const __restrict shear = rows.shear_modulus;
-  std::uint64_t bad = 0;
-  for (std::size_t k = 0; k < rows.count; ++k) {
+[[gnu::always_inline]] inline bool prepare(const Rule&, const Inputs& in, Work& work) {
+  const double* const __restrict pressure = in.pressure;
+  const double* const __restrict contacts = in.coordination_number;
+  const double* const __restrict porosity = in.porosity;
+  std::uint64_t passed = 0;
+  for (std::size_t k = 0; k < in.count; ++k) {
     const double p = pressure[k], C = contacts[k], n = porosity[k];
-    const bool good = (p >= 0) & (p <= most_pressure) & (C >= 0) & (C <= most_contacts) & (n > 0) & (n < 1);
-    const double value = rule(C * (1 - n), p);
-    const double K = good ? value : 0.0;
-    bulk[k] = K;
-    shear[k] = shear_by_bulk * K;
-    bad += static_cast<std::uint64_t>(!good);
+    const bool good = is_good(p, C, n);
+    Rule::argument(work, k, C * (1 - n), p, good);
+    passed += static_cast<std::uint64_t>(good);
   }
-  return bad != 0;
+  return passed == in.count;
 }
 
-GRANUM_VECTOR_LEVELS bool sweep_of(const SphereRule& rule, double shear_by_bulk, const Rows& rows) {
-  return sweep(rule, shear_by_bulk, rows);
+template <class Rule>
+[[gnu::always_inline]] inline void finish(const Rule& rule, Work& work, const Results& out,
+                                          std::size_t count) {
+  double* const __restrict bulk = out.bulk_modulus;
+  double* const __restrict shear = out.shear_modulus;
+  for (std::size_t k = 0; k < count; ++k)
+    Rule::pass(work, k);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double K = rule.factor * rule.root(work, k);
+    bulk[k] = K;
+    shear[k] = out.shear_by_bulk * K;
+  }
 }
-GRANUM_VECTOR_LEVELS bool sweep_of(const ConeRule& rule, double shear_by_bulk, const Rows& rows) {
-  return sweep(rule, shear_by_bulk, rows);
+
+GRANUM_VECTOR_LEVELS bool prepare_for(const SphereRule& rule, const Inputs& in, Work& work) {
+  return prepare(rule, in, work);
 }
-GRANUM_VECTOR_LEVELS bool sweep_of(const FlatRule& rule, double shear_by_bulk, const Rows& rows) {
-  return sweep(rule, shear_by_bulk, rows);
+GRANUM_VECTOR_LEVELS void finish_for(const SphereRule& rule, Work& work, const Results& out,
+                                     std::size_t count) {
+  finish(rule, work, out, count);
 }
-GRANUM_VECTOR_LEVELS bool sweep_of(const GeneralRule& rule, double shear_by_bulk, const Rows& rows) {
-  return sweep(rule, shear_by_bulk, rows);
+GRANUM_VECTOR_LEVELS bool prepare_for(const ConeRule& rule, const Inputs& in, Work& work) {
+  return prepare(rule, in, work);
+}
+GRANUM_VECTOR_LEVELS void finish_for(const ConeRule& rule, Work& work, const Results& out,
+                                     std::size_t count) {
+  finish(rule, work, out, count);
+}
+GRANUM_VECTOR_LEVELS bool prepare_for(const FlatRule& rule, const Inputs& in, Work& work) {
+  return prepare(rule, in, work);
+}
+GRANUM_VECTOR_LEVELS void finish_for(const FlatRule& rule, Work& work, const Results& out,
+                                     std::size_t count) {
+  finish(rule, work, out, count);
+}
+GRANUM_VECTOR_LEVELS bool prepare_for(const GeneralRule& rule, const Inputs& in, Work& work) {
+  return prepare(rule, in, work);
+}
+GRANUM_VECTOR_LEVELS void finish_for(const GeneralRule& rule, Work& work, const Results& out,
+                                     std::size_t count) {
+  finish(rule, work, out, count);
 }
 
 /// The rows of a column from `first` on: its own memory, or a block filled with its one value.
 class Reader {
  public:
-  explicit Reader(const Column& column) : column_(column) {
+  Reader(const Column& column, std::size_t rows) : column_(column) {
     if (!column.varies())
-      constant_.fill(column[0]);
+      std::fill_n(constant_.begin(), std::min(rows, block_size), column[0]);
   }
   [[nodiscard]] const double* from(std::size_t first) const {
     return column_.varies() ? column_.values().data() + first : constant_.data();
@@ -145,48 +215,59 @@ std::string complaint(double pressure, double coordination_number, double porosi
 /// Results that exceed the caches are written past them, which saves reading their old content first.
 constexpr std::size_t rows_beyond_caches = std::size_t{1} << 17;
 
-void store(const Block& from, std::size_t count, double* to, bool past_caches) {
+void store_past_caches(const Block& from, std::size_t count, double* to) {
 #if defined(__SSE2__)
-  if (past_caches && reinterpret_cast<std::uintptr_t>(to) % 16 == 0 && count % 2 == 0) {
+  if (reinterpret_cast<std::uintptr_t>(to) % 16 == 0 && count % 2 == 0) {
     for (std::size_t k = 0; k < count; k += 2)
-      _mm_stream_pd(to + k, _mm_loadu_pd(from.data() + k));
+      _mm_stream_pd(to + k, _mm_load_pd(from.data() + k));
     return;
   }
 #endif
-  (void)past_caches;
   std::copy_n(from.data(), count, to);
 }
 
-/// Orders the stores of store() before all that follows.
+/// Orders the stores of store_past_caches() before all that follows.
 void finish_stores() {
 #if defined(__SSE2__)
   _mm_sfence();
 #endif
 }
 
+/// Counts the bad rows of a block and says of the first of all what is wrong.
+void report_bad_rows(const Inputs& in, std::size_t first, BatchReport& report) {
+  for (std::size_t k = 0; k < in.count; ++k) {
+    const double p = in.pressure[k], C = in.coordination_number[k], n = in.porosity[k];
+    if (!is_good(p, C, n) && ++report.failed <= BatchReport::most_errors)
+      report.errors.push_back({first + k, complaint(p, C, n)});
+  }
+}
+
 template <class Rule>
 BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& moduli) {
   const double shear_by_bulk = 0.3 * (2 + 3 * b.tangential_ratio);
-  const Reader pressure(b.pressure), contacts(b.coordination_number), porosity(b.porosity);
-  const bool past_caches = moduli.bulk_modulus.size() >= rows_beyond_caches;
+  const std::size_t rows = moduli.bulk_modulus.size();
+  const Reader pressure(b.pressure, rows), contacts(b.coordination_number, rows), porosity(b.porosity, rows);
+  const bool past_caches = rows >= rows_beyond_caches;
   BatchReport report;
+  Work work;
   Block bulk, shear;
-  for (std::size_t first = 0; first < moduli.bulk_modulus.size(); first += block_size) {
-    const std::size_t count = std::min(block_size, moduli.bulk_modulus.size() - first);
-    Rows rows{pressure.from(first), contacts.from(first), porosity.from(first),
-              bulk.data(),          shear.data(),         count};
-    if (sweep_of(rule, shear_by_bulk, rows))
-      for (std::size_t k = 0; k < count; ++k) {
-        std::string text = complaint(rows.pressure[k], rows.coordination_number[k], rows.porosity[k]);
-        if (text.empty())
-          continue;
-        if (++report.failed <= BatchReport::most_errors)
-          report.errors.push_back({first + k, std::move(text)});
-      }
-    store(bulk, count, moduli.bulk_modulus.data() + first, past_caches);
-    store(shear, count, moduli.shear_modulus.data() + first, past_caches);
+  for (std::size_t first = 0; first < rows; first += block_size) {
+    const std::size_t count = std::min(block_size, rows - first);
+    const Inputs in{pressure.from(first), contacts.from(first), porosity.from(first), count};
+    double* const K = moduli.bulk_modulus.data() + first;
+    double* const G = moduli.shear_modulus.data() + first;
+    if (!prepare_for(rule, in, work))
+      report_bad_rows(in, first, report);
+    if (!past_caches) {
+      finish_for(rule, work, {K, G, shear_by_bulk}, count);
+    } else {
+      finish_for(rule, work, {bulk.data(), shear.data(), shear_by_bulk}, count);
+      store_past_caches(bulk, count, K);
+      store_past_caches(shear, count, G);
+    }
   }
-  finish_stores();
+  if (past_caches)
+    finish_stores();
   return report;
 }
 

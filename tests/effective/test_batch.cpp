@@ -63,7 +63,10 @@ elastic::TransverselyIsotropic one_by_one(const contact::PowerLaw& law, double p
 TEST_CASE("batch: every row is what the function for one state gives, for any number of rows") {
   for (const double alpha : {1.0, 1.5, 2.0, 8.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);
-    for (const std::size_t count : {0u, 1u, 2u, 3u, 5u, 7u, 8u, 9u, 17u, 31u, 64u, 255u, 256u, 257u, 700u}) {
+    std::vector<std::size_t> counts{255, 256, 257, 280, 700};
+    for (std::size_t count = 0; count <= 40; ++count)
+      counts.push_back(count);
+    for (const std::size_t count : counts) {
       const Inputs in(count);
       Outputs out(count);
       REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
@@ -104,6 +107,7 @@ TEST_CASE("batch: large batches, which bypass the caches, give the same bits as 
   for (std::size_t k = 0; k < count; k += 997) {
     const auto c = one_by_one(law, in.pressure[k], in.coordination_number[k], in.porosity[k]);
     CHECK(out.bulk[k] == relative(c.bulk_modulus(), 1e-14));
+    CHECK(out.shear[k] == relative(c.G_vh(), 1e-14));
     CHECK(out.bulk[k] == shifted.bulk[k + 1]);
     CHECK(out.shear[k] == shifted.shear[k + 1]);
   }
@@ -171,7 +175,7 @@ TEST_CASE("batch: the smallest and largest pressures, and the limits at zero") {
   for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);
     const std::vector<double> pressure{0, 1e-300, 1e-308, 1e-3, 1e12, 1e200};
-    for (const double C : {0.01, 4.0, 14.0}) {
+    for (const double C : {1e-14, 4.0, 14.0, 1e6}) {
       Outputs out(pressure.size());
       REQUIRE(uniform_strain({law, 0.8, 5e-4, pressure, C, 0.4}, out.columns()).ok());
       const double b = law.stiffness_exponent();
@@ -184,5 +188,75 @@ TEST_CASE("batch: the smallest and largest pressures, and the limits at zero") {
     REQUIRE(uniform_strain({law, 0.8, 5e-4, pressure, 0.0, 0.4}, none.columns()).ok());
     CHECK(none.bulk == std::vector<double>(pressure.size(), 0.0));
     CHECK(none.shear == std::vector<double>(pressure.size(), 0.0));
+  }
+}
+
+TEST_CASE("batch: moduli of spheres against 50-digit arithmetic") {
+  // K = (C^2 (1-n)^2 G^2 p/(18 pi^2 (1-nu)^2))^(1/3) and 0.3 (2 + 3 r) K of exactly these doubles, worked out
+  // with 70 decimal digits; r = 0.8, grains of 30 GPa and 0.15.
+  struct Row {
+    double pressure, coordination_number, porosity, bulk, shear;
+  };
+  for (const Row& row :
+       {Row{1e5, 6, 0.375, 2.144363045717215086748178e8, 2.830559220346724000213559e8},
+        Row{1e-300, 14, 0.3, 8.765193734814377057900784e-94, 1.157005572995497806675655e-93},
+        Row{5e-324, 4.5, 0.45, 5.964707576634134552375445e-102, 7.873414001157057847533192e-102},
+        Row{1e12, 0.001, 0.9, 4.123608908358318080748900e7, 5.443163759032980031401067e7},
+        Row{20e6, 8.6, 0.4, 1.551388622622171400009856e9, 2.047832981861266310018955e9},
+        Row{1e12, 14, 0.01, 1.104382770774577617308530e11, 1.457785257422442498987263e11}}) {
+    Outputs out(1);
+    REQUIRE(uniform_strain(
+                {test::law_of(2, 0.15), 0.8, 5e-4, row.pressure, row.coordination_number, row.porosity},
+                out.columns())
+                .ok());
+    CHECK(out.bulk[0] == relative(row.bulk, 2e-15)); // 8 ulp and less
+    CHECK(out.shear[0] == relative(row.shear, 2e-15));
+  }
+}
+
+TEST_CASE("batch: no good row is infinite or NaN, no refused row anything but plain 0") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> values{-test::infinity,
+                                   -1e300,
+                                   -1,
+                                   -5e-324,
+                                   -0.0,
+                                   0,
+                                   5e-324,
+                                   1e-300,
+                                   1e-9,
+                                   0.5,
+                                   1,
+                                   14.0,
+                                   1e6,
+                                   1e12,
+                                   1e200,
+                                   1e250,
+                                   test::infinity,
+                                   nan};
+  for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
+    const contact::PowerLaw law = test::law_of(alpha, 0.15);
+    for (const double C : values)
+      for (const double n : values) {
+        Outputs out(values.size());
+        const BatchReport report = uniform_strain({law, 0.8, 5e-4, values, C, n}, out.columns());
+        std::size_t impossible = 0;
+        for (const double p : values)
+          if (!(p >= 0 && p <= 1e200 && C >= 0 && C <= 1e6 && n > 0 && n < 1))
+            ++impossible;
+        CHECK(report.failed == impossible);
+        CHECK(report.errors.size() == impossible);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+          CHECK(std::isfinite(out.bulk[k]));
+          CHECK(out.bulk[k] >= 0);
+          CHECK(out.shear[k] >= 0);
+        }
+        for (const RowError& error : report.errors) {
+          CHECK(!error.message.empty());
+          CHECK(out.bulk[error.row] == 0);
+          CHECK(!std::signbit(out.bulk[error.row]));
+          CHECK(out.shear[error.row] == 0);
+        }
+      }
   }
 }

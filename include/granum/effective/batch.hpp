@@ -41,7 +41,8 @@ struct PackingBatch {
   Column porosity;            ///< voids in the volume, in (0, 1); e/(1+e)
 };
 
-/// Where a batch puts its results: one element a row. May be the memory of an input, element for element.
+/// Where a batch puts its results: one element a row. May be the memory of an input from its first row on, but
+/// not a shifted part of it.
 struct ModuliColumns {
   std::span<double> bulk_modulus;  ///< K [Pa]
   std::span<double> shear_modulus; ///< G [Pa]
@@ -70,9 +71,9 @@ struct [[nodiscard]] BatchReport {
 /// \param    packings   columns that vary have the length of the results
 /// \param    moduli     both of one length
 /// \throws   InvalidArgument for a length that differs, a ratio or radius out of range
-/// Accuracy  relative 1e-14 of uniform_strain(State), from C_n = 1e-15 on. The vector level (AVX-512, AVX2
-///           with FMA, or none) is chosen when the program starts; all give the same bits.
-/// Checked by tests/effective/test_batch.cpp; timed by bench/
+/// Accuracy  relative 1e-14 of uniform_strain(State), from C_n (1 - porosity) = 1e-15 on. The vector level
+///           (AVX-512, AVX2 with FMA, or none) is chosen when the program starts; all give the same bits.
+/// Checked by tests/effective/test_batch.cpp and test_vector_math.cpp; timed by bench/
 BatchReport uniform_strain(const PackingBatch& packings, const ModuliColumns& moduli);
 
 } // namespace granum::effective
