@@ -129,9 +129,12 @@ void add_batch_of_pressures(const std::string& name, const contact::PowerLaw& la
 
 void add_scalar_calls() {
   add("K and G, rung 0", 1, [state = isotropic_state()] { return uniform_strain(state); });
-  add("6x6 with fabric, rung 1", 1,
+  add("6x6 with fabric from a state, rung 1", 1,
       [state = anisotropic_state()] { return voigt(uniform_strain_stiffness(uniform_contacts(state))); });
-  add("TI with fabric from contacts, rung 1", 1,
+  add("6x6 with fabric from contacts, rung 1", 1, [contacts = uniform_contacts(anisotropic_state())] {
+    return voigt(uniform_strain_stiffness(contacts));
+  });
+  add("five constants with fabric from contacts, rung 1", 1,
       [contacts = uniform_contacts(anisotropic_state())] { return uniform_strain_stiffness(contacts); });
   add("uniform strain by direction, rung 2", 1,
       [state = anisotropic_state()] { return uniform_strain(state); });

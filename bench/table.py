@@ -80,7 +80,9 @@ def comparisons(rounds):
         reach = 0.6 if what == "with range checks" else None
         add(f"share of the arithmetic limit {what}, spheres, 1e3", ratios(least, granum["batch of spheres/1000"]),
             "{:.0%}", reach)
-    add("6x6 with fabric in closed form", granum["6x6 with fabric, rung 1/1"], "{:.0f} ns", 50, most=True)
+    for given in "contacts", "a state":
+        add(f"6x6 with fabric in closed form from {given}", granum[f"6x6 with fabric from {given}, rung 1/1"],
+            "{:.0f} ns", 50, most=True)
     add("rung 2", granum["uniform strain by direction, rung 2/1"], "{:.0f} ns", 1000, most=True)
     return out
 

@@ -41,8 +41,8 @@ struct PackingBatch {
   Column porosity;            ///< voids in the volume, in (0, 1); e/(1+e)
 };
 
-/// Where a batch puts its results: one element a row. May be the memory of an input from its first row on, but
-/// not a shifted part of it.
+/// Where a batch puts its results: one element a row. May be the memory of an input from its first row on,
+/// but not a shifted part of it.
 struct ModuliColumns {
   std::span<double> bulk_modulus;  ///< K [Pa]
   std::span<double> shear_modulus; ///< G [Pa]
