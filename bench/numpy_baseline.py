@@ -49,6 +49,7 @@ def cpu_time(call, least=0.05):
 
 def main():
     if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
         sys.exit(2)
     cases = []
 
