@@ -73,7 +73,7 @@ inline AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const 
     return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
                            d[3] * exponent.derivatives()};
   };
-  return {.m0 = outer(m.m0), .m2 = outer(m.m2), .m4 = outer(m.m4)};
+  return {.s4 = outer(m.s4), .s2c2 = outer(m.s2c2), .c4 = outer(m.c4)};
 }
 
 /// The stiffness of a model with derivatives by the first N seeds. Assumes a checked, loaded state.

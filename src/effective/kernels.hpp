@@ -12,13 +12,14 @@
 
 namespace granum::effective::kernel {
 
-/// Means over contacts of w, w n3^2 and w n3^4 for a weight w(gamma); by symmetry about axis 3 they hold all
-/// means of w n_i n_j and w n_i n_j n_k n_l.
+/// Means over contacts of w sin^4, w sin^2 cos^2 and w cos^4 of gamma, for a weight w(gamma) >= 0. By
+/// symmetry about axis 3 they hold all means of w n_i n_j and w n_i n_j n_k n_l, as sums without
+/// differences.
 template <class T>
 struct AxialMoments {
-  T m0{};
-  T m2{};
-  T m4{};
+  T s4{};
+  T s2c2{};
+  T c4{};
 };
 
 /// The five constants of a transversely isotropic stiffness.
@@ -37,27 +38,37 @@ enum class Spin {
   free  ///< all grains spin alike, as the energy likes best
 };
 
+/// <w>.
+template <class T>
+T mean_weight(const AxialMoments<T>& m) {
+  return m.s4 + 2 * m.s2c2 + m.c4;
+}
 /// <w n1^2>.
 template <class T>
 T horizontal_square(const AxialMoments<T>& m) {
-  return 0.5 * (m.m0 - m.m2);
+  return 0.5 * (m.s4 + m.s2c2);
 }
-/// <w n1^2 n2^2> = <w sin^4>/8; <w n1^4> is three times as much.
+/// <w n3^2>.
+template <class T>
+T vertical_square(const AxialMoments<T>& m) {
+  return m.s2c2 + m.c4;
+}
+/// <w n1^2 n2^2>; <w n1^4> is three times as much.
 template <class T>
 T horizontal_pair(const AxialMoments<T>& m) {
-  return 0.125 * ((m.m0 - m.m2) - (m.m2 - m.m4));
+  return 0.125 * m.s4;
 }
 /// <w n1^2 n3^2>.
 template <class T>
 T mixed_pair(const AxialMoments<T>& m) {
-  return 0.5 * (m.m2 - m.m4);
+  return 0.5 * m.s2c2;
 }
 
-/// Moments of the weight 1 over E(gamma; a): 1, F33 and <n3^4>, as in fabric/orientation.hpp.
+/// Moments of the weight 1 over E(gamma; a), whose <n3^2> is F33 of fabric/orientation.hpp.
 template <class T>
 AxialMoments<T> fabric_moments(const T& a) {
-  const T scale = 1 / (35 * (3 - a));
-  return {.m0 = T(1), .m2 = 7 * (5 + a) * scale, .m4 = 3 * (7 + 3 * a) * scale};
+  const T norm = 35 * (3 - a);
+  return {.s4 = 8 * (7 - 5 * a) / norm, .s2c2 = 2 * (7 - a) / norm, .c4 = 3 * (7 + 3 * a) / norm};
 }
 
 /// Uniform strain, w = k_n/k_ref, scale = P k_ref, r = k_t/k_n. A free spin takes the harmonic mean of
@@ -65,18 +76,15 @@ AxialMoments<T> fabric_moments(const T& a) {
 /// are A_1.
 template <class T>
 Constants<T> uniform_strain(const T& scale, const T& r, const AxialMoments<T>& w, Spin spin) {
-  const T n1122 = horizontal_pair(w);
-  const T n1133 = mixed_pair(w);
   const T n11 = horizontal_square(w);
-  const T sum = n11 + w.m2;
-  const T quarter_sum = spin == Spin::free ? T(n11 * w.m2 / sum) : T(0.25 * sum);
+  const T n33 = vertical_square(w);
+  const T quarter_sum = spin == Spin::free ? T(n11 * n33 / (n11 + n33)) : T(0.25 * (n11 + n33));
   const T slope = scale * (1 - r);
-  const T shear = scale * r;
-  return {.C11 = 3 * slope * n1122 + shear * n11,
-          .C33 = slope * w.m4 + shear * w.m2,
-          .C12 = slope * n1122,
-          .C13 = slope * n1133,
-          .C44 = slope * n1133 + shear * quarter_sum};
+  return {.C11 = scale * ((3 + r) * horizontal_pair(w) + r * mixed_pair(w)),
+          .C33 = scale * (w.c4 + r * w.s2c2),
+          .C12 = slope * horizontal_pair(w),
+          .C13 = slope * mixed_pair(w),
+          .C44 = slope * mixed_pair(w) + scale * r * quarter_sum};
 }
 
 /// Uniform stress, w = k_ref/k_n, F the moments of the fabric. The axisymmetric stresses are spanned by F,
@@ -85,20 +93,22 @@ Constants<T> uniform_strain(const T& scale, const T& r, const AxialMoments<T>& w
 template <class T>
 Constants<T> uniform_stress(const T& scale, const T& r, const AxialMoments<T>& F, const AxialMoments<T>& w) {
   const T F11 = horizontal_square(F);
-  const T F33 = F.m2;
-  const T vertical = r * w.m4 + (w.m2 - w.m4);
-  const T inverse = scale / (w.m0 * vertical - r * (w.m2 * w.m2));
-  const T biaxial = F11 * F11 * (inverse * vertical); // (C11 + C12)/2
-  const T n11 = horizontal_square(w);
-  const T horizontal_shear = r * scale * F11 * F11 / (4 * (r - 1) * horizontal_pair(w) + 2 * n11);
-  const T ratio = F11 / F33;
-  const T pair = 1 + ratio;
+  const T F33 = vertical_square(F);
+  const T vertical = r * w.c4 + w.s2c2;
+  const T axial = w.s2c2 * mean_weight(w) + r * (w.s4 * w.c4 - w.s2c2 * w.s2c2);
+  const T lateral = 0.5 * (1 + r) * w.s4 + w.s2c2;
+  const T horizontal_scale = scale * F11 * F11;
+  const T biaxial = horizontal_scale * vertical / axial; // (C11 + C12)/2
+  const T horizontal_shear = horizontal_scale * r / lateral;
+  const T q = F11 / F33;
+  const T pair = 1 + q;
   const T vertical_shear =
-      r * scale * F11 * F11 / ((r - 1) * pair * pair * mixed_pair(w) + ratio * ratio * w.m2 + n11);
+      horizontal_scale * r /
+      ((r - 1) * pair * pair * mixed_pair(w) + q * q * vertical_square(w) + horizontal_square(w));
   return {.C11 = biaxial + horizontal_shear,
-          .C33 = F33 * F33 * (inverse * (vertical + r * (w.m0 - 2 * w.m2))),
+          .C33 = scale * F33 * F33 * (w.s2c2 + r * w.s4) / axial,
           .C12 = biaxial - horizontal_shear,
-          .C13 = F11 * F33 * (inverse * (vertical - r * w.m2)),
+          .C13 = scale * F11 * F33 * (1 - r) * w.s2c2 / axial,
           .C44 = vertical_shear};
 }
 
@@ -111,9 +121,10 @@ struct Geometry {
 
 template <class T>
 Geometry<T> geometry(const T& coordination_number, const T& radius, const T& void_ratio) {
-  const T cell = 2 * std::numbers::pi * radius * (1 + void_ratio); // 3 C_n l/(2 R P)
-  return {.prefactor = 3 * coordination_number / cell,
-          .force_area = 2 * radius * cell / (3 * coordination_number)};
+  constexpr double pi = std::numbers::pi;
+  const T solid = 1 + void_ratio; // inverse of the solid fraction
+  return {.prefactor = 1.5 / pi * (coordination_number / (radius * solid)),
+          .force_area = 4 * pi / 3 * (radius * radius * solid / coordination_number)};
 }
 
 inline Geometry<double> geometry(const State& s) {
@@ -143,7 +154,7 @@ inline double power(double x, double exponent) { return std::exp(exponent * std:
 /// end of the weight's base (see direction_moments), at most 1e4.
 std::span<const QuadratureNode> rule_for(double ratio);
 
-/// Means over E(gamma; a) of power(f) n3^k, f = horizontal sin^2 gamma + vertical cos^2 gamma, where
+/// Moments over E(gamma; a) of the weight power(f), f = horizontal sin^2 gamma + vertical cos^2 gamma, where
 /// horizontal vertical = 1. They are integrals over x = n3 from 0 to 1 whose branch points approach the
 /// interval as A/B = horizontal/vertical leaves 1. The substitution tan(gamma) -> c tan(gamma),
 /// c^2 = sqrt(A/B), halves that ratio on a logarithmic scale and makes both sides of 1 alike:
@@ -155,19 +166,21 @@ template <class T, class Power>
 AxialMoments<T> direction_moments(const T& a, const T& horizontal, const T& vertical, double c2, Power power,
                                   std::span<const QuadratureNode> rule) {
   const double c = std::sqrt(c2);
-  AxialMoments<T> sum{.m0 = T(0), .m2 = T(0), .m4 = T(0)};
+  AxialMoments<T> sum{.s4 = T(0), .s2c2 = T(0), .c4 = T(0)};
   for (const auto& [y, weight] : rule) {
     const double y2 = y * y;
     const double per_g = 1 / (1 + (c2 - 1) * y2);
-    const double x2 = c2 * y2 * per_g;
-    const T f = ((1 - y2) * per_g) * horizontal + x2 * vertical;
-    const T term = (1 + (2 * x2 - 1) * a) * power(f) * (weight * c * per_g * std::sqrt(per_g));
-    sum.m0 += term;
-    sum.m2 += x2 * term;
-    sum.m4 += (x2 * x2) * term;
+    const double cos2 = c2 * y2 * per_g;
+    const double sin2 = (1 - y2) * per_g;
+    const T f = sin2 * horizontal + cos2 * vertical;
+    const T density = sin2 * (1 - a) + cos2 * (1 + a); // of E, without 3/(3 - a)
+    const T term = density * power(f) * (weight * c * per_g * std::sqrt(per_g));
+    sum.s4 += (sin2 * sin2) * term;
+    sum.s2c2 += (sin2 * cos2) * term;
+    sum.c4 += (cos2 * cos2) * term;
   }
   const T scale = 3 / (3 - a);
-  return {.m0 = scale * sum.m0, .m2 = scale * sum.m2, .m4 = scale * sum.m4};
+  return {.s4 = scale * sum.s4, .s2c2 = scale * sum.s2c2, .c4 = scale * sum.c4};
 }
 
 } // namespace granum::effective::kernel

@@ -52,9 +52,10 @@ kernel::AxialMoments<double> by_quadrature(const Strain& e) {
   kernel::AxialMoments<double> m;
   for (const auto& [x, weight] : half_rule()) {
     const double term = weight * std::sqrt(e.hydrostatic + e.uniaxial * x * x);
-    m.m0 += term;
-    m.m2 += term * x * x;
-    m.m4 += term * x * x * x * x;
+    const double cos2 = x * x, sin2 = (1 - x) * (1 + x);
+    m.s4 += term * sin2 * sin2;
+    m.s2c2 += term * sin2 * cos2;
+    m.c4 += term * cos2 * cos2;
   }
   return m;
 }
@@ -68,13 +69,13 @@ kernel::AxialMoments<double> by_closed_form(const Strain& e) {
   const double I2 = (cube - a2 * I0) / 4;
   const double I4 = (cube - 3 * a2 * I2) / 6;
   const double scale = std::sqrt(e.uniaxial);
-  return {.m0 = scale * I0, .m2 = scale * I2, .m4 = scale * I4};
+  return {.s4 = scale * (I0 - 2 * I2 + I4), .s2c2 = scale * (I2 - I4), .c4 = scale * I4};
 }
 
-/// Means of u, u x^2 and u x^4. Without uniaxial strain the moments of 1, exactly.
+/// Moments of the weight u. Without uniaxial strain those of 1, exactly.
 kernel::AxialMoments<double> stiffness_moments(const Strain& e) {
   if (e.uniaxial == 0)
-    return {.m0 = 1, .m2 = 1.0 / 3, .m4 = 0.2};
+    return {.s4 = 8.0 / 15, .s2c2 = 2.0 / 15, .c4 = 0.2};
   return nearly_isotropic(e) ? by_quadrature(e) : by_closed_form(e);
 }
 
@@ -100,7 +101,7 @@ double tangential_moment(const Strain& e, const kernel::AxialMoments<double>& w,
   case StrainPath::uniaxial_first:
     return e.uniaxial * std::sqrt(e.uniaxial) / 12;
   case StrainPath::simultaneous:
-    return e.uniaxial * (w.m2 - w.m4);
+    return e.uniaxial * w.s2c2;
   }
   throw InvalidArgument("strain path is none of hydrostatic_first, uniaxial_first, simultaneous");
 }
@@ -131,8 +132,9 @@ AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath pat
   checked(packing);
   const Strain e = strain_of(packing);
   const auto w = stiffness_moments(e);
-  StressMoments m{.isotropic = e.hydrostatic * w.m0 + e.uniaxial * w.m2,
-                  .axial = e.hydrostatic * w.m2 + e.uniaxial * w.m4};
+  const double cos2 = vertical_square(w);
+  StressMoments m{.isotropic = e.hydrostatic * mean_weight(w) + e.uniaxial * cos2,
+                  .axial = e.hydrostatic * cos2 + e.uniaxial * w.c4};
   m.tangential = tangential_moment(e, w, m, path);
   const double scale = 2.0 / 3 * sphere::contact_modulus(packing, e.sum) * e.sum;
   const double shear = sphere::mean_tangential_ratio(packing) * m.tangential;

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <memory>
 
-#include <Eigen/Dense>
-#include <gsl/gsl_blas.h>
+#include <Eigen/Core>
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include <granum/core/check.hpp>
@@ -78,18 +79,79 @@ Eigen::VectorXd vector_of(const gsl_vector* v) {
   return copy;
 }
 
+using GslVector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
+using GslMatrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
+using LinearWorkspace = std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)>;
+
+template <class Handle>
+Handle required(Handle handle, std::size_t rows) {
+  if (!handle)
+    throw Error("no memory for a fit of " + std::to_string(rows) + " rows");
+  return handle;
+}
+GslVector allocated_vector(std::size_t size) {
+  return required(GslVector(gsl_vector_alloc(size), gsl_vector_free), size);
+}
+GslMatrix allocated_matrix(std::size_t rows, std::size_t columns) {
+  return required(GslMatrix(gsl_matrix_alloc(rows, columns), gsl_matrix_free), rows);
+}
+
+void copy_to(const Eigen::VectorXd& from, gsl_vector* to) {
+  for (std::size_t k = 0; k < to->size; ++k)
+    gsl_vector_set(to, k, from[static_cast<Eigen::Index>(k)]);
+}
+void copy_to(const Eigen::MatrixXd& from, gsl_matrix* to) {
+  for (std::size_t i = 0; i < to->size1; ++i)
+    for (std::size_t j = 0; j < to->size2; ++j)
+      gsl_matrix_set(to, i, j, from(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+}
+GslMatrix gsl_matrix_of(const Eigen::MatrixXd& from) {
+  GslMatrix to =
+      allocated_matrix(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
+  copy_to(from, to.get());
+  return to;
+}
+
+void require_success(int code, const char* step) {
+  if (code != GSL_SUCCESS)
+    throw Error(std::string("a fit failed at its ") + step + ": " + gsl_strerror(code));
+}
+
+struct LinearFit {
+  Eigen::VectorXd theta;
+  Eigen::MatrixXd inverse_information; ///< (X^T X)^-1
+};
+
+/// Least squares of X theta = y, by singular values of X with balanced columns.
+LinearFit least_squares(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
+  const ErrorHandlerOff guard;
+  const auto rows = static_cast<std::size_t>(x.rows()), parameters = static_cast<std::size_t>(x.cols());
+  const GslMatrix matrix = gsl_matrix_of(x), covariance = allocated_matrix(parameters, parameters);
+  const GslVector measured = allocated_vector(rows), weights = allocated_vector(rows);
+  const GslVector theta = allocated_vector(parameters);
+  copy_to(y, measured.get());
+  gsl_vector_set_all(weights.get(), 1); // with weights GSL leaves the scatter out of the covariance
+  const LinearWorkspace workspace =
+      required(LinearWorkspace(gsl_multifit_linear_alloc(rows, parameters), gsl_multifit_linear_free), rows);
+  double square_sum = 0;
+  require_success(gsl_multifit_wlinear(matrix.get(), weights.get(), measured.get(), theta.get(),
+                                       covariance.get(), &square_sum, workspace.get()),
+                  "linear least squares");
+  LinearFit fit{vector_of(theta.get()), Eigen::MatrixXd(x.cols(), x.cols())};
+  for (Eigen::Index i = 0; i < x.cols(); ++i)
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      fit.inverse_information(i, j) =
+          gsl_matrix_get(covariance.get(), static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  return fit;
+}
+
 int gsl_residuals(const gsl_vector* theta, void* problem, gsl_vector* out) {
-  const Eigen::VectorXd values = static_cast<const Problem*>(problem)->residuals(vector_of(theta));
-  for (std::size_t k = 0; k < out->size; ++k)
-    gsl_vector_set(out, k, values[static_cast<Eigen::Index>(k)]);
+  copy_to(static_cast<const Problem*>(problem)->residuals(vector_of(theta)), out);
   return GSL_SUCCESS;
 }
 
 int gsl_jacobian(const gsl_vector* theta, void* problem, gsl_matrix* out) {
-  const Eigen::MatrixXd values = static_cast<const Problem*>(problem)->jacobian(vector_of(theta));
-  for (std::size_t i = 0; i < out->size1; ++i)
-    for (std::size_t j = 0; j < out->size2; ++j)
-      gsl_matrix_set(out, i, j, values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  copy_to(static_cast<const Problem*>(problem)->jacobian(vector_of(theta)), out);
   return GSL_SUCCESS;
 }
 
@@ -112,11 +174,10 @@ Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t itera
   const auto parameters = static_cast<std::size_t>(problem.design.cols());
   gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
   settings.trs = gsl_multifit_nlinear_trs_lm;
-  const Workspace workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, rows, parameters),
-      gsl_multifit_nlinear_free);
-  if (!workspace)
-    throw Error("no memory for a fit of " + std::to_string(rows) + " rows");
+  const Workspace workspace =
+      required(Workspace(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, rows, parameters),
+                         gsl_multifit_nlinear_free),
+               rows);
 
   gsl_multifit_nlinear_fdf system{};
   system.f = gsl_residuals;
@@ -180,10 +241,16 @@ struct Scatter {
 
 Scatter scatter(const Eigen::MatrixXd& design) {
   const Eigen::MatrixXd centred = design.rightCols<2>().rowwise() - design.rightCols<2>().colwise().mean();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
-  const Eigen::Vector2d root_mean_square =
-      svd.singularValues() / std::sqrt(static_cast<double>(design.rows()));
-  return {root_mean_square[0], root_mean_square[1], svd.matrixV().col(0)};
+  const ErrorHandlerOff guard;
+  const GslMatrix u = gsl_matrix_of(centred);
+  const GslMatrix v = allocated_matrix(2, 2);
+  const GslVector singular = allocated_vector(2);
+  require_success(gsl_linalg_SV_decomp_jacobi(u.get(), v.get(), singular.get()), "singular values");
+  const Eigen::VectorXd root_mean_square =
+      vector_of(singular.get()) / std::sqrt(static_cast<double>(design.rows()));
+  return {root_mean_square[0],
+          root_mean_square[1],
+          {gsl_matrix_get(v.get(), 0, 0), gsl_matrix_get(v.get(), 1, 0)}};
 }
 
 void require_distinct_exponents(const Eigen::MatrixXd& design) {
@@ -203,17 +270,12 @@ void require_distinct_exponents(const Eigen::MatrixXd& design) {
 
 /// Log-linear least squares, exact for relative weights.
 Eigen::VectorXd start_of(const Problem& problem) {
-  return problem.design.colPivHouseholderQr().solve(problem.measured.array().log().matrix() - problem.base);
+  return least_squares(problem.design, problem.measured.array().log().matrix() - problem.base).theta;
 }
 
 /// (J^T J)^-1 in ln C and the exponents; it depends on where was measured, not on the scatter.
 Eigen::MatrixXd inverse_information(const Problem& problem, const Eigen::VectorXd& theta) {
-  const Eigen::MatrixXd j = problem.jacobian(theta);
-  const Eigen::Index p = j.cols();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(j);
-  const Eigen::MatrixXd r = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
-  return inverse * inverse.transpose();
+  return least_squares(problem.jacobian(theta), problem.residuals(theta)).inverse_information;
 }
 
 std::optional<double> r_squared(const Problem& problem, const Eigen::VectorXd& theta) {

@@ -26,7 +26,8 @@ struct Estimate {
 ///             + k_t/4 (n_i n_k d_jl + n_i n_l d_jk + n_j n_k d_il + n_j n_l d_ik)>,
 /// an upper bound of the true stiffness.                                          [Walton1987; ChangLiao1994]
 /// \throws   InvalidArgument if a member is out of its range
-/// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
+/// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
+/// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts);
 
 /// The same if all grains may spin alike, as their energy likes best: a tighter upper bound. In a plane ij
@@ -34,14 +35,16 @@ struct Estimate {
 /// where uniform strain has (A_i+A_j)/4 for the last term. Only C44 differs, and only if A_1 != A_3: by
 /// fabric, or by stiffness that depends on direction.
 /// \throws   InvalidArgument if a member is out of its range
-/// Accuracy  relative 1e-14.  Checked by tests/effective/test_free_spin.cpp
+/// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
+/// Checked by validation/accuracy, tests/effective/test_free_spin.cpp
 [[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
 
 /// Stiffness if the contact forces are df = (l/P) dstress F^-1 n, contacts of uniform stiffness: from the
 /// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. No lower
 /// bound: the forces do not balance grain by grain.                          [ChangLiao1994; YimsiriSoga2000]
 /// \throws   InvalidArgument if a member is out of its range
-/// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
+/// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
+/// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts);
 
 /// The state with all contacts at the stiffness of the mean force: rungs 0 and 1 of the ladder. Equal to what
