@@ -43,7 +43,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-std::string exact_text(double value) { return general_text(value, 17); }
+std::string exact_text(double value) {
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
 
 std::string short_text(double value, int digits) { return general_text(value, digits); }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
 #include "packing_builder.hpp"
@@ -134,5 +136,39 @@ class DataFile {
 } // namespace
 
 ImportedPacking read_lammps_data(TextSource source) { return DataFile(std::move(source)).read(); }
+
+std::string lammps_data(const Assembly& assembly, double density, std::span<const long> id) {
+  require_valid(assembly);
+  require_positive("density", density, "kg/m^3");
+  const std::size_t count = assembly.grain_count();
+  if (!id.empty() && id.size() != count)
+    throw InvalidArgument("id has " + std::to_string(id.size()) + " numbers for " + std::to_string(count) +
+                          " grains");
+  const Mat3& cell = assembly.cell;
+  if (cell(1, 0) != 0 || cell(2, 0) != 0 || cell(2, 1) != 0)
+    throw InvalidArgument(
+        "the first edge of the cell must lie along x and the second in the xy plane: LAMMPS "
+        "knows no other boxes");
+
+  std::string text = "LAMMPS data file written by granum: grains at rest, SI units\n\n" +
+                     std::to_string(count) + " atoms\n1 atom types\n\n";
+  constexpr const char* axes = "xyz";
+  for (int k = 0; k < 3; ++k)
+    text += "0 " + exact_text(cell(k, k)) + ' ' + axes[k] + "lo " + axes[k] + "hi\n";
+  if (cell(0, 1) != 0 || cell(0, 2) != 0 || cell(1, 2) != 0)
+    text +=
+        exact_text(cell(0, 1)) + ' ' + exact_text(cell(0, 2)) + ' ' + exact_text(cell(1, 2)) + " xy xz yz\n";
+  text += "\nAtoms # sphere\n\n";
+  const std::string density_text = exact_text(density);
+  for (std::size_t g = 0; g < count; ++g) {
+    const long number = id.empty() ? static_cast<long>(g) + 1 : id[g];
+    if (number < 1)
+      throw InvalidArgument("id " + std::to_string(number) + " is not positive, as LAMMPS needs it");
+    const Vec3& x = assembly.position[g];
+    text += std::to_string(number) + " 1 " + exact_text(2 * assembly.radius[g]) + ' ' + density_text + ' ' +
+            exact_text(x.x) + ' ' + exact_text(x.y) + ' ' + exact_text(x.z) + '\n';
+  }
+  return text;
+}
 
 } // namespace granum::io

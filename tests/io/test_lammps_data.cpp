@@ -80,3 +80,25 @@ TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line")
         "d:13: expected a finite number as coordinate, found 'inf'");
   CHECK(changed("2 1 0.001", "b 1 0.001") == "d:13: expected 3 atoms, found 1"); // reads as the next section
 }
+
+TEST_CASE("LAMMPS data: what is written is read back with all bits") {
+  for (const char* file : {"lammps_chain.data", "lammps_tilted.data"}) {
+    const ImportedPacking first = read_lammps_data(data_source(file));
+    const std::string text = lammps_data(first.assembly, 2650, first.id);
+    const ImportedPacking second = read_lammps_data(text_source("written", text));
+    CHECK(second.assembly == first.assembly);
+    CHECK(second.id == first.id);
+    CHECK(text.find(" 2650 ") != std::string::npos);
+  }
+}
+
+TEST_CASE("LAMMPS data: what LAMMPS could not read is not written") {
+  Assembly assembly = read_lammps_data(data_source("lammps_chain.data")).assembly;
+  CHECK(lammps_data(assembly, 1.5).find("\n3 1 0.001 1.5 ") != std::string::npos);
+  CHECK_THROWS_WITH_AS(lammps_data(assembly, 0), "density = 0 kg/m^3 is outside (0, inf)", InvalidArgument);
+  const std::vector<long> two{1, 2}, from_zero{0, 1, 2};
+  CHECK_THROWS_WITH_AS(lammps_data(assembly, 1, two), "id has 2 numbers for 3 grains", InvalidArgument);
+  CHECK_THROWS_AS(lammps_data(assembly, 1, from_zero), InvalidArgument);
+  assembly.cell(1, 0) = 1e-4;
+  CHECK_THROWS_AS(lammps_data(assembly, 1), InvalidArgument);
+}

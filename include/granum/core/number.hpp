@@ -24,7 +24,7 @@ struct LeadingNumber {
 /// `text` without the blanks, tabs and carriage returns around it.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// 17 significant digits: parse_number gives back the same bits of any finite value.
+/// The fewest digits, up to 17, from which parse_number gives back the same bits of any finite value.
 [[nodiscard]] std::string exact_text(double value);
 /// At most `digits` significant digits, no trailing zeros, for people to read.
 [[nodiscard]] std::string short_text(double value, int digits = 4);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <string>
+
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text_source.hpp>
 
@@ -14,5 +17,14 @@ namespace granum::io {
 ///           not positive
 /// Checked by tests/io/test_lammps_data.cpp
 [[nodiscard]] ImportedPacking read_lammps_data(TextSource source);
+
+/// The grains as a data file that LAMMPS reads with atom style sphere: one atom type, all digits, at rest.
+/// \param    density    of the grains [kg/m^3]
+/// \param    id         empty for 1, 2, ... in the order of the grains, or one positive number each
+/// \throws   InvalidArgument as require_valid(Assembly); for a cell that is not LAMMPS's (first edge along x,
+///           second in the xy plane), a density that is not positive, ids that do not fit
+/// Checked by tests/io/test_lammps_data.cpp
+[[nodiscard]] std::string lammps_data(const Assembly& assembly, double density,
+                                      std::span<const long> id = {});
 
 } // namespace granum::io
