@@ -159,7 +159,7 @@ std::string contacts_vtp(const Assembly& assembly, std::span<const long> id) {
              [&](std::size_t k) { return id_of(id, k % 2 == 0 ? contacts[k / 2].i : contacts[k / 2].j); });
   text.close("CellData");
   text.open("Lines");
-  text.array("Int64", "connectivity", count, 2, [](std::size_t k) { return k; });
+  text.array("Int64", "connectivity", 2 * count, 1, [](std::size_t k) { return k; });
   text.array("Int64", "offsets", count, 1, [](std::size_t k) { return 2 * (k + 1); });
   text.close("Lines");
   text.close("Piece");

@@ -98,6 +98,7 @@ TEST_CASE("ParaView: contacts are lines along their branches, with forces") {
   CHECK(array(file, "grains") == std::vector<double>{7, 9, 7, 11, 9, 11});
   CHECK(array(file, "connectivity") == std::vector<double>{0, 1, 2, 3, 4, 5});
   CHECK(array(file, "offsets") == std::vector<double>{2, 4, 6});
+  CHECK(file.find("Name=\"connectivity\" NumberOfComponents=\"1\"") != std::string::npos);
 }
 
 TEST_CASE("ParaView: an assembly without contacts, and one without grains") {
