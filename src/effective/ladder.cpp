@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
@@ -22,8 +23,6 @@ constexpr std::size_t relaxed_rung = 3;
 using Triple = std::array<double, 3>;
 
 Triple moduli(const TransverselyIsotropic& c) { return {c.bulk_modulus(), c.G_hh(), c.G_vh()}; }
-
-std::string percent(double share) { return short_text(100 * share, 2) + " %"; }
 
 std::string join(const std::vector<std::string>& words) {
   std::string text;
@@ -158,12 +157,12 @@ std::array<RungAssessment, 6> ladder() {
     return assessment;
   };
   const std::vector<std::string> packing{"a packing"};
-  return {rung(0, "uniform strain, isotropic", 65e-9, {}),
-          rung(1, "uniform strain with fabric", 0.1e-6, {}),
+  return {rung(0, "uniform strain, isotropic", 20e-9, {}),
+          rung(1, "uniform strain with fabric", 80e-9, {}),
           rung(2, "uniform strain, contact stiffness by direction", 0.4e-6, {}),
-          rung(3, "relaxed", 2.5e-6, {}),
+          rung(3, "relaxed", 0.9e-6, {}),
           rung(4, "linear response of the contact network", 0.05, packing),
-          rung(5, "cyclic probe by DEM", 0.35, packing)};
+          rung(5, "cyclic probe by DEM", 0.26, packing)};
 }
 
 void work_out(std::array<RungAssessment, 6>& rungs, const KnownPacking& packing) {
@@ -180,11 +179,11 @@ void work_out(std::array<RungAssessment, 6>& rungs, const KnownPacking& packing)
 /// "its calibration 2.7 %, z* 10 %": the largest part of each kind.
 std::string parts_text(const Relaxed& truth, const Coordination& z, bool fabric_assumed) {
   const auto most = [](const Triple& errors) { return *std::max_element(errors.begin(), errors.end()); };
-  std::string text = "its calibration " + percent(most(truth.calibration));
+  std::string text = "its calibration " + percent_text(most(truth.calibration));
   if (most(truth.coordination) > 0)
-    text += (z.estimated ? ", z* estimated from C_n " : ", z* ") + percent(most(truth.coordination));
+    text += (z.estimated ? ", z* estimated from C_n " : ", z* ") + percent_text(most(truth.coordination));
   if (most(truth.fabric) > 0)
-    text += (fabric_assumed ? ", a assumed " : ", a ") + percent(most(truth.fabric));
+    text += (fabric_assumed ? ", a assumed " : ", a ") + percent_text(most(truth.fabric));
   return text;
 }
 
@@ -253,8 +252,21 @@ void advise_input(LadderEstimate& ladder, const Relaxed& truth, const Doubts& do
     ladder.advice.push_back(input + " would allow rung " + std::to_string(then) + ", which is cheaper");
   else if (!ladder.tolerance_met && error < 0.95 * now)
     ladder.advice.push_back(input + " would leave rung " + std::to_string(then) + " an error of " +
-                            percent(error) + ", " + (error <= ladder.tolerance ? "within" : "still beyond") +
-                            " the tolerance");
+                            percent_text(error) + ", " +
+                            (error <= ladder.tolerance ? "within" : "still beyond") + " the tolerance");
+}
+
+/// Cheaper rungs, unless one that is cheaper still does nearly as well.
+void advise_tolerance(LadderEstimate& ladder) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < ladder.chosen; ++k) {
+    const auto error = ladder.rungs[k].largest_error();
+    if (!error || !(*error < 0.95 * least))
+      continue;
+    ladder.advice.push_back("rung " + std::to_string(k) + " would do for a tolerance of " +
+                            percent_text(*error));
+    least = *error;
+  }
 }
 
 void advise(LadderEstimate& ladder, const Relaxed& truth, bool fabric_assumed) {
@@ -269,20 +281,18 @@ void advise(LadderEstimate& ladder, const Relaxed& truth, bool fabric_assumed) {
     ladder.advice.emplace_back(
         "a packing of grains, of a DEM code or of granum's own, would allow rung 4, the "
         "response of its contact network, which has no such error");
-  for (std::size_t k = 0; k < ladder.chosen; ++k)
-    if (const auto error = ladder.rungs[k].largest_error())
-      ladder.advice.push_back("rung " + std::to_string(k) + " would do for a tolerance of " +
-                              percent(*error));
+  advise_tolerance(ladder);
 }
 
 void note_tolerance(LadderEstimate& ladder) {
   const auto error = ladder.choice().largest_error();
   if (!error)
     ladder.validity.add("the error of no rung is known: the packing may not be rigid, and the tolerance of " +
-                        percent(ladder.tolerance) + " is not met");
+                        percent_text(ladder.tolerance) + " is not met");
   else if (!ladder.tolerance_met)
-    ladder.validity.add("the tolerance of " + percent(ladder.tolerance) + " is not met: the best rung, " +
-                        std::to_string(ladder.chosen) + ", has a stated error of " + percent(*error));
+    ladder.validity.add("the tolerance of " + percent_text(ladder.tolerance) +
+                        " is not met: the best rung, " + std::to_string(ladder.chosen) +
+                        ", has a stated error of " + percent_text(*error));
 }
 
 /// Nothing to relax: every rung says zero.
