@@ -73,37 +73,39 @@ struct Relaxed {
 
   [[nodiscard]] bool rigid() const {
     const Triple values = moduli(stiffness);
-    return std::all_of(values.begin(), values.end(), [](double value) { return value > 0; });
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return value > 0 && std::isfinite(value); });
   }
 };
 
-/// |X_2 - X_1|/(2 X): what a standard error to either side makes of each modulus.
-Triple half_differences(const TransverselyIsotropic& first, const TransverselyIsotropic& second,
-                        const Triple& middle) {
+/// |X_2 - X_1|/X of each modulus.
+Triple differences(const TransverselyIsotropic& first, const TransverselyIsotropic& second,
+                   const Triple& middle) {
   Triple shares{};
   for (std::size_t k = 0; k < shares.size(); ++k)
-    shares[k] = std::abs(moduli(second)[k] - moduli(first)[k]) / (2 * middle[k]);
+    shares[k] = std::abs(moduli(second)[k] - moduli(first)[k]) / middle[k];
   return shares;
 }
 
+/// What a standard error of z* to either side makes of each modulus.
 Triple error_by_coordination(const State& state, const Measured& z, const Triple& middle) {
   if (z.standard_error == 0)
     return {};
-  const double low = std::max(0.0, z.value - z.standard_error);
-  return half_differences(relaxed(state, low).stiffness, relaxed(state, z.value + z.standard_error).stiffness,
-                          middle);
+  Triple shares = differences(relaxed(state, std::max(0.0, z.value - z.standard_error)).stiffness,
+                              relaxed(state, z.value + z.standard_error).stiffness, middle);
+  for (double& share : shares)
+    share /= 2;
+  return shares;
 }
 
-Triple error_by_fabric(const State& state, double z, double error, const Triple& middle) {
-  if (error == 0)
-    return {};
-  const auto shifted = [&state, z](double a) {
-    State other = state;
-    other.fabric_anisotropy = std::clamp(a, -1.0, 1.0); // a density of contacts that is nowhere negative
-    return relaxed(other, z).stiffness;
-  };
-  return half_differences(shifted(state.fabric_anisotropy - error), shifted(state.fabric_anisotropy + error),
-                          middle);
+/// What a standard error of a makes of each modulus. It is taken to the side where the contact forces are
+/// more alike: to the other they might be more unequal than a State may have them.
+Triple error_by_fabric(const State& state, double z, double error, const RelaxedEstimate& estimate) {
+  const double a = state.fabric_anisotropy;
+  const bool upright_contacts_carry_more = state.stress_v * (5 - 3 * a) > state.stress_h * (5 + a);
+  State other = state; // |a| <= 1: a density of contacts that is nowhere negative
+  other.fabric_anisotropy = std::clamp(upright_contacts_carry_more ? a + error : a - error, -1.0, 1.0);
+  return differences(estimate.stiffness, relaxed(other, z).stiffness, moduli(estimate.stiffness));
 }
 
 Relaxed relax(const State& state, const Measured& z, double fabric_error) {
@@ -115,7 +117,8 @@ Relaxed relax(const State& state, const Measured& z, double fabric_error) {
   const ModulusErrors& own = estimate.relative_error;
   answer.calibration = {own.bulk_modulus, own.G_hh, own.G_vh};
   answer.coordination = error_by_coordination(state, z, middle);
-  answer.fabric = error_by_fabric(state, z.value, fabric_error, middle);
+  if (fabric_error > 0)
+    answer.fabric = error_by_fabric(state, z.value, fabric_error, estimate);
   return answer;
 }
 

@@ -191,7 +191,7 @@ TEST_CASE("ladder: where rattlers were not counted") {
     CHECK(std::abs(row.z - z.value) <= std::sqrt(3.0) * z.standard_error); // none to twice as many
     CHECK(z.value > row.C_n);
   }
-  // Published packings, E = 70 GPa and 10 kPa: without friction, little, vibrated, with friction [AgnolinRoux2007].
+  // Published packings at 10 kPa [AgnolinRoux2007]: without friction, with little, vibrated, with friction.
   for (const auto& [C_n, z_star] : {std::pair{5.995, 6.074}, {5.687, 5.80}, {3.954, 4.56}, {4.041, 4.546}}) {
     const Measured z = effective::estimated_mechanical_coordination_number(C_n);
     CHECK(std::abs(z_star - z.value) <= std::sqrt(3.0) * z.standard_error);
@@ -249,6 +249,28 @@ TEST_CASE("ladder: what is missing is named, and what it would bring") {
   CHECK(mentions(ladder.advice, "the fabric a would leave rung 3"));
   packing.fabric_standard_error = 0;
   CHECK(*estimate(packing, 0.05).rungs[3].largest_error() < *ladder.rungs[3].largest_error());
+}
+
+TEST_CASE("ladder: a doubtful fabric counts to first order, at any stress ratio") {
+  for (const double ratio : {1e-3, 0.5, 1.0, 2.0, 1e3}) {
+    KnownPacking packing{.state = state_of(2, 0.1, 0.15, ratio * 1e5, 1e5),
+                         .mechanical_coordination_number = Measured{5.85, 0},
+                         .fabric_standard_error = 1e-3};
+    const auto relaxed = effective::relaxed(packing.state, 5.85);
+    State near = packing.state;
+    near.fabric_anisotropy += 1e-6;
+    const double slope =
+        (effective::relaxed(near, 5.85).stiffness.G_hh() / relaxed.stiffness.G_hh() - 1) / 1e-6;
+    CHECK(estimate(packing, 0.05).rungs[3].relative_error->G_hh ==
+          relative(std::hypot(relaxed.relative_error.G_hh, 1e-3 * slope), 1e-3));
+  }
+  // Forces of 9,000 to 1 are near the most that a state may have; an assumed fabric leads no further.
+  for (const double ratio : {9000.0, 1 / 9000.0}) {
+    KnownPacking packing{.state = state_of(2, 0, 0.15, ratio * 1e5, 1e5),
+                         .mechanical_coordination_number = Measured{5.85, 0},
+                         .fabric_standard_error = std::nullopt};
+    CHECK(std::isfinite(estimate(packing, 0.05).rungs[3].largest_error().value()));
+  }
 }
 
 TEST_CASE("ladder: a better known input may allow a cheaper rung") {

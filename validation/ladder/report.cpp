@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the recorded table says.
 //
-//     ladder_report check table.csv ../relaxation/states.csv README.md   exit code 0 if the library still says
-//                                         what was recorded, stated errors cover actual ones, and README.md has
-//                                         the lines below
+//     ladder_report check table.csv ../relaxation/states.csv README.md
 //     ladder_report lines table.csv       errors and costs by rung, as the table of README.md
 //     ladder_report picture table.csv     error against cost, SVG
+//
+// check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
+// README.md has the lines.
 #include <cstdio>
 #include <cstring>
 #include <exception>

@@ -3,8 +3,8 @@
 //
 //     ladder_run table.csv [grains]
 //
-// Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact network,
-// rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
+// Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact
+// network, rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
