@@ -4,6 +4,7 @@
 //     ladder_report check table.csv ../relaxation/states.csv README.md
 //     ladder_report lines table.csv       errors and costs by rung, as the table of README.md
 //     ladder_report picture table.csv     error against cost, SVG
+//     ladder_report restate table.csv     the table again, with what rungs 0 to 3 say of it now
 //
 // check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
 // README.md has the lines.
@@ -229,15 +230,36 @@ bool same(const Moduli& first, const Moduli& second) {
   return true;
 }
 
+/// The rung's answer today.
+Row restated(Row row) {
+  const auto estimate = effective::estimate(ladder::known_packing(row.specimen, row.known), 0.05);
+  const auto& rung = estimate.rungs[static_cast<std::size_t>(row.rung)];
+  row.value = ladder::moduli(rung.stiffness.value());
+  row.stated = ladder::triple(rung.relative_error.value());
+  return row;
+}
+
+std::string restated_table(const std::vector<Row>& rows) {
+  const Networks networks(rows);
+  const std::vector<std::string>& names = ladder::headings();
+  std::string text = io::csv_line({names.begin(), names.end()});
+  for (Row row : rows) {
+    if (row.rung <= 3) {
+      row = restated(row);
+      row.error = networks.errors(row);
+    }
+    text += ladder::csv_line(row);
+  }
+  return text;
+}
+
 void check_library(Claims& claims, const std::vector<Row>& rows) {
   std::string other;
   for (const Row& row : rows) {
     if (row.rung > 3)
       continue;
-    const auto estimate = effective::estimate(ladder::known_packing(row.specimen, row.known), 0.05);
-    const auto& rung = estimate.rungs[static_cast<std::size_t>(row.rung)];
-    if (!same(ladder::moduli(*rung.stiffness), row.value) ||
-        !same(ladder::triple(*rung.relative_error), row.stated))
+    const Row now = restated(row);
+    if (!same(now.value, row.value) || !same(now.stated, row.stated))
       other = row.specimen.name();
   }
   claims.require(other.empty(), "the library says of each packing what was recorded" +
@@ -335,17 +357,20 @@ void check_readme(Claims& claims, const std::vector<Row>& rows, const std::strin
 
 int run(int argc, char** argv) {
   const std::string what = argc > 2 ? argv[1] : "";
-  if (what == "lines" || what == "picture") {
+  if (what == "lines" || what == "picture" || what == "restate") {
     const std::vector<Row> rows = ladder::read(argv[2]);
     if (what == "picture")
       std::printf("%s", io::svg(chart(rows)).c_str());
+    else if (what == "restate")
+      std::printf("%s", restated_table(rows).c_str());
     else
       for (const std::string& line : summary(rows))
         std::printf("%s\n", line.c_str());
     return 0;
   }
   if (what != "check" || argc != 5) {
-    std::fprintf(stderr, "usage: %s check table.csv states.csv README.md, or lines|picture table.csv\n",
+    std::fprintf(stderr,
+                 "usage: %s check table.csv states.csv README.md, or lines|picture|restate table.csv\n",
                  argv[0]);
     return 2;
   }
