@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "frame.hpp"
+#include "ladder_report.hpp"
 #include "packing_options.hpp"
 
 namespace granum::cli {
@@ -18,6 +19,7 @@ using effective::State;
 struct Options {
   PackingOptions packing;
   OutputOptions output;
+  Number tolerance;
 };
 
 EstimateCase resolve(const PackingOptions& o) {
@@ -59,8 +61,18 @@ EstimateAnswer solve(const Packing& packing) {
 ExitCode run(const Options& options) {
   const EstimateCase question = resolve(options.packing);
   const EstimateAnswer answer = solve(question.subject);
-  return deliver(options.output, estimate_table(question, answer), estimate_json(question, answer),
-                 answer.validity);
+  std::string table = estimate_table(question, answer);
+  nlohmann::ordered_json json = estimate_json(question, answer);
+  Validity validity = answer.validity;
+  if (options.tolerance.given()) {
+    const effective::LadderEstimate ladder =
+        choose_rung(options.packing, question.subject.state, options.tolerance.value);
+    table += ladder_table(ladder);
+    json["ladder"] = ladder_json(ladder);
+    validity.merge(ladder.validity);
+    keep_each_once(validity);
+  }
+  return deliver(options.output, table, json, validity);
 }
 
 } // namespace
@@ -70,6 +82,8 @@ Command add_estimate(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "estimate", "Closed-form stiffness of a packing at one state, and how it grows with stress");
   add_packing_options(*command, options->packing);
+  add_number_without_default(*command, "--tolerance", options->tolerance,
+                             "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

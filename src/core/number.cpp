@@ -50,4 +50,10 @@ std::string exact_text(double value) {
 
 std::string short_text(double value, int digits) { return general_text(value, digits); }
 
+std::string percent_text(double share) {
+  const double percent = 100 * share;
+  const double whole = std::round(percent);
+  return short_text(std::abs(percent) < 100 ? percent : whole, std::abs(percent) < 100 ? 2 : 15) + " %";
+}
+
 } // namespace granum
