@@ -8,6 +8,7 @@
 
 #include "frame.hpp"
 #include "packing_options.hpp"
+#include "uncertainty.hpp"
 
 namespace granum::cli {
 
@@ -17,6 +18,7 @@ using effective::State;
 
 struct Options {
   PackingOptions packing;
+  std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
 };
 
@@ -29,6 +31,9 @@ EstimateCase resolve(const PackingOptions& o) {
     question.assumptions.push_back(note);
   if (state.stress_v == 0 && state.stress_h == 0)
     question.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
+  if (state.coordination_number == 0)
+    question.assumptions.emplace_back(
+        "m, n and s do not exist: without contacts every modulus is 0 at any stress");
   return question;
 }
 
@@ -58,9 +63,19 @@ EstimateAnswer solve(const Packing& packing) {
 
 ExitCode run(const Options& options) {
   const EstimateCase question = resolve(options.packing);
-  const EstimateAnswer answer = solve(question.subject);
-  return deliver(options.output, estimate_table(question, answer), estimate_json(question, answer),
-                 answer.validity);
+  EstimateAnswer answer = solve(question.subject);
+  std::optional<UncertaintyAnswer> uncertainty;
+  if (!options.uncertain.empty()) {
+    uncertainty = propagate(options.packing, options.uncertain);
+    answer.validity.merge(uncertainty->validity);
+  }
+  std::string table = estimate_table(question, answer);
+  nlohmann::ordered_json json = estimate_json(question, answer);
+  if (uncertainty) {
+    table += uncertainty_table(*uncertainty);
+    json["uncertainty"] = uncertainty_json(*uncertainty);
+  }
+  return deliver(options.output, table, json, answer.validity);
 }
 
 } // namespace
@@ -70,6 +85,7 @@ Command add_estimate(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "estimate", "Closed-form stiffness of a packing at one state, and how it grows with stress");
   add_packing_options(*command, options->packing);
+  add_uncertainty_option(*command, options->uncertain);
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }
