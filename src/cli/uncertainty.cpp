@@ -249,7 +249,7 @@ void add_uncertainty_option(CLI::App& command, std::vector<std::string>& setting
   command
       .add_option(
           "--uncertainty", settings,
-          "Standard deviation of an input, may be repeated: coordination-number=0.3, pressure=5%; %% of "
+          "Standard deviation of an input, may be repeated: coordination-number=0.3, pressure=5%; % of "
           "its value")
       ->type_name("KEY=SD")
       ->allow_extra_args(false);

@@ -52,11 +52,12 @@ ordered_json json_of(const ModulusUncertainty& modulus, const std::vector<Uncert
 
 std::string pressure_text(double value) { return pretty(value, Dimension::pressure); }
 
-/// "coordination-number 93 %, void-ratio 7 %", the largest first; what rounds to nothing is left out.
+/// "coordination-number 85 %, grain-shear-modulus 10 %": the three largest, without what rounds to nothing.
 std::string shares_text(const effective::FirstOrder& first, const std::vector<UncertainInput>& inputs) {
   std::vector<Share> shares = shares_of(first, inputs);
   std::stable_sort(shares.begin(), shares.end(),
                    [](const Share& a, const Share& b) { return a.share > b.share; });
+  shares.resize(std::min<std::size_t>(shares.size(), 3));
   std::string text;
   for (const Share& share : shares)
     if (share.share >= 0.005)
@@ -98,10 +99,10 @@ std::string uncertainty_table(const UncertaintyAnswer& answer) {
   for (const UncertainInput& input : answer.inputs)
     text += fmt::format("  {:<32} {:>10} +- {}\n", input.key, pretty(input.number.value, input.dimension),
                         pretty(input.number.deviation, input.dimension));
-  text +=
-      fmt::format("\nFirst-order standard deviation; 16, 50 and 84 % of {} draws{}; share of the variance\n",
-                  answer.sampling.draws,
-                  answer.rejected > 0 ? fmt::format(", {} of them rejected", answer.rejected) : "");
+  text += fmt::format(
+      "\nFirst-order standard deviation; 16, 50 and 84 % of {} draws{}; largest shares of the\nvariance\n",
+      answer.sampling.draws,
+      answer.rejected > 0 ? fmt::format(", {} of them rejected", answer.rejected) : "");
   for (const RungUncertainty& rung : answer.rungs) {
     text += fmt::format("\n  {}\n", rung.title);
     for (const ModulusUncertainty& modulus : rung.moduli)
