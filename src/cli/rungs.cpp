@@ -38,9 +38,12 @@ effective::StressExponents exponents_at_mean_force(const State& at, effective::M
 }
 
 /// Contacts of one stiffness, that of the mean force, which grows with the mean stress p' alone: a modulus
-/// goes as p'^b, and stress_v and stress_h share b as they share 3 p'.
+/// goes as p'^b, and stress_v and stress_h share b as they share 3 p'. No contacts, no stiffness.
 FieldAnswer at_mean_force(const State& state) {
-  return {.stiffness = effective::uniform_strain_stiffness(effective::uniform_contacts(state)),
+  TransverselyIsotropic stiffness;
+  if (state.coordination_number > 0)
+    stiffness = effective::uniform_strain_stiffness(effective::uniform_contacts(state));
+  return {.stiffness = stiffness,
           .exponents = exponents(exponents_at_mean_force, state),
           .validity = effective::require_valid(state)};
 }

@@ -25,7 +25,8 @@ granum_uncertainty_share("pressure on punches" K pressure "0\\.0$" ${flat} --voi
 
 # nu = 0, absolute 0.01: 1/(1-nu) alone, and 1 - 3 (1/2)/(2+3) = 0.7 where r = 2(1-nu)/(2-nu) follows it; r = 1: 3/5.
 set(poisson --contact flat --void-ratio 1 --pressure 100kPa --grain-poisson-ratio 0)
-granum_uncertainty_share("Poisson's ratio at given k_t" G_vh grain_poisson_ratio "${half}" ${poisson} --tangential-ratio 1
+granum_uncertainty_share("Poisson's ratio at given k_t" G_vh grain_poisson_ratio "${half}" ${poisson}
+  --tangential-ratio 1
   --uncertainty grain-poisson-ratio=0.01)
 granum_uncertainty_share("Poisson's ratio with its k_t" G_vh grain_poisson_ratio "0\\.32885906040" ${poisson}
   --uncertainty grain-poisson-ratio=0.01)
@@ -50,10 +51,11 @@ granum_cli_test("estimate --uncertainty: two stresses" EXIT 0
 # A modulus proportional to G_g: 5 % of it, and 0.9945 deviations around it, up to 1.5/sqrt(4096) of one.
 set(linear estimate --contact flat --void-ratio 0.6 --pressure 100kPa --uncertainty grain-shear-modulus=5%)
 granum_cli_test("estimate --uncertainty: linear, first order" EXIT 0
-  STDOUT "K +152\\.9 MPa +\\+- 7\\.644 MPa +14[45]\\.[0-9]* MPa +15[23]\\.?[0-9]* MPa +16[01]\\.?[0-9]* MPa +grain-shear-modulus 100 %"
+  STDOUT "K +152\\.9 MPa +\\+- 7\\.644 MPa +14[45]\\.[0-9]* MPa +15[23].* +16[01].* +grain-shear-modulus 100 %"
   ARGS ${linear})
 granum_cli_test("estimate --uncertainty: linear, sampled" EXIT 0
-  JSON "uncertainty/uniform_stress/K/sampled/standard_deviation=^7[3-9][0-9][0-9][0-9][0-9][0-9]\\." ARGS ${linear} --json)
+  JSON "uncertainty/uniform_stress/K/sampled/standard_deviation=^7[3-9][0-9][0-9][0-9][0-9][0-9]\\."
+  ARGS ${linear} --json)
 granum_cli_test("estimate --uncertainty: drawn from a fixed seed" EXIT 0 JSON
   "uncertainty/draws=^4096$" ARGS ${linear} --json)
 
@@ -101,8 +103,8 @@ function(granum_uncertainty_refuses what message)
   granum_cli_test("estimate --uncertainty: ${what}" EXIT 2 STDERR "^granum: error: --uncertainty ${message}"
     ARGS estimate --void-ratio 0.6 --pressure 100kPa ${ARGN})
 endfunction()
-granum_uncertainty_refuses("unknown key" "mood: not an input of this packing, which is made of grain-shear-modulus, grain-poisson-ratio, radius, void-ratio, coordination-number, fabric, pressure"
-  --uncertainty mood=1)
+granum_uncertainty_refuses("unknown key"
+  "mood: not an input of this packing, which is made of grain-shear-modulus, [^\n]*, pressure\n" --uncertainty mood=1)
 granum_uncertainty_refuses("input of another packing" "porosity: not an input of this packing"
   --uncertainty porosity=0.01)
 granum_uncertainty_refuses("k_t that follows Poisson's ratio" "tangential-ratio: not an input"
@@ -128,3 +130,6 @@ foreach(expectation "uniform_strain/K=^0\\.0$" "uniform_stress/E_v=^0\\.0$" "uni
 endforeach()
 granum_cli_test("estimate: only rattlers" EXIT 0 JSON "relaxed/K=^0\\.0$" STDERR "z\\* = 0 is not above"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --coordination-number 0 --rattler-fraction 20% --json)
+granum_cli_test("sweep: no contacts" EXIT 0 JSON "states/0/rung0/G_hv=^0\\.0$"
+  STDERR "warning: 2 of 2 states lie outside a formula's validity[^\n]*without contacts carries no stress"
+  ARGS sweep --void-ratio 0.6 --coordination-number 0 --from 10kPa --to 100kPa --points 2 --json)

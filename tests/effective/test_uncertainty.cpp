@@ -176,6 +176,9 @@ TEST_CASE(
   CHECK(u.first_order.deviation > u.value);
   CHECK(u.sampled.low == 0);
   CHECK(u.sampled.mean > u.value);
+  const Uncertainty E = relaxed_uncertainty(s, 4.1, Modulus::E_v, deviations, some);
+  CHECK(E.sampled.low == 0);
+  CHECK(E.rejected == 0);
 }
 
 TEST_CASE("uncertainty: the same seed gives the same numbers, another one others") {
