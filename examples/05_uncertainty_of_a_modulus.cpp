@@ -53,8 +53,8 @@ int main() {
                                .stress_h = 100e3};
   const auto G = effective::Modulus::G_vh;
 
-  // 2. Uniform strain: G ~ (C_n G_g/(1+e))^(2/3). The powers are mild, so the first order is nearly right even
-  //    for errors of a third of an input, where draws begin to leave the range of what is possible.
+  // 2. Uniform strain: G ~ (C_n G_g/(1+e))^(2/3). The powers are mild, so the first order is nearly right
+  //    even for errors of a third of an input, where draws begin to leave the range of what is possible.
   std::printf("uniform strain, rung 2: deviations of C_n 0.2, e 0.02, G_g 2 GPa, and multiples of them\n");
   const effective::Uncertainty u = effective::uncertainty(dense, {}, G, deviations(1), sampling);
   print("  once", u);
@@ -67,8 +67,8 @@ int main() {
               100 * share(u, Input::coordination_number), 100 * share(u, Input::void_ratio),
               100 * share(u, Input::grain_shear_modulus));
 
-  // 3. Relaxed: G depends on z*, the contacts per grain without rattlers, and falls to zero near four of them.
-  //    The same error of z* matters the more, the nearer it is; the error of the calibration adds to it.
+  // 3. Relaxed: G depends on z*, the contacts per grain without rattlers, and falls to zero near four of
+  //    them. The nearer z* is to that, the more the same error matters; that of the calibration adds to it.
   std::printf("relaxed, rung 3: deviation of z* 0.2\n");
   effective::Deviations of_z;
   of_z[Input::mechanical_coordination_number] = 0.2;
@@ -82,8 +82,8 @@ int main() {
                 100 * relaxed.first_order.share(relaxed.first_order.calibration));
   }
 
-  // 4. First order breaks down where the error reaches the isostatic point, below which every draw has G = 0: it
-  //    then promises negative moduli, which do not exist.
+  // 4. First order breaks down where the error reaches the isostatic point, below which every draw has
+  //    G = 0: it then promises negative moduli, which do not exist.
   const auto near = effective::relaxed_uncertainty(dense, 4.1, G, of_z, sampling);
   const double promised = near.value - near.first_order.deviation;
   std::printf("\nat z* = 4.1 first order puts 16 %% of all packings below G = %.1f MPa; sampled: %.1f MPa\n",
