@@ -27,33 +27,11 @@ Dual<N> contact_stiffness(const contact::PowerLaw& law, const Dual<N>& area, con
   return k;
 }
 
-/// Means of f^exponent over the directions. Only stresses move: straight away.
-inline AxialMoments<Dual<stress_seeds>>
-moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root, const Dual<stress_seeds>& exponent) {
-  if (exponent.value() == 0)
-    return fabric_moments(a);
-  const double c2 = root.value();
-  const auto to_exponent = [&](const Dual<stress_seeds>& f) { return power(f, exponent.value()); };
-  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
-}
-
-/// The same by way of the four numbers that the nodes see, so that each node carries four derivatives.
-inline AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
-                                                const Dual<all_seeds>& exponent) {
-  using Node = Dual<4>;
-  const Dual<all_seeds> inverse = 1 / root;
-  const double c2 = root.value();
-  const Node node_exponent(exponent.value(), 4, 3);
-  const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
-  const AxialMoments<Node> m = direction_moments(
-      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
-  const auto outer = [&](const Node& x) -> Dual<all_seeds> {
-    const auto& d = x.derivatives();
-    return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
-                           d[3] * exponent.derivatives()};
-  };
-  return {.m0 = outer(m.m0), .m2 = outer(m.m2), .m4 = outer(m.m4)};
-}
+/// Means of f^exponent over the directions; each is compiled by the one source that needs it.
+AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
+                                            const Dual<stress_seeds>& exponent);
+AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
+                                         const Dual<all_seeds>& exponent);
 
 /// The stiffness of a model with derivatives by the first N seeds. Assumes a checked, loaded state.
 template <int N>

@@ -45,6 +45,24 @@ double log_stiffness_by_shape(const contact::PowerLaw& law, double log_force) {
          (1 - b) * log_coefficient_by_shape(law);
 }
 
+// By way of the four numbers that the nodes see, so that each node carries four derivatives.
+AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
+                                         const Dual<all_seeds>& exponent) {
+  using Node = Dual<4>;
+  const Dual<all_seeds> inverse = 1 / root;
+  const double c2 = root.value();
+  const Node node_exponent(exponent.value(), 4, 3);
+  const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
+  const AxialMoments<Node> m = direction_moments(
+      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
+  const auto outer = [&](const Node& x) -> Dual<all_seeds> {
+    const auto& d = x.derivatives();
+    return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
+                           d[3] * exponent.derivatives()};
+  };
+  return {.m0 = outer(m.m0), .m2 = outer(m.m2), .m4 = outer(m.m4)};
+}
+
 Constants<Dual<all_seeds>> all_derivatives(const State& state, const Model& model) {
   return differentiated<all_seeds>(state, model);
 }

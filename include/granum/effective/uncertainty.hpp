@@ -10,8 +10,8 @@
 
 #include <granum/effective/gradients.hpp>
 
-/// How uncertain inputs make a modulus uncertain: to first order by its exact gradient, and by sampling, which
-/// shows where first order breaks down.
+/// How uncertain inputs make a modulus uncertain: to first order by its exact gradient, and by sampling,
+/// which shows where first order breaks down.
 namespace granum::effective {
 
 /// A number that is known up to a normally distributed error, independent of those of other numbers.
@@ -73,7 +73,7 @@ using Evaluate = std::function<std::vector<double>(std::span<const double> numbe
 /// Draws the numbers again and again and describes the results. A draw for which `evaluate` throws
 /// InvalidArgument is rejected, so that the rest is the distribution given that the packing is possible.
 ///                                                                                            [JCGM2008b]
-/// \throws   InvalidArgument if a deviation is negative or not finite, or if fewer than two draws are accepted
+/// \throws   InvalidArgument if a deviation is negative or not finite, or if fewer than two draws are left
 /// Accuracy  of n draws: the deviation 1/sqrt(2n), low and high 1.5/sqrt(n) deviations.
 ///           Checked by tests/effective/test_uncertainty.cpp
 [[nodiscard]] Sample sample(std::span<const UncertainNumber> numbers, const Evaluate& evaluate,
@@ -95,8 +95,8 @@ struct Uncertainty {
   std::size_t rejected = 0; ///< of sampling.draws
 };
 
-/// Uncertainty of a modulus of rungs 0 to 2. Inputs move as Input says: grain_poisson_ratio_mindlin takes k_t/k_n
-/// along, alpha keeps the profile constant; a modulus that does not depend on one has no share of it.
+/// Uncertainty of a modulus of rungs 0 to 2. Inputs move as Input says: grain_poisson_ratio_mindlin takes
+/// k_t/k_n along, alpha keeps the profile constant; what a modulus does not depend on has no share in it.
 /// \throws   InvalidArgument as gradient and sample, and for an uncertain alpha of a flat punch
 /// Accuracy  as first_order and sample.  Checked by tests/effective/test_uncertainty.cpp
 [[nodiscard]] Uncertainty uncertainty(const State& state, const Model& model, Modulus which,
