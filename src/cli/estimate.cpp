@@ -9,6 +9,7 @@
 #include "frame.hpp"
 #include "ladder_report.hpp"
 #include "packing_options.hpp"
+#include "uncertainty.hpp"
 
 namespace granum::cli {
 
@@ -18,6 +19,7 @@ using effective::State;
 
 struct Options {
   PackingOptions packing;
+  std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
   Number tolerance;
 };
@@ -31,6 +33,9 @@ EstimateCase resolve(const PackingOptions& o) {
     question.assumptions.push_back(note);
   if (state.stress_v == 0 && state.stress_h == 0)
     question.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
+  if (state.coordination_number == 0)
+    question.assumptions.emplace_back(
+        "m, n and s do not exist: without contacts every modulus is 0 at any stress");
   return question;
 }
 
@@ -60,10 +65,19 @@ EstimateAnswer solve(const Packing& packing) {
 
 ExitCode run(const Options& options) {
   const EstimateCase question = resolve(options.packing);
-  const EstimateAnswer answer = solve(question.subject);
+  EstimateAnswer answer = solve(question.subject);
+  std::optional<UncertaintyAnswer> uncertainty;
+  if (!options.uncertain.empty()) {
+    uncertainty = propagate(options.packing, options.uncertain);
+    answer.validity.merge(uncertainty->validity);
+  }
   std::string table = estimate_table(question, answer);
   nlohmann::ordered_json json = estimate_json(question, answer);
   Validity validity = answer.validity;
+  if (uncertainty) {
+    table += uncertainty_table(*uncertainty);
+    json["uncertainty"] = uncertainty_json(*uncertainty);
+  }
   if (options.tolerance.given()) {
     const effective::LadderEstimate ladder =
         choose_rung(options.packing, question.subject.state, options.tolerance.value);
@@ -84,6 +98,7 @@ Command add_estimate(CLI::App& program) {
   add_packing_options(*command, options->packing);
   add_number_without_default(*command, "--tolerance", options->tolerance,
                              "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
+  add_uncertainty_option(*command, options->uncertain);
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

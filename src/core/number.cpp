@@ -44,8 +44,12 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string exact_text(double value) {
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 1e-4 && size < 1e16);
   char buffer[64];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value,
+                                plain ? std::chars_format::fixed : std::chars_format::scientific)
+                      .ptr};
 }
 
 std::string short_text(double value, int digits) { return general_text(value, digits); }
