@@ -29,8 +29,9 @@ Five strain_stiffness(const Real& scale, const Real& r, const Moments& w) {
 }
 
 Five free_spin_stiffness(const Real& scale, const Real& r, const Moments& w) {
-  // Displacement u = (e + W) n, e13 = 1/2, W13 = -W31 = x. Energy <w (u_n^2 + r u_t^2)>, with u_1 = (1/2+x) n3,
-  // u_3 = (1/2-x) n1 and u_n = n1 n3; its minimum over x lies at x = (A1-A3)/(2 (A1+A3)), A_i = <w n_i^2>.
+  // Displacement u = (e + W) n, e13 = 1/2, W13 = -W31 = x. Energy <w (u_n^2 + r u_t^2)>, with
+  // u_1 = (1/2+x) n3, u_3 = (1/2-x) n1 and u_n = n1 n3; its minimum over x lies at
+  // x = (A1-A3)/(2 (A1+A3)), A_i = <w n_i^2>.
   const Real n1133 = (w.m2 - w.m4) / 2, A1 = (w.m0 - w.m2) / 2, A3 = w.m2;
   const Real x = (A1 - A3) / (2 * (A1 + A3)), half = Real(1) / 2;
   const Real squares = (half + x) * (half + x) * A3 + (half - x) * (half - x) * A1;
