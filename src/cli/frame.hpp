@@ -34,6 +34,7 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
+Command add_analyse(CLI::App& program);
 Command add_estimate(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
