@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/elastic/projection.hpp>
 
 #include "frame.hpp"
@@ -23,11 +26,71 @@ struct Options {
   PackingOptions packing; ///< contact law and grains
   Number friction_angle{0, Dimension::angle};
   std::string column_map;
+  std::string box;
+  std::string frames = "all";
   std::string stress;
   std::string stiffness_from;
   bool no_network = false;
-  OutputOptions output;
+  bool json = false;
+  bool strict = false;
+  bool force = false;
+  std::string out; ///< folder; empty for none
 };
+
+/// Which frames are asked for.
+struct FrameChoice {
+  std::size_t first = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  std::size_t stride = 1;
+  bool only_last = false; ///< of the files
+
+  [[nodiscard]] bool takes(std::size_t number) const {
+    return number >= first && number <= last && (number - first) % stride == 0;
+  }
+};
+
+std::size_t frame_number(const std::string& text, const std::string& all) {
+  const auto value = parse_number(text);
+  constexpr double largest = 1e15;
+  if (!value || !(*value >= 0) || !(*value <= largest) || *value != std::floor(*value))
+    throw InvalidArgument(
+        "--frames takes all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, numbers from 0, not \"" + all + "\"");
+  return static_cast<std::size_t>(*value);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+/// "all", "last", "3", "2:10", "2:", "0:100:10".
+FrameChoice parse_frames(const std::string& text) {
+  if (text == "all")
+    return {};
+  if (text == "last")
+    return {.only_last = true};
+  const std::vector<std::string> parts = split(text, ':');
+  FrameChoice choice;
+  if (parts.size() > 3)
+    return {.first = frame_number("", text)};
+  if (!parts[0].empty() || parts.size() == 1)
+    choice.first = frame_number(parts[0], text);
+  if (parts.size() == 1)
+    choice.last = choice.first;
+  else if (!parts[1].empty())
+    choice.last = frame_number(parts[1], text);
+  if (parts.size() == 3)
+    choice.stride = frame_number(parts[2], text);
+  if (choice.stride == 0 || choice.last < choice.first)
+    throw InvalidArgument("--frames " + text + " takes no frame");
+  return choice;
+}
 
 /// The contact law that the options describe, for any material and radius.
 verify::LawFamily law_family(const PackingOptions& options) {
@@ -54,80 +117,182 @@ verify::AnalysisOptions analysis_options(const Options& o) {
   return out;
 }
 
-/// "49kPa,50kPa,51kPa,-0.3kPa,0.4kPa,-0.3kPa".
-PrintedStress parse_stress(const std::string& text) {
-  PrintedStress out{};
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if ((end == text.size()) != (k + 1 == out.size()))
-      throw InvalidArgument("--stress takes six stresses, xx,yy,zz,xy,xz,yz, not \"" + text + "\"");
-    out[k] = parse_quantity("--stress", text.substr(begin, end - begin), Dimension::pressure);
-    begin = end + 1;
-  }
+/// Quantities with their units between commas.
+template <std::size_t count>
+std::array<double, count> parse_list(const std::string& name, const std::string& text, Dimension dimension,
+                                     const char* what) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != count)
+    throw InvalidArgument(fmt::format("{} takes {}, not \"{}\"", name, what, text));
+  std::array<double, count> out{};
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = parse_quantity(name, parts[k], dimension);
   return out;
 }
 
-std::vector<ClosedForm> closed_forms(const verify::Analysis& analysis) {
-  std::vector<ClosedForm> out;
+std::optional<io::CsvBox> parse_box(const std::string& text) {
+  if (text.empty())
+    return std::nullopt;
+  const auto edges = parse_list<3>("--box", text, Dimension::length, "three lengths, LX,LY,LZ");
+  for (const double edge : edges)
+    require_positive("--box", edge, "m");
+  return io::CsvBox{.cell = Mat3::diagonal(edges[0], edges[1], edges[2])};
+}
+
+void add_closed_forms(FrameAnswer& frame) {
+  const verify::Analysis& analysis = frame.analysis;
   if (!analysis.state)
-    return out;
+    return;
   const Packing packing{*analysis.state, analysis.counts.mechanical.coordination_number};
   for (const Rung& rung : all_rungs()) {
-    ClosedForm form{.rung = &rung, .answer = std::nullopt, .error = {}};
+    const std::string key = rung.key;
+    RungResult result{.name = rung.column, .title = key.size() == 1 ? "rung " + key : key};
     try {
-      form.answer = answer(rung, packing);
+      const FieldAnswer form = answer(rung, packing);
+      result.moduli = moduli_of(form.stiffness);
+      result.relative_error = form.relative_error;
+      frame.validity.merge(form.validity);
     } catch (const InvalidArgument& error) {
-      form.error = error.what();
+      result.error = error.what();
     }
-    out.push_back(std::move(form));
+    frame.rungs.push_back(std::move(result));
   }
-  return out;
+}
+
+void add_network(FrameAnswer& frame) {
+  if (!frame.analysis.network)
+    return;
+  const verify::NetworkAnalysis& network = *frame.analysis.network;
+  frame.rungs.push_back(
+      {.name = "affine", .title = "this network, affine", .moduli = moduli_of(network.affine)});
+  RungResult result{.name = network_name, .title = "rung 4, this network"};
+  if (network.report.status == network::Status::converged)
+    result.moduli = moduli_of(network.relaxed);
+  else
+    result.error = "did not converge";
+  frame.rungs.push_back(std::move(result));
 }
 
 FrameAnswer analyse_frame(const io::ImportedPacking& packing, const verify::AnalysisOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   FrameAnswer frame{.read = packing.notes, .analysis = verify::analyse(packing, options)};
-  frame.closed = closed_forms(frame.analysis);
+  add_closed_forms(frame);
+  add_network(frame);
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return frame;
 }
 
+/// How each rung's G_vh grows over the frames.
+std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
+  std::vector<RungSeries> out;
+  if (frames.size() < 2)
+    return out;
+  const auto longest = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
+    return a.rungs.size() < b.rungs.size();
+  });
+  for (const RungResult& rung : longest->rungs) {
+    std::vector<hardin::Measurement> states;
+    for (const FrameAnswer& frame : frames)
+      for (const RungResult& other : frame.rungs)
+        if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 && frame.analysis.state) {
+          const effective::State& state = *frame.analysis.state;
+          states.push_back({other.moduli->G_vh, {state.stress_v, state.stress_h, state.void_ratio}});
+        }
+    out.push_back({rung.name, rung.title, verify::fit_series(states)});
+  }
+  return out;
+}
+
+std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
+                                        const verify::AnalysisOptions& options) {
+  std::vector<FrameAnswer> out;
+  std::optional<io::ImportedPacking> kept;
+  std::size_t number = 0;
+  for (; number <= choice.last; ++number) {
+    auto packing = files.next();
+    if (!packing)
+      break;
+    if (choice.only_last) {
+      kept = std::move(packing);
+    } else if (choice.takes(number)) {
+      out.push_back(analyse_frame(*packing, options));
+      out.back().number = number;
+    }
+  }
+  if (kept) {
+    out.push_back(analyse_frame(*kept, options));
+    out.back().number = number - 1;
+  }
+  if (out.empty())
+    throw InvalidArgument(fmt::format("--frames takes none of the {} frames of the files", number));
+  return out;
+}
+
 AnalyseAnswer answer_all(const Options& o) {
+  const FrameChoice choice = parse_frames(o.frames);
   const verify::AnalysisOptions options = analysis_options(o);
   io::PackingFiles files({o.files.begin(), o.files.end()},
-                         {.columns = io::parse_column_map(o.column_map), .box = std::nullopt});
-  AnalyseAnswer out{.files = o.files, .kinds = files.kinds(), .frames = {}, .skipped = 0};
-  for (std::size_t number = 0; auto packing = files.next(); ++number) {
-    out.frames.push_back(analyse_frame(*packing, options));
-    out.frames.back().number = number;
-  }
+                         {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
+  AnalyseAnswer out{.files = o.files, .kinds = files.kinds(), .frames = {}, .series = {}, .skipped = 0};
+  out.frames = analyse_frames(files, choice, options);
+  out.series = series_of(out.frames);
   out.skipped = files.skipped();
   return out;
 }
 
-/// Notes of all frames, each once.
+void take_code_stress(const Options& o, AnalyseAnswer& answer) {
+  if (o.stress.empty())
+    return;
+  if (answer.frames.size() != 1)
+    throw InvalidArgument(fmt::format("--stress is that of one frame, not of {}: choose it with --frames",
+                                      answer.frames.size()));
+  answer.frames.front().code_stress =
+      parse_list<6>("--stress", o.stress, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
+}
+
+/// Relative to the largest component, as shear stresses may be all but zero.
+void judge_code_stress(const FrameAnswer& frame, Validity& out) {
+  constexpr double agrees = 1e-6;
+  if (!frame.code_stress || !frame.analysis.stress)
+    return;
+  const PrintedStress stress = printed(*frame.analysis.stress);
+  double largest = 0, apart = 0;
+  for (std::size_t k = 0; k < stress.size(); ++k) {
+    largest = std::max(largest, std::abs((*frame.code_stress)[k]));
+    apart = std::max(apart, std::abs(stress[k] - (*frame.code_stress)[k]));
+  }
+  if (apart > agrees * largest)
+    out.add(fmt::format("the stress by contacts differs from the code's own by {} of its largest component",
+                        short_text(apart / largest, 2)));
+}
+
+/// What all frames have to say against themselves, each once, with the frame where there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
   for (const FrameAnswer& frame : answer.frames) {
-    for (const std::string& warning : frame.analysis.warnings)
-      out.add(warning);
-    for (const ClosedForm& form : frame.closed)
-      if (form.answer)
-        out.merge(form.answer->validity);
+    const std::string where = answer.frames.size() > 1 ? fmt::format("frame {}: ", frame.number) : "";
+    Validity own{frame.analysis.warnings};
+    own.merge(frame.validity);
+    judge_code_stress(frame, own);
+    keep_each_once(own);
+    for (const std::string& note : own.notes)
+      out.add(where + note);
   }
-  keep_each_once(out);
   return out;
 }
 
 ExitCode run(const Options& o) {
+  if (!o.out.empty())
+    prepare_folder(o.out, analysis_files, o.force);
   AnalyseAnswer answer = answer_all(o);
-  if (!o.stress.empty()) {
-    if (answer.frames.size() != 1)
-      throw InvalidArgument(fmt::format("--stress is that of one frame, not of {}", answer.frames.size()));
-    answer.frames.front().code_stress = parse_stress(o.stress);
+  take_code_stress(o, answer);
+  std::string table = o.json ? "" : analyse_table(answer);
+  if (!o.out.empty()) {
+    write_analysis(o.out, answer, o.force ? io::Existing::replace : io::Existing::keep);
+    table += "\nCSV, JSON and pictures in " + o.out + "\n";
   }
-  return deliver(o.output, analyse_table(answer), analyse_json(answer), warnings_of(answer));
+  const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};
+  return deliver(to_screen, table, analyse_json(answer), warnings_of(answer));
 }
 
 } // namespace
@@ -150,6 +315,13 @@ Moduli moduli_of(const elastic::TransverselyIsotropic& c) {
 
 Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
   return moduli_of(elastic::transversely_isotropic_projection(stiffness));
+}
+
+const Moduli* measured(const FrameAnswer& frame) {
+  for (const RungResult& rung : frame.rungs)
+    if (rung.name == network_name && rung.moduli)
+      return &*rung.moduli;
+  return nullptr;
 }
 
 bool says_what_is_missing(io::Finding finding) {
@@ -198,8 +370,15 @@ Command add_analyse(CLI::App& program) {
       ->add_option("--stiffness-from", o.stiffness_from,
                    "What k_n of the network is taken from; by default the overlaps, unless rounded")
       ->check(CLI::IsMember({"overlap", "force"}));
+  command->add_option("--box", o.box, "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none")
+      ->type_name("LENGTHS");
+  command->add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
+      ->capture_default_str();
   command->add_flag("--no-network", o.no_network, "Leave rung 4 out, which takes the time");
-  add_output_options(*command, o.output);
+  command->add_flag("--json", o.json, "Print one JSON object, SI units");
+  command->add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
+  auto* out = command->add_option("--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
+  command->add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
   return {command, [options] { return run(*options); }};
 }
 

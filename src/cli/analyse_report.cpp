@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -113,7 +114,8 @@ std::string forces_text(const verify::ForceAnalysis& f) {
   text += item("largest f_n", pretty(d.largest, Dimension::force),
                d.mean > 0 ? short_text(d.largest / d.mean) + " times the mean" : "");
   text += item("Z(2)  Z(5/3)", fmt::format("{:.4f} {:.4f}", f.Z_2, f.Z_5_3), "<f_n^x>/<f_n>^x");
-  text += item("mean f_t/mean f_n", fmt::format("{:.4f}", f.mean_tangential_over_normal));
+  if (f.mean_tangential_over_normal)
+    text += item("mean f_t/mean f_n", fmt::format("{:.4f}", *f.mean_tangential_over_normal));
   if (f.friction)
     text += item("friction coefficient", fmt::format("{:.4f}", f.friction->coefficient),
                  fmt::format("contacts pile up there, {} of them", f.friction->contacts));
@@ -142,42 +144,33 @@ std::string law_text(const verify::LawCheck& check) {
   return text;
 }
 
-std::string moduli_row(const std::string& title, const Moduli& m) {
-  return fmt::format("  {:<24} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g}", title, m.K / 1e6,
-                     m.G / 1e6, m.G_hh / 1e6, m.G_vh / 1e6, m.C11 / 1e6, m.C33 / 1e6);
+/// Measured over closed form, K and G.
+std::string ratios(const Moduli* network, const Moduli& m) {
+  if (network == nullptr || !(m.K > 0) || !(m.G > 0))
+    return "";
+  return fmt::format("   {:>6.3f} {:>6.3f}", network->K / m.K, network->G / m.G);
 }
 
-/// Measured over closed form, K and G.
-std::string ratios(const std::optional<Moduli>& measured, const Moduli& m) {
-  if (!measured || !(m.K > 0) || !(m.G > 0))
-    return "\n";
-  return fmt::format("   {:>6.3f} {:>6.3f}\n", measured->K / m.K, measured->G / m.G);
+/// "+- 3 %" of G_vh where it is stated.
+std::string stated_error(const RungResult& rung) {
+  return rung.relative_error ? fmt::format("   G +- {} %", short_text(100 * rung.relative_error->G_vh, 2))
+                             : "";
 }
 
 std::string moduli_text(const FrameAnswer& frame) {
-  const Analysis& a = frame.analysis;
-  std::string text = "\nmoduli [MPa]                      K         G      G_hh      G_vh       C11       C33"
-                     "   network/this: K, G\n";
-  std::optional<Moduli> measured;
-  if (a.network && a.network->report.status == network::Status::converged)
-    measured = moduli_of(a.network->relaxed);
-  for (const ClosedForm& form : frame.closed) {
-    const std::string title = std::string(form.rung->key).size() == 1 ? std::string("rung ") + form.rung->key
-                                                                      : std::string(form.rung->key);
-    if (form.answer) {
-      const Moduli m = moduli_of(form.answer->stiffness);
-      text += moduli_row(title, m) + ratios(measured, m);
-    } else {
-      text += fmt::format("  {:<24} {}\n", title, form.error);
+  std::string text = fmt::format("\n{:<24} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   network/this: K, G\n",
+                                 "moduli [MPa]", "K", "G", "G_hh", "G_vh", "C11", "C33");
+  const Moduli* network = measured(frame);
+  for (const RungResult& rung : frame.rungs) {
+    text += fmt::format("  {:<22}", rung.title);
+    if (!rung.moduli) {
+      text += " " + rung.error + "\n";
+      continue;
     }
-  }
-  if (a.network) {
-    const Moduli affine = moduli_of(a.network->affine);
-    text += moduli_row("this network, affine", affine) + ratios(measured, affine);
-    if (measured)
-      text += moduli_row("rung 4, this network", *measured) + "\n";
-    else
-      text += "  rung 4, this network     did not converge\n";
+    const Moduli& m = *rung.moduli;
+    for (const double modulus : {m.K, m.G, m.G_hh, m.G_vh, m.C11, m.C33})
+      text += fmt::format(" {:>9.4g}", modulus / 1e6);
+    text += (rung.name == network_name ? "" : ratios(network, m)) + stated_error(rung) + "\n";
   }
   return text;
 }
@@ -196,12 +189,59 @@ std::string frame_text(const FrameAnswer& frame) {
     text += forces_text(*a.forces);
   if (a.law_check && a.law_check->contacts > 0)
     text += law_text(*a.law_check);
-  if (!frame.closed.empty() || a.network)
+  if (!frame.rungs.empty())
     text += moduli_text(frame);
   if (!a.notes.empty())
     text += "\n";
   for (const std::string& note : a.notes)
     text += "- " + note + "\n";
+  return text;
+}
+
+/// One line a frame.
+std::string frames_text(const AnalyseAnswer& answer) {
+  std::string text =
+      fmt::format("\n{:>6} {:>10} {:>10} {:>8} {:>8} {:>8} {:>9} {:>14} {:>14} {:>8}\n", "frame", "step",
+                  "p [kPa]", "e", "C_n", "z*", "a", "G rung 3 [MPa]", "G network", "ratio");
+  for (const FrameAnswer& frame : answer.frames) {
+    const Analysis& a = frame.analysis;
+    text += fmt::format("{:>6} {:>10} {:>10} {:>8.4f} {:>8.4f} {:>8.4f} {:>9}", frame.number, a.step,
+                        a.stress ? short_text(a.stress->mean() / 1e3, 5) : "-", a.void_ratio,
+                        a.counts.coordination_number, a.counts.mechanical.coordination_number,
+                        a.fabric ? fmt::format("{:.4f}", a.fabric->by_moment.anisotropy) : "-");
+    const Moduli* network = measured(frame);
+    const auto relaxed = std::find_if(frame.rungs.begin(), frame.rungs.end(), [](const RungResult& r) {
+      return r.name == relaxed_rung().column && r.moduli && r.moduli->G > 0;
+    });
+    const bool both = network != nullptr && relaxed != frame.rungs.end();
+    text += fmt::format(" {:>14} {:>14} {:>8}\n",
+                        relaxed != frame.rungs.end() ? short_text(relaxed->moduli->G / 1e6) : "-",
+                        network != nullptr ? short_text(network->G / 1e6) : "-",
+                        both ? fmt::format("{:.3f}", network->G / relaxed->moduli->G) : "-");
+  }
+  return text;
+}
+
+std::string estimate_text(const hardin::Estimate& e) { return with_error(e.value, e.standard_error); }
+
+/// How the moduli grow with stress.
+std::string series_text(const AnalyseAnswer& answer) {
+  std::string text = fmt::format("\n{:<24} {:<18} {:<18} {:<18} {:<18}\n", "G_vh ~ stress", "s",
+                                 "s with f(e)", "m (sigma_v)", "n (sigma_h)");
+  for (const RungSeries& series : answer.series) {
+    const verify::SeriesFit& fit = series.fit;
+    text += fmt::format("  {:<22}", series.title);
+    if (!fit.sum) {
+      text += " " + fit.remark + "\n";
+      continue;
+    }
+    text += fmt::format(" {:<18} {:<18}", estimate_text(fit.sum->exponent_sum),
+                        fit.sum_with_void_ratio ? estimate_text(fit.sum_with_void_ratio->exponent_sum) : "-");
+    if (fit.separate)
+      text += fmt::format(" {:<18} {:<18}", estimate_text(*fit.separate->exponent_i),
+                          estimate_text(*fit.separate->exponent_j));
+    text += "\n";
+  }
   return text;
 }
 
@@ -211,8 +251,14 @@ std::string analyse_table(const AnalyseAnswer& answer) {
   std::string text;
   for (std::size_t k = 0; k < answer.files.size(); ++k)
     text += answer.files[k] + ": " + std::string(io::description(answer.kinds[k])) + "\n";
-  for (const FrameAnswer& frame : answer.frames)
-    text += "\n" + frame_text(frame);
+  constexpr std::size_t whole = 2; // frames that are shown with all that is known
+  if (answer.frames.size() > whole)
+    text += fmt::format("\nthe last of {} frames:\n", answer.frames.size());
+  for (std::size_t k = answer.frames.size() > whole ? answer.frames.size() - 1 : 0; k < answer.frames.size();
+       ++k)
+    text += "\n" + frame_text(answer.frames[k]);
+  if (answer.frames.size() > 1)
+    text += frames_text(answer) + series_text(answer);
   if (answer.skipped > 0)
     text += fmt::format("\n{} frames stand in one of the files only and were passed over\n", answer.skipped);
   return text;

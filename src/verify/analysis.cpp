@@ -88,7 +88,7 @@ ForceAnalysis analyse_forces(const Assembly& assembly, bool tangential_known,
 /// Whether the law can be read off forces and overlaps, so that its modulus can be as well.
 bool law_is_clear(const LawCheck& check) {
   constexpr double clear = 1e-2;
-  return check.contacts >= 3 && check.median_misfit < clear;
+  return check.contacts >= 2 && check.median_misfit < clear;
 }
 
 /// Compares forces with the law, and takes the grain's modulus from them if it is not given.

@@ -76,9 +76,9 @@ struct FabricAnalysis {
 /// Forces of the contacts.
 struct ForceAnalysis {
   ForceDistribution distribution = {};
-  double Z_2 = 0;                         ///< <f_n^2>/<f_n>^2 of the pressing contacts
-  double Z_5_3 = 0;                       ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
-  double mean_tangential_over_normal = 0; ///< mean f_t over mean f_n of the pressing contacts
+  double Z_2 = 0;   ///< <f_n^2>/<f_n>^2 of the pressing contacts
+  double Z_5_3 = 0; ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
+  std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
   std::optional<FrictionEstimate> friction = {};
   std::optional<double> sliding_fraction = {}; ///< at the coefficient given, or else estimated
   Unbalance unbalance = {};
