@@ -46,8 +46,10 @@ ForceDistribution force_distribution(std::span<const double> forces, std::size_t
   if (out.pressing == 0)
     return out;
   const double count = static_cast<double>(out.pressing);
+  double sum = 0;
   for (const double f : forces)
-    out.mean += f > 0 ? f / count : 0;
+    sum += f > 0 ? f : 0;
+  out.mean = sum / count;
   for (const double f : forces) {
     if (!(f > 0))
       continue;

@@ -228,9 +228,18 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
   return out;
 }
 
+/// Of a table of contacts alone: directions and forces.
+AnalyseAnswer answer_contacts(const Options& o, const verify::AnalysisOptions& options) {
+  const io::ContactTable table = io::read_contact_csv(io::TextSource(o.files.front()));
+  FrameAnswer frame{.analysis = verify::analyse_contacts(table, options)};
+  return {.files = o.files, .kinds = {io::FileKind::csv_contacts}, .frames = {frame}, .series = {}};
+}
+
 AnalyseAnswer answer_all(const Options& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const verify::AnalysisOptions options = analysis_options(o);
+  if (o.files.size() == 1 && io::recognise(o.files.front()) == io::FileKind::csv_contacts)
+    return answer_contacts(o, options);
   io::PackingFiles files({o.files.begin(), o.files.end()},
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
   AnalyseAnswer out{.files = o.files, .kinds = files.kinds(), .frames = {}, .series = {}, .skipped = 0};

@@ -146,17 +146,19 @@ ordered_json read_json(const FrameAnswer& frame, bool missing) {
 
 ordered_json json_of(const FrameAnswer& frame) {
   const verify::Analysis& a = frame.analysis;
-  ordered_json json = {
-      {"frame", frame.number},
-      {"step", a.step},
-      {"time", or_null(a.time)},
-      {"found", read_json(frame, false)},
-      {"not_in_the_files", read_json(frame, true)},
-      {"volume", a.volume},
-      {"void_ratio", a.void_ratio},
-      {"radius",
-       {{"smallest", a.smallest_radius}, {"largest", a.largest_radius}, {"equivalent", a.equivalent_radius}}},
-      {"counts", json_of(a.counts)}};
+  ordered_json json = {{"frame", frame.number},
+                       {"step", a.step},
+                       {"time", or_null(a.time)},
+                       {"found", read_json(frame, false)},
+                       {"not_in_the_files", read_json(frame, true)}};
+  if (a.counts.grains > 0)
+    json.update({{"volume", a.volume},
+                 {"void_ratio", a.void_ratio},
+                 {"radius",
+                  {{"smallest", a.smallest_radius},
+                   {"largest", a.largest_radius},
+                   {"equivalent", a.equivalent_radius}}},
+                 {"counts", json_of(a.counts)}});
   if (a.fabric)
     json["fabric"] = json_of(*a.fabric);
   if (a.stress)

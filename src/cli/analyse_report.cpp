@@ -121,8 +121,9 @@ std::string forces_text(const verify::ForceAnalysis& f) {
                  fmt::format("contacts pile up there, {} of them", f.friction->contacts));
   if (f.sliding_fraction)
     text += item("sliding contacts", short_text(100 * *f.sliding_fraction) + " %");
-  text += item("left unbalanced", short_text(f.unbalance.force_ratio, 3),
-               "mean |force| on a grain over mean contact force");
+  if (f.unbalance.force_ratio > 0)
+    text += item("left unbalanced", short_text(f.unbalance.force_ratio, 3),
+                 "mean |force| on a grain over mean contact force");
   return text;
 }
 
@@ -180,7 +181,9 @@ std::string frame_text(const FrameAnswer& frame) {
   std::string text = fmt::format("frame {}, step {}", frame.number, a.step);
   if (a.time)
     text += fmt::format(", time {} s", short_text(*a.time, 6));
-  text += "\n" + reading_text(frame) + counts_text(a);
+  text += "\n" + reading_text(frame);
+  if (a.counts.grains > 0)
+    text += counts_text(a);
   if (a.fabric)
     text += fabric_text(*a.fabric);
   if (a.stress)
@@ -226,6 +229,9 @@ std::string estimate_text(const hardin::Estimate& e) { return with_error(e.value
 
 /// How the moduli grow with stress.
 std::string series_text(const AnalyseAnswer& answer) {
+  const auto fitted = [](const RungSeries& series) { return series.fit.sum.has_value(); };
+  if (std::none_of(answer.series.begin(), answer.series.end(), fitted))
+    return answer.series.empty() ? "" : "\n" + answer.series.front().fit.remark + "\n";
   std::string text = fmt::format("\n{:<24} {:<18} {:<18} {:<18} {:<18}\n", "G_vh ~ stress", "s",
                                  "s with f(e)", "m (sigma_v)", "n (sigma_h)");
   for (const RungSeries& series : answer.series) {

@@ -65,24 +65,29 @@ std::optional<FileKind> kind_by_remark(std::string_view line) {
   return std::nullopt;
 }
 
+bool names_a_normal(std::string_view heading) {
+  return heading.starts_with("nx") || heading.find(",nx") != std::string_view::npos ||
+         heading.find(", nx") != std::string_view::npos;
+}
+
 /// Of a file that begins with neither a key word nor a remark that tells.
 FileKind kind_of_table(TextSource& source) {
   constexpr std::size_t numbers_of_mercury = 6; // N, time and a box in two dimensions
   if (all_numbers(source.line(), numbers_of_mercury))
     return FileKind::mercury_data;
-  for (int k = 0; k < lines_of_a_header; ++k) {
+  std::optional<FileKind> csv;
+  source.hold();
+  for (int k = 0; k < lines_of_a_header && source.next(); ++k) {
     const std::string_view line = trimmed(source.line());
     const auto count = leading_number(line);
     if (count && trimmed(count->rest) == "atoms")
-      return FileKind::lammps_data;
-    if (!line.starts_with('#') && line.find(',') != std::string_view::npos) {
-      const bool contacts = line.starts_with("nx") || line.find(",nx") != std::string_view::npos ||
-                            line.find(", nx") != std::string_view::npos;
-      return contacts ? FileKind::csv_contacts : FileKind::csv_grains;
-    }
-    if (!source.next())
-      break;
+      return FileKind::lammps_data; // whose first line may hold anything, commas as well
+    const bool remark = line.empty() || line.starts_with('#');
+    if (!remark && !csv && line.find(',') != std::string_view::npos)
+      csv = names_a_normal(line) ? FileKind::csv_contacts : FileKind::csv_grains;
   }
+  if (csv)
+    return *csv;
   source.fail("of no format that granum reads: LAMMPS or LIGGGHTS dumps, LAMMPS data, YADE's text or VTK, "
               "MercuryDPM's .data and .fstat, CSV");
 }

@@ -61,6 +61,8 @@ Assembly pressing_part(const Assembly& assembly) {
   return pressing;
 }
 
+} // namespace
+
 ForceAnalysis analyse_forces(const Assembly& assembly, bool tangential_known,
                              const AnalysisOptions& options) {
   ForceAnalysis out{.distribution = force_distribution(normal_forces(assembly), options.force_bins)};
@@ -85,10 +87,13 @@ ForceAnalysis analyse_forces(const Assembly& assembly, bool tangential_known,
   return out;
 }
 
+namespace {
+
 /// Whether the law can be read off forces and overlaps, so that its modulus can be as well.
 bool law_is_clear(const LawCheck& check) {
   constexpr double clear = 1e-2;
-  return check.contacts >= 2 && check.median_misfit < clear;
+  constexpr std::size_t fewest = 10;
+  return check.contacts >= fewest && check.median_misfit < clear;
 }
 
 /// Compares forces with the law, and takes the grain's modulus from them if it is not given.

@@ -78,16 +78,6 @@ void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& 
   }
 }
 
-void judge_fabric(const FabricAnalysis& fabric, std::vector<std::string>& out) {
-  constexpr double doubt = 0.01;
-  if (fabric.density && fabric.density->chi_square.p_value < doubt)
-    out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
-                  short_text(fabric.density->chi_square.p_value, 2));
-  if (fabric.axisymmetry && fabric.axisymmetry->both.p_value < doubt)
-    out.push_back("the fabric is not symmetric about z, as the closed forms take it: p = " +
-                  short_text(fabric.axisymmetry->both.p_value, 2));
-}
-
 void judge_forces(const ForceAnalysis& forces, std::vector<std::string>& out) {
   constexpr double at_rest = 1e-3;
   if (forces.distribution.in_tension > 0)
@@ -124,6 +114,16 @@ void judge_network(const NetworkAnalysis& network, std::vector<std::string>& out
 }
 
 } // namespace
+
+void judge_fabric(const FabricAnalysis& fabric, std::vector<std::string>& out) {
+  constexpr double doubt = 0.01;
+  if (fabric.density && fabric.density->chi_square.p_value < doubt)
+    out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
+                  short_text(fabric.density->chi_square.p_value, 2));
+  if (fabric.axisymmetry && fabric.axisymmetry->both.p_value < doubt)
+    out.push_back("the fabric is not symmetric about z, as the closed forms take it: p = " +
+                  short_text(fabric.axisymmetry->both.p_value, 2));
+}
 
 void add_warnings(const io::ImportedPacking& packing, Analysis& analysis) {
   std::vector<std::string>& out = analysis.warnings;

@@ -34,11 +34,16 @@ std::vector<Point> points_of(const Assembly& assembly, const LawFamily& family,
   return points;
 }
 
-/// The k-th of a share: quantile(v, 0.5) is the median, of a list that is not empty.
+/// The value below which a share of a list lies, between neighbours in proportion; the list is not empty.
 double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto at = static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+  const double low = values[static_cast<std::size_t>(at)];
+  const auto above = values.begin() + at + 1;
+  if (above == values.end())
+    return low;
+  return low + (place - static_cast<double>(at)) * (*std::min_element(above, values.end()) - low);
 }
 
 struct Line {

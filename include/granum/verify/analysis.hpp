@@ -21,6 +21,7 @@
 #include <granum/fabric/likelihood_estimate.hpp>
 #include <granum/fabric/rose.hpp>
 #include <granum/io/imported_packing.hpp>
+#include <granum/io/packing_csv.hpp>
 #include <granum/io/stiffness.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/verify/law_check.hpp>
@@ -119,5 +120,9 @@ struct Analysis {
 /// Assumes   axis 3 is vertical, the axis of symmetry of the closed forms.
 /// \throws   InvalidArgument for options out of their ranges
 [[nodiscard]] Analysis analyse(const io::ImportedPacking& packing, const AnalysisOptions& options = {});
+
+/// The same for a table of contacts without grains: directions, and forces where the table has them.
+/// \throws   InvalidArgument for options out of their ranges
+[[nodiscard]] Analysis analyse_contacts(const io::ContactTable& table, const AnalysisOptions& options = {});
 
 } // namespace granum::verify
