@@ -76,6 +76,7 @@ FileKind kind_of_table(TextSource& source) {
   if (all_numbers(source.line(), numbers_of_mercury))
     return FileKind::mercury_data;
   std::optional<FileKind> csv;
+  bool heading_seen = false;
   source.hold();
   for (int k = 0; k < lines_of_a_header && source.next(); ++k) {
     const std::string_view line = trimmed(source.line());
@@ -83,8 +84,9 @@ FileKind kind_of_table(TextSource& source) {
     if (count && trimmed(count->rest) == "atoms")
       return FileKind::lammps_data; // whose first line may hold anything, commas as well
     const bool remark = line.empty() || line.starts_with('#');
-    if (!remark && !csv && line.find(',') != std::string_view::npos)
+    if (!remark && !heading_seen && line.find(',') != std::string_view::npos)
       csv = names_a_normal(line) ? FileKind::csv_contacts : FileKind::csv_grains;
+    heading_seen = heading_seen || !remark;
   }
   if (csv)
     return *csv;

@@ -7,9 +7,9 @@ set(first_only "granum: warning: coordinates have at most 5 significant digits")
 granum_cli_test("analyse: table" EXIT 0 STDERR "${first_only}.*the packing is not at rest"
   STDOUT "a LAMMPS dump of grains.*C_n +1\\.3333.*z\\* +0\\.0000.*xx +0\\.3676102947.*largest f_n +66\\.55 mN.*rung 2"
   ARGS analyse ${chain} --grain-shear-modulus 30GPa)
-foreach(expectation "forces/largest_normal_force=^0\\.0665512265$" "counts/coordination_number=^1\\.333333333"
+foreach(expectation "forces/largest_normal_force=^0\\.0665512265(0|$)" "counts/coordination_number=^1\\.333333333"
     "counts/rattlers=^3$" "stress/by_contacts/zz=^1039\\.654941" "stress/by_contacts/xy=^178\\.6225"
-    "contact_law/force_over_law=^(1\\.0|0\\.99999999)" "moduli/rung0/G=^2170[0-9][0-9][0-9]\\.")
+    "contact_law/force_over_law=^(1\\.0|0\\.99999999)" "moduli/rung0/G=^2171[0-9][0-9][0-9]\\.")
   granum_cli_test("analyse: json ${expectation}" EXIT 0 STDERR "${first_only}" JSON "frames/0/${expectation}"
     ARGS analyse ${chain} --grain-shear-modulus 30GPa --json)
 endforeach()
@@ -30,12 +30,29 @@ granum_cli_test("analyse: grains alone" EXIT 0 STDOUT "grains without contact +3
 
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
-  STDOUT "frame +step .*\n +0 +0 .*\n +1 +20 .*exponents need at least 3 states"
+  STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts)
 granum_cli_test("analyse: the last frame" EXIT 0 STDERR "not at rest" JSON "frames/0/step=^20$"
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames last --json)
 granum_cli_test("analyse: a range of frames" EXIT 0 STDERR "not at rest" JSON "frames/0/frame=^1$"
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames 1:9:2 --json)
+
+granum_cli_test("analyse: two frames give no exponent" EXIT 0 STDERR "frame 0: coordinates"
+  STDOUT "exponents need at least 3 states"
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --grain-shear-modulus 30GPa)
+# Simple cubic lattice of 27 spheres at overlaps of 1, 2 and 4e-7 m: no grain moves against the mean strain, so the
+# network is its own affine estimate, and every G goes as p^(1/3).
+set(lattice analyse_lattice.grains analyse_lattice.contacts)
+granum_cli_test("analyse: a lattice under rising stress" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+  STDOUT "the last of 3 frames.*C_n +6\\.0000.*this network, affine.* 1\\.000  1\\.000.*rung 0 +0\\.333[3-7] .*rung 4, this network +0\\.333[34] "
+  ARGS analyse ${lattice} --grain-shear-modulus 30GPa)
+foreach(expectation "series/rung4/s/value=^0\\.333[345]" "series/rung0/s/value=^0\\.333[3-7]" "series/rung4/states=^3$"
+    "frames/2/contact_law/alpha/value=^$" "frames/2/grain/shear_modulus=^(30000|29999)")
+  granum_cli_test("analyse: json of the lattice ${expectation}" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "${expectation}"
+    ARGS analyse ${lattice} --json)
+endforeach()
+granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "frames/1/step=^2$"
+  ARGS analyse ${lattice} --frames 0::2 --no-network --json)
 
 # the code's own stress
 granum_cli_test("analyse: a stress that agrees" EXIT 0 STDERR "${first_only}" STDOUT "zz .*relative difference -?[0-9.]+e-(09|10)"
@@ -51,7 +68,7 @@ endfunction()
 granum_analyse_refuses("a number that is none" 3 "analyse_bad_number\\.atoms:11: expected .*coordinate" analyse_bad_number.atoms)
 granum_analyse_refuses("a frame cut off" 3 "analyse_cut\\.contacts:10: " ${io}/lammps_chain.atoms analyse_cut.contacts)
 granum_analyse_refuses("a missing file" 3 "none\\.dump: cannot be read" none.dump)
-granum_analyse_refuses("a file of no known format" 3 "scene_small\\.toml:[0-9]+: of no format that granum reads" scene_small.toml)
+granum_analyse_refuses("a file of no known format" 3 "analyse_words\\.txt:2: of no format that granum reads" analyse_words.txt)
 granum_analyse_refuses("contacts of dumps alone" 2 "a file of grains is missing" ${io}/lammps_chain.contacts)
 granum_analyse_refuses("files of two formats" 2 ".* which does not go with" ${io}/lammps_chain.atoms ${io}/mercury_chain.fstat)
 granum_analyse_refuses("a frame that is not there" 2 "--frames takes none of the 2 frames" ${io}/lammps_chain.atoms --frames 5)
