@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analyse.hpp"
+#include "analyse_options.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -15,129 +14,10 @@
 #include <granum/elastic/projection.hpp>
 
 #include "frame.hpp"
-#include "packing_options.hpp"
 
 namespace granum::cli {
 
 namespace {
-
-struct Options {
-  std::vector<std::string> files;
-  PackingOptions packing; ///< contact law and grains
-  Number friction_angle{0, Dimension::angle};
-  std::string column_map;
-  std::string box;
-  std::string frames = "all";
-  std::string stress;
-  std::string stiffness_from;
-  bool no_network = false;
-  bool json = false;
-  bool strict = false;
-  bool force = false;
-  std::string out; ///< folder; empty for none
-};
-
-/// Which frames are asked for.
-struct FrameChoice {
-  std::size_t first = 0;
-  std::size_t last = std::numeric_limits<std::size_t>::max();
-  std::size_t stride = 1;
-  bool only_last = false; ///< of the files
-
-  [[nodiscard]] bool takes(std::size_t number) const {
-    return number >= first && number <= last && (number - first) % stride == 0;
-  }
-};
-
-std::size_t frame_number(const std::string& text, const std::string& all) {
-  const auto value = parse_number(text);
-  constexpr double largest = 1e15;
-  if (!value || !(*value >= 0) || !(*value <= largest) || *value != std::floor(*value))
-    throw InvalidArgument(
-        "--frames takes all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, numbers from 0, not \"" + all + "\"");
-  return static_cast<std::size_t>(*value);
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
-}
-
-/// "all", "last", "3", "2:10", "2:", "0:100:10".
-FrameChoice parse_frames(const std::string& text) {
-  if (text == "all")
-    return {};
-  if (text == "last")
-    return {.only_last = true};
-  const std::vector<std::string> parts = split(text, ':');
-  FrameChoice choice;
-  if (parts.size() > 3)
-    return {.first = frame_number("", text)};
-  if (!parts[0].empty() || parts.size() == 1)
-    choice.first = frame_number(parts[0], text);
-  if (parts.size() == 1)
-    choice.last = choice.first;
-  else if (!parts[1].empty())
-    choice.last = frame_number(parts[1], text);
-  if (parts.size() == 3)
-    choice.stride = frame_number(parts[2], text);
-  if (choice.stride == 0 || choice.last < choice.first)
-    throw InvalidArgument("--frames " + text + " takes no frame");
-  return choice;
-}
-
-/// The contact law that the options describe, for any material and radius.
-verify::LawFamily law_family(const PackingOptions& options) {
-  return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
-    options.grain_shear_modulus.value = grain.shear_modulus;
-    options.grain_poisson_ratio.value = grain.poisson_ratio;
-    options.radius.value = radius;
-    return resolve_law(options);
-  };
-}
-
-verify::AnalysisOptions analysis_options(const Options& o) {
-  verify::AnalysisOptions out{.law = law_family(o.packing),
-                              .grain_poisson_ratio = o.packing.grain_poisson_ratio.value,
-                              .solve_network = !o.no_network};
-  if (o.packing.grain_shear_modulus.given())
-    out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
-  if (o.packing.tangential_ratio.given())
-    out.tangential_ratio = o.packing.tangential_ratio.value;
-  if (o.friction_angle.given())
-    out.friction_coefficient = std::tan(o.friction_angle.value);
-  if (!o.stiffness_from.empty())
-    out.stiffness_from = o.stiffness_from == "force" ? io::StiffnessFrom::force : io::StiffnessFrom::overlap;
-  return out;
-}
-
-/// Quantities with their units between commas.
-template <std::size_t count>
-std::array<double, count> parse_list(const std::string& name, const std::string& text, Dimension dimension,
-                                     const char* what) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != count)
-    throw InvalidArgument(fmt::format("{} takes {}, not \"{}\"", name, what, text));
-  std::array<double, count> out{};
-  for (std::size_t k = 0; k < count; ++k)
-    out[k] = parse_quantity(name, parts[k], dimension);
-  return out;
-}
-
-std::optional<io::CsvBox> parse_box(const std::string& text) {
-  if (text.empty())
-    return std::nullopt;
-  const auto edges = parse_list<3>("--box", text, Dimension::length, "three lengths, LX,LY,LZ");
-  for (const double edge : edges)
-    require_positive("--box", edge, "m");
-  return io::CsvBox{.cell = Mat3::diagonal(edges[0], edges[1], edges[2])};
-}
 
 void add_closed_forms(FrameAnswer& frame) {
   const verify::Analysis& analysis = frame.analysis;
@@ -229,16 +109,16 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// Of a table of contacts alone: directions and forces.
-AnalyseAnswer answer_contacts(const Options& o, const verify::AnalysisOptions& options) {
+AnalyseAnswer answer_contacts(const AnalyseOptions& o, const verify::AnalysisOptions& options) {
   const io::ContactTable table = io::read_contact_csv(io::TextSource(o.files.front()));
   FrameAnswer frame{.analysis = verify::analyse_contacts(table, options)};
   return {.files = o.files, .kinds = {io::FileKind::csv_contacts}, .frames = {frame}, .series = {}};
 }
 
-AnalyseAnswer answer_all(const Options& o) {
+AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const verify::AnalysisOptions options = analysis_options(o);
-  if (o.files.size() == 1 && io::recognise(o.files.front()) == io::FileKind::csv_contacts)
+  if (o.files.size() == 1 && io::recognise(io::TextSource(o.files.front())) == io::FileKind::csv_contacts)
     return answer_contacts(o, options);
   io::PackingFiles files({o.files.begin(), o.files.end()},
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
@@ -249,14 +129,13 @@ AnalyseAnswer answer_all(const Options& o) {
   return out;
 }
 
-void take_code_stress(const Options& o, AnalyseAnswer& answer) {
+void take_code_stress(const AnalyseOptions& o, AnalyseAnswer& answer) {
   if (o.stress.empty())
     return;
   if (answer.frames.size() != 1)
     throw InvalidArgument(fmt::format("--stress is that of one frame, not of {}: choose it with --frames",
                                       answer.frames.size()));
-  answer.frames.front().code_stress =
-      parse_list<6>("--stress", o.stress, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
+  answer.frames.front().code_stress = parse_stress(o.stress);
 }
 
 /// Relative to the largest component, as shear stresses may be all but zero.
@@ -290,7 +169,7 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   return out;
 }
 
-ExitCode run(const Options& o) {
+ExitCode run(const AnalyseOptions& o) {
   if (!o.out.empty())
     prepare_folder(o.out, analysis_files, o.force);
   AnalyseAnswer answer = answer_all(o);
@@ -353,41 +232,10 @@ bool says_what_is_missing(io::Finding finding) {
 }
 
 Command add_analyse(CLI::App& program) {
-  auto options = std::make_shared<Options>();
-  Options& o = *options;
+  auto options = std::make_shared<AnalyseOptions>();
   CLI::App* command = program.add_subcommand(
       "analyse", "A packing that another code wrote: contacts, fabric, stress, contact law, every rung");
-  command->add_option("files", o.files, "Grains, and contacts if there are any, of one format")
-      ->required()
-      ->type_name("FILE");
-  add_law_options(*command, o.packing, "--law,--contact");
-  command->get_option("--grain-shear-modulus")->default_str("from forces and overlaps");
-  add_number_without_default(*command, "--tangential-ratio", o.packing.tangential_ratio,
-                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
-  add_number_without_default(
-      *command, "--friction-angle", o.friction_angle,
-      "Between grains, to tell which contacts slide; by default as the forces show it");
-  command
-      ->add_option("--column-map", o.column_map,
-                   "What columns of dumps hold: id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
-      ->type_name("MAP");
-  command
-      ->add_option("--stress", o.stress,
-                   "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive")
-      ->type_name("PRESSURES");
-  command
-      ->add_option("--stiffness-from", o.stiffness_from,
-                   "What k_n of the network is taken from; by default the overlaps, unless rounded")
-      ->check(CLI::IsMember({"overlap", "force"}));
-  command->add_option("--box", o.box, "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none")
-      ->type_name("LENGTHS");
-  command->add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
-      ->capture_default_str();
-  command->add_flag("--no-network", o.no_network, "Leave rung 4 out, which takes the time");
-  command->add_flag("--json", o.json, "Print one JSON object, SI units");
-  command->add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
-  auto* out = command->add_option("--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
-  command->add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
+  add_analyse_options(*command, *options);
   return {command, [options] { return run(*options); }};
 }
 

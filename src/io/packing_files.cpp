@@ -162,8 +162,7 @@ bool holds_contacts(FileKind kind) {
          kind == FileKind::yade_contacts || kind == FileKind::vtk_contacts || kind == FileKind::csv_contacts;
 }
 
-FileKind recognise(const fs::path& path) {
-  TextSource source(path);
+FileKind recognise(TextSource source) {
   if (!source.next())
     source.fail("is empty");
   const std::string_view line = source.line();
@@ -217,7 +216,7 @@ PackingFiles::PackingFiles(const std::vector<fs::path>& files, PackingFileOption
     : impl_(std::make_unique<Impl>()) {
   impl_->options = std::move(options);
   for (const fs::path& file : files) {
-    impl_->kinds.push_back(recognise(file));
+    impl_->kinds.push_back(recognise(TextSource(file)));
     (holds_contacts(impl_->kinds.back()) ? impl_->contacts : impl_->grains).push_back(file);
   }
   if (impl_->grains.empty())

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/packing_files.hpp>
 
-#include <fstream>
-
 #include "import_support.hpp"
-#include "temporary_folder.hpp"
 
 using namespace granum;
 using namespace granum::io;
@@ -42,19 +39,14 @@ TEST_CASE("packing files: each format is told by what stands in it") {
       {"yade_chain.contacts", yade_contacts},   {"yade_chain.vtk", vtk_contacts}};
   for (const auto& [name, kind] : expected) {
     INFO(name);
-    CHECK(recognise(data_path(name)) == kind);
+    CHECK(recognise(data_source(name)) == kind);
     CHECK(holds_contacts(kind) ==
           (std::string(description(kind)).find("contacts") != std::string::npos || kind == mercury_fstat));
   }
 }
 
 TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these") {
-  const TemporaryFolder folder;
-  const auto kind_of = [&](const std::string& text) {
-    const auto path = folder.path() / "file";
-    std::ofstream(path, std::ios::binary) << text;
-    return recognise(path);
-  };
+  const auto kind_of = [](const std::string& text) { return recognise(text_source("file", text)); };
   CHECK(kind_of("id,x_mm,y_mm,z_mm,radius_mm\n") == FileKind::csv_grains);
   CHECK(kind_of("# units: SI\nid1,id2,nx,ny,nz\n") == FileKind::csv_contacts);
   CHECK(kind_of("nx,ny,nz\n") == FileKind::csv_contacts);
@@ -64,7 +56,8 @@ TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these"
         std::string::npos);
   CHECK(refusal([&] { (void)kind_of(""); }).find("is empty") != std::string::npos);
   CHECK(refusal([&] { (void)kind_of("ITEM: TIMESTEP\n0\n"); }).find("a dump without") != std::string::npos);
-  CHECK(refusal([&] { (void)recognise(folder.path() / "none"); }).find("none") != std::string::npos);
+  CHECK(kind_of("packing, made by LAMMPS\n\n3 atoms\n") == FileKind::lammps_data);
+  CHECK(refusal([] { (void)PackingFiles(data({"none"})); }).find("none") != std::string::npos);
 }
 
 TEST_CASE("packing files: the chain out of every format, files in any order") {

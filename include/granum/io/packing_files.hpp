@@ -11,6 +11,7 @@
 #include <granum/io/column_map.hpp>
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/packing_csv.hpp>
+#include <granum/io/text_source.hpp>
 
 /// Packings out of files of any format that granum reads, told apart by what stands in them.
 /// Checked by tests/io/test_packing_files.cpp
@@ -37,8 +38,8 @@ enum class FileKind {
 [[nodiscard]] bool holds_contacts(FileKind kind);
 
 /// Looks at the beginning of a file, plain or gzip; the name does not matter.
-/// \throws   FileError if it cannot be read or is of no known kind
-[[nodiscard]] FileKind recognise(const std::filesystem::path& path);
+/// \throws   FileError if reading fails or it is of no known kind
+[[nodiscard]] FileKind recognise(TextSource source);
 
 /// What files of some formats do not tell.
 struct PackingFileOptions {
