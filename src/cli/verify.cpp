@@ -104,15 +104,7 @@ fs::path output_folder(const Options& options) {
       folder = fmt::format("granum-verify-{}", number++);
     while (fs::exists(folder));
   }
-  for (const char* file : file_names)
-    if (!options.force && fs::exists(folder / file))
-      throw FileError((folder / file).string(), 0, "exists already and is kept; --force replaces it");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw FileError(folder.string(), 0, "cannot be made: " + error.message());
-  if (access(folder.c_str(), W_OK) != 0)
-    throw FileError(folder.string(), 0, "cannot be written to");
+  prepare_folder(folder, file_names, options.force);
   return folder;
 }
 
