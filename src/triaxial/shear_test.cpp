@@ -46,10 +46,10 @@ ShearTest::ShearTest(dem::State state, const dem::Material& material, const Shea
 
 /// Figures of the state as it stands; work is added by step().
 void ShearTest::measure() {
-  const Mat3& stress = engine_.figures().stress;
+  const Vec3& stress = engine_.figures().boundary_stress;
   const Mat3& cell = engine_.cell();
-  now_.stress = {.v = stress(2, 2), .h = (stress(0, 0) + stress(1, 1)) / 2};
-  now_.stress_difference = std::abs(stress(0, 0) - stress(1, 1));
+  now_.stress = {.v = stress.z, .h = (stress.x + stress.y) / 2};
+  now_.stress_difference = std::abs(stress.x - stress.y);
   now_.axial_strain = -std::log(cell(2, 2) / start_cell_(2, 2));
   now_.volumetric_strain = -std::log(determinant(cell) / determinant(start_cell_));
   now_.step = engine_.steps();
@@ -72,17 +72,17 @@ Vec3 ShearTest::strain_rates() {
   const double driven = driven_sense(options_.path) * options_.inertial_number / to_inertial;
   const double limit = largest_servo_rate * std::abs(driven);
   const double modulus = std::max(figures.p_wave_modulus, pressure);
-  const Mat3& stress = figures.stress;
+  const Vec3& stress = figures.boundary_stress;
   Vec3 rates;
   if (drives_axial(options_.path)) {
     rates.z = driven;
-    rates.x = servo_rate(held_, options_.mean_stress - stress(0, 0), modulus, limit);
-    rates.y = servo_rate(held_y_, options_.mean_stress - stress(1, 1), modulus, limit);
+    rates.x = servo_rate(held_, options_.mean_stress - stress.x, modulus, limit);
+    rates.y = servo_rate(held_y_, options_.mean_stress - stress.y, modulus, limit);
   } else {
-    const double trim = servo_rate(trim_, (stress(1, 1) - stress(0, 0)) / 2, modulus, limit);
+    const double trim = servo_rate(trim_, (stress.y - stress.x) / 2, modulus, limit);
     rates.x = driven / 2 + trim;
     rates.y = driven / 2 - trim;
-    rates.z = servo_rate(held_, options_.mean_stress - stress(2, 2), modulus, limit);
+    rates.z = servo_rate(held_, options_.mean_stress - stress.z, modulus, limit);
   }
   largest_inertial_number_ =
       std::max(largest_inertial_number_, std::sqrt(dot(rates, rates) / 3) * to_inertial);
@@ -93,9 +93,8 @@ void ShearTest::step() {
   const Vec3 rates = strain_rates();
   const double dt = engine_.time_step();
   const auto power = [&] {
-    const Mat3& stress = engine_.figures().stress;
-    return determinant(engine_.cell()) *
-           (stress(0, 0) * rates.x + stress(1, 1) * rates.y + stress(2, 2) * rates.z);
+    const Vec3& stress = engine_.figures().boundary_stress;
+    return determinant(engine_.cell()) * (stress.x * rates.x + stress.y * rates.y + stress.z * rates.z);
   };
   const double before = power();
   engine_.set_velocity_gradient(Mat3::diagonal(-rates.x, -rates.y, -rates.z));
@@ -104,10 +103,10 @@ void ShearTest::step() {
   measure();
   if (std::abs(now_.stress.ratio()) > std::abs(peak_.stress.ratio()))
     peak_ = now_;
-  const Mat3& stress = engine_.figures().stress;
-  const double gap = drives_axial(options_.path) ? std::max(std::abs(stress(0, 0) - options_.mean_stress),
-                                                            std::abs(stress(1, 1) - options_.mean_stress))
-                                                 : std::abs(stress(2, 2) - options_.mean_stress);
+  const Vec3& stress = engine_.figures().boundary_stress;
+  const double gap = drives_axial(options_.path) ? std::max(std::abs(stress.x - options_.mean_stress),
+                                                            std::abs(stress.y - options_.mean_stress))
+                                                 : std::abs(stress.z - options_.mean_stress);
   path_error_ = std::max(path_error_, gap / options_.mean_stress);
 }
 
