@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <granum/core/vec3.hpp>
@@ -45,6 +46,9 @@ class VerletList {
     }
     return 2 * std::sqrt(farthest) + strain * (contact_distance_ + skin_) < skin_;
   }
+
+  /// Takes a list as it was built elsewhere; valid() is not asked before the next build.
+  void restore(std::vector<Pair> pairs) { pairs_ = std::move(pairs); }
 
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double skin() const { return skin_; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/core/bytes.hpp>
 #include <granum/dem/state.hpp>
 #include <granum/dem/walls.hpp>
 
@@ -36,6 +37,15 @@ class WallContacts {
   /// are rough.
   void sweep(const contact::NormalKernel& law, const SweepInput& input, bool tangential,
              std::vector<Load>& load, SweepSums& sums);
+
+  void save(ByteWriter& to) const {
+    to.put_all(contacts_);
+    to.put(forces_);
+  }
+  void load(ByteReader& from) {
+    contacts_ = from.get_all<WallHistory>();
+    forces_ = from.get<WallForces>();
+  }
 
   [[nodiscard]] double friction() const { return friction_; }
   [[nodiscard]] const WallForces& forces() const { return forces_; }

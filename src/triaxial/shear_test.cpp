@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include <granum/core/check.hpp>
 
@@ -37,12 +39,14 @@ void require_valid(const ShearOptions& options) {
   (void)name(options.path);
 }
 
-ShearTest::ShearTest(dem::State state, const dem::Material& material, const ShearOptions& options)
-    : options_(options), engine_((require_valid(options), std::move(state)), material),
-      start_cell_(engine_.cell()) {
+ShearTest::ShearTest(dem::Engine engine, const ShearOptions& options)
+    : options_(options), engine_(std::move(engine)), start_cell_(engine_.cell()) {
   measure();
   peak_ = now_;
 }
+
+ShearTest::ShearTest(dem::State state, const dem::Material& material, const ShearOptions& options)
+    : ShearTest(dem::Engine((require_valid(options), std::move(state)), material), options) {}
 
 /// Figures of the state as it stands; work is added by step().
 void ShearTest::measure() {
@@ -135,6 +139,37 @@ ShearEvent ShearTest::advance() {
       return ShearEvent::snapshot;
   }
   return engine_.finite() ? ShearEvent::finished : ShearEvent::unstable;
+}
+
+namespace {
+
+/// Members of a test beside its engine, so that writing and reading cannot fall out of step.
+template <class Visit, class... Members>
+void each(const Visit& visit, Members&... members) {
+  (visit(members), ...);
+}
+
+} // namespace
+
+void ShearTest::save(ByteWriter& to) const {
+  engine_.save(to);
+  const ShearOptions& o = options_;
+  each([&](const auto& value) { to.put(value); }, o.path, o.mean_stress, o.inertial_number, o.eta_step,
+       o.strain_step, o.largest_strain, start_cell_, held_, held_y_, trim_, now_, peak_, path_error_,
+       largest_inertial_number_, next_eta_, next_strain_);
+}
+
+ShearTest ShearTest::load(ByteReader& from, const dem::Material& material,
+                          std::function<bool()> stop_requested) {
+  dem::Engine engine = dem::Engine::load(from, material);
+  ShearOptions o;
+  o.stop_requested = std::move(stop_requested);
+  const auto read = [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); };
+  each(read, o.path, o.mean_stress, o.inertial_number, o.eta_step, o.strain_step, o.largest_strain);
+  ShearTest test(std::move(engine), o);
+  each(read, test.start_cell_, test.held_, test.held_y_, test.trim_, test.now_, test.peak_, test.path_error_,
+       test.largest_inertial_number_, test.next_eta_, test.next_strain_);
+  return test;
 }
 
 } // namespace granum::triaxial

@@ -186,6 +186,27 @@ TEST_CASE("side by side or one after the other: the same bits") {
   }
 }
 
+TEST_CASE("saved to bytes at any snapshot and loaded, a test ends in the same bits") {
+  for (const ShearPath path : {ShearPath::rtxc, ShearPath::rtxe}) {
+    ShearTest straight(specimen(), material, options_of(path));
+    ByteWriter bytes;
+    for (int k = 0; straight.advance() == ShearEvent::snapshot; ++k)
+      if (k == 5)
+        straight.save(bytes);
+    ByteReader reader(bytes.bytes(), "bytes");
+    ShearTest resumed = ShearTest::load(reader, material);
+    CHECK(reader.empty());
+    CHECK(resumed.now().step < straight.now().step);
+    while (resumed.advance() == ShearEvent::snapshot) {
+    }
+    CHECK(resumed.now() == straight.now());
+    CHECK(resumed.peak() == straight.peak());
+    CHECK(resumed.path_error() == straight.path_error());
+    CHECK(resumed.largest_inertial_number() == straight.largest_inertial_number());
+    CHECK(resumed.engine().state() == straight.engine().state());
+  }
+}
+
 TEST_CASE("a test can be stopped and taken on, and impossible options are refused") {
   ShearOptions options = options_of(ShearPath::txc);
   options.eta_step = options.strain_step = 10;

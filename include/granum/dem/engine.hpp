@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 
+#include <granum/core/bytes.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/dem/state.hpp>
 #include <granum/dem/walls.hpp>
@@ -75,6 +76,13 @@ class Engine {
   /// The state as it stands after the last step.
   [[nodiscard]] State state() const;
   [[nodiscard]] const Material& material() const;
+
+  /// All that the next steps depend on, to the bit; no random numbers are drawn while an engine runs.
+  void save(ByteWriter& to) const;
+  /// The engine that was saved: it goes on with the same bits as the one that wrote it.
+  /// \throws   FileError if the bytes end too early or were written for another material
+  /// Checked by tests/dem/test_engine_bytes.cpp
+  [[nodiscard]] static Engine load(ByteReader& from, const Material& material);
 
  private:
   struct Data;

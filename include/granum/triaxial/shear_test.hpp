@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include <granum/core/bytes.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/triaxial/stress_path.hpp>
@@ -68,7 +69,15 @@ class ShearTest {
   [[nodiscard]] double largest_inertial_number() const { return largest_inertial_number_; }
   [[nodiscard]] const dem::Engine& engine() const { return engine_; }
 
+  /// All that the rest of the test depends on, to the bit.
+  void save(ByteWriter& to) const;
+  /// The test that was saved: it goes on with the same bits. stop_requested is not part of the bytes.
+  /// \throws   FileError if the bytes end too early or were written for another material
+  [[nodiscard]] static ShearTest load(ByteReader& from, const dem::Material& material,
+                                      std::function<bool()> stop_requested = {});
+
  private:
+  ShearTest(dem::Engine engine, const ShearOptions& options);
   struct Servo {
     double integral = 0; ///< strain rate that it has learnt [1/s]
   };
