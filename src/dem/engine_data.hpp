@@ -13,7 +13,8 @@
 
 namespace granum::dem {
 
-/// What an engine holds from step to step. Engine::save writes all of it that does not follow from the material.
+/// What an engine holds from step to step. Engine::save writes all of it that does not follow from the
+/// material.
 struct Engine::Data {
   Data(State initial, const Material& m);
 

@@ -17,20 +17,20 @@ namespace {
 constexpr double radius = 0.5e-3;
 
 /// A lattice in motion: contacts open, close and slide.
-State lively(bool walls) {
+State lively(bool walls, double speed = 5e-3) {
   State state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
-    state.velocity[g] = 5e-3 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    state.velocity[g] = speed * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
   }
   if (walls)
     state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
   return state;
 }
 
-void run(Engine& engine, int steps) {
+void run(Engine& engine, int steps, double scale = 1) {
   for (int k = 0; k < steps; ++k) {
-    const double rate = engine.steps() % 300 < 150 ? -2 : 1;
+    const double rate = scale * (engine.steps() % 300 < 150 ? -2 : 1);
     engine.set_velocity_gradient(Mat3::diagonal(rate, rate / 2, -rate));
     engine.step();
   }
@@ -68,6 +68,16 @@ TEST_CASE("2 n steps are n steps, saved, loaded, and n more, to the bit") {
         CHECK(resumed.unbalanced_force_ratio() == straight.unbalanced_force_ratio());
         CHECK(resumed.wall_forces().force == straight.wall_forces().force);
       }
+}
+
+TEST_CASE("the pair list is renewed at the same step where the strain of the cell calls for it") {
+  const Material material = test::quartz(radius, 0.5);
+  Engine straight(lively(false, 1e-6), material);
+  run(straight, 200, 8);
+  Engine resumed = reloaded(straight);
+  run(straight, 1500, 8);
+  run(resumed, 1500, 8);
+  CHECK(resumed.state() == straight.state());
 }
 
 TEST_CASE("a damping that was set goes along") {

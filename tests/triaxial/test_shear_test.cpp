@@ -93,8 +93,8 @@ TEST_CASE("every test stays on its stress path, to its peak and past it") {
     CHECK(test.path_error() < 0.03);
     CHECK(std::abs(test.now().axial_strain) >= 0.0025);
     CHECK(test.peak().step < test.now().step);
-    // 10,000 grains: 25.7 to 28.5 degrees [Chung2014, Table 4]; of 300 grains five seeds scatter by 1.6 degrees
-    // (one standard deviation), and this one lies 2 above their mean.
+    // 10,000 grains: 25.7 to 28.5 degrees [Chung2014, Table 4]; of 300 grains five seeds scatter by 1.6
+    // degrees (one standard deviation), and this one lies 2 above their mean.
     const double degree = std::numbers::pi / 180;
     const double angle = mobilised_friction_angle(test.peak().stress);
     CHECK(angle > 22 * degree);
@@ -154,7 +154,7 @@ TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
     REQUIRE(test.advance() == ShearEvent::snapshot);
     const PathPoint& now = test.now();
     const double shear_strain = now.axial_strain - now.volumetric_strain / 3;
-    // dq = 3 G d(e_a - e_v/3). The specimen is small and so not quite isotropic, and a few contacts slide: 12 %.
+    // dq = 3 G d(e_a - e_v/3). The specimen is small and not quite isotropic, and a few contacts slide: 12 %.
     CHECK(now.stress.deviator() / (3 * shear_strain) == relative(G, 0.12));
   }
 }

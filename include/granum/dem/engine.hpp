@@ -25,9 +25,9 @@ struct StepFigures {
   std::size_t wall_sliding = 0;
 };
 
-/// Explicit dynamics of equal spheres in a cell that deforms with a given velocity gradient: periodic, or, where
-/// the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts count in the contact stress
-/// with the branch from the centre to the wall, so that at rest it is the stress of smooth walls.
+/// Explicit dynamics of equal spheres in a cell that deforms with a given velocity gradient: periodic, or,
+/// where the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts count in the
+/// contact stress with the branch from the centre to the wall, so that at rest it is that of smooth walls.
 ///
 /// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried
 /// so far scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a

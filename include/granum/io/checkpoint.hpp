@@ -18,8 +18,8 @@ struct Checkpoint {
 /// Version of the file format and of the states that this library writes and reads.
 inline constexpr std::uint32_t checkpoint_version = 1;
 
-/// Writes a checkpoint in place of the one that path may hold: a reader finds the old one or the whole new one,
-/// whenever the writer is stopped.
+/// Writes a checkpoint in place of the one that path may hold: a reader finds the old one or the whole new
+/// one, whenever the writer is stopped.
 /// \throws   FileError if writing fails; the old checkpoint is then as it was
 /// Checked by tests/io/test_checkpoint.cpp
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);

@@ -11,7 +11,7 @@
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/state.hpp>
 
-/// Specimens of equal spheres in a periodic cell or a box of walls: preparation, isotropic compression, frozen states.
+/// Specimens of equal spheres in a periodic cell or a box of walls: preparation, isotropic compression.
 namespace granum::triaxial {
 
 /// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ

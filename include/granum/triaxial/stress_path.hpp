@@ -51,7 +51,8 @@ inline constexpr std::array all_shear_paths{ShearPath::txc, ShearPath::rtxc, She
 /// Accuracy  8 ulp.  Checked by tests/triaxial/test_stress_path.cpp
 [[nodiscard]] double failure_ratio(ShearPath path, double friction_angle);
 
-/// Friction angle that a state of stress mobilises, arcsin of (s1 - s3)/(s1 + s3): the inverse of failure_ratio.
+/// Friction angle that a state of stress mobilises, arcsin of (s1 - s3)/(s1 + s3), the inverse of
+/// failure_ratio.
 /// \param    stress   both stresses >= 0, not both 0 [Pa]
 /// \return   in [0, pi/2] [rad]
 /// \throws   InvalidArgument if a stress is negative or both are 0
