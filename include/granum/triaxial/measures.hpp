@@ -38,8 +38,8 @@ struct InteriorMeasures {
 
 /// \param    layer  left out at every wall [m]; two diameters are the custom
 /// \throws   InvalidArgument if the layers leave too little: no grain, or fewer than 2 contacts
-/// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R of
-///           a side wall no contact between grains bears force along it.
+/// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R
+///           of a side wall no contact between grains bears force along it.
 /// Checked by tests/triaxial/test_walls.cpp
 [[nodiscard]] InteriorMeasures interior_measures(const dem::State& state, const dem::Material& material,
                                                  double layer);
