@@ -53,6 +53,10 @@ function(granum_tests module)
   granum_compile_settings(test_${module})
   target_link_libraries(test_${module} PRIVATE granum::granum granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
   target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  # Tests that compute much themselves would take minutes unoptimised, as the sanitized ones are otherwise.
+  if(module MATCHES "^(effective|fabric|network|dem|triaxial|verify)$")
+    target_compile_options(test_${module} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()
 
