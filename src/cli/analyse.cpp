@@ -13,6 +13,7 @@
 #include <granum/core/number.hpp>
 #include <granum/elastic/projection.hpp>
 
+#include "analyse_paraview.hpp"
 #include "frame.hpp"
 
 namespace granum::cli {
@@ -83,9 +84,16 @@ std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
   return out;
 }
 
+/// `seen` is called with each frame that is taken and its number.
+template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
-                                        const verify::AnalysisOptions& options) {
+                                        const verify::AnalysisOptions& options, Seen seen) {
   std::vector<FrameAnswer> out;
+  const auto take = [&](const io::ImportedPacking& packing, std::size_t at) {
+    out.push_back(analyse_frame(packing, options));
+    out.back().number = at;
+    seen(packing, at);
+  };
   std::optional<io::ImportedPacking> kept;
   std::size_t number = 0;
   for (; number <= choice.last; ++number) {
@@ -95,14 +103,11 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
     if (choice.only_last) {
       kept = std::move(packing);
     } else if (choice.takes(number)) {
-      out.push_back(analyse_frame(*packing, options));
-      out.back().number = number;
+      take(*packing, number);
     }
   }
-  if (kept) {
-    out.push_back(analyse_frame(*kept, options));
-    out.back().number = number - 1;
-  }
+  if (kept)
+    take(*kept, number - 1);
   if (out.empty())
     throw InvalidArgument(fmt::format("--frames takes none of the {} frames of the files", number));
   return out;
@@ -115,15 +120,28 @@ AnalyseAnswer answer_contacts(const AnalyseOptions& o, const verify::AnalysisOpt
   return {.files = o.files, .kinds = {io::FileKind::csv_contacts}, .frames = {frame}, .series = {}};
 }
 
+io::Existing existing(const AnalyseOptions& o) {
+  return o.force ? io::Existing::replace : io::Existing::keep;
+}
+
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const verify::AnalysisOptions options = analysis_options(o);
-  if (o.files.size() == 1 && io::recognise(io::TextSource(o.files.front())) == io::FileKind::csv_contacts)
+  if (o.files.size() == 1 && io::recognise(io::TextSource(o.files.front())) == io::FileKind::csv_contacts) {
+    if (o.paraview)
+      throw InvalidArgument("--paraview needs grains: this file has contacts alone");
     return answer_contacts(o, options);
+  }
   io::PackingFiles files({o.files.begin(), o.files.end()},
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
   AnalyseAnswer out{.files = o.files, .kinds = files.kinds(), .frames = {}, .series = {}, .skipped = 0};
-  out.frames = analyse_frames(files, choice, options);
+  ParaviewFrames pictures(o.out, existing(o));
+  out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
+    if (o.paraview)
+      pictures.add(packing, number);
+  });
+  if (o.paraview)
+    pictures.finish();
   out.series = series_of(out.frames);
   out.skipped = files.skipped();
   return out;
@@ -176,7 +194,7 @@ ExitCode run(const AnalyseOptions& o) {
   take_code_stress(o, answer);
   std::string table = o.json ? "" : analyse_table(answer);
   if (!o.out.empty()) {
-    write_analysis(o.out, answer, o.force ? io::Existing::replace : io::Existing::keep);
+    write_analysis(o.out, answer, existing(o));
     table += "\nCSV, JSON and pictures in " + o.out + "\n";
   }
   const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};

@@ -147,6 +147,8 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
   command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
   auto* out = command.add_option("--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
   command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
+  command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
+      ->needs(out);
 }
 
 } // namespace granum::cli

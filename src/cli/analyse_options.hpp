@@ -29,6 +29,7 @@ struct AnalyseOptions {
   bool json = false;
   bool strict = false;
   bool force = false;
+  bool paraview = false;
   std::string out; ///< folder; empty for none
 };
 
