@@ -3,7 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <granum/core/number.hpp>
+#include <granum/triaxial/specimen.hpp>
 #include <granum/verify/plan.hpp>
+#include <granum/verify/trade_rule.hpp>
 
 #include "frame.hpp"
 #include "scene_file.hpp"
@@ -16,7 +19,38 @@ namespace {
 struct Options {
   StudyOptions study;
   OutputOptions output;
+  double error = 0.01; ///< wanted, of G [1]
 };
+
+/// What is expected of one density, and what the wanted error of G would take.
+struct Rule {
+  double modulus_error;
+  double exponent_error;
+  verify::Recipe recipe;
+};
+
+Rule rule_of(const verify::Scene& scene, triaxial::Density density, double error) {
+  const verify::TradeLaws& laws = verify::recorded_laws();
+  const bool dense = density == triaxial::Density::dense;
+  const verify::ErrorLaw& modulus = dense ? laws.dense_modulus : laws.loose_modulus;
+  const verify::ErrorLaw& exponent = dense ? laws.dense_exponent : laws.loose_exponent;
+  const double inertial_number = triaxial::compression_options().inertial_number;
+  return {verify::expected_error(modulus, scene.grains, scene.seeds, inertial_number),
+          verify::expected_error(exponent, scene.grains, scene.seeds, inertial_number),
+          verify::recipe_for(modulus, error, scene.seeds)};
+}
+
+std::string rule_lines(const Options& options, const verify::Scene& scene) {
+  std::string text = "errors that size, seeds and rate leave, by the laws of validation/trade (spheres):\n";
+  for (const triaxial::Density density : scene.densities) {
+    const Rule rule = rule_of(scene, density, options.error);
+    text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {}\n",
+                        verify::name(density), percent_text(rule.modulus_error), rule.exponent_error,
+                        percent_text(options.error), rule.recipe.grains,
+                        short_text(rule.recipe.inertial_number, 2));
+  }
+  return text;
+}
 
 ExitCode run(const Options& options) {
   const verify::Scene scene = resolve(options.study);
@@ -31,6 +65,15 @@ ExitCode run(const Options& options) {
   json["seconds_per_grain_step"] = plan.seconds_per_grain_step;
   json["predicted_time_s"] = plan.seconds;
   json["predicted_memory_bytes"] = plan.memory;
+  for (const triaxial::Density density : scene.densities) {
+    const Rule rule = rule_of(scene, density, options.error);
+    json["errors"][std::string(verify::name(density))] = {
+        {"G", rule.modulus_error},
+        {"s", rule.exponent_error},
+        {"wanted_G", options.error},
+        {"grains_for_wanted", rule.recipe.grains},
+        {"inertial_number_for_wanted", rule.recipe.inertial_number}};
+  }
   const std::string table = fmt::format(
       "granum verify would run\n"
       "  {:6} frictionless packings of {} grains (positions only: no rotations, no contact memory)\n"
@@ -41,7 +84,7 @@ ExitCode run(const Options& options) {
       plan.packings, scene.grains, plan.specimens, scene.pressures.size(), plan.network_solutions,
       plan.probes, plan.grain_steps, plan.seconds, 1e9 * plan.seconds_per_grain_step,
       verify::thread_count(scene), plan.memory / 1e6);
-  return deliver(options.output, table, json, {});
+  return deliver(options.output, table + rule_lines(options, scene), json, {});
 }
 
 } // namespace
@@ -49,8 +92,10 @@ ExitCode run(const Options& options) {
 Command add_plan(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      program.add_subcommand("plan", "What verify would run, and its predicted time and memory");
+      program.add_subcommand("plan", "What verify would run, its predicted time, memory and error");
   add_study_options(*command, options->study);
+  add_quantity(*command, "--error", options->error, Dimension::dimensionless,
+               "Wanted error of G, from which grains and inertial number follow: --error 2%");
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

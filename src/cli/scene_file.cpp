@@ -173,14 +173,14 @@ void set_key(Scene& scene, const std::string& name, const std::string& value) {
   key->set(scene, name, value);
 }
 
-Scene read_scene(const std::string& path) {
+Scene read_scene(const std::string& path, const Scene& defaults) {
   toml::table table;
   try {
     table = toml::parse_file(path);
   } catch (const toml::parse_error& error) {
     throw FileError(path, error.source().begin.line, std::string(error.description()));
   }
-  Scene scene;
+  Scene scene = defaults;
   apply_table(scene, table, "", path);
   return scene;
 }

@@ -14,9 +14,9 @@ namespace granum::cli {
 /// take
 void set_key(verify::Scene& scene, const std::string& key, const std::string& value);
 
-/// Applies a TOML scene to the defaults.
+/// Applies a TOML scene to the defaults given.
 /// \throws   FileError with path and line for what cannot be read, an unknown key or a value it cannot take
-[[nodiscard]] verify::Scene read_scene(const std::string& path);
+[[nodiscard]] verify::Scene read_scene(const std::string& path, const verify::Scene& defaults = {});
 
 /// "key=value" of --set.
 /// \throws   InvalidArgument

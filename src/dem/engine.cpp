@@ -22,7 +22,6 @@ namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 50;
-constexpr double stability_fraction = 0.8;
 
 } // namespace
 
@@ -203,11 +202,11 @@ void Engine::Data::choose_time_step() {
     omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
                                                  (tangential ? row_sum(rotation[g]) / inertia : 0)));
   if (omega_squared > 0) {
-    dt = stability_fraction * 2 / std::sqrt(omega_squared);
+    dt = time_step_fraction * 2 / std::sqrt(omega_squared);
   } else if (dt == 0) {
     // Nothing touches yet: the stiffness that an overlap of 1e-4 R would have.
     const double k_n = material.law.stiffness_at_overlap(1e-4 * cold.radius);
-    dt = stability_fraction * 2 / std::sqrt(20 * k_n / mass);
+    dt = time_step_fraction * 2 / std::sqrt(20 * k_n / mass);
   }
 }
 
@@ -266,6 +265,16 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 void Engine::set_velocity_gradient(const Mat3& gradient) { data_->gradient = gradient; }
 void Engine::set_damping(double coefficient) {
   data_->fixed_damping = require_non_negative("damping", coefficient, "1/s");
+}
+
+void Engine::set_time_step_fraction(double fraction) {
+  Data& d = *data_;
+  if (!(fraction > 0 && fraction <= 1))
+    throw InvalidArgument("time_step_fraction", fraction, "", "(0, 1]");
+  if (fraction == d.time_step_fraction)
+    return;
+  d.dt *= fraction / d.time_step_fraction;
+  d.time_step_fraction = fraction;
 }
 
 void Engine::step() {

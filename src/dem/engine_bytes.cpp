@@ -21,6 +21,7 @@ template <class Data, class Visit>
 void each_scalar(Data& d, const Visit& visit) {
   visit(d.gradient);
   visit(d.dt);
+  visit(d.time_step_fraction);
   visit(d.fixed_damping);
   visit(d.damping);
   visit(d.travelled);

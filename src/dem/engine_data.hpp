@@ -43,6 +43,7 @@ struct Engine::Data {
   std::vector<Load> last_load;
   Mat3 gradient;
   double dt = 0;
+  double time_step_fraction = default_time_step_fraction;
   double fixed_damping = -1; ///< negative: adaptive
   double damping = 0;
   double travelled = 0; ///< upper bound of own displacement since the list was checked [m]

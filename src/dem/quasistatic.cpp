@@ -60,6 +60,7 @@ void require_valid(const QuasistaticOptions& options) {
 
 QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options) {
   require_valid(options);
+  engine.set_time_step_fraction(options.time_step_fraction);
   for (int axis = 0; axis < 3; ++axis)
     require_positive("target stress", target[axis], "Pa");
   const double pressure = (target.x + target.y + target.z) / 3;
@@ -99,6 +100,7 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
 QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
                          const QuasistaticOptions& options) {
   require_valid(options);
+  engine.set_time_step_fraction(options.time_step_fraction);
   const double pressure = std::max(trace(engine.figures().stress) / 3, 1e-300);
   const double to_inertial = rates(engine, pressure, engine.diameter(), options).to_inertial;
   double strain_squared = 0;

@@ -36,11 +36,14 @@ void require_valid(const ShearOptions& options) {
   require_positive("eta_step", options.eta_step);
   require_positive("strain_step", options.strain_step);
   require_open("largest_strain", options.largest_strain, 0, 1);
+  require_closed("time_step_fraction", require_positive("time_step_fraction", options.time_step_fraction), 0,
+                 1);
   (void)name(options.path);
 }
 
 ShearTest::ShearTest(dem::Engine engine, const ShearOptions& options)
     : options_(options), engine_(std::move(engine)), start_cell_(engine_.cell()) {
+  engine_.set_time_step_fraction(options_.time_step_fraction);
   measure();
   peak_ = now_;
 }
@@ -155,8 +158,8 @@ void ShearTest::save(ByteWriter& to) const {
   engine_.save(to);
   const ShearOptions& o = options_;
   each([&](const auto& value) { to.put(value); }, o.path, o.mean_stress, o.inertial_number, o.eta_step,
-       o.strain_step, o.largest_strain, start_cell_, held_, held_y_, trim_, now_, peak_, path_error_,
-       largest_inertial_number_, next_eta_, next_strain_);
+       o.strain_step, o.largest_strain, o.time_step_fraction, start_cell_, held_, held_y_, trim_, now_, peak_,
+       path_error_, largest_inertial_number_, next_eta_, next_strain_);
 }
 
 ShearTest ShearTest::load(ByteReader& from, const dem::Material& material,
@@ -165,7 +168,8 @@ ShearTest ShearTest::load(ByteReader& from, const dem::Material& material,
   ShearOptions o;
   o.stop_requested = std::move(stop_requested);
   const auto read = [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); };
-  each(read, o.path, o.mean_stress, o.inertial_number, o.eta_step, o.strain_step, o.largest_strain);
+  each(read, o.path, o.mean_stress, o.inertial_number, o.eta_step, o.strain_step, o.largest_strain,
+       o.time_step_fraction);
   ShearTest test(std::move(engine), o);
   each(read, test.start_cell_, test.held_, test.held_y_, test.trim_, test.now_, test.peak_, test.path_error_,
        test.largest_inertial_number_, test.next_eta_, test.next_strain_);

@@ -8,8 +8,6 @@
 
 #include <Eigen/Dense>
 
-#include <granum/hardin/fit.hpp>
-
 namespace granum::verify {
 
 namespace {
@@ -39,15 +37,7 @@ std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const Modulu
   for (const StateResult& state : specimen.states)
     if (const std::optional<double> modulus = modulus_of(state))
       rows.push_back({*modulus, {state.pressure, state.pressure, state.void_ratio}});
-  if (rows.size() < 3)
-    return std::nullopt;
-  const hardin::FitReport report = hardin::fit_exponent_sum(
-      rows,
-      {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
-  if (report.status() != hardin::FitStatus::converged)
-    return std::nullopt; // states too near to each other to have a slope
-  const hardin::Estimate& s = report.fit().exponent_sum;
-  return Exponent{s.value, s.standard_error};
+  return fitted_exponent(rows, function);
 }
 
 std::optional<Exponent> mean_of(const std::vector<Exponent>& each) {
@@ -147,6 +137,19 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
 }
 
 } // namespace
+
+std::optional<Exponent> fitted_exponent(const std::vector<hardin::Measurement>& rows,
+                                        hardin::VoidRatioFunction function) {
+  if (rows.size() < 3)
+    return std::nullopt;
+  const hardin::FitReport report = hardin::fit_exponent_sum(
+      rows,
+      {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
+  if (report.status() != hardin::FitStatus::converged)
+    return std::nullopt; // states too near to each other to have a slope
+  const hardin::Estimate& s = report.fit().exponent_sum;
+  return Exponent{s.value, s.standard_error};
+}
 
 std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   using enum hardin::VoidRatioFunction;

@@ -4,12 +4,16 @@ function(fail what)
   message(FATAL_ERROR "${what}\n--- exit code ${code}, standard output:\n${out}\n--- standard error:\n${err}")
 endfunction()
 
-# Results are three files and nothing else; sets `manifest` to the text of one of them.
-macro(read_results folder)
+# Results are these files and nothing else; sets `manifest` to the text of one of them.
+macro(read_files folder names)
   file(GLOB written RELATIVE "${folder}" "${folder}/*" "${folder}/.[a-z]*")
   list(SORT written)
-  if(NOT "${written}" STREQUAL "exponents.csv;manifest.json;states.csv")
-    fail("files are ${written}, expected exponents.csv;manifest.json;states.csv")
+  if(NOT "${written}" STREQUAL "${names}")
+    fail("files are ${written}, expected ${names}")
   endif()
   file(READ "${folder}/manifest.json" manifest)
+endmacro()
+
+macro(read_results folder)
+  read_files("${folder}" "exponents.csv;manifest.json;states.csv")
 endmacro()

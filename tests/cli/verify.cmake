@@ -42,8 +42,10 @@ granum_cli_test("verify: folder that is a file" EXIT 3 STDERR "^granum: error: i
   ARGS verify ${small} --out isotropic.csv)
 
 granum_cli_test("plan: table" EXIT 0
-  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads; [0-9]+ MB\n$"
-  ARGS plan ${small})
+  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads; [0-9]+ MB\n.*dense: G [0-9.]+ %, s 0\\.[0-9]+; for 2 % of G [0-9]+ grains"
+  ARGS plan ${small} --error 2%)
+granum_cli_test("plan: no error at all cannot be wanted" EXIT 2 STDERR "error = 0 is outside \\(0, inf\\)"
+  ARGS plan ${small} --error 0)
 foreach(expectation "command=^plan$" "packings=^1$" "specimens=^2$" "network_solutions=^6$" "probes=^0$"
     "predicted_time_s=^[0-9]" "scene/study/grains=^120$" "scene/grain/radius_m=^0\\.00040*"
     "scene/study/probe_pressures_Pa=^\\[\\]$")

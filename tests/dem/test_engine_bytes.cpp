@@ -91,6 +91,19 @@ TEST_CASE("a damping that was set goes along") {
   CHECK(resumed.state() == straight.state());
 }
 
+TEST_CASE("a fraction of the time step that was set goes along") {
+  const Material material = test::quartz(radius, 0.5);
+  Engine straight(lively(false), material);
+  straight.set_time_step_fraction(0.3);
+  run(straight, 10);
+  Engine resumed = reloaded(straight);
+  CHECK(resumed.time_step() == straight.time_step());
+  run(straight, 100); // the time step is chosen anew on the way
+  run(resumed, 100);
+  CHECK(resumed.state() == straight.state());
+  CHECK(resumed.time_step() == straight.time_step());
+}
+
 TEST_CASE("a state comes back equal, walls and memories included") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(lively(true), material);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -62,6 +63,34 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   CHECK(modulus(axial, 0, 0) == relative(c11, 1e-3));
   CHECK(modulus(axial, 1, 1) == relative((k_n - k_t) / (2 * std::numbers::sqrt2 * half_branch), 1e-2));
   CHECK(modulus(shear, 0, 2) == relative(c11 / 2, 1e-3));
+}
+
+TEST_CASE("a smaller time step takes more steps to the same equilibrium") {
+  const Material material = test::quartz(radius, 0.5);
+  const Vec3 target{1e5, 1e5, 1e5};
+  const auto run = [&](double fraction) {
+    Engine engine(test::fcc(radius, 3, 1e-8), material);
+    const double usual = engine.time_step();
+    engine.set_time_step_fraction(fraction);
+    CHECK(engine.time_step() == relative(usual * fraction / default_time_step_fraction, 1e-15));
+    const QuasistaticReport report = equilibrate(engine, target, {.time_step_fraction = fraction});
+    CHECK(report.converged());
+    // Chosen anew, from stiffnesses that agree to the tolerance of the stress: the fraction has stayed.
+    CHECK(report.stress(0, 0) == relative(target.x, 1e-6));
+    return std::pair{report.steps, engine.time_step()};
+  };
+  const auto [usual_steps, usual] = run(default_time_step_fraction);
+  const auto [many_steps, small] = run(default_time_step_fraction / 4);
+  CHECK(small == relative(usual / 4, 1e-5));
+  CHECK(many_steps > 2 * usual_steps);
+
+  Engine engine(test::fcc(radius, 3, 1e-8), material);
+  for (const double bad : {0.0, -0.5, 1.0001, std::nan("")}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(engine.set_time_step_fraction(bad), InvalidArgument);
+    CHECK_THROWS_AS((void)equilibrate(engine, target, {.time_step_fraction = bad}), InvalidArgument);
+    CHECK_THROWS_AS((void)deform(engine, Mat3{}, 0, {.time_step_fraction = bad}), InvalidArgument);
+  }
 }
 
 TEST_CASE("runs that cannot arrive say so") {

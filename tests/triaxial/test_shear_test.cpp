@@ -229,4 +229,6 @@ TEST_CASE("a test can be stopped and taken on, and impossible options are refuse
   refused([](ShearOptions& o) { o.eta_step = 0; });
   refused([](ShearOptions& o) { o.strain_step = NAN; });
   refused([](ShearOptions& o) { o.largest_strain = 1; });
+  refused([](ShearOptions& o) { o.time_step_fraction = 0; });
+  refused([](ShearOptions& o) { o.time_step_fraction = 1.5; });
 }

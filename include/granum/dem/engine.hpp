@@ -25,6 +25,10 @@ struct StepFigures {
   std::size_t wall_sliding = 0;
 };
 
+/// What the time step is of the stability limit, unless another fraction is asked for. Smaller ones cost more
+/// steps and leave quasi-static states as they are.         Measured in validation/trade/
+inline constexpr double default_time_step_fraction = 0.8;
+
 /// Explicit dynamics of equal spheres in a cell that deforms with a given velocity gradient: periodic, or,
 /// where the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts count in the
 /// contact stress with the branch from the centre to the wall, so that at rest it is that of smooth walls.
@@ -35,8 +39,8 @@ struct StepFigures {
 /// damped: a mass-proportional drag of twice the lowest frequency that the motion shows (adaptive dynamic
 /// relaxation). The translational mass is density times volume, the rotational inertia m R^2 in place of 0.4
 /// m R^2, which lengthens the stable time step and leaves quasi-static states as they are. The time step
-/// follows from the contact stiffnesses: 0.8 of the stability limit 2/omega, with a strict upper bound on
-/// omega. Without friction no rotations and no histories are modelled.
+/// follows from the contact stiffnesses: a fraction of the stability limit 2/omega, with a strict upper bound
+/// on omega. Without friction no rotations and no histories are modelled.
 /// Assumes   quasi-static motion: the time step follows the contacts that exist, so a grain that flies
 ///           into its first contact, deep within one step, gains energy.
 /// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp
@@ -53,6 +57,9 @@ class Engine {
   void set_velocity_gradient(const Mat3& gradient);
   /// Drag coefficient [1/s] from now on in place of the adaptive one; 0 switches damping off.
   void set_damping(double coefficient);
+  /// Time step over the stability limit from now on; default_time_step_fraction before the first call.
+  /// \throws InvalidArgument unless 0 < fraction <= 1
+  void set_time_step_fraction(double fraction);
 
   /// One step: move, contact forces, velocities.
   void step();

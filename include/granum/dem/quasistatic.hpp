@@ -16,6 +16,7 @@ struct QuasistaticOptions {
   double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
   double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
   std::size_t max_steps = 400000;
+  double time_step_fraction = default_time_step_fraction; ///< of the stability limit, in (0, 1]
   /// Asked now and then; true ends the run early (the report then says `stopped`).
   std::function<bool()> stop_requested = {};
 };

@@ -20,6 +20,7 @@ struct ShearOptions {
   double eta_step = 0.05;        ///< a snapshot at each first passage of a multiple of this eta [1] ...
   double strain_step = 0.0025;   ///< ... and of this axial strain [1]
   double largest_strain = 0.03;  ///< axial strain, either sense, at which the test ends [1]
+  double time_step_fraction = dem::default_time_step_fraction; ///< of the stability limit, in (0, 1]
   /// Asked now and then; true ends advance() early, and a later call goes on.
   std::function<bool()> stop_requested = {};
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/hardin/fit.hpp>
 #include <granum/verify/study.hpp>
 
 namespace granum::verify {
@@ -13,6 +14,13 @@ struct Exponent {
   double value = 0;
   double standard_error = 0;
 };
+
+/// s of one specimen's path: G ~ p^s by Levenberg-Marquardt on G itself, as in the paper.
+/// \return   nothing with fewer than three states, or if the fit does not converge
+/// \throws   InvalidArgument if a modulus or a stress is not positive
+[[nodiscard]] std::optional<Exponent>
+fitted_exponent(const std::vector<hardin::Measurement>& states,
+                hardin::VoidRatioFunction function = hardin::VoidRatioFunction::none);
 
 /// s of G ~ p^s by every route, for one contact and density.
 struct ExponentRow {

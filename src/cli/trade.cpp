@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/verify/trade.hpp>
+#include <granum/verify/trade_findings.hpp>
+
+#include "frame.hpp"
+#include "progress.hpp"
+#include "stop_signal.hpp"
+#include "study_options.hpp"
+#include "trade_report.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  StudyOptions study;
+  bool quick = false;
+  bool full = false;
+  double budget = 0; ///< [s]; 0: none
+  std::string out;
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json"};
+
+struct Outcome {
+  verify::TradeScene trade;
+  std::vector<verify::TradeSample> samples;
+  std::vector<verify::TradeRow> rows;
+  double seconds = 0;
+  bool stopped = false; ///< on request
+
+  /// The first reason why a sample is missing; empty where none is.
+  [[nodiscard]] std::string failure() const {
+    for (const verify::TradeSample& sample : samples)
+      if (!sample.failure.empty())
+        return sample.failure;
+    return {};
+  }
+};
+
+verify::TradeScene scene_of(const Options& options) {
+  if (options.quick && (options.full || options.budget > 0))
+    throw InvalidArgument("--quick cannot go with --full or --budget");
+  verify::TradeScene trade = options.quick                        ? verify::quick_trade()
+                             : options.full || options.budget > 0 ? verify::full_trade()
+                                                                  : verify::default_trade();
+  trade.scene = resolve(options.study, trade.scene);
+  verify::require_valid(trade);
+  return options.budget > 0 ? verify::within_budget(trade, options.budget) : trade;
+}
+
+Outcome run_study(const verify::TradeScene& trade, bool quiet) {
+  Outcome outcome;
+  outcome.trade = trade;
+  const auto start = std::chrono::steady_clock::now();
+  ProgressLine line(quiet);
+  const std::atomic<bool>& stop = listen_for_stop();
+  outcome.samples = verify::run_trade(
+      trade, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop});
+  outcome.seconds = seconds_since(start);
+  outcome.stopped = stop;
+  outcome.rows = verify::trade_rows(outcome.samples);
+  return outcome;
+}
+
+ordered_json manifest_of(const Outcome& outcome, const Options& options) {
+  ordered_json json = json_head("trade");
+  json["wall_time_s"] = outcome.seconds;
+  json["complete"] = outcome.failure().empty();
+  json["failure"] = outcome.failure();
+  json["scene_file"] = options.study.scene_file;
+  json["settings"] = options.study.settings;
+  json["scene"] = json_of(outcome.trade);
+  json["threads_used"] = verify::thread_count(outcome.trade.scene);
+  json["rows"] = json_of(outcome.rows);
+  return json;
+}
+
+std::string report_of(const Outcome& outcome) {
+  return fmt::format("{}{} samples in {:.1f} s on {} threads\n", trade_table(outcome.trade, outcome.rows),
+                     outcome.samples.size(), outcome.seconds, verify::thread_count(outcome.trade.scene));
+}
+
+void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
+  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
+  io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
+  io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
+  io::write_file(folder / file_names[2], trade_picture(outcome.rows), existing);
+  io::write_file(folder / file_names[3], manifest_of(outcome, options).dump(2) + "\n", existing);
+}
+
+ExitCode run(const Options& options) {
+  const verify::TradeScene trade = scene_of(options);
+  const bool writes = !options.json || !options.out.empty();
+  const fs::path folder =
+      writes ? results_folder(options.out, "trade", file_names, options.force) : fs::path();
+  const Outcome outcome = run_study(trade, options.quiet);
+  if (writes)
+    write_results(folder, outcome, options);
+  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
+  const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
+  deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
+  if (outcome.failure().empty())
+    return ExitCode::ok;
+  return outcome.stopped ? ExitCode::fell_short : ExitCode::not_converged;
+}
+
+} // namespace
+
+Command add_trade(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "trade", "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now");
+  add_study_options(*command, options->study);
+  command->add_flag("--quick", options->quick, "Up to 1,000 grains, a few values, two seeds");
+  command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
+  add_quantity(*command, "--budget", options->budget, Dimension::time,
+               "As far up in grains as this wall time allows: --budget 600s");
+  command->add_option("--out", options->out, "Folder for results; by default a new granum-trade-N")
+      ->type_name("DIR");
+  command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
+  command->add_flag("--force", options->force, "Let --out replace existing results");
+  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trade_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <granum/core/number.hpp>
+#include <granum/io/chart.hpp>
+#include <granum/io/csv.hpp>
+#include <granum/verify/version.hpp>
+
+#include "scene_file.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using verify::Boundary;
+using verify::Knob;
+using verify::TradeRow;
+using verify::TradeSample;
+using verify::TradeScene;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
+
+/// What a block of the table is about.
+std::string title(const TradeScene& trade, Knob knob) {
+  switch (knob) {
+  case Knob::grains:
+    return "grains N, periodic cell; G and s by the network, cost from packing to peak";
+  case Knob::compression:
+    return "inertial number of compression; cost of compression through all pressures";
+  case Knob::shear:
+    return "inertial number of triaxial compression; G_vh at q/p' = 0.8; cost of the test to " +
+           percent_text(trade.shear_strain) + " strain";
+  case Knob::time_step:
+    return "time step over its stability limit; cost of compression, and of shear where there is a peak";
+  case Knob::probe:
+    return "strain of the cyclic probe in mean overlaps over the diameter, 0 the network; G_vh; cost of one "
+           "answer";
+  case Knob::boundary:
+    return "N grains between walls, probed, and in the periodic cell; mean of G_hh and G_vh; cost of the "
+           "specimen";
+  }
+  return {};
+}
+
+std::string in_percent(const std::optional<verify::Deviation>& d) {
+  return d ? fmt::format("{:+7.2f} +- {:<5.2f}{:6.2f}", 100 * d->bias, 100 * d->standard_error,
+                         100 * d->scatter)
+           : fmt::format("{:>23}", "-");
+}
+
+std::string plain(const std::optional<verify::Deviation>& d) {
+  return d ? fmt::format("{:+7.4f} +- {:<6.4f}{:7.4f}", d->bias, d->standard_error, d->scatter)
+           : fmt::format("{:>24}", "-");
+}
+
+bool has_boundary(Knob knob) { return knob == Knob::boundary; }
+
+std::string label(const TradeRow& row) {
+  const std::string value = short_text(row.value);
+  return has_boundary(row.knob) ? fmt::format("{} {}", verify::name(row.boundary), value) : value;
+}
+
+constexpr const char* knob_axis(Knob knob, triaxial::Density density) {
+  const bool dense = density == triaxial::Density::dense;
+  switch (knob) {
+  case Knob::grains:
+    return dense ? "dense, N" : "loose, N";
+  case Knob::compression:
+    return dense ? "dense, rate of compression" : "loose, rate of compression";
+  case Knob::shear:
+    return "rate of shear";
+  case Knob::time_step:
+    return dense ? "dense, time step" : "loose, time step";
+  case Knob::probe:
+    return dense ? "dense, probe strain" : "loose, probe strain";
+  case Knob::boundary:
+    break;
+  }
+  return dense ? "dense, walls" : "loose, walls";
+}
+
+/// Root mean square error of one specimen: bias and scatter; of settings that leave the packing as it is,
+/// the bias alone.
+double error_of(const TradeRow& row) {
+  const verify::Deviation& d = *row.shear_modulus;
+  return row.knob == Knob::grains || row.knob == Knob::boundary ? std::hypot(d.bias, d.scatter)
+                                                                : std::abs(d.bias);
+}
+
+ordered_json json_of(const std::optional<verify::Deviation>& d) {
+  if (!d)
+    return nullptr;
+  return {{"bias", d->bias}, {"standard_error", d->standard_error}, {"scatter", d->scatter}};
+}
+
+void append(std::vector<io::CsvCell>& row, const std::optional<verify::Deviation>& d) {
+  for (const double value :
+       {d ? d->bias : nothing, d ? d->standard_error : nothing, d ? d->scatter : nothing})
+    row.emplace_back(value);
+}
+
+std::string text(std::string_view view) { return std::string(view); }
+
+} // namespace
+
+std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& rows) {
+  std::string out;
+  for (const Knob knob : verify::all_knobs) {
+    std::vector<TradeRow> block;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(block),
+                 [knob](const TradeRow& row) { return row.knob == knob; });
+    if (block.empty())
+      continue;
+    out += fmt::format("{}\n{:<18} {:>6} {:>3}   {:<23} {:<25} {:<23} {:>8} {:>8}\n", title(trade, knob), "",
+                       "", "n", "G: bias, scatter [%]", "s: bias, scatter [1]", "peak: bias, scatter [%]",
+                       "CPU [s]", "steps");
+    for (const TradeRow& row : block)
+      out += fmt::format("{:>18} {:>6} {:>3}   {} {} {} {:8.3g} {:8.0f}{}\n", label(row),
+                         verify::name(row.density), row.specimens, in_percent(row.shear_modulus),
+                         plain(row.exponent), in_percent(row.peak_ratio), row.cpu_seconds, row.steps,
+                         row.reference ? "  reference" : "");
+    out += "\n";
+  }
+  return out;
+}
+
+std::string trade_csv(const std::vector<TradeRow>& rows) {
+  io::CsvContent csv;
+  csv.notes = {{"program", "granum " + text(verify::version()) + " trade"},
+               {"bias", "of the mean against the reference, in parts of it for G and peak"},
+               {"scatter", "standard deviation of one specimen; of differences where packings are the same"}};
+  csv.headings = {"knob",      "boundary",   "value",        "density", "specimens", "reference",
+                  "G_bias",    "G_error",    "G_scatter",    "s_bias",  "s_error",   "s_scatter",
+                  "peak_bias", "peak_error", "peak_scatter", "cpu_s",   "steps"};
+  for (const TradeRow& row : rows) {
+    std::vector<io::CsvCell> cells{
+        text(verify::name(row.knob)),    text(verify::name(row.boundary)),   row.value,
+        text(verify::name(row.density)), static_cast<double>(row.specimens), row.reference ? 1.0 : 0.0};
+    append(cells, row.shear_modulus);
+    append(cells, row.exponent);
+    append(cells, row.peak_ratio);
+    cells.emplace_back(row.specimens > 0 ? row.cpu_seconds : nothing);
+    cells.emplace_back(row.specimens > 0 ? row.steps : nothing);
+    csv.rows.push_back(cells);
+  }
+  return io::csv_text(csv);
+}
+
+std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>& samples) {
+  io::CsvContent csv;
+  csv.notes = {{"program", "granum " + text(verify::version()) + " trade"},
+               {"scene", json_of(trade).dump()},
+               {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}};
+  csv.headings = {"knob", "boundary", "value", "density", "seed"};
+  for (const double pressure : trade.scene.pressures)
+    csv.headings.push_back(fmt::format("G_at_{}kPa_Pa", short_text(pressure / 1e3)));
+  for (const char* heading : {"s", "peak_q_over_p", "cpu_s", "steps", "failure"})
+    csv.headings.emplace_back(heading);
+  for (const TradeSample& sample : samples) {
+    std::vector<io::CsvCell> cells{text(verify::name(sample.knob)), text(verify::name(sample.boundary)),
+                                   sample.value, text(verify::name(sample.density)),
+                                   static_cast<double>(sample.seed)};
+    for (std::size_t k = 0; k < trade.scene.pressures.size(); ++k)
+      cells.emplace_back(k < sample.shear_modulus.size() ? sample.shear_modulus[k] : nothing);
+    cells.emplace_back(sample.exponent.value_or(nothing));
+    cells.emplace_back(sample.peak_ratio.value_or(nothing));
+    cells.emplace_back(sample.cpu_seconds);
+    cells.emplace_back(static_cast<double>(sample.steps));
+    cells.emplace_back(sample.failure);
+    csv.rows.push_back(cells);
+  }
+  return io::csv_text(csv);
+}
+
+std::string trade_picture(const std::vector<TradeRow>& rows) {
+  io::Chart chart{.title = "Error of G against cost, one setting varied at a time",
+                  .x = {"processor time [s]", io::Scale::logarithmic},
+                  .y = {"error of G [%]", io::Scale::logarithmic, 0.01},
+                  .series = {}};
+  for (const TradeRow& row : rows) {
+    if (!row.shear_modulus || row.boundary == Boundary::smooth_walls ||
+        (row.knob == Knob::boundary && row.boundary == Boundary::periodic) ||
+        (row.reference && row.knob != Knob::grains))
+      continue;
+    const std::string name = knob_axis(row.knob, row.density);
+    auto series = std::find_if(chart.series.begin(), chart.series.end(),
+                               [&](const io::Series& s) { return s.name == name; });
+    if (series == chart.series.end())
+      series = chart.series.insert(series, io::Series{name, io::Mark::both, {}, {}, {}});
+    series->x.push_back(row.cpu_seconds);
+    series->y.push_back(error_of(row));
+    series->y_error.push_back(row.shear_modulus->standard_error);
+  }
+  return io::svg(chart);
+}
+
+ordered_json json_of(const TradeScene& trade) {
+  ordered_json json = json_of(trade.scene);
+  json["trade"] = {{"compression_inertial_number", trade.compression_inertial_number},
+                   {"shear_inertial_number", trade.shear_inertial_number},
+                   {"time_step_fraction", trade.time_step_fraction},
+                   {"shear_strain", trade.shear_strain},
+                   {"grains", trade.grains},
+                   {"compression", trade.compression},
+                   {"shear", trade.shear},
+                   {"time_step", trade.time_step},
+                   {"probe", trade.probe},
+                   {"walls", trade.walls}};
+  return json;
+}
+
+ordered_json json_of(const std::vector<TradeRow>& rows) {
+  ordered_json json = ordered_json::array();
+  for (const TradeRow& row : rows)
+    json.push_back({{"knob", verify::name(row.knob)},
+                    {"boundary", verify::name(row.boundary)},
+                    {"value", row.value},
+                    {"density", verify::name(row.density)},
+                    {"specimens", row.specimens},
+                    {"reference", row.reference},
+                    {"G", json_of(row.shear_modulus)},
+                    {"s", json_of(row.exponent)},
+                    {"peak", json_of(row.peak_ratio)},
+                    {"cpu_s", row.cpu_seconds},
+                    {"steps", row.steps}});
+  return json;
+}
+
+} // namespace granum::cli

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/verify/trade.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <numeric>
+
+#include <granum/core/error.hpp>
+#include <granum/core/units.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+#include <granum/verify/findings.hpp>
+
+#include "run_parts.hpp"
+#include "trade_parts.hpp"
+
+namespace granum::verify {
+
+namespace trade {
+
+namespace {
+
+/// Processor time of this thread since it was made: on a shared machine wall time says little.
+class ThreadClock {
+ public:
+  [[nodiscard]] double seconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  double start_ = now();
+};
+
+triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packing) {
+  Scene scene = trade.scene;
+  scene.grains = packing.grains;
+  triaxial::SpecimenRecipe out = recipe(scene, scene.contacts.front(), packing.seed);
+  if (packing.boundary == Boundary::smooth_walls)
+    out.wall_friction = 0;
+  if (packing.boundary == Boundary::rough_walls)
+    out.wall_friction = out.material.friction_coefficient;
+  return out;
+}
+
+void make(const TradeScene& trade, Packing& packing) {
+  triaxial::Preparation made = triaxial::frictionless_specimen(recipe_of(trade, packing));
+  packing.state = std::move(made.state);
+  packing.steps = made.minimiser_steps;
+}
+
+double probed(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
+              double amplitude, Part& part) {
+  const triaxial::ProbeResult result = triaxial::probe(state, material, mode, {.amplitude = amplitude});
+  require_rest(result.unbalanced_force_ratio, "a probe");
+  part.steps += result.steps;
+  return result.shear_modulus;
+}
+
+void measure_network(const dem::State& frozen, const dem::Material& material, Compression& out) {
+  const ThreadClock clock;
+  const network::Response response = network::linear_response(dem::freeze(frozen, material));
+  out.network_seconds += clock.seconds();
+  const elastic::Matrix6& c = response.relaxed().matrix;
+  out.isotropic.push_back(elastic::isotropic_projection(response.relaxed()).shear_modulus());
+  out.planes.push_back((c(5, 5) + c(4, 4)) / 2);
+  out.vertical.push_back(c(4, 4));
+}
+
+void measure(const dem::State& state, const dem::Material& material, Compression& out) {
+  triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
+  require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
+  out.steps += frozen.report.steps;
+  out.void_ratio.push_back(dem::void_ratio(frozen.state));
+  if (frozen.state.walls)
+    out.planes.push_back((probed(frozen.state, material, triaxial::ShearMode::hh, 0, out) +
+                          probed(frozen.state, material, triaxial::ShearMode::vh, 0, out)) /
+                         2);
+  else
+    measure_network(frozen.state, material, out);
+  if (out.probed_later)
+    out.frozen.push_back(std::move(frozen.state));
+}
+
+void compress(const TradeScene& trade, const Packing& packing, const Meter& meter, Compression& out) {
+  const triaxial::SpecimenRecipe specimen = recipe_of(trade, packing);
+  dem::QuasistaticOptions options = triaxial::compression_options();
+  options.inertial_number = out.inertial_number;
+  options.time_step_fraction = out.time_step_fraction;
+  options.stop_requested = [&meter] { return meter.stopped(); };
+  const auto visit = [&](const triaxial::Snapshot& snapshot) {
+    if (!snapshot.report.converged())
+      throw NotConverged("compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
+                         words(snapshot.report.outcome));
+    out.steps += snapshot.report.steps;
+    measure(snapshot.state, specimen.material, out);
+    if (out.sheared_later && snapshot.pressure == trade.scene.pressures.back())
+      out.last = snapshot.state;
+    return true;
+  };
+  (void)triaxial::isotropic_path(triaxial::start_of_compression(packing.state, out.density, specimen),
+                                 specimen.material, trade.scene.pressures, options, visit);
+  out.network_seconds /= static_cast<double>(trade.scene.pressures.size());
+}
+
+/// Where along the test G_vh is taken: within the reach of the dense plateau, well before the peak.
+constexpr double measured_ratio = 0.8;
+
+void shear(const TradeScene& trade, const Compression& start, const dem::Material& material,
+           const Meter& meter, Shear& out) {
+  triaxial::ShearOptions options;
+  options.mean_stress = trade.scene.pressures.back();
+  options.inertial_number = out.inertial_number;
+  options.time_step_fraction = out.time_step_fraction;
+  options.eta_step = measured_ratio;
+  options.strain_step = options.largest_strain = trade.shear_strain;
+  options.stop_requested = [&meter] { return meter.stopped(); };
+  triaxial::ShearTest test(start.last, material, options);
+  for (triaxial::ShearEvent event = test.advance(); event != triaxial::ShearEvent::finished;
+       event = test.advance()) {
+    if (event == triaxial::ShearEvent::stopped)
+      throw NotConverged(stopped_on_request);
+    if (event == triaxial::ShearEvent::unstable)
+      throw NotConverged("the shear test " + words(dem::Outcome::unstable));
+    if (!out.vertical && test.now().stress.ratio() >= measured_ratio)
+      out.vertical = triaxial::frozen_moduli(test.engine().state(), material).G_vh();
+  }
+  out.peak_ratio = test.peak().stress.ratio();
+  out.steps = test.now().step;
+}
+
+/// Full approach of two grains under the mean contact force, over their diameter.
+double mean_overlap_ratio(const dem::State& state, const dem::Material& material) {
+  const Assembly assembly = dem::freeze(state, material);
+  double sum = 0;
+  for (const Contact& contact : assembly.contacts)
+    sum += contact.normal_force;
+  return material.law.overlap(sum / static_cast<double>(assembly.contacts.size())) / (2 * state.radius);
+}
+
+void probe_all(const Compression& start, const dem::Material& material, Probing& out) {
+  for (const dem::State& state : start.frozen)
+    out.shear_modulus.push_back(probed(state, material, triaxial::ShearMode::vh,
+                                       out.amplitude * mean_overlap_ratio(state, material), out));
+}
+
+/// Does all parts, in the order in which they need each other.
+class Runner {
+ public:
+  Runner(const TradeScene& trade, Work& work, const RunControl& control)
+      : trade_(trade), work_(work), meter_(control, predicted_work(trade, work)) {}
+
+  void run() {
+    phase(work_.packings, "packings", [this](Packing& p) { make(trade_, p); });
+    phase(work_.compressions, "compressions", [this](Compression& c) {
+      const Packing& packing = work_.packings[c.packing];
+      require_whole(packing);
+      compress(trade_, packing, meter_, c);
+    });
+    phase(work_.shears, "shear tests", [this](Shear& s) {
+      const Compression& start = work_.compressions[s.compression];
+      require_whole(start);
+      shear(trade_, start, material_of(start), meter_, s);
+    });
+    phase(work_.probings, "probes", [this](Probing& p) {
+      const Compression& start = work_.compressions[p.compression];
+      require_whole(start);
+      probe_all(start, material_of(start), p);
+    });
+  }
+
+ private:
+  static void require_whole(const Part& part) {
+    if (!part.failure.empty())
+      throw NotConverged(part.failure);
+  }
+
+  [[nodiscard]] dem::Material material_of(const Compression& part) const {
+    return recipe_of(trade_, work_.packings[part.packing]).material;
+  }
+
+  /// All parts of one kind side by side, the longest first, so that no thread ends up alone with one of them.
+  template <class Kind, class Do>
+  void phase(std::vector<Kind>& parts, const std::string& what, const Do& work) {
+    const auto work_of = [this](const Kind& part) { return predicted_work(trade_, work_, part); };
+    std::vector<std::size_t> order(parts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return work_of(parts[a]) > work_of(parts[b]); });
+    side_by_side(parts.size(), thread_count(trade_.scene), [&](std::size_t position) {
+      Kind& part = parts[order[position]];
+      const ThreadClock clock;
+      part.failure = failure_of([&] {
+        if (meter_.stopped())
+          throw NotConverged(stopped_on_request);
+        work(part);
+      });
+      part.cpu_seconds = clock.seconds();
+      meter_.add(work_of(part), what);
+    });
+  }
+
+  const TradeScene& trade_;
+  Work& work_;
+  Meter meter_;
+};
+
+/// s as `granum verify` fits it.
+std::optional<double> exponent_of(const TradeScene& trade, const std::vector<double>& shear_modulus,
+                                  const std::vector<double>& void_ratio) {
+  std::vector<hardin::Measurement> states;
+  for (std::size_t k = 0; k < shear_modulus.size(); ++k) {
+    const double pressure = trade.scene.pressures.at(k);
+    states.push_back({shear_modulus[k], {pressure, pressure, void_ratio.at(k)}});
+  }
+  const std::optional<Exponent> s = fitted_exponent(states);
+  return s ? std::optional(s->value) : std::nullopt;
+}
+
+void charge(TradeSample& sample, const Part& part) {
+  sample.cpu_seconds += part.cpu_seconds;
+  sample.steps += part.steps;
+  if (sample.failure.empty())
+    sample.failure = part.failure;
+}
+
+const std::vector<double>& moduli_of(const Knob knob, const Compression& part) {
+  switch (knob) {
+  case Knob::probe:
+    return part.vertical;
+  case Knob::boundary:
+    return part.planes;
+  default:
+    return part.isotropic;
+  }
+}
+
+TradeSample read(const TradeScene& trade, const Work& work, const Source& source) {
+  TradeSample sample = source.sample;
+  const bool whole_specimen = sample.knob == Knob::grains || sample.knob == Knob::boundary;
+  const Compression* compression =
+      source.compression != none ? &work.compressions[source.compression] : nullptr;
+  if (compression != nullptr) {
+    charge(sample, *compression);
+    if (whole_specimen)
+      charge(sample, work.packings[compression->packing]);
+    sample.shear_modulus = moduli_of(sample.knob, *compression);
+    if (sample.failure.empty())
+      sample.exponent = exponent_of(trade, sample.shear_modulus, compression->void_ratio);
+  }
+  if (source.shear != none) {
+    const Shear& part = work.shears[source.shear];
+    charge(sample, part);
+    if (part.failure.empty())
+      sample.peak_ratio = part.peak_ratio;
+    if (compression == nullptr && part.vertical)
+      sample.shear_modulus = {*part.vertical};
+  }
+  if (sample.knob == Knob::probe) {
+    // One state and one answer: what a user pays for a modulus.
+    sample.cpu_seconds = compression->network_seconds;
+    sample.steps = 0;
+    if (source.probing != none) {
+      const Probing& part = work.probings[source.probing];
+      const std::size_t states = trade.scene.pressures.size();
+      sample.failure = part.failure;
+      sample.cpu_seconds = part.cpu_seconds / static_cast<double>(states);
+      sample.steps = part.steps / states;
+      sample.shear_modulus = part.shear_modulus;
+      if (sample.failure.empty())
+        sample.exponent = exponent_of(trade, part.shear_modulus, compression->void_ratio);
+    }
+  }
+  if (!sample.failure.empty()) {
+    sample.shear_modulus.clear();
+    sample.exponent.reset();
+    sample.peak_ratio.reset();
+  }
+  return sample;
+}
+
+} // namespace
+
+} // namespace trade
+
+std::vector<TradeSample> run_trade(const TradeScene& trade, const RunControl& control) {
+  require_valid(trade);
+  trade::Agenda agenda = trade::agenda(trade);
+  trade::Runner(trade, agenda.work, control).run();
+  std::vector<TradeSample> samples;
+  for (const trade::Source& source : agenda.sources)
+    samples.push_back(trade::read(trade, agenda.work, source));
+  return samples;
+}
+
+} // namespace granum::verify

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Ctrl-C during a trade study ends it in order, with all files written and marked as incomplete:
+#   cmake -DPROGRAM=... -DFOLDER=... -P check_trade_stop.cmake
+cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/study_files.cmake")
+find_program(TIMEOUT timeout REQUIRED)
+
+# Thousands of specimens: no machine is done with them in a second.
+file(REMOVE_RECURSE "${FOLDER}")
+execute_process(
+  COMMAND "${TIMEOUT}" --preserve-status --signal=INT --kill-after=60 1 "${PROGRAM}" trade --quick --grains 60
+    --seeds 900 --set study.densities=dense --out "${FOLDER}"
+  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 1)
+  fail("a study that was stopped must end with exit code 1")
+endif()
+read_files("${FOLDER}" "manifest.json;samples.csv;trade.csv;trade.svg")
+string(JSON complete GET "${manifest}" complete)
+string(JSON failure GET "${manifest}" failure)
+if(NOT (complete STREQUAL OFF AND failure MATCHES "stopped on request"))
+  fail("the manifest says complete: ${complete}, failure: '${failure}'")
+endif()

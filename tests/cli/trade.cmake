@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+function(granum_trade_refuses what code message)
+  granum_cli_test("trade: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS trade ${ARGN})
+endfunction()
+granum_trade_refuses("two contact shapes" 2 "contacts: speed against accuracy is of one contact shape at a time"
+  --set study.contacts=sphere,cone)
+granum_trade_refuses("one seed has no scatter" 2 "seeds = 1 is outside \\[2, 1000\\]" --seeds 1)
+granum_trade_refuses("quick and full at once" 2 "--quick cannot go with --full or --budget" --quick --full)
+granum_trade_refuses("budget without unit" 2 "budget = 600 has no unit" --budget 600)
+granum_trade_refuses("budget that is too small" 2 "budget = 0\\.001 s is outside times of at least [0-9]" --budget 1ms)
+granum_trade_refuses("unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
+granum_trade_refuses("folder that is a file" 3 "isotropic\\.csv: cannot be " --out isotropic.csv)
+
+# runs that write, in folders of their own
+foreach(what files stop)
+  add_test(NAME "cli: trade: ${what}"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/trade ${what}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_trade_${what}.cmake")
+  set_tests_properties("cli: trade: ${what}" PROPERTIES LABELS cli)
+endforeach()
