@@ -107,6 +107,21 @@ void append(std::vector<io::CsvCell>& row, const std::optional<verify::Deviation
 
 std::string text(std::string_view view) { return std::string(view); }
 
+struct NamedLaw {
+  const char* name;
+  const verify::ErrorLaw& law;
+  double inertial_number; ///< that the study has as a default
+};
+
+std::vector<NamedLaw> named(const TradeScene& trade, const verify::TradeLaws& laws) {
+  const double compression = trade.compression_inertial_number;
+  return {{"G, dense", laws.dense_modulus, compression},
+          {"s, dense", laws.dense_exponent, compression},
+          {"G, loose", laws.loose_modulus, compression},
+          {"s, loose", laws.loose_exponent, compression},
+          {"peak, dense", laws.dense_peak, trade.shear_inertial_number}};
+}
+
 } // namespace
 
 std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& rows) {
@@ -128,6 +143,24 @@ std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& ro
     out += "\n";
   }
   return out;
+}
+
+std::string laws_table(const TradeScene& trade, const verify::TradeLaws& laws) {
+  std::string out =
+      fmt::format("errors as power laws: scatter c N^(-1/2), bias b/N + k I; one specimen of {} "
+                  "grains at the default I\n{:<12} {:>7} {:>18} {:>18} {:>9} {:>9} {:>9}\n",
+                  trade.scene.grains, "", "c", "b", "k", "scatter", "size", "rate");
+  for (const NamedLaw& l : named(trade, laws)) {
+    const verify::SizeLaw& size = l.law.size;
+    const verify::RateLaw& rate = l.law.rate;
+    if (!(size.scatter > 0))
+      continue;
+    const double grains = static_cast<double>(trade.scene.grains);
+    out += fmt::format("{:<12} {:7.3f} {:+8.2f} +- {:<6.2f} {:+8.2f} +- {:<6.2f} {:9.4f} {:+9.4f} {:+9.4f}\n",
+                       l.name, size.scatter, size.bias, size.bias_error, rate.bias, rate.bias_error,
+                       size.scatter / std::sqrt(grains), size.bias / grains, rate.bias * l.inertial_number);
+  }
+  return out + "\n";
 }
 
 std::string trade_csv(const std::vector<TradeRow>& rows) {
@@ -229,6 +262,17 @@ ordered_json json_of(const std::vector<TradeRow>& rows) {
                     {"peak", json_of(row.peak_ratio)},
                     {"cpu_s", row.cpu_seconds},
                     {"steps", row.steps}});
+  return json;
+}
+
+ordered_json json_of(const verify::TradeLaws& laws) {
+  ordered_json json;
+  for (const NamedLaw& l : named({}, laws))
+    json[l.name] = {{"scatter_c", l.law.size.scatter},
+                    {"size_bias_b", l.law.size.bias},
+                    {"size_bias_error", l.law.size.bias_error},
+                    {"rate_bias_k", l.law.rate.bias},
+                    {"rate_bias_error", l.law.rate.bias_error}};
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <granum/verify/trade_findings.hpp>
+#include <granum/verify/trade_rule.hpp>
 #include <nlohmann/json.hpp>
 
 namespace granum::cli {
@@ -12,6 +13,9 @@ namespace granum::cli {
 /// One block for each knob: what is varied, at which values of the others, against which reference.
 [[nodiscard]] std::string trade_table(const verify::TradeScene& trade,
                                       const std::vector<verify::TradeRow>& rows);
+
+/// The power laws through the rows, and what limits one specimen at the defaults of the study.
+[[nodiscard]] std::string laws_table(const verify::TradeScene& trade, const verify::TradeLaws& laws);
 
 /// The rows of the table, and every specimen behind them.
 [[nodiscard]] std::string trade_csv(const std::vector<verify::TradeRow>& rows);
@@ -23,5 +27,6 @@ namespace granum::cli {
 
 [[nodiscard]] nlohmann::ordered_json json_of(const verify::TradeScene& trade);
 [[nodiscard]] nlohmann::ordered_json json_of(const std::vector<verify::TradeRow>& rows);
+[[nodiscard]] nlohmann::ordered_json json_of(const verify::TradeLaws& laws);
 
 } // namespace granum::cli

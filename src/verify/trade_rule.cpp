@@ -84,6 +84,17 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
           .dense_peak = law(Density::dense, &TradeRow::peak_ratio, Knob::shear)};
 }
 
+const TradeLaws& recorded_laws() {
+  static const TradeLaws laws{
+      .dense_modulus = {.size = {0.3106, -6.063, 2.197}, .rate = {0.003125, 0.001935}},
+      .dense_exponent = {.size = {0.07172, 1.456, 0.5071}, .rate = {0.005414, 0.0003892}},
+      .loose_modulus = {.size = {0.9557, -11.3, 6.97}, .rate = {19.54, 19.75}},
+      .loose_exponent = {.size = {0.7248, 3.217, 5.286}, .rate = {26.73, 21.37}},
+      .dense_peak = {.size = {1.236, -6.204, 8.742}, .rate = {50.51, 2.302}},
+  };
+  return laws;
+}
+
 double expected_error(const ErrorLaw& law, std::size_t grains, std::size_t specimens,
                       double inertial_number) {
   const double count = require_positive("grains", static_cast<double>(grains));

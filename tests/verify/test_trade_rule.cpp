@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/verify/trade_rule.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv.hpp>
 
 #include "relative.hpp"
 
@@ -48,6 +53,56 @@ TEST_CASE("laws give back the scatter, the bias by size and the bias by rate tha
   CHECK(laws.dense_modulus.size.bias_error == relative(error / std::hypot(x1, x2), 1e-12));
   CHECK(laws.loose_modulus.size.scatter == 0);
   CHECK(laws.dense_peak.rate.bias == 0);
+}
+
+TEST_CASE("the recorded laws are those of validation/trade") {
+  const io::CsvTable table = io::read_csv(GRANUM_VALIDATION "/trade/trade.csv");
+  const auto place = [&](std::string_view heading) {
+    const auto found = std::find(table.headings().begin(), table.headings().end(), heading);
+    REQUIRE(found != table.headings().end());
+    return static_cast<std::size_t>(found - table.headings().begin());
+  };
+  const std::size_t knob = place("knob"), boundary = place("boundary"), density = place("density");
+  std::vector<TradeRow> rows;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    const std::vector<std::string>& fields = table.fields(k);
+    const auto number = [&](const std::string& heading) { return parse_number(fields[place(heading)]); };
+    const auto deviation = [&](const std::string& of) {
+      const auto bias = number(of + "_bias");
+      return bias ? std::optional(Deviation{*bias, *number(of + "_error"), *number(of + "_scatter")})
+                  : std::nullopt;
+    };
+    TradeRow read;
+    for (const Knob each : all_knobs)
+      if (name(each) == fields[knob])
+        read.knob = each;
+    read.boundary =
+        fields[boundary] == name(Boundary::periodic) ? Boundary::periodic : Boundary::smooth_walls;
+    read.density = fields[density] == name(Density::dense) ? Density::dense : Density::loose;
+    read.value = *number("value");
+    read.specimens = static_cast<std::size_t>(*number("specimens"));
+    read.reference = *number("reference") == 1;
+    read.shear_modulus = deviation("G");
+    read.exponent = deviation("s");
+    read.peak_ratio = deviation("peak");
+    rows.push_back(read);
+  }
+  const TradeLaws now = laws_of(rows);
+  const auto check = [](const ErrorLaw& recorded, const ErrorLaw& found) {
+    // The constants have three digits; a bias that is far below its own error has fewer.
+    CHECK(recorded.size.scatter == relative(found.size.scatter, 5e-3));
+    CHECK(std::abs(recorded.size.bias - found.size.bias) <=
+          5e-3 * std::abs(found.size.bias) + 1e-3 * found.size.bias_error);
+    CHECK(recorded.size.bias_error == relative(found.size.bias_error, 5e-3));
+    CHECK(std::abs(recorded.rate.bias - found.rate.bias) <=
+          5e-3 * std::abs(found.rate.bias) + 1e-3 * found.rate.bias_error);
+    CHECK(recorded.rate.bias_error == relative(found.rate.bias_error, 5e-3));
+  };
+  check(recorded_laws().dense_modulus, now.dense_modulus);
+  check(recorded_laws().dense_exponent, now.dense_exponent);
+  check(recorded_laws().loose_modulus, now.loose_modulus);
+  check(recorded_laws().loose_exponent, now.loose_exponent);
+  check(recorded_laws().dense_peak, now.dense_peak);
 }
 
 TEST_CASE("rows of walls and of the other density do not enter a law") {
