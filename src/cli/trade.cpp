@@ -54,9 +54,11 @@ struct Outcome {
 verify::TradeScene scene_of(const Options& options) {
   if (options.quick && (options.full || options.budget > 0))
     throw InvalidArgument("--quick cannot go with --full or --budget");
-  verify::TradeScene trade = options.quick                        ? verify::quick_trade()
-                             : options.full || options.budget > 0 ? verify::full_trade()
-                                                                  : verify::default_trade();
+  verify::TradeScene trade = options.quick  ? verify::quick_trade()
+                             : options.full ? verify::full_trade()
+                                            : verify::default_trade();
+  if (options.budget > 0)
+    trade.grains = verify::full_trade().grains;
   trade.scene = resolve(options.study, trade.scene);
   verify::require_valid(trade);
   return options.budget > 0 ? verify::within_budget(trade, options.budget) : trade;
