@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <granum/hardin/fit.hpp>
+#include <granum/verify/paper.hpp>
 
 namespace granum::verify {
 
@@ -17,20 +18,10 @@ namespace {
 using triaxial::Density;
 using ModulusOf = std::function<std::optional<double>(const StateResult&)>;
 
-/// s of G_hv in the paper's Table 5.                                                              [Chung2014]
+/// s of G_hv in the paper's Table 5.
 std::optional<double> paper_exponent(Shape contact, Density density) {
-  const bool dense = density == Density::dense;
-  switch (contact) {
-  case Shape::cone:
-    return dense ? 0.510 : 0.677;
-  case Shape::sphere:
-    return dense ? 0.349 : 0.533;
-  case Shape::flat:
-    return dense ? 0.025 : 0.245;
-  case Shape::power_law:
-    break;
-  }
-  return std::nullopt;
+  const std::optional<PrintedSpecimen> paper = printed(contact, density);
+  return paper ? std::optional(paper->hv.s) : std::nullopt;
 }
 
 std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
