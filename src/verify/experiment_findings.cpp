@@ -80,7 +80,7 @@ std::optional<Measured> initial_coordination(const ExperimentSpecimen& specimen)
   const std::vector<FrozenPoint>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
-  return Measured{points.front().micro.coordination_number, points.front().coordination_error};
+  return Measured{points.front().coordination_number_all, points.front().coordination_error};
 }
 
 std::optional<Measured> initial_void_ratio(const ExperimentSpecimen& specimen) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include <granum/assembly/coordination.hpp>
 #include <granum/assembly/fabric_tensor.hpp>
 #include <granum/assembly/force_distribution.hpp>
 #include <granum/core/error.hpp>
@@ -58,6 +59,7 @@ void measure_contacts(const dem::State& state, const dem::Material& material, co
                       FrozenPoint& out) {
   out.micro = state.walls ? triaxial::interior_measures(state, material, 4 * state.radius).micro
                           : triaxial::microstructure(assembly);
+  out.coordination_number_all = coordination_number(assembly);
   out.coordination_error = coordination_error(assembly);
   const std::vector<Vec3> normals = contact_normals(assembly);
   out.contacts = static_cast<std::uint32_t>(normals.size());

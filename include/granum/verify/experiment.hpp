@@ -41,8 +41,9 @@ struct FrozenPoint {
   double void_ratio = 0;          ///< cell volume over that of the grains, minus 1
   triaxial::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
                                   ///< between walls of what lies two diameters inside
-  double coordination_error = 0;  ///< standard error of C_n: scatter of the grains' numbers of contacts
-  Mat3 fabric;                    ///< F_ij of all contacts
+  double coordination_number_all = 0; ///< C_n of all grains, near walls as well: the paper's
+  double coordination_error = 0; ///< its standard error, by the scatter of the grains' numbers of contacts
+  Mat3 fabric;                   ///< F_ij of all contacts
   std::array<std::uint32_t, polar_bins> polar_counts{}; ///< all contacts by the polar angle of their normal
   std::array<std::uint32_t, force_bins> force_counts{}; ///< contacts by f_n/<f_n>
   std::uint32_t contacts = 0;

@@ -7,7 +7,7 @@
 #include <granum/verify/experiment_findings.hpp>
 
 /// The numbers of an experiment as CSV and as text for people. Units in the headings.
-/// Checked by tests/verify/test_experiment_tables.cpp
+/// Checked by tests/verify/test_experiment_findings.cpp
 namespace granum::verify {
 
 /// Every frozen state, a row each; columns of probes are empty where none was run.
