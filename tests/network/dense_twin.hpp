@@ -46,22 +46,29 @@ struct Response {
   Eigen::MatrixXd contact_forces; ///< 3 N_c x 6: under the six unit strains, without the prestress term
 };
 
+/// Walls count without prestress.
 inline Response response(const Assembly& a, bool prestress) {
-  const auto n = static_cast<Eigen::Index>(a.grain_count()), m = static_cast<Eigen::Index>(a.contacts.size());
+  const auto n = static_cast<Eigen::Index>(a.grain_count()),
+             pairs = static_cast<Eigen::Index>(a.contacts.size()),
+             m = pairs + static_cast<Eigen::Index>(a.wall_contacts.size());
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(3 * m, 6 * n), v = b, e(3 * m, 6);
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(3 * m, 3 * m), g = k;
   for (Eigen::Index c = 0; c < m; ++c) {
-    const Contact& contact = a.contacts[static_cast<std::size_t>(c)];
+    const bool wall = c >= pairs;
+    const Contact& contact =
+        wall ? a.wall_contacts[static_cast<std::size_t>(c - pairs)] : a.contacts[static_cast<std::size_t>(c)];
     const Eigen::Index i = 6 * static_cast<Eigen::Index>(contact.i),
                        j = 6 * static_cast<Eigen::Index>(contact.j);
-    const double sum = a.radius[contact.i] + a.radius[contact.j];
+    const double sum = a.radius[contact.i] + (wall ? 0 : a.radius[contact.j]);
     Eigen::Matrix3d cross; // w x branch = cross * w
     const Vec3 l = contact.branch;
     cross << 0, l.z, -l.y, -l.z, 0, l.x, l.y, -l.x, 0;
     v.block<3, 3>(3 * c, i) = -Eigen::Matrix3d::Identity();
-    v.block<3, 3>(3 * c, j) = Eigen::Matrix3d::Identity();
     b.block<3, 3>(3 * c, i + 3) = -a.radius[contact.i] / sum * cross;
-    b.block<3, 3>(3 * c, j + 3) = -a.radius[contact.j] / sum * cross;
+    if (!wall) {
+      v.block<3, 3>(3 * c, j) = Eigen::Matrix3d::Identity();
+      b.block<3, 3>(3 * c, j + 3) = -a.radius[contact.j] / sum * cross;
+    }
     e.middleRows<3>(3 * c) = branch_strain(contact.branch);
     k.block<3, 3>(3 * c, 3 * c) = contact_matrix(contact);
     if (prestress)
