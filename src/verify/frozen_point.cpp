@@ -61,8 +61,14 @@ double coordination_error(const Assembly& assembly) {
 /// Microstructure, and contacts by direction and by force.
 void measure_contacts(const dem::State& state, const dem::Material& material, const Assembly& assembly,
                       FrozenPoint& out) {
-  out.micro = state.walls ? triaxial::interior_measures(state, material, 4 * state.radius).micro
-                          : triaxial::microstructure(assembly);
+  out.void_ratio = out.interior_void_ratio = dem::void_ratio(state);
+  if (state.walls) {
+    const triaxial::InteriorMeasures inside = triaxial::interior_measures(state, material, 4 * state.radius);
+    out.micro = inside.micro;
+    out.interior_void_ratio = inside.void_ratio;
+  } else {
+    out.micro = triaxial::microstructure(assembly);
+  }
   out.coordination_number_all = coordination_number(assembly);
   out.coordination_error = coordination_error(assembly);
   const std::vector<Vec3> normals = contact_normals(assembly);
@@ -82,7 +88,7 @@ std::optional<ClosedForms> closed_forms(const dem::Material& material, double ra
   const effective::State state{.law = material.law,
                                .tangential_ratio = material.tangential_stiffness_ratio,
                                .radius = radius,
-                               .void_ratio = point.void_ratio,
+                               .void_ratio = point.interior_void_ratio,
                                .coordination_number = point.micro.coordination_number,
                                .fabric_anisotropy = point.micro.fabric_anisotropy,
                                .stress_v = point.stress.v,
@@ -125,7 +131,6 @@ FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
   FrozenPoint out;
   out.at = at;
   out.stress = {.v = stress(2, 2), .h = (stress(0, 0) + stress(1, 1)) / 2};
-  out.void_ratio = dem::void_ratio(frozen.state);
   out.unbalanced_force_ratio = frozen.report.unbalanced_force_ratio;
   out.rest_steps = frozen.report.steps;
   const Assembly assembly = dem::freeze(frozen.state, material);

@@ -21,7 +21,7 @@ inline FrozenPoint synthetic_point(const Synthetic& s, double stress_v, double s
   FrozenPoint point;
   point.at.stress = point.stress = {.v = stress_v, .h = stress_h};
   point.at.axial_strain = axial_strain;
-  point.void_ratio = s.void_ratio;
+  point.void_ratio = point.interior_void_ratio = s.void_ratio;
   point.micro = {.coordination_number = s.coordination_number,
                  .mechanical_coordination_number = s.coordination_number + 0.1,
                  .rattler_fraction = 0.02,

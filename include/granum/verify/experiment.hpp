@@ -39,6 +39,7 @@ struct FrozenPoint {
   triaxial::PathPoint at;         ///< where the specimen was taken from its path
   triaxial::AxialStress stress;   ///< of the frozen state [Pa]
   double void_ratio = 0;          ///< cell volume over that of the grains, minus 1
+  double interior_void_ratio = 0; ///< between walls: two diameters inside; in a periodic cell the same
   triaxial::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
                                   ///< between walls of what lies two diameters inside
   double coordination_number_all = 0; ///< C_n of all grains, near walls as well: the paper's
