@@ -55,8 +55,8 @@ struct [[nodiscard]] ProbeResult {
 };
 
 /// The state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
-/// its path means here. Creep left over from the path ends, so that the network of the frozen state is the one that a probe
-/// shears.
+/// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
+/// one that a probe shears.
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
