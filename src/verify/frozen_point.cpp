@@ -22,9 +22,9 @@ namespace granum::verify {
 
 namespace {
 
-/// Unbalanced force ratio at which a frozen state counts as at rest. Against 1e-8 it moves G by 2e-4 in nine of
-/// ten states and by 1.4e-3 at most up to |eta| = 0.6, for half of the time.
-constexpr double rest_tolerance = 1e-6;
+/// Unbalanced force ratio at which a frozen state counts as at rest. Against 1e-8 it moves G of 1,000 spheres by
+/// 4e-5 (median), by 0.4 % at most up to |eta| = 0.6 and by 1.5 % past the peak, for a fifth of the steps.
+constexpr double rest_tolerance = 1e-5;
 
 double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
                      double* amplitude) {
@@ -108,9 +108,8 @@ std::optional<ClosedForms> closed_forms(const dem::Material& material, double ra
 
 } // namespace
 
-void require_rest(double unbalanced_force_ratio, const std::string& what) {
-  constexpr double limit = 1e-6;
-  if (!(unbalanced_force_ratio < limit))
+void require_rest(double unbalanced_force_ratio, const std::string& what, double limit) {
+  if (!(unbalanced_force_ratio <= limit))
     throw NotConverged(what + " did not come to rest: unbalanced force ratio " +
                        short_text(unbalanced_force_ratio));
 }
@@ -126,7 +125,7 @@ Probes run_probes(const dem::State& state, const dem::Material& material) {
 FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
                          const triaxial::PathPoint& at, bool probed) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material, rest_tolerance);
-  require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
+  require_rest(frozen.report.unbalanced_force_ratio, "a frozen state", rest_tolerance);
   const Mat3& stress = frozen.report.stress;
   FrozenPoint out;
   out.at = at;
