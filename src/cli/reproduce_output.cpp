@@ -16,9 +16,9 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* names[] = {"states.csv",    "curves.csv",   "histograms.csv",
-                                 "table2.csv",    "table4.csv",   "table5.csv",
-                                 "exponents.csv", "verdicts.csv", "manifest.json"};
+constexpr const char* names[] = {"states.csv",   "curves.csv",   "loops.csv",  "histograms.csv",
+                                 "table2.csv",   "table4.csv",   "table5.csv", "exponents.csv",
+                                 "verdicts.csv", "manifest.json"};
 
 ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
 
@@ -89,6 +89,7 @@ void write_results(const fs::path& folder, const verify::Experiment& experiment,
   };
   write("states.csv", verify::frozen_states_csv(experiment));
   write("curves.csv", verify::curves_csv(experiment));
+  write("loops.csv", verify::loops_csv(experiment));
   write("histograms.csv", verify::histograms_csv(experiment));
   write("table2.csv", verify::table_csv(verify::table_2(experiment)));
   write("table4.csv", verify::table_csv(verify::table_4(experiment)));

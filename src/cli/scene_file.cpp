@@ -164,6 +164,8 @@ const std::vector<Key>& keys() {
       quantity("shear.largest_strain", &Scene::largest_strain, dimensionless, "axial, where paths end"),
       quantity("shear.probe_eta_step", &Scene::probe_eta_step, dimensionless,
                "cyclic shear at its multiples; 0: nowhere"),
+      quantity("shear.loop_strain", &Scene::loop_strain, dimensionless,
+               "of cycles of shear with friction (Fig. 8); 0: none"),
   };
   return table;
 }
@@ -284,7 +286,8 @@ nlohmann::ordered_json json_of(const Scene& scene) {
         {"eta_step", scene.eta_step},
         {"strain_step", scene.strain_step},
         {"largest_strain", scene.largest_strain},
-        {"probe_eta_step", scene.probe_eta_step}}}};
+        {"probe_eta_step", scene.probe_eta_step},
+        {"loop_strain", scene.loop_strain}}}};
 }
 
 std::string toml_of(const Scene& scene) {

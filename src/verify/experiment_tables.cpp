@@ -192,6 +192,17 @@ std::string curves_csv(const Experiment& experiment) {
                  });
 }
 
+std::string loops_csv(const Experiment& experiment) {
+  return rows_of(experiment, headed(experiment, {"eta", "shear_strain", "shear_stress_Pa"}), &PathRun::loops,
+                 [](io::CsvContent& csv, const Cells& cells, const ShearLoop& loop) {
+                   for (const triaxial::LoopPoint& point : loop.points) {
+                     Cells row = cells;
+                     append(row, {loop.eta, point.shear_strain, point.shear_stress});
+                     csv.rows.push_back(std::move(row));
+                   }
+                 });
+}
+
 std::string histograms_csv(const Experiment& experiment) {
   return rows_of(experiment,
                  headed(experiment, {"eta", "axial_strain", "of", "bin_low", "bin_high", "contacts"}),

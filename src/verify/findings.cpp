@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-
-#include <Eigen/Dense>
+#include <memory>
 
 #include <granum/hardin/fit.hpp>
 #include <granum/verify/paper.hpp>
+#include <gsl/gsl_multifit.h>
 
 namespace granum::verify {
 
@@ -171,17 +171,24 @@ std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult
       points.emplace_back(state.mechanical_coordination_number - 5, state.G_network / state.G_uniform_strain);
   if (points.size() < 8)
     return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd powers(count, 4);
-  Eigen::VectorXd ratio(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto& [z, g] = points[static_cast<std::size_t>(k)];
-    powers.row(k) << 1, z, z * z, z * z * z;
-    ratio(k) = g;
+  constexpr std::size_t terms = 4;
+  using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
+  using Vector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
+  const std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)> work(
+      gsl_multifit_linear_alloc(points.size(), terms), gsl_multifit_linear_free);
+  const Matrix powers(gsl_matrix_alloc(points.size(), terms), gsl_matrix_free),
+      covariance(gsl_matrix_alloc(terms, terms), gsl_matrix_free);
+  const Vector ratio(gsl_vector_alloc(points.size()), gsl_vector_free),
+      curve(gsl_vector_alloc(terms), gsl_vector_free);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& [z, g] = points[k];
+    for (std::size_t term = 0; term < terms; ++term)
+      gsl_matrix_set(powers.get(), k, term, std::pow(z, static_cast<double>(term)));
+    gsl_vector_set(ratio.get(), k, g);
   }
-  const Eigen::VectorXd curve = powers.colPivHouseholderQr().solve(ratio);
-  return RelaxationCurve{points.size(),
-                         (powers * curve - ratio).norm() / std::sqrt(static_cast<double>(count))};
+  double squares = 0;
+  gsl_multifit_linear(powers.get(), ratio.get(), curve.get(), covariance.get(), &squares, work.get());
+  return RelaxationCurve{points.size(), std::sqrt(squares / static_cast<double>(points.size()))};
 }
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {

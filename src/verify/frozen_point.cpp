@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <granum/assembly/coordination.hpp>
@@ -120,6 +121,17 @@ Probes run_probes(const dem::State& state, const dem::Material& material) {
   probes.G_hv = probe_modulus(state, material, triaxial::ShearMode::hv, nullptr);
   probes.G_vh = probe_modulus(state, material, triaxial::ShearMode::vh, nullptr);
   return probes;
+}
+
+ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta, double amplitude) {
+  triaxial::ProbeResult result = triaxial::probe(state, material, triaxial::ShearMode::hh,
+                                                 {.amplitude = amplitude,
+                                                  .sliding = true,
+                                                  .hold_normal_stress = true,
+                                                  .loop_points = 5,
+                                                  .force_tolerance = 1e-6,
+                                                  .max_steps = 4000});
+  return {.eta = eta, .amplitude = amplitude, .points = std::move(result.loop)};
 }
 
 FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,

@@ -79,6 +79,12 @@ std::string get_text(ByteReader& from) {
 void save_run(ByteWriter& to, const PathRun& run) {
   to.put_all(run.points);
   to.put_all(run.curve);
+  to.put(static_cast<std::uint64_t>(run.loops.size()));
+  for (const ShearLoop& loop : run.loops) {
+    to.put(loop.eta);
+    to.put(loop.amplitude);
+    to.put_all(loop.points);
+  }
   to.put(run.peak);
   to.put(run.path_error);
   to.put(run.largest_inertial_number);
@@ -93,6 +99,11 @@ PathRun load_run(ByteReader& from, const std::optional<triaxial::ShearPath>& pat
   run.path = path;
   run.points = from.get_all<FrozenPoint>();
   run.curve = from.get_all<triaxial::PathPoint>();
+  for (auto loops = from.get<std::uint64_t>(); loops > 0; --loops) {
+    ShearLoop loop{.eta = from.get<double>(), .amplitude = from.get<double>(), .points = {}};
+    loop.points = from.get_all<triaxial::LoopPoint>();
+    run.loops.push_back(std::move(loop));
+  }
   run.peak = from.get<triaxial::PathPoint>();
   run.path_error = from.get<double>();
   run.largest_inertial_number = from.get<double>();
@@ -119,17 +130,20 @@ struct Multiples {
 /// When a specimen on a shear path is frozen.
 struct Schedule {
   Multiples eta, strain, probe_eta;
+  Multiples loop_eta{.step = 0.5};
 
   struct Due {
     bool frozen = false;
     bool probed = false;
+    bool cycled = false;
   };
   Due at(const triaxial::PathPoint& now, triaxial::ShearPath path) {
     const double ratio = now.stress.ratio() * (triaxial::is_compression(path) ? 1 : -1);
     const bool by_eta = eta.passes(ratio);
     const bool by_strain = strain.passes(std::abs(now.axial_strain));
     const bool probed = probe_eta.passes(ratio);
-    return {by_eta || by_strain || probed, probed};
+    const bool cycled = loop_eta.passes(ratio);
+    return {by_eta || by_strain || probed || cycled, probed, cycled};
   }
 };
 
@@ -230,7 +244,7 @@ class ShearRecord {
         work_(shear_steps(piece.scene, piece.contact)) {
     const Scene& scene = piece.scene;
     run_.path = path;
-    schedule_ = {{scene.eta_step}, {scene.strain_step}, {scene.probe_eta_step}};
+    schedule_ = {.eta = {scene.eta_step}, .strain = {scene.strain_step}, .probe_eta = {scene.probe_eta_step}};
     if (const std::optional<std::string> bytes = store_.bytes()) {
       take_up(*bytes);
       return;
@@ -244,6 +258,7 @@ class ShearRecord {
                                  .largest_strain = scene.largest_strain,
                                  .stop_requested = asked_to_stop()});
     run_.curve.push_back(test_->now());
+    cycle();
   }
 
   PathRun run() && {
@@ -265,6 +280,8 @@ class ShearRecord {
       run_.curve.push_back(test_->now());
       if (const Schedule::Due due = schedule_.at(test_->now(), path_); due.frozen) {
         freeze(due.probed);
+        if (due.cycled)
+          cycle();
         save();
         tell();
       }
@@ -300,6 +317,15 @@ class ShearRecord {
     if (!failure.empty())
       run_.notes.push_back("not frozen at eta = " + std::to_string(test_->now().stress.ratio()) + ": " +
                            failure);
+  }
+
+  /// The paper shows cycles of one specimen: the first contact shape, dense, on TXC.
+  void cycle() {
+    const Scene& scene = piece_.scene;
+    if (scene.loop_strain > 0 && path_ == triaxial::ShearPath::txc &&
+        piece_.density == triaxial::Density::dense && piece_.contact == scene.contacts.front())
+      run_.loops.push_back(
+          shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(), scene.loop_strain));
   }
 
   void save() const {

@@ -106,6 +106,7 @@ void require_valid(const Scene& scene) {
     throw InvalidArgument("threads", static_cast<double>(scene.threads), "", "[0, 1024]");
   require_distinct("paths", scene.paths);
   require_closed("probe_eta_step", scene.probe_eta_step, 0, 3);
+  require_closed("loop_strain", scene.loop_strain, 0, 0.01);
   triaxial::require_valid({.mean_stress = scene.pressures.back(),
                            .inertial_number = scene.inertial_number,
                            .eta_step = scene.eta_step,

@@ -23,7 +23,7 @@ endmacro()
 
 # Every table must be the same bytes.
 function(require_same_results a b)
-  foreach(name states curves histograms table2 table4 table5 exponents verdicts)
+  foreach(name states curves loops histograms table2 table4 table5 exponents verdicts)
     file(READ "${a}/${name}.csv" first)
     file(READ "${b}/${name}.csv" second)
     if(NOT first STREQUAL second)

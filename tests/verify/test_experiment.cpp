@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/verify/experiment.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -52,6 +53,11 @@ void check_same(const Experiment& a, const Experiment& b) {
       CHECK(x.curve == y.curve);
       CHECK(x.peak == y.peak);
       CHECK(x.steps == y.steps);
+      REQUIRE(x.loops.size() == y.loops.size());
+      for (std::size_t k = 0; k < x.loops.size(); ++k) {
+        REQUIRE(x.loops[k].points.size() == y.loops[k].points.size());
+        CHECK(x.loops[k].points.back().shear_stress == y.loops[k].points.back().shear_stress);
+      }
     }
   }
 }
@@ -132,6 +138,28 @@ TEST_CASE("probes of an experiment agree with its networks") {
         CHECK(point.probes->G_hv == relative(point.probes->G_vh, 0.01));
       }
   CHECK(probed >= 3);
+}
+
+TEST_CASE("cycles of shear are kept of TXC: linear at first, with the slope of the network") {
+  const Experiment experiment = run_experiment(small_scene());
+  const std::vector<PathRun>& runs = experiment.specimens.front().runs;
+  CHECK(runs[0].loops.empty());
+  CHECK(runs[2].loops.empty());
+  REQUIRE(runs[1].loops.size() >= 2);
+  const ShearLoop& first = runs[1].loops.front();
+  CHECK(std::abs(first.eta) < 1e-5); // the servos hold the stresses to 1e-6
+  CHECK(first.points.front().shear_strain == 0);
+  CHECK(first.points.back().shear_strain == relative(1e-5, 1e-9));
+  // The way from one end of the cycle to the other; sliding contacts make it softer than the network.
+  double largest = -1, smallest = 1;
+  for (const triaxial::LoopPoint& point : first.points) {
+    largest = std::max(largest, point.shear_stress);
+    smallest = std::min(smallest, point.shear_stress);
+  }
+  const double secant = (largest - smallest) / 2e-5, network = runs[0].points.back().network[35];
+  CHECK(secant < 1.01 * network);
+  CHECK(secant > 0.85 * network);
+  CHECK(runs[1].loops[1].eta == relative(0.5, 0.06)); // the fast path of this scene overshoots
 }
 
 TEST_CASE("histograms of a frozen state count its contacts") {

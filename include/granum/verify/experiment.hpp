@@ -12,6 +12,7 @@
 #include <granum/dem/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/verify/scene.hpp>
 #include <granum/verify/study.hpp>
@@ -61,11 +62,19 @@ struct FrozenPoint {
   bool operator==(const FrozenPoint&) const = default;
 };
 
+/// A cycle of horizontal shear (G_hh) with friction, all normal stresses held: the start and 5 quarters.
+struct ShearLoop {
+  double eta = 0;       ///< where the specimen was frozen
+  double amplitude = 0; ///< shear strain [1]
+  std::vector<triaxial::LoopPoint> points;
+};
+
 /// One path of one specimen.
 struct PathRun {
   std::optional<triaxial::ShearPath> path; ///< nothing: isotropic compression
   std::vector<FrozenPoint> points;
   std::vector<triaxial::PathPoint> curve; ///< finer than the points; empty for isotropic compression
+  std::vector<ShearLoop> loops;           ///< TXC of the first contact shape, dense: at eta = 0, 0.5, 1
   triaxial::PathPoint peak;               ///< of the largest |eta|
   double path_error = 0;                  ///< of the stress that the path holds, largest, relative to it
   double largest_inertial_number = 0;

@@ -14,6 +14,8 @@ namespace granum::verify {
 [[nodiscard]] std::string frozen_states_csv(const Experiment& experiment);
 /// Stress and strain along the paths, finer than the frozen states.
 [[nodiscard]] std::string curves_csv(const Experiment& experiment);
+/// Cycles of shear with friction.
+[[nodiscard]] std::string loops_csv(const Experiment& experiment);
 /// Contacts of every frozen state by direction and by force: contact, density, seed, path, eta, bin, count.
 [[nodiscard]] std::string histograms_csv(const Experiment& experiment);
 /// One cell of a table a row: ours, its standard error, the printed number, the difference, the reach.

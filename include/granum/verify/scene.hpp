@@ -57,6 +57,7 @@ struct Scene {
   double strain_step = 0.0025;   ///< ... and of this axial strain
   double largest_strain = 0.03;  ///< axial, where a path ends [1]
   double probe_eta_step = 0.25;  ///< cyclic shear by DEM at multiples of this eta; 0: nowhere
+  double loop_strain = 1e-5;     ///< of the cycles of shear with friction; 0: none
 
   /// Specimens that run side by side; 0: as many as the machine has cores. The results do not depend on it.
   std::size_t threads = 0;
