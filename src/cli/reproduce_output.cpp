@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <granum/io/output_file.hpp>
 #include <granum/verify/experiment_figures.hpp>
+#include <granum/verify/experiment_html.hpp>
 #include <granum/verify/experiment_tables.hpp>
 #include <granum/verify/tables.hpp>
 
@@ -17,9 +18,9 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* names[] = {"states.csv",    "curves.csv", "histograms.csv", "table2.csv",
-                                 "table4.csv",    "table5.csv", "exponents.csv",  "verdicts.csv",
-                                 "manifest.json", "figures"};
+constexpr const char* names[] = {"states.csv",    "curves.csv",  "histograms.csv", "table2.csv",
+                                 "table4.csv",    "table5.csv",  "exponents.csv",  "verdicts.csv",
+                                 "manifest.json", "report.html", "figures"};
 
 ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
 
@@ -113,8 +114,12 @@ void write_results(const fs::path& folder, const verify::Experiment& experiment,
   write("table5.csv", verify::table_csv(verify::table_5(experiment)));
   write("exponents.csv", verify::table_csv(verify::further_exponents(experiment)));
   write("verdicts.csv", verify::verdicts_csv(verdicts));
-  write_figures(folder / "figures", verify::experiment_figures(experiment),
-                verify::assembly_picture(experiment));
+  const std::vector<verify::Figure> figures = verify::experiment_figures(experiment);
+  const std::optional<verify::AssemblyPicture> assembly = verify::assembly_picture(experiment);
+  write_figures(folder / "figures", figures, assembly);
+  write("report.html", verify::experiment_html(experiment, verdicts, figures, assembly,
+                                               {.seconds = manifest.at("wall_time_s").get<double>(),
+                                                .resumed = manifest.at("resumed").get<bool>()}));
   write("manifest.json", manifest.dump(2) + "\n");
 }
 

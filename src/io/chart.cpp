@@ -23,6 +23,7 @@ constexpr double right_without_legend = 28;
 constexpr double font_size = 14;
 constexpr double glyph_width = 0.62 * font_size; // a wide estimate of a letter, for the legend's width
 constexpr double legend_line = 22;
+constexpr double legend_margin = 14; // of one below the plot, and between its names
 constexpr double legend_sample = 42; // line and marker in front of a name
 
 /// Colours that people with colour blindness tell apart, after Okabe and Ito.
@@ -49,7 +50,7 @@ class Look {
 
   [[nodiscard]] SvgAttributes stroke() const {
     const bool thin = tone_ == Tone::faint || tone_ == Tone::grey;
-    SvgAttributes attributes = {{"fill", "none"}, {"stroke", colour()}, {"stroke-width", thin ? "1" : "2"}};
+    SvgAttributes attributes = {{"fill", "none"}, {"stroke", colour()}, {"stroke-width", thin ? "1.3" : "2"}};
     const char* dash = dashes[index_ % dash_count];
     if (*dash != '\0')
       attributes.emplace_back("stroke-dasharray", dash);
@@ -280,13 +281,12 @@ class Picture {
     return svg_group(look.group(), svg);
   }
 
-  /// Right of the plot, one line a series, or below it.
   [[nodiscard]] std::string legend() const {
+    const std::vector<Point> places = legend_places();
     std::string svg;
-    std::size_t listed = 0;
     for (std::size_t k = 0; k < chart_.series.size(); ++k)
       if (!chart_.series[k].name.empty())
-        svg += legend_entry(k, legend_place(listed++));
+        svg += legend_entry(k, places[k]);
     return svg;
   }
 
@@ -305,40 +305,44 @@ class Picture {
                           svg_escaped(series.name));
   }
 
-  [[nodiscard]] Point legend_place(std::size_t listed) const {
-    if (!chart_.legend_below)
-      return {left + chart_.width + 20, top + 12 + legend_line * static_cast<double>(listed)};
-    const std::size_t row = listed / legend_columns(), column = listed % legend_columns();
-    return {left + (legend_sample + legend_text_width() + 14) * static_cast<double>(column),
-            top + chart_.height + bottom + 6 + legend_line * static_cast<double>(row)};
+  /// Of every series, also of those that are not listed: right of the plot one below the other, or under it
+  /// from left to right, as many in a row as there is room for.
+  [[nodiscard]] std::vector<Point> legend_places() const {
+    std::vector<Point> places;
+    Point next = chart_.legend_below ? Point{legend_margin, top + chart_.height + bottom + 4}
+                                     : Point{left + chart_.width + 20, top + 12};
+    const double end = left + chart_.width + right_without_legend - legend_margin;
+    for (const Series& series : chart_.series) {
+      const double length = legend_sample + name_width(series);
+      if (chart_.legend_below && next.x > legend_margin && next.x + length > end)
+        next = {legend_margin, next.y + legend_line};
+      places.push_back(next);
+      if (series.name.empty())
+        continue;
+      if (chart_.legend_below)
+        next.x += length + legend_margin;
+      else
+        next.y += legend_line;
+    }
+    return places;
   }
 
-  [[nodiscard]] double legend_text_width() const {
-    std::size_t longest = 0;
-    for (const Series& series : chart_.series)
-      longest = std::max(longest, series.name.size());
-    return glyph_width * static_cast<double>(longest);
-  }
-
-  /// Of a legend below the plot.
-  [[nodiscard]] std::size_t legend_columns() const {
-    const double room = chart_.width + right_without_legend;
-    return std::max(std::size_t{1},
-                    static_cast<std::size_t>(room / (legend_sample + legend_text_width() + 14)));
+  [[nodiscard]] static double name_width(const Series& series) {
+    return glyph_width * static_cast<double>(series.name.size());
   }
 
   [[nodiscard]] double legend_height() const {
-    if (!chart_.legend_below)
-      return 0;
-    const auto listed = static_cast<std::size_t>(std::count_if(
-        chart_.series.begin(), chart_.series.end(), [](const Series& s) { return !s.name.empty(); }));
-    const std::size_t rows = (listed + legend_columns() - 1) / legend_columns();
-    return legend_line * static_cast<double>(rows);
+    double lowest = 0;
+    if (chart_.legend_below && !chart_.series.empty())
+      lowest = legend_places().back().y - (top + chart_.height + bottom) + legend_line - 8;
+    return lowest;
   }
 
   [[nodiscard]] double right() const {
-    const double names = legend_text_width();
-    return names == 0 || chart_.legend_below ? right_without_legend : 76 + names;
+    double longest = 0;
+    for (const Series& series : chart_.series)
+      longest = std::max(longest, name_width(series));
+    return longest == 0 || chart_.legend_below ? right_without_legend : 76 + longest;
   }
 
   const Chart& chart_;

@@ -12,7 +12,7 @@ namespace granum::io {
 void require_valid(const Chart& chart);
 
 /// Of series without a colour of their own.
-inline constexpr const char* grey = "#8a8a8a";
+inline constexpr const char* grey = "#7a7a7a";
 /// "#rrggbb" of the style of that index.
 [[nodiscard]] const char* series_colour(std::size_t index);
 

@@ -2,10 +2,12 @@
 #include <granum/verify/experiment_figures.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <granum/io/csv.hpp>
 
+#include "experiment_data.hpp"
 #include "figure_parts.hpp"
 
 namespace granum::verify {
@@ -25,13 +27,21 @@ std::vector<io::CsvColumns> columns(const Panel& panel) {
   return out;
 }
 
-bool past(const PathRun& run, const FrozenPoint& point) { return run.path && point.at.step > run.peak.step; }
+/// Number of frozen states up to the first peak: all before |eta| is lower than it was.
+std::size_t rising(const PathRun& run) {
+  const auto falls = [](const FrozenPoint& a, const FrozenPoint& b) {
+    return std::abs(b.at.stress.ratio()) < std::abs(a.at.stress.ratio());
+  };
+  const auto last = std::adjacent_find(run.points.begin(), run.points.end(), falls);
+  if (!run.path || last == run.points.end())
+    return run.points.size();
+  return static_cast<std::size_t>(last - run.points.begin()) + 1;
+}
 
-std::vector<const FrozenPoint*> points_of(const PathRun& run, bool past_the_peak) {
+std::vector<const FrozenPoint*> part(const PathRun& run, std::size_t first, std::size_t end) {
   std::vector<const FrozenPoint*> out;
-  for (const FrozenPoint& point : run.points)
-    if (past(run, point) == past_the_peak)
-      out.push_back(&point);
+  for (std::size_t k = first; k < end; ++k)
+    out.push_back(&run.points[k]);
   return out;
 }
 
@@ -94,8 +104,20 @@ std::size_t style_of(const std::optional<triaxial::ShearPath>& path) {
               : paths.size();
 }
 
-std::vector<const FrozenPoint*> before_peak(const PathRun& run) { return points_of(run, false); }
-std::vector<const FrozenPoint*> past_peak(const PathRun& run) { return points_of(run, true); }
+std::vector<const FrozenPoint*> up_to_peak(const PathRun& run) { return part(run, 0, rising(run)); }
+std::vector<const FrozenPoint*> past_peak(const PathRun& run) {
+  return part(run, rising(run), run.points.size());
+}
+
+std::vector<const FrozenPoint*> from_start(const ExperimentSpecimen& specimen, const PathRun& run) {
+  std::vector<const FrozenPoint*> out;
+  const std::vector<const FrozenPoint*> rest = up_to_peak(run);
+  const PathRun* iso = find_run(specimen, std::nullopt);
+  if (run.path && !rest.empty() && iso != nullptr && !iso->points.empty())
+    out.push_back(&iso->points.back());
+  out.insert(out.end(), rest.begin(), rest.end());
+  return out;
+}
 
 std::optional<double> eta_of(const FrozenPoint& point) { return point.at.stress.ratio(); }
 std::optional<double> mean_stress_of(const FrozenPoint& point) { return point.at.stress.mean(); }

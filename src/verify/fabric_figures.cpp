@@ -49,9 +49,9 @@ io::Series fitted(const FrozenPoint& point) {
   return out;
 }
 
-/// The frozen state next to the peak, or the last of isotropic compression.
-const FrozenPoint* last_before_peak(const PathRun& run) {
-  const std::vector<const FrozenPoint*> points = before_peak(run);
+/// The last frozen state before eta falls, or the last of isotropic compression.
+const FrozenPoint* last_up_to_peak(const PathRun& run) {
+  const std::vector<const FrozenPoint*> points = up_to_peak(run);
   return points.empty() ? nullptr : points.back();
 }
 
@@ -62,13 +62,13 @@ Panel direction_panel(const Kind& kind) {
   for (const PathRun& run : kind.specimen->runs) {
     const bool drawn =
         !run.path || *run.path == triaxial::ShearPath::txc || *run.path == triaxial::ShearPath::rtxe;
-    const FrozenPoint* point = drawn ? last_before_peak(run) : nullptr;
+    const FrozenPoint* point = drawn ? last_up_to_peak(run) : nullptr;
     if (point == nullptr || point->contacts == 0)
       continue;
     const std::string path(name(run.path));
     io::Series bars = histogram(*point), line = fitted(*point);
     bars.style = line.style = style_of(run.path);
-    bars.name = run.path ? path + " at its peak" : "isotropic";
+    bars.name = run.path ? path + " near its peak" : "isotropic";
     add(out, std::move(line), path + " fitted");
     add(out, std::move(bars), path + " counted");
   }
@@ -93,7 +93,7 @@ Panel microstructure_panel(const Kind& kind, const std::string& stem, const std:
     past.tone = io::Tone::faint;
     past.name = "";
     add(out, std::move(past), path + " past the peak");
-    const std::vector<const FrozenPoint*> points = before_peak(run);
+    const std::vector<const FrozenPoint*> points = from_start(*kind.specimen, run);
     io::Series line = series_of(run, points, eta_of, of);
     for (std::size_t k = 0; error != nullptr && k < points.size(); ++k)
       line.y_error.push_back(k % bar_stride == 2 ? error(*points[k]).value_or(0) : 0);

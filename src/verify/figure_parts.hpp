@@ -52,9 +52,14 @@ struct Kind {
 /// Each path keeps its colour, dashes and marker in all figures.
 [[nodiscard]] std::size_t style_of(const std::optional<triaxial::ShearPath>& path);
 
-/// Frozen states of a run up to its largest |eta|, or those behind it. Isotropic compression has no peak.
-[[nodiscard]] std::vector<const FrozenPoint*> before_peak(const PathRun& run);
+/// Frozen states of a run until |eta| falls for the first time, or those behind it: past the first peak eta
+/// goes up and down. Isotropic compression has no peak.
+[[nodiscard]] std::vector<const FrozenPoint*> up_to_peak(const PathRun& run);
 [[nodiscard]] std::vector<const FrozenPoint*> past_peak(const PathRun& run);
+
+/// The former, and in front of them the end of isotropic compression, where the paths start.
+[[nodiscard]] std::vector<const FrozenPoint*> from_start(const ExperimentSpecimen& specimen,
+                                                         const PathRun& run);
 
 /// What is drawn over or up a frozen state; nothing where it was not measured.
 using Coordinate = std::function<std::optional<double>(const FrozenPoint&)>;

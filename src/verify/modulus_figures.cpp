@@ -50,10 +50,10 @@ void name_once(io::Series& series, const Panel& in, const std::string& common) {
   series.name = listed ? "" : common;
 }
 
-void add_closed_form(Panel& to, const PathRun& run, const Coordinate& x, const Modulus& modulus,
-                     TransverselyIsotropic ClosedForms::*estimate, const std::string& legend,
-                     std::size_t style) {
-  io::Series line = series_of(run, before_peak(run), x, [&](const FrozenPoint& point) {
+void add_closed_form(Panel& to, const ExperimentSpecimen& specimen, const PathRun& run, const Coordinate& x,
+                     const Modulus& modulus, TransverselyIsotropic ClosedForms::*estimate,
+                     const std::string& legend, std::size_t style) {
+  io::Series line = series_of(run, from_start(specimen, run), x, [&](const FrozenPoint& point) {
     return point.closed ? std::optional((((*point.closed).*estimate).*modulus.closed)()) : std::nullopt;
   });
   name_once(line, to, legend);
@@ -76,8 +76,10 @@ Panel modulus_panel(const Kind& kind, const std::string& stem, const Modulus& mo
         draw(run, std::string(name(run.path)));
   };
   each_run([&](const PathRun& run, const std::string&) {
-    add_closed_form(out, run, across, modulus, &ClosedForms::uniform_strain, "uniform strain", 0);
-    add_closed_form(out, run, across, modulus, &ClosedForms::relaxed, "relaxed, closed form", 2);
+    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::uniform_strain, "uniform strain",
+                    0);
+    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::relaxed, "relaxed, closed form",
+                    1);
   });
   each_run([&](const PathRun& run, const std::string& path) {
     io::Series past = series_of(run, past_peak(run), across, modulus.network);
@@ -87,12 +89,12 @@ Panel modulus_panel(const Kind& kind, const std::string& stem, const Modulus& mo
     add(out, std::move(past), path + " past the peak");
   });
   each_run([&](const PathRun& run, const std::string& path) {
-    io::Series line = series_of(run, before_peak(run), across, modulus.network);
+    io::Series line = series_of(run, from_start(*kind.specimen, run), across, modulus.network);
     line.mark = io::Mark::line;
     add(out, std::move(line), path + " network");
   });
   each_run([&](const PathRun& run, const std::string& path) {
-    io::Series markers = series_of(run, before_peak(run), across, modulus.probe);
+    io::Series markers = series_of(run, up_to_peak(run), across, modulus.probe);
     name_once(markers, out, "cyclic shear");
     markers.mark = io::Mark::marker;
     add(out, std::move(markers), path + " cyclic shear");
@@ -107,7 +109,7 @@ Figure modulus_figure(const Kind& kind, const std::string& stem, const std::stri
       .caption =
           "Lines: the relaxed contact network of each frozen state, up to the peak; small dots: the same "
           "past the peak. Markers: cyclic shear of the frozen specimen. Grey: closed forms from C_n, "
-          "void ratio, fabric and stress, full line under uniform strain, dotted line relaxed with z*. A "
+          "void ratio, fabric and stress, full line under uniform strain, dashed line relaxed with z*. A "
           "network has one modulus G_hv = G_vh; cyclic shear measures both." +
           seeds,
       .panels = {}};

@@ -48,6 +48,7 @@ Figure stress_paths(const Experiment& experiment) {
         return std::optional(point.at.stress.deviator());
       });
       series.mark = io::Mark::marker;
+      series.tone = io::Tone::faint;
       add(paths, std::move(series), std::string(name(run.path)));
     }
     add(out, std::move(paths));

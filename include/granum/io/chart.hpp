@@ -48,7 +48,7 @@ struct Chart {
   std::vector<Series> series;
   double width = 520; ///< of the plot itself, without titles and legend; the letters are 14 high
   double height = 380;
-  bool legend_below = false; ///< under the plot, in columns; else right of it
+  bool legend_below = false; ///< under the plot; else right of it, one name a line
 };
 
 /// The picture as an SVG file of its own: same chart, same bytes. Ranges follow from the points; without any

@@ -28,10 +28,10 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// All figures but the assembly, in the paper's order: 4 (paths), 6 and 7 (stress ratio and volumetric strain),
-/// 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19 (microstructure), and the relaxation
-/// of all frozen states. What has no data is left out: a figure without panels, a panel without series.
-/// Strains, stresses and moduli are in SI, as the headings say.                              [Chung2014]
+/// All figures but the assembly, in the paper's order: 4 (paths), 6 and 7 (stress ratio, volumetric strain),
+/// 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19 (microstructure), and the
+/// relaxation of all frozen states. What has no data is left out: a panel without series, a figure without
+/// panels. Numbers are in SI, as the headings say.                                            [Chung2014]
 [[nodiscard]] std::vector<Figure> experiment_figures(const Experiment& experiment);
 
 /// The numbers of a panel, two or three columns (x, y, error of y) for each series.
