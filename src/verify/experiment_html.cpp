@@ -2,6 +2,7 @@
 #include <granum/verify/experiment_html.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <granum/core/number.hpp>
@@ -97,9 +98,10 @@ std::string what_was_run(const Experiment& experiment, const RunTime& time) {
   add("Program", "granum " + std::string(version()) + " reproduce");
   add("Specimens", std::to_string(experiment.specimens.size()) + " of " + std::to_string(scene.grains) +
                        " grains: " + listed(scene.contacts, [](Shape s) { return name(s); }) + "; " +
-                       listed(scene.densities, [](triaxial::Density d) { return name(d); }) + "; seeds " +
-                       std::to_string(scene.first_seed) + " to " +
-                       std::to_string(scene.first_seed + scene.seeds - 1));
+                       listed(scene.densities, [](triaxial::Density d) { return name(d); }) + "; " +
+                       (scene.seeds == 1 ? "seed " + std::to_string(scene.first_seed)
+                                         : "seeds " + std::to_string(scene.first_seed) + " to " +
+                                               std::to_string(scene.first_seed + scene.seeds - 1)));
   add("Boundary", scene.walls ? "six rigid walls, friction " + short_text(scene.wall_friction)
                               : std::string("periodic cell"));
   add("Grains", "diameter " + short_text(2e3 * scene.radius) + " mm, shear modulus " +
@@ -130,15 +132,23 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
          element("div", element("table", rows), "wide");
 }
 
+/// "0.484 \u00b1 0.007": as many decimals as the two first digits of the error need, at most 4.
+std::string shown(const Measured& measured) {
+  if (!measured.standard_error || !(*measured.standard_error > 0))
+    return short_text(measured.value);
+  const double error = *measured.standard_error;
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 4);
+  const double unit = std::pow(10, -decimals);
+  const auto rounded = [unit](double value) { return short_text(unit * std::round(value / unit), 12); };
+  return rounded(measured.value) + " \u00b1 " + rounded(error);
+}
+
 std::string cell_row(const TableRow& specimen, const Cell& cell, bool first) {
-  std::string ours = short_text(cell.ours.value);
-  if (cell.ours.standard_error)
-    ours += " \u00b1 " + short_text(*cell.ours.standard_error, 2);
   std::string content =
       element("td", first ? words(name(specimen.contact)) + ", " + words(name(specimen.density)) : "") +
-      element("td", escaped(cell.quantity)) + element("td", ours, "number");
+      element("td", escaped(cell.quantity)) + element("td", shown(cell.ours), "number");
   content += element("td", cell.printed ? short_text(*cell.printed) : "", "number");
-  content += element("td", cell.printed ? short_text(cell.ours.value - *cell.printed, 2) : "", "number");
+  content += element("td", cell.printed ? short_text(cell.ours.value - *cell.printed, 3) : "", "number");
   content += element("td", cell.reach ? short_text(*cell.reach) : "", "number");
   content += element("td", cell.printed && cell.reach ? yes_or_no(cell.holds(), "within", "beyond") : "");
   return element("tr", content, first ? "first" : "");
@@ -205,7 +215,9 @@ std::string how_to_read() {
         "the number of seeds. With one seed it does not hold what another specimen would differ by.",
         "All numbers: states.csv, curves.csv, histograms.csv and the tables beside this page; the figures' "
         "own in "
-        "the folder figures, each with a gnuplot script that draws it again."})
+        "the folder figures, each with a gnuplot script that draws it again. Figures 1, 2 and 5 of the paper "
+        "are sketches; its Fig. 8, "
+        "loops of cyclic shear, is not drawn."})
     items += element("li", escaped(text));
   return element("ul", items);
 }
