@@ -71,7 +71,8 @@ std::string plots(const Chart& chart, const std::string& csv, const std::vector<
                     (series.name.empty() ? " notitle" : " title " + quoted(series.name)));
     if (!c.y_error.empty())
       parts.push_back(quoted(csv) + " using " + xy + ":" + column(c.y_error, chart.y.unit) +
-                      " with yerrorbars linestyle " + number + " notitle");
+                      " with yerrorbars linestyle " + number + " dashtype 1" +
+                      (series.mark == Mark::line ? " pointtype 0" : "") + " notitle");
   }
   std::string text;
   for (const std::string& part : parts)

@@ -78,7 +78,7 @@ Panel modulus_panel(const Kind& kind, const std::string& stem, const Modulus& mo
   each_run([&](const PathRun& run, const std::string&) {
     add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::uniform_strain, "uniform strain",
                     0);
-    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::relaxed, "relaxed, closed form",
+    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::relaxed, "relaxed (closed form)",
                     1);
   });
   each_run([&](const PathRun& run, const std::string& path) {

@@ -286,6 +286,11 @@ TEST_CASE("series of one style look alike, and tones differ from the full one") 
   const std::string script = gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg");
   CHECK(count(script, "linecolor rgb '#cc79a7'") == 2);
   CHECK(count(script, "linewidth 1 ") == 1);
+  // Error bars of a line have no marker, and no bar is dashed.
+  chart.series[0].mark = Mark::line;
+  const std::string bars = gnuplot_script(chart, "a.csv", {{"x", "y", "e"}, {"x", "y", "e"}}, "a.svg");
+  CHECK(count(bars, "with yerrorbars linestyle 1 dashtype 1 pointtype 0") == 1);
+  CHECK(count(bars, "with yerrorbars linestyle 2 dashtype 1 notitle") == 1);
 }
 
 TEST_CASE("a legend below the plot makes the picture higher and not wider") {
