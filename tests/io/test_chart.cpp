@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -310,7 +311,7 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
   // Each row of the legend lies inside the picture, under the title of the x axis.
   const std::string box = picture.substr(picture.find("viewBox=\"0 0 424.00 ") + 20);
   const double height = std::stod(box);
-  std::size_t entries = 0;
+  std::vector<std::pair<double, double>> places;
   for (std::size_t at = picture.find("<text class=\"legend\""); at != std::string::npos;
        at = picture.find("<text class=\"legend\"", at + 1)) {
     const double x = std::stod(picture.substr(picture.find("x=\"", at) + 3));
@@ -319,9 +320,12 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
     CHECK(x < 424);
     CHECK(y > 48 + 200 + 50);
     CHECK(y < height);
-    ++entries;
+    places.emplace_back(y, x);
   }
-  CHECK(entries == 6);
+  REQUIRE(places.size() == 6);
+  CHECK(std::is_sorted(places.begin(), places.end())); // row by row, from left to right
+  CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+  CHECK(places.front().first < places.back().first);
   chart.height = 0;
   CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
 }
