@@ -21,7 +21,7 @@ namespace {
 constexpr double size = 520;  // of the picture's longer side
 constexpr double margin = 14; // around what is drawn
 constexpr int shades = 6;     // from the nearest grains to the farthest
-constexpr double hidden = 10; // radii behind the seen faces
+constexpr double hidden = 8;  // radii behind the seen faces
 constexpr double azimuth = 30 * std::numbers::pi / 180;
 constexpr double elevation = 22 * std::numbers::pi / 180;
 
@@ -141,16 +141,22 @@ std::string assembly_svg(const dem::State& state) {
   const std::vector<Seen> grains = drawn_grains(state);
   const double far = grains.front().depth, near = grains.back().depth;
   const std::string radius = io::svg_number(state.radius * view.scale());
-  std::string circles;
+  std::string painted, same_shade;
+  int shade = shades - 1;
+  const auto finish_shade = [&] {
+    painted += io::svg_group({{"fill", "url(#" + shade_name(shade) + ")"}}, same_shade);
+    same_shade.clear();
+  };
   for (const Seen& grain : grains) {
     const double behind = near > far ? (near - grain.depth) / (near - far) : 0;
-    const int shade = std::min(shades - 1, static_cast<int>(behind * shades));
-    circles += io::svg_element("circle", {{"cx", view.x(grain)},
-                                          {"cy", view.y(grain)},
-                                          {"r", radius},
-                                          {"fill", "url(#" + shade_name(shade) + ")"}});
+    const int own = std::min(shades - 1, static_cast<int>(behind * shades));
+    if (own != shade)
+      finish_shade();
+    shade = own;
+    same_shade += io::svg_element("circle", {{"cx", view.x(grain)}, {"cy", view.y(grain)}, {"r", radius}});
   }
-  return svg + io::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, circles) +
+  finish_shade();
+  return svg + io::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
          edges(view, state.cell, false) + "</svg>\n";
 }
 

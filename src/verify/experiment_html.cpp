@@ -25,12 +25,14 @@ nav a { margin-right: 1.1em; white-space: nowrap; }
 a { color: #0b5394; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.92rem; margin: 0.4rem 0 1rem; }
-th, td { padding: 0.2rem 0.7rem 0.2rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid #dddddd; }
+th, td { padding: 0.2rem 0.7rem 0.2rem 0; text-align: left; vertical-align: top;
+  border-bottom: 1px solid #dddddd; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 tr.first td { border-top: 1px solid #888888; }
 .yes { color: #00664a; }
 .no { color: #b03000; font-weight: bold; }
-.panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 0.6rem 1.2rem; }
+.panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr));
+  gap: 0.6rem 1.2rem; }
 .panels svg { width: 100%; max-width: 44rem; height: auto; }
 .caption { font-size: 0.92rem; margin: 0.2rem 0 0.6rem; }
 @media print {

@@ -323,6 +323,6 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   large.radius = 0.5e-3;
   for (int k = 0; k < 8000; ++k)
     large.position.push_back({(k % 20 + 0.5) * 1e-3, (k / 20 % 20 + 0.5) * 1e-3, (k / 400 + 0.5) * 1e-3});
-  CHECK(count(assembly_svg(large), "<circle") == 8000 - 15 * 15 * 15);
+  CHECK(count(assembly_svg(large), "<circle") == 8000 - 16 * 16 * 16);
   CHECK_THROWS_AS((void)assembly_svg(dem::State{}), InvalidArgument);
 }

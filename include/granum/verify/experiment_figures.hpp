@@ -52,7 +52,7 @@ struct AssemblyPicture {
 [[nodiscard]] std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment);
 
 /// The grains of a state seen from above and aside, nearest in front, and the edges of its cell. Grains that
-/// lie deeper than five diameters behind the faces that are seen are left out, as others hide them.
+/// lie deeper than four diameters behind the faces that are seen are left out, as others hide them.
 /// \param    state   with grains; those of a periodic cell are moved into it
 /// \throws   InvalidArgument for a state without grains
 [[nodiscard]] std::string assembly_svg(const dem::State& state);

@@ -16,9 +16,9 @@ struct RunTime {
   bool resumed = false; ///< of the last part alone
 };
 
-/// A report for people as one HTML page that needs nothing from outside: what was run, the verdicts, tables 2,
-/// 4 and 5 and further exponents beside the paper's, the figures with their captions, how to read them, and
-/// what is left out. Well-formed as XML as well.
+/// A report for people as one HTML page that needs nothing from outside: what was run, the verdicts, tables
+/// 2, 4 and 5 and further exponents beside the paper's, the figures with their captions, how to read them,
+/// and what is left out. Well-formed as XML as well.
 /// Checked by tests/verify/test_experiment_html.cpp
 [[nodiscard]] std::string experiment_html(const Experiment& experiment, const std::vector<Verdict>& verdicts,
                                           const std::vector<Figure>& figures,
