@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 #include <granum/io/output_file.hpp>
+#include <granum/verify/experiment_figures.hpp>
+#include <granum/verify/experiment_html.hpp>
 #include <granum/verify/experiment_tables.hpp>
 #include <granum/verify/tables.hpp>
 
@@ -16,9 +18,9 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* names[] = {"states.csv",   "curves.csv",   "loops.csv",  "histograms.csv",
-                                 "table2.csv",   "table4.csv",   "table5.csv", "exponents.csv",
-                                 "verdicts.csv", "manifest.json"};
+constexpr const char* names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
+                                 "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
+                                 "verdicts.csv", "manifest.json", "report.html", "figures"};
 
 ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
 
@@ -35,6 +37,23 @@ ordered_json table_json(const std::vector<verify::TableRow>& rows) {
                       {"reach", number(cell.reach)},
                       {"within", cell.printed ? ordered_json(cell.holds()) : ordered_json()}});
   return json;
+}
+
+/// Numbers, picture and gnuplot script of every panel.
+void write_figures(const fs::path& folder, const std::vector<verify::Figure>& figures,
+                   const std::optional<verify::AssemblyPicture>& assembly) {
+  prepare_folder(folder, {}, true);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    io::write_file(folder / name, text, io::Existing::replace);
+  };
+  if (assembly)
+    write(assembly->stem + ".svg", assembly->svg);
+  for (const verify::Figure& figure : figures)
+    for (const verify::Panel& panel : figure.panels) {
+      write(panel.stem + ".csv", verify::panel_csv(panel));
+      write(panel.stem + ".svg", io::svg(panel.chart));
+      write(panel.stem + ".gp", verify::panel_script(panel));
+    }
 }
 
 ordered_json run_json(const verify::ExperimentSpecimen& specimen, const verify::PathRun& run) {
@@ -96,6 +115,12 @@ void write_results(const fs::path& folder, const verify::Experiment& experiment,
   write("table5.csv", verify::table_csv(verify::table_5(experiment)));
   write("exponents.csv", verify::table_csv(verify::further_exponents(experiment)));
   write("verdicts.csv", verify::verdicts_csv(verdicts));
+  const std::vector<verify::Figure> figures = verify::experiment_figures(experiment);
+  const std::optional<verify::AssemblyPicture> assembly = verify::assembly_picture(experiment);
+  write_figures(folder / "figures", figures, assembly);
+  write("report.html", verify::experiment_html(experiment, verdicts, figures, assembly,
+                                               {.seconds = manifest.at("wall_time_s").get<double>(),
+                                                .resumed = manifest.at("resumed").get<bool>()}));
   write("manifest.json", manifest.dump(2) + "\n");
 }
 

@@ -10,7 +10,7 @@
 #include <granum/verify/experiment_tables.hpp>
 
 #include "relative.hpp"
-#include "synthetic_experiment.hpp"
+#include "fitted_experiment.hpp"
 
 using namespace granum;
 using namespace granum::verify;
