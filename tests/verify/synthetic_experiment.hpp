@@ -36,6 +36,7 @@ inline FrozenPoint point(const triaxial::AxialStress& stress) {
   out.micro.mechanical_coordination_number = 6.1 - 0.5 * std::abs(eta);
   out.micro.fabric_anisotropy = 0.1 * eta;
   out.micro.fabric_anisotropy_error = 0.02;
+  out.coordination_number_all = out.micro.coordination_number;
   out.coordination_error = 0.05;
   out.fabric = Mat3::diagonal(0.3, 0.3, 0.4);
   for (std::size_t k = 0; k < polar_bins; ++k)
