@@ -75,8 +75,9 @@ Panel direction_panel(const Kind& kind) {
   return out;
 }
 
-/// Error bars on every fifth point only.
+/// Error bars on every fifth point only, of paths that lie upon each other on different ones.
 constexpr std::size_t bar_stride = 5;
+std::size_t first_bar(const PathRun& run) { return 1 + 2 * (style_of(run.path) % 2); }
 
 using ErrorOf = std::optional<double> (*)(const FrozenPoint&);
 
@@ -96,7 +97,7 @@ Panel microstructure_panel(const Kind& kind, const std::string& stem, const std:
     const std::vector<const FrozenPoint*> points = from_start(*kind.specimen, run);
     io::Series line = series_of(run, points, eta_of, of);
     for (std::size_t k = 0; error != nullptr && k < points.size(); ++k)
-      line.y_error.push_back(k % bar_stride == 2 ? error(*points[k]).value_or(0) : 0);
+      line.y_error.push_back(k % bar_stride == first_bar(run) ? error(*points[k]).value_or(0) : 0);
     line.mark = io::Mark::line;
     add(out, std::move(line), path);
   }

@@ -110,7 +110,8 @@ Figure modulus_figure(const Kind& kind, const std::string& stem, const std::stri
           "Lines: the relaxed contact network of each frozen state, up to the peak; small dots: the same "
           "past the peak. Markers: cyclic shear of the frozen specimen. Grey: closed forms from C_n, "
           "void ratio, fabric and stress, full line under uniform strain, dashed line relaxed with z*. A "
-          "network has one modulus G_hv = G_vh; cyclic shear measures both." +
+          "network has one modulus G_hv = G_vh; cyclic shear measures both, in one of the two vertical "
+          "planes whose mean the network has." +
           seeds,
       .panels = {}};
   for (const Modulus& modulus : moduli) {

@@ -297,7 +297,7 @@ TEST_CASE("the numbers of a panel go through its CSV file, which its script name
   CHECK(csv.row_count() == line.x.size());
   CHECK(std::stod(cell(3, "TXC eta")) == line.x[3]);
   CHECK(std::stod(cell(3, "TXC a")) == line.y[3]);
-  CHECK(std::stod(cell(2, "TXC error a")) == 0.02);
+  CHECK(std::stod(cell(1, "TXC error a")) == 0.02);
   CHECK(std::stod(cell(1, "TXC past the peak a")) == dots.y[1]);
   CHECK(cell(2, "TXC past the peak a").empty()); // shorter than the line
 }
