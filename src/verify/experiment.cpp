@@ -61,7 +61,7 @@ class Stages {
         work();
       });
     } catch (const FileError&) {
-      meter_.abort();
+      meter_.stop_all();
       throw;
     }
   }

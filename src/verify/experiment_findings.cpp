@@ -108,7 +108,7 @@ struct FitOf {
 std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitOf& what) {
   std::vector<hardin::Measurement> rows;
   for (const FrozenPoint* point : fit_points(specimen))
-    if (const std::optional<double> modulus = what.modulus(*point)) {
+    if (const std::optional<double> modulus = what.modulus(*point); modulus && *modulus > 0) {
       const double other = what.two_exponents ? point->stress.v : point->stress.h;
       rows.push_back({*modulus, {point->stress.h, other, point->void_ratio}});
     }

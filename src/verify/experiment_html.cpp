@@ -215,11 +215,11 @@ std::string how_to_read() {
         "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each, over "
         "the root of "
         "the number of seeds. With one seed it does not hold what another specimen would differ by.",
-        "All numbers: states.csv, curves.csv, histograms.csv and the tables beside this page; the figures' "
+        "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables beside this page; the "
+        "figures' "
         "own in "
         "the folder figures, each with a gnuplot script that draws it again. Figures 1, 2 and 5 of the paper "
-        "are sketches; its Fig. 8, "
-        "loops of cyclic shear, is not drawn."})
+        "are sketches."})
     items += element("li", escaped(text));
   return element("ul", items);
 }

@@ -108,8 +108,8 @@ double worst_change(const ExperimentSpecimen& specimen, double (*figure)(const F
   return worst;
 }
 
-/// The paper's picture of dense specimens: their structure stays as it is up to |eta| = 0.6, then contacts are
-/// lost and the rest turns towards the larger stress.
+/// The paper's picture of dense specimens: their structure stays as it is up to |eta| = 0.6, then contacts
+/// are lost and the rest turns towards the larger stress.
 void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
   const double coordination =
       worst_change(specimen, [](const FrozenPoint& p) { return p.micro.coordination_number; });

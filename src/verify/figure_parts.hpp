@@ -71,7 +71,7 @@ using Coordinate = std::function<std::optional<double>(const FrozenPoint&)>;
                                    const Coordinate& x, const Coordinate& y);
 
 // The figures, file by file.
-void add_path_figures(std::vector<Figure>& to, const Experiment& experiment);           ///< 4, 6, 7
+void add_path_figures(std::vector<Figure>& to, const Experiment& experiment);           ///< 4, 6, 7, 8
 void add_modulus_figures(std::vector<Figure>& to, const Experiment& experiment);        ///< 9 to 14
 void add_exponent_figure(std::vector<Figure>& to, const Experiment& experiment);        ///< 15
 void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment);       ///< 16

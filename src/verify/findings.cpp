@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <memory>
 
 #include <granum/hardin/fit.hpp>
+#include <granum/hardin/polynomial.hpp>
 #include <granum/verify/paper.hpp>
-#include <gsl/gsl_multifit.h>
 
 namespace granum::verify {
 
@@ -165,30 +164,15 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
 }
 
 std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens) {
-  std::vector<std::pair<double, double>> points;
+  std::vector<double> z, ratio;
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& state : specimen.states)
-      points.emplace_back(state.mechanical_coordination_number - 5, state.G_network / state.G_uniform_strain);
-  if (points.size() < 8)
+    for (const StateResult& state : specimen.states) {
+      z.push_back(state.mechanical_coordination_number - 5);
+      ratio.push_back(state.G_network / state.G_uniform_strain);
+    }
+  if (z.size() < 8)
     return std::nullopt;
-  constexpr std::size_t terms = 4;
-  using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
-  using Vector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
-  const std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)> work(
-      gsl_multifit_linear_alloc(points.size(), terms), gsl_multifit_linear_free);
-  const Matrix powers(gsl_matrix_alloc(points.size(), terms), gsl_matrix_free),
-      covariance(gsl_matrix_alloc(terms, terms), gsl_matrix_free);
-  const Vector ratio(gsl_vector_alloc(points.size()), gsl_vector_free),
-      curve(gsl_vector_alloc(terms), gsl_vector_free);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& [z, g] = points[k];
-    for (std::size_t term = 0; term < terms; ++term)
-      gsl_matrix_set(powers.get(), k, term, std::pow(z, static_cast<double>(term)));
-    gsl_vector_set(ratio.get(), k, g);
-  }
-  double squares = 0;
-  gsl_multifit_linear(powers.get(), ratio.get(), curve.get(), covariance.get(), &squares, work.get());
-  return RelaxationCurve{points.size(), std::sqrt(squares / static_cast<double>(points.size()))};
+  return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
 }
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {

@@ -23,8 +23,8 @@ namespace granum::verify {
 
 namespace {
 
-/// Unbalanced force ratio at which a frozen state counts as at rest. Against 1e-8 it moves G of 1,000 spheres by
-/// 4e-5 (median), by 0.4 % at most up to |eta| = 0.6 and by 1.5 % past the peak, for a fifth of the steps.
+/// Unbalanced force ratio at which a frozen state counts as at rest. Against 1e-8 it moves G of 1,000 spheres
+/// by 4e-5 (median), by 0.4 % at most up to |eta| = 0.6 and by 1.5 % past the peak, for a fifth of the steps.
 constexpr double rest_tolerance = 1e-5;
 
 double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,

@@ -18,12 +18,12 @@ namespace granum::verify {
 /// \throws   NotConverged if a probe does not come to rest
 [[nodiscard]] Probes run_probes(const dem::State& state, const dem::Material& material);
 
-/// A cycle of horizontal shear with friction, the normal stresses held. Near failure it need not come to rest.
+/// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest.
 [[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
                                    double amplitude);
 
-/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for moduli: an escaping rattler may
-///           keep a specimen above the tolerance that is aimed at.
+/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for moduli: an escaping
+///           rattler may keep a specimen above the tolerance that is aimed at.
 void require_rest(double unbalanced_force_ratio, const std::string& what, double limit = 1e-6);
 
 } // namespace granum::verify

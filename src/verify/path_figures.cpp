@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <granum/core/number.hpp>
+
 #include "figure_parts.hpp"
 
 namespace granum::verify {
@@ -58,6 +62,36 @@ Figure stress_paths(const Experiment& experiment) {
   return out;
 }
 
+/// Fig. 8: a panel for each eta, because their stresses differ.
+Figure shear_loops(const Experiment& experiment) {
+  Figure out{.name = "Fig. 8",
+             .title = "Cycles of horizontal shear with friction",
+             .caption =
+                 "Frozen states of TXC, sheared to one side, the other, and the first again while all "
+                 "normal stresses are held, at rest at every point. Contacts may slide: where the loop "
+                 "is open, or does not close, friction eats energy. G_hh is the slope at its start." +
+                 seeds_note(experiment),
+             .panels = {}};
+  for (const Kind& kind : kinds(experiment))
+    for (const PathRun& run : kind.specimen->runs)
+      for (std::size_t k = 0; k < run.loops.size(); ++k) {
+        const ShearLoop& loop = run.loops[k];
+        Panel cycle =
+            panel("fig08_" + kind.key() + "_" + std::to_string(k + 1),
+                  kind.title() + ", \u03b7 = " + short_text(std::abs(loop.eta) < 1e-3 ? 0 : loop.eta, 2),
+                  {"shear_strain", {.title = "shear strain [10\u207b\u2076]", .unit = 1e-6}},
+                  {"shear_stress_Pa", {.title = "shear stress [kPa]", .unit = 1e3}});
+        io::Series line{.name = {}, .mark = io::Mark::both, .x = {}, .y = {}, .style = style_of(run.path)};
+        for (const triaxial::LoopPoint& point : loop.points) {
+          line.x.push_back(point.shear_strain);
+          line.y.push_back(point.shear_stress);
+        }
+        add(cycle, std::move(line), "cycle");
+        add(out, std::move(cycle));
+      }
+  return out;
+}
+
 } // namespace
 
 void add_path_figures(std::vector<Figure>& to, const Experiment& experiment) {
@@ -81,6 +115,7 @@ void add_path_figures(std::vector<Figure>& to, const Experiment& experiment) {
   }
   to.push_back(std::move(ratio));
   to.push_back(std::move(volume));
+  to.push_back(shear_loops(experiment));
 }
 
 } // namespace granum::verify

@@ -21,9 +21,9 @@ class Meter {
   /// Work that an earlier run of the same study has done: it tells nothing of the speed of this one.
   void found(double work, const std::string& what);
   /// Asks all pieces to stop, as the caller's own wish does.
-  void abort() { aborted_ = true; }
+  void stop_all() { all_stopped_ = true; }
   [[nodiscard]] bool stopped() const {
-    return aborted_ || (control_.stop != nullptr && control_.stop->load());
+    return all_stopped_ || (control_.stop != nullptr && control_.stop->load());
   }
 
  private:
@@ -33,7 +33,7 @@ class Meter {
 
   double done_ = 0;
   double found_ = 0;
-  std::atomic<bool> aborted_ = false;
+  std::atomic<bool> all_stopped_ = false;
   std::mutex mutex_;
 };
 

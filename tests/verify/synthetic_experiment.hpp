@@ -71,6 +71,10 @@ inline PathRun shear_run(const Scene& scene, triaxial::ShearPath path) {
   const double G = run.points[4].G_vh();
   run.points[4].probes = Probes{.G_hh = 1.01 * G, .G_hv = 1.02 * G, .G_vh = 1.03 * G, .amplitude = 1e-7};
   run.peak = run.points[7].at;
+  if (path == triaxial::ShearPath::txc)
+    for (const double eta : {0.0, 0.5})
+      run.loops.push_back(
+          {.eta = eta, .amplitude = 1e-5, .points = {{0, 0}, {1e-5, 2e3}, {-1e-5, -2e3}, {1e-5, 2e3}}});
   return run;
 }
 

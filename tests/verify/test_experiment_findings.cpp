@@ -9,8 +9,8 @@
 #include <doctest/doctest.h>
 #include <granum/verify/experiment_tables.hpp>
 
-#include "relative.hpp"
 #include "fitted_experiment.hpp"
+#include "relative.hpp"
 
 using namespace granum;
 using namespace granum::verify;

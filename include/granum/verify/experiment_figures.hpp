@@ -28,7 +28,8 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// All figures but the assembly, in the paper's order: 4 (paths), 6 and 7 (stress ratio, volumetric strain),
+/// All figures but the assembly, in the paper's order: 4 (paths), 6 to 8 (stress ratio, volumetric strain,
+/// cycles of shear),
 /// 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19 (microstructure), and the
 /// relaxation of all frozen states. What has no data is left out: a panel without series, a figure without
 /// panels. Numbers are in SI, as the headings say.                                            [Chung2014]

@@ -44,9 +44,9 @@ struct TableRow {
 /// Friction angles mobilised at the peak of each path [deg].
 [[nodiscard]] std::vector<TableRow> table_4(const Experiment& experiment);
 
-/// Eq. (1) with f(e) = (2.17 - e)^2/(1 + e), fitted as in the paper (unweighted residuals of G) to the network
-/// moduli of isotropic compression and of all paths for |eta| <= 0.6: s of G_hh; m, n, s and C of G_hv, C
-/// with p_a = 100 kPa. G_vh is the same number as G_hv in a network, with m and n exchanged.
+/// Eq. (1) with f(e) = (2.17 - e)^2/(1 + e), fitted as in the paper (unweighted residuals of G) to the
+/// network moduli of isotropic compression and of all paths for |eta| <= 0.6: s of G_hh; m, n, s and C of
+/// G_hv, C with p_a = 100 kPa. G_vh is the same number as G_hv in a network, with m and n exchanged.
 [[nodiscard]] std::vector<TableRow> table_5(const Experiment& experiment);
 
 /// The same exponents from the cyclic shear of the probed states, where at least 4 were probed, and that of

@@ -20,9 +20,9 @@ enum class Shape { cone, sphere, flat, power_law };
 [[nodiscard]] std::string_view name(Shape shape);
 [[nodiscard]] std::string_view name(triaxial::Density density);
 
-/// What `granum verify` and `granum reproduce` run. The defaults are the paper's grains (Table 1) with the two lengths that the
-/// paper does not print: the cone's slope and the punch radius that agree with its Table 5.
-///         [Chung2014]
+/// What `granum verify` and `granum reproduce` run. The defaults are the paper's grains (Table 1) with the
+/// two lengths that the paper does not print: the cone's slope and the punch radius that agree with its
+/// Table 5.                                                                                    [Chung2014]
 struct Scene {
   double radius = 0.5e-3;                                  ///< R [m]
   double grain_shear_modulus = 30e9;                       ///< G_g [Pa]
