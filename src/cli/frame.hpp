@@ -40,6 +40,7 @@ Command add_analyse(CLI::App& program);
 Command add_estimate(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
+Command add_reproduce(CLI::App& program);
 Command add_sweep(CLI::App& program);
 Command add_trade(CLI::App& program);
 Command add_verify(CLI::App& program);

@@ -19,7 +19,8 @@ void ProgressLine::show(const verify::Progress& progress) {
   if (!shown_)
     return;
   const double elapsed = seconds_since(start_);
-  const double left = progress.done > 0 ? elapsed * (1 - progress.done) / progress.done : 0;
+  const double own = progress.done - progress.done_before;
+  const double left = own > 0 ? elapsed * (1 - progress.done) / own : 0;
   fmt::print(stderr, "\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
              progress.what);
   std::fflush(stderr);

@@ -37,8 +37,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.footer(key_help());
 }
 
-verify::Scene resolve(const StudyOptions& options, const verify::Scene& defaults) {
-  verify::Scene scene = options.scene_file.empty() ? defaults : read_scene(options.scene_file, defaults);
+verify::Scene resolve(const StudyOptions& options, const verify::Scene& base) {
+  verify::Scene scene = options.scene_file.empty() ? base : read_scene(options.scene_file, base);
   for (const std::string& setting : options.settings)
     apply_setting(scene, setting);
   if (options.grains_given)

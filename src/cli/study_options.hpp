@@ -27,8 +27,8 @@ struct StudyOptions {
 
 void add_study_options(CLI::App& command, StudyOptions& options);
 
-/// The defaults given, then the scene file, then --set, then --grains, --seeds and --threads.
+/// `base`, then the scene file, then --set, then --grains, --seeds and --threads.
 /// \throws   FileError, InvalidArgument
-[[nodiscard]] verify::Scene resolve(const StudyOptions& options, const verify::Scene& defaults = {});
+[[nodiscard]] verify::Scene resolve(const StudyOptions& options, const verify::Scene& base = {});
 
 } // namespace granum::cli

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <functional>
 
-#include <Eigen/Dense>
+#include <granum/hardin/fit.hpp>
+#include <granum/hardin/polynomial.hpp>
+#include <granum/verify/paper.hpp>
 
 namespace granum::verify {
 
@@ -15,20 +17,10 @@ namespace {
 using triaxial::Density;
 using ModulusOf = std::function<std::optional<double>(const StateResult&)>;
 
-/// s of G_hv in the paper's Table 5.                                                              [Chung2014]
+/// s of G_hv in the paper's Table 5.
 std::optional<double> paper_exponent(Shape contact, Density density) {
-  const bool dense = density == Density::dense;
-  switch (contact) {
-  case Shape::cone:
-    return dense ? 0.510 : 0.677;
-  case Shape::sphere:
-    return dense ? 0.349 : 0.533;
-  case Shape::flat:
-    return dense ? 0.025 : 0.245;
-  case Shape::power_law:
-    break;
-  }
-  return std::nullopt;
+  const std::optional<PrintedSpecimen> paper = printed(contact, density);
+  return paper ? std::optional(paper->hv.s) : std::nullopt;
 }
 
 std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
@@ -177,23 +169,15 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
 }
 
 std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens) {
-  std::vector<std::pair<double, double>> points;
+  std::vector<double> z, ratio;
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& state : specimen.states)
-      points.emplace_back(state.mechanical_coordination_number - 5, state.G_network / state.G_uniform_strain);
-  if (points.size() < 8)
+    for (const StateResult& state : specimen.states) {
+      z.push_back(state.mechanical_coordination_number - 5);
+      ratio.push_back(state.G_network / state.G_uniform_strain);
+    }
+  if (z.size() < 8)
     return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd powers(count, 4);
-  Eigen::VectorXd ratio(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto& [z, g] = points[static_cast<std::size_t>(k)];
-    powers.row(k) << 1, z, z * z, z * z * z;
-    ratio(k) = g;
-  }
-  const Eigen::VectorXd curve = powers.colPivHouseholderQr().solve(ratio);
-  return RelaxationCurve{points.size(),
-                         (powers * curve - ratio).norm() / std::sqrt(static_cast<double>(count))};
+  return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
 }
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {

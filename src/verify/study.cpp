@@ -16,7 +16,9 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/verify/plan.hpp>
 
-#include "run_parts.hpp"
+#include "endings.hpp"
+#include "frozen_point.hpp"
+#include "work_sharing.hpp"
 
 namespace granum::verify {
 
@@ -62,23 +64,6 @@ void solve_network(const Assembly& assembly, StateResult& out) {
   out.K_upper = bounds.upper;
   out.network_iterations = response.report().iterations;
   out.network_residual = response.report().residual;
-}
-
-double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
-                     double* amplitude) {
-  const triaxial::ProbeResult result = triaxial::probe(state, material, mode);
-  require_rest(result.unbalanced_force_ratio, "a probe");
-  if (amplitude != nullptr)
-    *amplitude = result.amplitude;
-  return result.shear_modulus;
-}
-
-Probes run_probes(const dem::State& state, const dem::Material& material) {
-  Probes probes;
-  probes.G_hh = probe_modulus(state, material, triaxial::ShearMode::hh, &probes.amplitude);
-  probes.G_hv = probe_modulus(state, material, triaxial::ShearMode::hv, nullptr);
-  probes.G_vh = probe_modulus(state, material, triaxial::ShearMode::vh, nullptr);
-  return probes;
 }
 
 struct Packing {

@@ -15,8 +15,10 @@
 #include <granum/triaxial/specimen.hpp>
 #include <granum/verify/findings.hpp>
 
-#include "run_parts.hpp"
+#include "endings.hpp"
+#include "frozen_point.hpp"
 #include "trade_parts.hpp"
+#include "work_sharing.hpp"
 
 namespace granum::verify {
 
