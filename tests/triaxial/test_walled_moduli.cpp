@@ -27,7 +27,7 @@ const dem::Material material = test::quartz(radius, 0.4986);
 
 SpecimenRecipe recipe() {
   SpecimenRecipe recipe{.material = material, .radius = radius};
-  recipe.grains = 300;
+  recipe.grains = 150;
   recipe.seed = 4;
   recipe.wall_friction = 0;
   return recipe;
