@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the state of a loose specimen answers to its recipe: C_n, z*, rattlers and void ratio at 10 kPa against the
-// random move (agitation) and the linear strain (unjamming_strain) between jamming and compression with friction.
+// How the state of a loose specimen answers to its recipe: C_n, z*, rattlers and void ratio at 10 kPa against
+// the random move (agitation) and the linear strain (unjamming_strain) between jamming and compression with
+// friction.
 //
 //     loose_state table.csv [grains] [seeds]
 #include <cmath>
