@@ -11,6 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "io/temporary_folder.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -61,22 +62,6 @@ void check_same(const Experiment& a, const Experiment& b) {
     }
   }
 }
-
-/// An empty folder that is removed at the end.
-class Folder {
- public:
-  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("granum_" + name)) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 } // namespace
 
@@ -184,7 +169,7 @@ TEST_CASE("an experiment is the same bits on one and on two threads, and with ch
   const Experiment one = run_experiment(small_scene());
   Scene scene = small_scene();
   scene.threads = 2;
-  const Folder folder("experiment_threads");
+  const TemporaryFolder folder;
   check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
   // A finished run is read from its checkpoints.
   check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
@@ -192,7 +177,7 @@ TEST_CASE("an experiment is the same bits on one and on two threads, and with ch
 
 TEST_CASE("an experiment that is stopped again and again goes on to the same bits") {
   const Experiment whole = run_experiment(small_scene());
-  const Folder folder("experiment_resumed");
+  const TemporaryFolder folder;
   const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
   int rounds = 0;
   double before = 0;
@@ -218,7 +203,7 @@ TEST_CASE("checkpoints of another scene are refused") {
   scene.paths = {};
   scene.pressures = {80e3, 90e3, 100e3};
   scene.probe_pressures = {};
-  const Folder folder("experiment_other");
+  const TemporaryFolder folder;
   REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
   CHECK_THROWS_AS((void)run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "other"}),
                   FileError);
@@ -227,7 +212,7 @@ TEST_CASE("checkpoints of another scene are refused") {
 TEST_CASE("a checkpoint that cannot be written ends an experiment with its error") {
   Scene scene = small_scene();
   scene.paths = {};
-  const Folder folder("experiment_unwritable");
+  const TemporaryFolder folder;
   // The folder of checkpoints is a file.
   const fs::path file = folder.path() / "file";
   std::ofstream(file) << "x";
