@@ -11,6 +11,7 @@
 #include <granum/verify/paper.hpp>
 
 #include "experiment_data.hpp"
+#include "seed_mean.hpp"
 
 namespace granum::verify {
 
@@ -20,25 +21,6 @@ using triaxial::Density;
 
 /// A quantity of one specimen; nothing where it was not measured.
 using Quantity = std::function<std::optional<Measured>(const ExperimentSpecimen&)>;
-
-std::optional<Measured> mean_over_seeds(const std::vector<Measured>& each) {
-  if (each.empty())
-    return std::nullopt;
-  const double count = static_cast<double>(each.size());
-  Measured mean;
-  double own = 0, scatter = 0;
-  bool known = each.size() > 1;
-  for (const Measured& one : each) {
-    mean.value += one.value / count;
-    own += one.standard_error ? *one.standard_error * *one.standard_error / count : 0;
-    known = known || one.standard_error;
-  }
-  for (const Measured& one : each)
-    scatter += (one.value - mean.value) * (one.value - mean.value) / std::max(1.0, count - 1);
-  if (known)
-    mean.standard_error = std::sqrt(std::max(own, scatter) / count);
-  return mean;
-}
 
 /// One column of a table: how it is measured, what the paper prints, and how near it should come.
 struct Column {

@@ -10,6 +10,8 @@
 #include <granum/hardin/polynomial.hpp>
 #include <granum/verify/paper.hpp>
 
+#include "seed_mean.hpp"
+
 namespace granum::verify {
 
 namespace {
@@ -32,29 +34,16 @@ std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const Modulu
   return fitted_exponent(rows, function);
 }
 
-std::optional<Exponent> mean_of(const std::vector<Exponent>& each) {
-  if (each.empty())
-    return std::nullopt;
-  const double count = static_cast<double>(each.size());
-  Exponent mean;
-  double regression = 0, scatter = 0;
-  for (const Exponent& one : each) {
-    mean.value += one.value / count;
-    regression += one.standard_error * one.standard_error / count;
-  }
-  for (const Exponent& one : each)
-    scatter += (one.value - mean.value) * (one.value - mean.value) / std::max(1.0, count - 1);
-  mean.standard_error = std::sqrt(std::max(regression, scatter) / count);
-  return mean;
-}
-
 std::optional<Exponent> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
                                             const ModulusOf& modulus_of, hardin::VoidRatioFunction function) {
-  std::vector<Exponent> each;
+  std::vector<Measured> each;
   for (const SpecimenResult* specimen : group)
     if (const std::optional<Exponent> one = exponent_of(*specimen, modulus_of, function))
-      each.push_back(*one);
-  return mean_of(each);
+      each.push_back({one->value, one->standard_error});
+  const std::optional<Measured> mean = mean_over_seeds(each);
+  if (!mean)
+    return std::nullopt;
+  return Exponent{mean->value, mean->standard_error.value_or(0)};
 }
 
 std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens, Shape contact,
