@@ -6,7 +6,7 @@ granum_trade_refuses("two contact shapes" 2 "contacts: speed against accuracy is
   --set study.contacts=sphere,cone)
 granum_trade_refuses("one seed has no scatter" 2 "seeds = 1 is outside \\[2, 1000\\]" --seeds 1)
 granum_trade_refuses("quick and full at once" 2 "--quick cannot go with --full or --budget" --quick --full)
-granum_trade_refuses("budget without unit" 2 "budget = 600 has no unit" --budget 600)
+granum_trade_refuses("budget without unit" 2 "--budget = 600 has no unit" --budget 600)
 granum_trade_refuses("budget that is too small" 2 "budget = 0\\.001 s is outside times of at least [0-9]" --budget 1ms)
 granum_trade_refuses("unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
 granum_trade_refuses("folder that is a file" 3 "isotropic\\.csv: cannot be " --out isotropic.csv)
