@@ -58,10 +58,37 @@ void conclude(const Engine& engine, QuasistaticReport& report) {
     report.outcome = Outcome::unstable;
 }
 
+/// Whether the stress has stopped moving, looked at once in a spell.
+class StressWatch {
+ public:
+  StressWatch(const QuasistaticOptions& options, const Mat3& stress)
+      : limit_(options.settled_stress), spell_(options.settle_steps), last_(stress) {}
+
+  bool settled(std::size_t steps_at_rest, const Mat3& stress) {
+    if (!(limit_ > 0) || steps_at_rest == 0 || steps_at_rest % spell_ != 0)
+      return false;
+    double change = 0;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        change = std::max(change, std::abs(stress(row, column) - last_(row, column)));
+    last_ = stress;
+    quiet_spells_ = change <= limit_ ? quiet_spells_ + 1 : 0;
+    return quiet_spells_ >= 2;
+  }
+
+ private:
+  double limit_;
+  std::size_t spell_;
+  Mat3 last_;
+  int quiet_spells_ = 0;
+};
+
 void require_valid(const QuasistaticOptions& options) {
   require_positive("inertial_number", options.inertial_number);
   require_positive("force_tolerance", options.force_tolerance);
   require_positive("stress_tolerance", options.stress_tolerance);
+  require_non_negative("settled_stress", options.settled_stress, "Pa");
+  require_positive("settle_steps", static_cast<double>(options.settle_steps));
 }
 
 } // namespace
@@ -129,9 +156,15 @@ QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_st
     engine.step();
   }
   engine.set_velocity_gradient(Mat3{});
+  const std::size_t ramped = report.steps;
+  StressWatch watch(options, engine.figures().stress);
   for (; report.steps < options.max_steps; ++report.steps) {
     if (interrupted(engine, options, report))
       break;
+    if (watch.settled(report.steps - ramped, engine.figures().stress)) {
+      report.outcome = Outcome::settled;
+      break;
+    }
     if (report.steps % check_interval == 0 && engine.figures().contacts > 0 &&
         engine.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;

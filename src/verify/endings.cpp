@@ -11,6 +11,8 @@ std::string words(dem::Outcome outcome) {
   switch (outcome) {
   case dem::Outcome::converged:
     return "converged";
+  case dem::Outcome::settled:
+    return "settled";
   case dem::Outcome::step_limit:
     return "did not come to rest within the allowed steps";
   case dem::Outcome::unstable:

@@ -16,6 +16,10 @@ struct QuasistaticOptions {
   double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
   double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
   std::size_t max_steps = 400000;
+  /// Only of deform. Stress change that no longer matters [Pa]: a run whose stress moves by no more than this in
+  /// any component, over two spells of settle_steps in turn, ends as `settled`. 0: only the forces are asked.
+  double settled_stress = 0;
+  std::size_t settle_steps = 1000;
   double time_step_fraction = default_time_step_fraction; ///< of the stability limit, in (0, 1]
   /// Asked now and then; true ends the run early (the report then says `stopped`).
   std::function<bool()> stop_requested = {};
@@ -23,6 +27,7 @@ struct QuasistaticOptions {
 
 enum class Outcome {
   converged,
+  settled,    ///< the stress stands still although the forces are not within their tolerance: a rattler moves
   step_limit, ///< tolerances not reached within max_steps
   unstable,   ///< a velocity or a stress was no longer finite
   stopped,    ///< stop_requested said so
@@ -57,6 +62,8 @@ QuasistaticReport shear_at_stress(Engine& engine, const Mat3& strain, std::size_
 
 /// Deforms the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps, and lets the grains
 /// come to rest at fixed cell. Strain is here the displacement gradient, extension positive.
+/// \throws   InvalidArgument for an option that is not positive, or a settled_stress that is negative
+/// Checked by tests/dem/test_quasistatic.cpp
 QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
                          const QuasistaticOptions& options = {});
 

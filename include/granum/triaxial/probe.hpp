@@ -31,7 +31,9 @@ struct ProbeOptions {
   /// end once more, where a loop that repeats itself closes.
   std::size_t loop_points = 0;
   std::size_t ramp_steps = 100;
-  double force_tolerance = 1e-8; ///< unbalanced force ratio after each leg [1]; G is then within about 0.2 %
+  /// Unbalanced force ratio after each leg [1]; G is then within about 0.2 %. A leg also ends when its stress
+  /// stands still, to 1e-4 of the swing at worst: among many grains some rattler always moves.
+  double force_tolerance = 1e-8;
   std::size_t max_steps = 40000; ///< of each leg
 };
 
@@ -47,8 +49,8 @@ struct [[nodiscard]] ProbeResult {
   double amplitude = 0;     ///< shear strain used [1]
   /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
   double opening = 0;
-  /// Largest after any leg [1]. Beyond the tolerance when a leg ran out of steps: a rattler that is slowly
-  /// squeezed out of its cage keeps a specimen from coming to rest, but bears no load.
+  /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of steps: a
+  /// rattler that is slowly squeezed out of its cage keeps a specimen from coming to rest, but bears no load.
   double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
   std::vector<LoopPoint> loop; ///< the start and 5 quarters, if options.loop_points ask for them
