@@ -40,8 +40,8 @@ dem::State sticking(dem::State state) {
   return state;
 }
 
-/// The stress counts as settled when it moves by less than this part of what the strain would bring about in a
-/// network that does not relax: 1e-4 of the swing in weakly coordinated specimens, 2e-5 in dense ones.
+/// The stress counts as settled when it moves by less than this part of what the strain would bring about in
+/// a network that does not relax: 1e-4 of the swing in weakly coordinated specimens, 2e-5 in dense ones.
 constexpr double settled_share = 1e-5;
 
 /// Steps in which the slowest wave, as long as the specimen, passes through it several times.

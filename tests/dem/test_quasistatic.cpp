@@ -82,7 +82,7 @@ TEST_CASE("a smaller time step takes more steps to the same equilibrium") {
   const auto [usual_steps, usual] = run(default_time_step_fraction);
   const auto [many_steps, small] = run(default_time_step_fraction / 4);
   CHECK(small == relative(usual / 4, 1e-5));
-  // The strain at the largest rate takes four times the steps; the servo closes its last gap in as many as ever.
+  // The strain at the largest rate takes four times the steps; the servo closes its last gap in as many.
   CHECK(many_steps > usual_steps);
 
   Engine engine(test::fcc(radius, 3, 1e-8), material);

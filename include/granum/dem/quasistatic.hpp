@@ -16,8 +16,8 @@ struct QuasistaticOptions {
   double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
   double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
   std::size_t max_steps = 400000;
-  /// Only of deform. Stress change that no longer matters [Pa]: a run whose stress moves by no more than this in
-  /// any component, over two spells of settle_steps in turn, ends as `settled`. 0: only the forces are asked.
+  /// Only of deform. Stress change that no longer matters [Pa]: a run whose stress moves by no more than this
+  /// in any component, over two spells of settle_steps in turn, ends as `settled`. 0: only forces are asked.
   double settled_stress = 0;
   std::size_t settle_steps = 1000;
   double time_step_fraction = default_time_step_fraction; ///< of the stability limit, in (0, 1]

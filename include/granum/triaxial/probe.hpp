@@ -49,8 +49,8 @@ struct [[nodiscard]] ProbeResult {
   double amplitude = 0;     ///< shear strain used [1]
   /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
   double opening = 0;
-  /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of steps: a
-  /// rattler that is slowly squeezed out of its cage keeps a specimen from coming to rest, but bears no load.
+  /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of
+  /// steps: a rattler that is squeezed out of its cage keeps a specimen from rest, but bears no load.
   double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
   std::vector<LoopPoint> loop; ///< the start and 5 quarters, if options.loop_points ask for them
