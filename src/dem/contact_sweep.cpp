@@ -21,7 +21,7 @@ struct PairBlock {
   Block bx, by, bz;
   Block ux, uy, uz;
   Block wx, wy, wz;
-  Block squared, inverse_length, force, stiffness;
+  Block squared, inverse_length, overlap, force, stiffness;
   Block fx, fy, fz; ///< whole force on j
   Block tx, ty, tz; ///< torque on either grain
 };
@@ -58,9 +58,20 @@ GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-GRANUM_INLINE Four& four(Block& block, std::size_t k) { return *reinterpret_cast<Four*>(&block[k]); }
-GRANUM_INLINE const Four& four(const Block& block, std::size_t k) {
-  return *reinterpret_cast<const Four*>(&block[k]);
+using FourDoubles __attribute__((may_alias)) = Four;
+GRANUM_INLINE FourDoubles& four(Block& block, std::size_t k) {
+  return *reinterpret_cast<FourDoubles*>(&block[k]);
+}
+GRANUM_INLINE const FourDoubles& four(const Block& block, std::size_t k) {
+  return *reinterpret_cast<const FourDoubles*>(&block[k]);
+}
+
+/// Brings the rows of a block's grains near, while the block before it is worked off.
+GRANUM_INLINE void prefetch(const Pair* pairs, const MotionRow* rows, const LoadRow* load) {
+  for (std::size_t k = 0; k < block_size; ++k) {
+    __builtin_prefetch(&rows[pairs[k].j]);
+    __builtin_prefetch(&load[pairs[k].j], 1);
+  }
 }
 
 /// Branches, relative velocities and sums of angular velocities.
@@ -94,21 +105,22 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
   }
 }
 
+/// In two loops: in one, the compiler would branch where a pair does not touch.
 template <class Law>
-GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& p) {
+GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
     const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
     const double length = std::sqrt(squared);
     const double overlap = diameter - length;
-    const bool touches = overlap > 0;
-    const contact::NormalResponse response = law(touches ? overlap : 0.0);
-    const double force = touches ? response.force : 0.0;
-    const double inverse_length = 1 / length;
     p.squared[k] = squared;
-    p.inverse_length[k] = inverse_length;
-    p.force[k] = force;
-    p.stiffness[k] = touches ? response.stiffness : 0.0;
-    const double per_length = force * inverse_length;
+    p.inverse_length[k] = 1 / length;
+    p.overlap[k] = overlap > 0 ? overlap : 0.0;
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const contact::NormalResponse response = law(p.overlap[k]);
+    p.force[k] = response.force;
+    p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
+    const double per_length = response.force * p.inverse_length[k];
     p.fx[k] = per_length * p.bx[k];
     p.fy[k] = per_length * p.by[k];
     p.fz[k] = per_length * p.bz[k];
@@ -236,7 +248,8 @@ struct Work {
 
 template <bool tangential, class Law>
 GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const Pair* pairs, std::size_t first,
-                               PairBlock& p) {
+                               const Pair* next, PairBlock& p) {
+  prefetch(next, work.in.grains.row.data(), work.load);
   load_block<tangential>(work.in, work.shifts, pairs, p);
   normal_forces(law, work.in.diameter, p);
   if constexpr (tangential)
@@ -251,8 +264,10 @@ template <bool tangential, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
   const std::vector<Pair>& pairs = work.in.pairs;
-  for (std::size_t first = 0; first < pairs.size(); first += block_size)
-    sweep_block<tangential>(law, work, pairs.data() + first, first, p);
+  for (std::size_t first = 0; first < pairs.size(); first += block_size) {
+    const std::size_t next = std::min(first + block_size, pairs.size() - block_size);
+    sweep_block<tangential>(law, work, pairs.data() + first, first, pairs.data() + next, p);
+  }
 }
 
 template <class Law>

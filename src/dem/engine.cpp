@@ -43,6 +43,9 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
   inertia = mass * cold.radius * cold.radius;
   cold.velocity.resize(count);
   cold.angular_velocity.resize(count);
+  for (const ContactHistory& contact : cold.history)
+    if (contact.i >= count || contact.j >= count)
+      throw InvalidArgument("engine: the state remembers a contact of a grain that it does not have");
   if (order.empty())
     order = near_order(cold);
   cold = reordered(cold, order);
