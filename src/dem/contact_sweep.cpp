@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: b branch from i to j, u relative velocity of the centres j - i, w sum of both angular velocities,
-// s tangential force on j. A block holds one number of each of its pairs per array; pairs that do not touch,
-// and the padding of the last block, carry zeros through every formula.
+// Notation: b branch from i to j, l its length, u relative velocity of the centres j - i, w sum of both angular
+// velocities, s tangential force on j. A block holds one number of each of its pairs per array; pairs that do
+// not touch, and the padding of the last block, carry zeros through every formula.
 //
 // This file is compiled without math errno and trapping (CMakeLists.txt), which lets the loops below become
 // vector code; neither changes a result.
@@ -11,23 +11,17 @@
 #include <cmath>
 #include <variant>
 
-// Same source for each vector level, chosen when the program starts. No level contracts or reorders, so that
-// all give the same bits. Sanitized builds take the plain one: their runtime starts after the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx2", "default")))
-#else
-#define GRANUM_VECTOR_LEVELS
-#endif
-
 namespace granum::dem {
 
 namespace {
+
+#define GRANUM_INLINE [[gnu::always_inline]] inline
 
 struct PairBlock {
   Block bx, by, bz;
   Block ux, uy, uz;
   Block wx, wy, wz;
-  Block squared, force, stiffness;
+  Block squared, inverse_length, overlap, force, stiffness;
   Block fx, fy, fz; ///< whole force on j
   Block tx, ty, tz; ///< torque on either grain
 };
@@ -38,35 +32,95 @@ struct SumBlock {
   Block normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
 };
 
-template <class Law>
-[[gnu::always_inline]] inline void normal_forces(const Law& law, double diameter, PairBlock& p) {
+/// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
+/// padding far out of reach.
+constexpr std::uint32_t far_image = 27;
+using Shifts = std::array<Four, far_image + 1>;
+
+Shifts shift_rows(const Mat3& cell, double diameter) {
+  const std::array<Vec3, far_image> vectors = shift_vectors(cell);
+  Shifts rows;
+  for (std::size_t k = 0; k < far_image; ++k)
+    rows[k] = Four{vectors[k].x, vectors[k].y, vectors[k].z, 0};
+  rows[far_image] = Four{2 * diameter, 0, 0, 0};
+  return rows;
+}
+
+/// Four rows become four columns, and back.
+GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
+  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Four cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+using FourDoubles __attribute__((may_alias)) = Four;
+GRANUM_INLINE FourDoubles& four(Block& block, std::size_t k) {
+  return *reinterpret_cast<FourDoubles*>(&block[k]);
+}
+GRANUM_INLINE const FourDoubles& four(const Block& block, std::size_t k) {
+  return *reinterpret_cast<const FourDoubles*>(&block[k]);
+}
+
+/// Brings the rows of a block's grains near, while the block before it is worked off.
+GRANUM_INLINE void prefetch(const Pair* pairs, const MotionRow* rows, const LoadRow* load) {
   for (std::size_t k = 0; k < block_size; ++k) {
-    const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
-    const double overlap = diameter - std::sqrt(squared);
-    const bool touches = overlap > 0;
-    const contact::NormalResponse response = law(touches ? overlap : 0.0);
-    p.squared[k] = squared;
-    p.force[k] = touches ? response.force : 0.0;
-    p.stiffness[k] = touches ? response.stiffness : 0.0;
+    __builtin_prefetch(&rows[pairs[k].j]);
+    __builtin_prefetch(&load[pairs[k].j], 1);
   }
 }
 
-GRANUM_VECTOR_LEVELS void normal_forces_of(const contact::ConeKernel& law, double diameter, PairBlock& p) {
-  normal_forces(law, diameter, p);
-}
-GRANUM_VECTOR_LEVELS void normal_forces_of(const contact::SphereKernel& law, double diameter, PairBlock& p) {
-  normal_forces(law, diameter, p);
-}
-GRANUM_VECTOR_LEVELS void normal_forces_of(const contact::FlatKernel& law, double diameter, PairBlock& p) {
-  normal_forces(law, diameter, p);
-}
-void normal_forces_of(const contact::GeneralKernel& law, double diameter, PairBlock& p) {
-  normal_forces(law, diameter, p);
+/// Branches, relative velocities and sums of angular velocities.
+template <bool tangential>
+GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const Pair* pairs, PairBlock& p) {
+  const MotionRow* const rows = in.grains.row.data();
+  const double* const spin_y = in.grains.spin_y.data();
+  const Four sign{-1, -1, -1, 1}; // centres and velocities subtract, angular velocities add
+  for (std::size_t k = 0; k < block_size; k += 4) {
+    Four place[4], rate[4];
+    for (std::size_t n = 0; n < 4; ++n) {
+      const Pair& pair = pairs[k + n];
+      place[n] = rows[pair.j].place + sign * rows[pair.i].place + shifts[pair.image];
+      if constexpr (tangential) {
+        rate[n] = rows[pair.j].rate + sign * rows[pair.i].rate;
+        p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
+      }
+    }
+    transpose(place[0], place[1], place[2], place[3]);
+    four(p.bx, k) = place[0];
+    four(p.by, k) = place[1];
+    four(p.bz, k) = place[2];
+    if constexpr (tangential) {
+      four(p.wz, k) = place[3];
+      transpose(rate[0], rate[1], rate[2], rate[3]);
+      four(p.ux, k) = rate[0];
+      four(p.uy, k) = rate[1];
+      four(p.uz, k) = rate[2];
+      four(p.wx, k) = rate[3];
+    }
+  }
 }
 
-GRANUM_VECTOR_LEVELS void frictionless_forces(PairBlock& p) {
+/// In two loops: in one, the compiler would branch where a pair does not touch.
+template <class Law>
+GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
-    const double per_length = p.force[k] / std::sqrt(p.squared[k]);
+    const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
+    const double length = std::sqrt(squared);
+    const double overlap = diameter - length;
+    p.squared[k] = squared;
+    p.inverse_length[k] = 1 / length;
+    p.overlap[k] = overlap > 0 ? overlap : 0.0;
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const contact::NormalResponse response = law(p.overlap[k]);
+    p.force[k] = response.force;
+    p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
+    const double per_length = response.force * p.inverse_length[k];
     p.fx[k] = per_length * p.bx[k];
     p.fy[k] = per_length * p.by[k];
     p.fz[k] = per_length * p.bz[k];
@@ -75,10 +129,9 @@ GRANUM_VECTOR_LEVELS void frictionless_forces(PairBlock& p) {
 
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
 /// .. mk: this block's memory.
-GRANUM_VECTOR_LEVELS void frictional_forces(const SweepInput& in, PairBlock& __restrict p,
-                                            Block& __restrict sliding, double* __restrict mx,
-                                            double* __restrict my, double* __restrict mz,
-                                            double* __restrict mk) {
+GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Block& __restrict sliding,
+                                     double* __restrict mx, double* __restrict my, double* __restrict mz,
+                                     double* __restrict mk) {
   const double ratio = in.tangential_ratio, friction = in.friction, elapsed = in.elapsed;
   const Mat3 gradient = in.gradient;
   for (std::size_t k = 0; k < block_size; ++k) {
@@ -95,7 +148,7 @@ GRANUM_VECTOR_LEVELS void frictional_forces(const SweepInput& in, PairBlock& __r
     double sx = keep * mx[k] - increment * vx;
     double sy = keep * my[k] - increment * vy;
     double sz = keep * mz[k] - increment * vz;
-    const double along = (sx * bx + sy * by + sz * bz) / p.squared[k];
+    const double along = (sx * bx + sy * by + sz * bz) * (p.inverse_length[k] * p.inverse_length[k]);
     sx -= along * bx;
     sy -= along * by;
     sz -= along * bz;
@@ -120,7 +173,7 @@ GRANUM_VECTOR_LEVELS void frictional_forces(const SweepInput& in, PairBlock& __r
   }
 }
 
-GRANUM_VECTOR_LEVELS void add_up(const PairBlock& __restrict p, SumBlock& __restrict sums) {
+GRANUM_INLINE void add_up(const PairBlock& __restrict p, SumBlock& __restrict sums) {
   for (std::size_t k = 0; k < block_size; ++k) {
     sums.stress[0][k] += p.fx[k] * p.bx[k];
     sums.stress[1][k] += p.fx[k] * p.by[k];
@@ -138,59 +191,31 @@ GRANUM_VECTOR_LEVELS void add_up(const PairBlock& __restrict p, SumBlock& __rest
   }
 }
 
-/// Branches and relative velocities of the pairs from first on; the padding stands two diameters apart.
+/// Adds the forces of a block to its grains, pair by pair in the order of the list.
 template <bool tangential>
-void load_block(const SweepInput& in, const std::array<Vec3, 27>& shifts, std::size_t first,
-                std::size_t count, PairBlock& p) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const Pair pair = in.pairs[first + k];
-    const Motion& a = in.motion[pair.i];
-    const Motion& b = in.motion[pair.j];
-    const Vec3& shift = shifts[pair.image];
-    p.bx[k] = b.x.x - a.x.x + shift.x;
-    p.by[k] = b.x.y - a.x.y + shift.y;
-    p.bz[k] = b.x.z - a.x.z + shift.z;
+GRANUM_INLINE void unload_block(const Pair* pairs, const PairBlock& p, LoadRow* load) {
+  const Four sign{-1, -1, -1, 1}; // forces are opposite, torques equal
+  for (std::size_t k = 0; k < block_size; k += 4) {
+    Four push[4] = {four(p.fx, k), four(p.fy, k), four(p.fz, k), Four{}};
+    Four turn[4] = {};
     if constexpr (tangential) {
-      p.ux[k] = b.v.x - a.v.x;
-      p.uy[k] = b.v.y - a.v.y;
-      p.uz[k] = b.v.z - a.v.z;
-      p.wx[k] = b.w.x + a.w.x;
-      p.wy[k] = b.w.y + a.w.y;
-      p.wz[k] = b.w.z + a.w.z;
+      push[3] = four(p.tx, k);
+      turn[0] = four(p.ty, k);
+      turn[3] = four(p.tz, k);
+      transpose(turn[0], turn[1], turn[2], turn[3]);
+    }
+    transpose(push[0], push[1], push[2], push[3]);
+    for (std::size_t n = 0; n < 4; ++n) {
+      LoadRow& on_i = load[pairs[k + n].i];
+      LoadRow& on_j = load[pairs[k + n].j];
+      on_i.push += sign * push[n];
+      on_j.push += push[n];
+      if constexpr (tangential) {
+        on_i.turn += turn[n];
+        on_j.turn += turn[n];
+      }
     }
   }
-  for (std::size_t k = count; k < block_size; ++k) {
-    p.bx[k] = 2 * in.diameter;
-    p.by[k] = p.bz[k] = 0;
-    p.ux[k] = p.uy[k] = p.uz[k] = p.wx[k] = p.wy[k] = p.wz[k] = 0;
-  }
-}
-
-/// Adds the forces of a block to its grains; the sorted list keeps grain i for several pairs in turn.
-template <bool tangential>
-void unload_block(const SweepInput& in, std::size_t first, std::size_t count, const PairBlock& p,
-                  std::vector<Load>& load) {
-  std::uint32_t i = in.pairs[first].i;
-  Load on_i = load[i];
-  for (std::size_t k = 0; k < count; ++k) {
-    const Pair pair = in.pairs[first + k];
-    if (pair.i != i) {
-      load[i] = on_i;
-      i = pair.i;
-      on_i = load[i];
-    }
-    if (!(p.force[k] > 0))
-      continue;
-    const Vec3 force{p.fx[k], p.fy[k], p.fz[k]};
-    on_i.f -= force;
-    load[pair.j].f += force;
-    if constexpr (tangential) {
-      const Vec3 torque{p.tx[k], p.ty[k], p.tz[k]};
-      on_i.t += torque;
-      load[pair.j].t += torque;
-    }
-  }
-  load[i] = on_i;
 }
 
 double total(const Block& block) {
@@ -213,42 +238,73 @@ SweepSums totals(const SumBlock& sums) {
   return out;
 }
 
+struct Work {
+  const SweepInput& in;
+  const Shifts& shifts;
+  ContactMemory* memory; ///< null: frictionless
+  LoadRow* load;
+  SumBlock& sums;
+};
+
 template <bool tangential, class Law>
-SweepSums sweep(const Law& law, const SweepInput& in, ContactMemory* memory, std::vector<Load>& load) {
-  const std::array<Vec3, 27> shifts = shift_vectors(in.cell);
-  SumBlock sums;
+GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const Pair* pairs, std::size_t first,
+                               const Pair* next, PairBlock& p) {
+  prefetch(next, work.in.grains.row.data(), work.load);
+  load_block<tangential>(work.in, work.shifts, pairs, p);
+  normal_forces(law, work.in.diameter, p);
+  if constexpr (tangential)
+    frictional_forces(work.in, p, work.sums.sliding, work.memory->x.data() + first,
+                      work.memory->y.data() + first, work.memory->z.data() + first,
+                      work.memory->stiffness.data() + first);
+  add_up(p, work.sums);
+  unload_block<tangential>(pairs, p, work.load);
+}
+
+template <bool tangential, class Law>
+GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
-  std::fill(load.begin(), load.end(), Load{});
-  for (std::size_t first = 0; first < in.pairs.size(); first += block_size) {
-    const std::size_t count = std::min(block_size, in.pairs.size() - first);
-    load_block<tangential>(in, shifts, first, count, p);
-    normal_forces_of(law, in.diameter, p);
-    frictionless_forces(p);
-    if constexpr (tangential)
-      frictional_forces(in, p, sums.sliding, memory->x.data() + first, memory->y.data() + first,
-                        memory->z.data() + first, memory->stiffness.data() + first);
-    add_up(p, sums);
-    unload_block<tangential>(in, first, count, p, load);
+  const std::vector<Pair>& pairs = work.in.pairs;
+  for (std::size_t first = 0; first < pairs.size(); first += block_size) {
+    const std::size_t next = std::min(first + block_size, pairs.size() - block_size);
+    sweep_block<tangential>(law, work, pairs.data() + first, first, pairs.data() + next, p);
   }
-  return totals(sums);
+}
+
+template <class Law>
+GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
+  if (work.memory != nullptr)
+    sweep_all<true>(law, work);
+  else
+    sweep_all<false>(law, work);
+}
+
+GRANUM_VECTOR_LEVELS void sweep(const contact::ConeKernel& law, const Work& work) { sweep_with(law, work); }
+GRANUM_VECTOR_LEVELS void sweep(const contact::SphereKernel& law, const Work& work) { sweep_with(law, work); }
+GRANUM_VECTOR_LEVELS void sweep(const contact::FlatKernel& law, const Work& work) { sweep_with(law, work); }
+GRANUM_VECTOR_LEVELS void sweep(const contact::GeneralKernel& law, const Work& work) {
+  sweep_with(law, work);
 }
 
 } // namespace
 
 void ContactMemory::reset(std::size_t pairs) {
-  const std::size_t padded = (pairs + block_size - 1) / block_size * block_size;
   for (std::vector<double>* array : {&x, &y, &z, &stiffness})
-    array->assign(padded, 0.0);
+    array->assign(pairs, 0.0);
+}
+
+std::vector<Pair> padded(std::vector<Pair> pairs) {
+  pairs.resize((pairs.size() + block_size - 1) / block_size * block_size, Pair{0, 0, far_image});
+  return pairs;
 }
 
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
-                        std::vector<Load>& load) {
-  return std::visit(
-      [&](const auto& kernel) {
-        return memory != nullptr ? sweep<true>(kernel, input, memory, load)
-                                 : sweep<false>(kernel, input, memory, load);
-      },
-      law);
+                        std::vector<LoadRow>& load) {
+  const Shifts shifts = shift_rows(input.cell, input.diameter);
+  SumBlock sums;
+  std::fill(load.begin(), load.end(), LoadRow{});
+  const Work work{input, shifts, memory, load.data(), sums};
+  std::visit([&](const auto& kernel) { sweep(kernel, work); }, law);
+  return totals(sums);
 }
 
 } // namespace granum::dem

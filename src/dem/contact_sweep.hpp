@@ -9,22 +9,14 @@
 #include <granum/core/vec3.hpp>
 #include <granum/dem/neighbours.hpp>
 
+#include "grain_rows.hpp"
+
 namespace granum::dem {
-
-/// Centre, own velocity and angular velocity of a grain.
-struct Motion {
-  Vec3 x, v, w;
-};
-
-/// Force and torque on a grain.
-struct Load {
-  Vec3 f, t;
-};
 
 /// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block. Sums
 /// run in this order too: every vector width gives the same bits.
 inline constexpr std::size_t block_size = 32;
-using Block = std::array<double, block_size>;
+struct alignas(64) Block : std::array<double, block_size> {};
 
 /// Tangential force (on j) and tangential stiffness of each pair at the last sweep, padded to whole blocks.
 struct ContactMemory {
@@ -44,8 +36,8 @@ struct SweepSums {
 };
 
 struct SweepInput {
-  const std::vector<Pair>& pairs;
-  const std::vector<Motion>& motion;
+  const std::vector<Pair>& pairs; ///< padded
+  const Grains& grains;
   Mat3 cell;
   Mat3 gradient;           ///< velocity gradient of the cell [1/s]
   double diameter;         ///< [m]
@@ -54,9 +46,12 @@ struct SweepInput {
   double friction;         ///< finite
 };
 
+/// The list in whole blocks, as the sweep wants it: filled up with pairs that never touch.
+[[nodiscard]] std::vector<Pair> padded(std::vector<Pair> pairs);
+
 /// Forces of all pairs, gathered per grain in the order of the list. With memory a null pointer contacts are
 /// frictionless: torques stay zero and nothing is remembered.
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
-                        std::vector<Load>& load);
+                        std::vector<LoadRow>& load);
 
 } // namespace granum::dem

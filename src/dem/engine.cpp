@@ -25,10 +25,10 @@ constexpr std::size_t time_step_interval = 50;
 
 } // namespace
 
-Engine::Data::Data(State initial, const Material& m)
+Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> given_order)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
-      friction(std::min(m.friction_coefficient, 1e100)), cold(std::move(initial)),
-      list(2 * cold.radius, 0.02 * cold.radius, images(cold)) {
+      friction(std::min(m.friction_coefficient, 1e100)), order(std::move(given_order)),
+      cold(std::move(initial)), list(2 * cold.radius, 0.02 * cold.radius, images(cold)) {
   require_valid(m);
   require_positive("radius", cold.radius, "m");
   const std::size_t count = cold.grain_count();
@@ -42,11 +42,23 @@ Engine::Data::Data(State initial, const Material& m)
   inertia = mass * cold.radius * cold.radius;
   cold.velocity.resize(count);
   cold.angular_velocity.resize(count);
-  motion.resize(count);
+  for (const ContactHistory& contact : cold.history)
+    if (contact.i >= count || contact.j >= count)
+      throw InvalidArgument("engine: the state remembers a contact of a grain that it does not have");
+  if (order.empty())
+    order = near_order(cold);
+  cold = reordered(cold, order);
+  grains.resize(count);
   load.resize(count);
-  last_load.resize(count);
+  for (std::size_t g = 0; g < count; ++g) {
+    grains.set_velocity(g, cold.velocity[g]);
+    if (tangential)
+      grains.set_spin(g, cold.angular_velocity[g]);
+  }
   rebuild();
   sweep(0);
+  // A kick that changes nothing: the sums over the velocities as they are.
+  motion = kick_grains(grains, load, {.keep = 1, .push = 0, .turn = 0}, mass, inertia);
   choose_time_step();
 }
 
@@ -69,19 +81,14 @@ void Engine::Data::rebuild() {
     if (walls)
       cold.walls->history = walls->history();
   }
-  for (std::size_t g = 0; running && g < motion.size(); ++g)
-    cold.position[g] = motion[g].x;
+  for (std::size_t g = 0; running && g < grains.size(); ++g)
+    cold.position[g] = grains.centre(g);
   list.build(cold.cell, cold.position);
-  for (std::size_t g = 0; g < motion.size(); ++g) {
-    motion[g].x = cold.position[g];
-    if (!running) {
-      motion[g].v = cold.velocity[g];
-      motion[g].w = tangential ? cold.angular_velocity[g] : Vec3{};
-      speed_squared = std::max(speed_squared, dot(motion[g].v, motion[g].v));
-    }
-  }
+  pairs = padded(list.pairs());
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    grains.set_centre(g, cold.position[g]);
   if (tangential) {
-    memory.reset(list.pairs().size());
+    memory.reset(pairs.size());
     auto past = cold.history.begin();
     for (std::size_t k = 0; k < list.pairs().size(); ++k) {
       const Pair& pair = list.pairs()[k];
@@ -96,14 +103,14 @@ void Engine::Data::rebuild() {
     }
   }
   if (walls)
-    walls->list(cold.cell, motion, cold.radius + list.skin(), cold.walls->history);
+    walls->list(cold.cell, grains, cold.radius + list.skin(), cold.walls->history);
   travelled = 0;
   strained = 0;
 }
 
 void Engine::Data::sweep(double elapsed) {
-  const SweepInput input{.pairs = list.pairs(),
-                         .motion = motion,
+  const SweepInput input{.pairs = pairs,
+                         .grains = grains,
                          .cell = cold.cell,
                          .gradient = gradient,
                          .diameter = 2 * cold.radius,
@@ -150,7 +157,7 @@ void Engine::Data::add_wall_stiffness(std::vector<Mat3>& translation, std::vecto
   const double ratio = tangential && walls->friction() > 0 ? material.tangential_stiffness_ratio : 0;
   for (const WallHistory& contact : walls->candidates()) {
     const WallPlane& plane = planes[contact.wall];
-    const double distance = wall_distance(plane, motion[contact.grain].x);
+    const double distance = wall_distance(plane, grains.centre(contact.grain));
     if (distance >= cold.radius)
       continue;
     const double k_n = std::visit(
@@ -164,12 +171,12 @@ void Engine::Data::add_wall_stiffness(std::vector<Mat3>& translation, std::vecto
 }
 
 void Engine::Data::choose_time_step() {
-  std::vector<Mat3> translation(motion.size()), rotation(tangential ? motion.size() : 0);
+  std::vector<Mat3> translation(grains.size()), rotation(tangential ? grains.size() : 0);
   const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);
   const double diameter = 2 * cold.radius;
   const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
   for (const Pair& pair : list.pairs()) {
-    const Vec3 branch = motion[pair.j].x + shifts[pair.image] - motion[pair.i].x;
+    const Vec3 branch = grains.centre(pair.j) + shifts[pair.image] - grains.centre(pair.i);
     const double squared = dot(branch, branch);
     if (squared >= diameter * diameter)
       continue;
@@ -198,7 +205,7 @@ void Engine::Data::choose_time_step() {
   stiffest_chosen = stiffest;
   contacts_chosen = figures.contacts + figures.wall_contacts;
   double omega_squared = 0;
-  for (std::size_t g = 0; g < motion.size(); ++g)
+  for (std::size_t g = 0; g < grains.size(); ++g)
     omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
                                                  (tangential ? row_sum(rotation[g]) / inertia : 0)));
   if (omega_squared > 0) {
@@ -213,14 +220,13 @@ void Engine::Data::choose_time_step() {
 /// Cell and grains move; the pair list is renewed before a pair outside it could touch.
 void Engine::Data::move() {
   const Mat3 stretch = Mat3::identity() + dt * gradient;
-  for (Motion& grain : motion)
-    grain.x = stretch * grain.x + dt * grain.v;
+  move_grains(grains, stretch, dt);
   cold.cell = stretch * cold.cell;
   double rate = 0;
   for (const auto& row : gradient.m)
     for (const double value : row)
       rate += std::abs(value);
-  travelled += dt * std::sqrt(speed_squared);
+  travelled += dt * std::sqrt(motion.speed_squared);
   strained += dt * rate;
   if (2 * travelled + strained * (2 * cold.radius + list.skin()) > 0.9 * list.skin())
     rebuild();
@@ -229,35 +235,22 @@ void Engine::Data::move() {
 /// Velocities from forces with drag; the drag follows the lowest frequency that the last step's motion shows,
 /// omega^2 = -(change of force . velocity)/(dt sum m v^2).
 void Engine::Data::integrate() {
-  double kinetic = 0, work = 0;
-  for (std::size_t g = 0; g < motion.size(); ++g) {
-    const Motion& a = motion[g];
-    kinetic += mass * dot(a.v, a.v);
-    work -= dot(a.v, load[g].f - last_load[g].f);
-    if (tangential) {
-      kinetic += inertia * dot(a.w, a.w);
-      work -= dot(a.w, load[g].t - last_load[g].t);
-    }
-  }
-  if (fixed_damping >= 0)
+  if (fixed_damping >= 0) {
     damping = fixed_damping;
-  else if (kinetic > 0)
-    damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * kinetic))), 0.0002 / dt, 0.5 / dt);
+  } else if (motion.kinetic > 0) {
+    const double work = motion.power - power(grains, load);
+    damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * motion.kinetic))), 0.0002 / dt, 0.5 / dt);
+  }
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
-  speed_squared = 0;
-  for (std::size_t g = 0; g < motion.size(); ++g) {
-    Motion& a = motion[g];
-    a.v = keep * a.v + (push / mass) * load[g].f;
-    if (tangential)
-      a.w = keep * a.w + (push / inertia) * load[g].t;
-    speed_squared = std::max(speed_squared, dot(a.v, a.v));
-  }
+  motion =
+      kick_grains(grains, load, {.keep = keep, .push = push / mass, .turn = push / inertia}, mass, inertia);
 }
 
 Engine::Engine(State state, const Material& material)
     : data_(std::make_unique<Data>(std::move(state), material)) {}
+Engine::Engine(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
@@ -281,7 +274,6 @@ void Engine::step() {
   Data& d = *data_;
   ++d.steps;
   d.move();
-  d.last_load.swap(d.load);
   d.sweep(d.dt);
   d.integrate();
   if (d.time_step_is_due())
@@ -294,8 +286,9 @@ double Engine::unbalanced_force_ratio() const {
   const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
   double sum = 0;
   std::size_t touching = 0;
-  for (const Load& on : data_->load) {
-    const double squared = dot(on.f, on.f) + per_radius_squared * dot(on.t, on.t);
+  for (const LoadRow& on : data_->load) {
+    const Vec3 f = force(on), t = torque(on);
+    const double squared = dot(f, f) + per_radius_squared * dot(t, t);
     if (squared > 0) {
       sum += std::sqrt(squared);
       ++touching;
@@ -310,33 +303,31 @@ const Mat3& Engine::cell() const { return data_->cold.cell; }
 std::size_t Engine::steps() const { return data_->steps; }
 const Material& Engine::material() const { return data_->material; }
 
-double Engine::kinetic_energy() const {
-  double twice = 0;
-  for (const Motion& a : data_->motion)
-    twice += data_->mass * dot(a.v, a.v) + (data_->tangential ? data_->inertia * dot(a.w, a.w) : 0);
-  return twice / 2;
-}
+double Engine::kinetic_energy() const { return data_->motion.kinetic / 2; }
 
 bool Engine::finite() const {
-  return std::isfinite(data_->speed_squared) && std::isfinite(trace(data_->figures.stress));
+  return std::isfinite(data_->motion.speed_squared) && std::isfinite(trace(data_->figures.stress));
 }
 
 void Engine::rest() {
-  for (Motion& a : data_->motion)
-    a.v = a.w = Vec3{};
+  for (std::size_t g = 0; g < data_->grains.size(); ++g) {
+    data_->grains.set_velocity(g, {});
+    data_->grains.set_spin(g, {});
+  }
+  data_->motion = {};
 }
 
 State Engine::state() const {
   State out = data_->cold;
-  for (std::size_t g = 0; g < data_->motion.size(); ++g) {
-    out.position[g] = data_->motion[g].x;
-    out.velocity[g] = data_->motion[g].v;
-    out.angular_velocity[g] = data_->motion[g].w;
+  for (std::size_t g = 0; g < data_->grains.size(); ++g) {
+    out.position[g] = data_->grains.centre(g);
+    out.velocity[g] = data_->grains.velocity(g);
+    out.angular_velocity[g] = data_->grains.spin(g);
   }
   out.history = data_->history();
   if (data_->walls)
     out.walls->history = data_->walls->history();
-  return out;
+  return reordered(out, inverse_order(data_->order));
 }
 
 } // namespace granum::dem

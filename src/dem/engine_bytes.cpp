@@ -26,7 +26,7 @@ void each_scalar(Data& d, const Visit& visit) {
   visit(d.damping);
   visit(d.travelled);
   visit(d.strained);
-  visit(d.speed_squared);
+  visit(d.motion);
   visit(d.stiffest);
   visit(d.stiffest_chosen);
   visit(d.contacts_chosen);
@@ -40,8 +40,10 @@ void Engine::save(ByteWriter& to) const {
   const Data& d = *data_;
   to.put(fingerprint(d.material));
   save_state(to, state());
+  to.put_all(d.order);
   to.put_all(d.list.pairs());
-  to.put_all(d.motion);
+  to.put_all(d.grains.row);
+  to.put_all(d.grains.spin_y);
   for (const std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
     to.put_all(*array);
   to.put_all(d.load);
@@ -53,13 +55,19 @@ void Engine::save(ByteWriter& to) const {
 Engine Engine::load(ByteReader& from, const Material& material) {
   if (from.get<std::array<double, 5>>() != fingerprint(material))
     from.fail("was written for grains of another material or contact law");
-  Engine engine(load_state(from), material);
+  State state = load_state(from);
+  std::vector<std::uint32_t> order = from.get_all<std::uint32_t>();
+  if (!is_order(order, state.grain_count()))
+    from.fail("holds an impossible order of its grains");
+  Engine engine(std::make_unique<Data>(std::move(state), material, std::move(order)));
   Data& d = *engine.data_;
   d.list.restore(from.get_all<Pair>());
-  d.motion = from.get_all<Motion>();
+  d.pairs = padded(d.list.pairs());
+  d.grains.row = from.get_all<MotionRow>();
+  d.grains.spin_y = from.get_all<double>();
   for (std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
     *array = from.get_all<double>();
-  d.load = from.get_all<Load>();
+  d.load = from.get_all<LoadRow>();
   if (d.walls)
     d.walls->load(from);
   each_scalar(d, [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); });

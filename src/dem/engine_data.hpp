@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <granum/dem/engine.hpp>
 
 #include "contact_sweep.hpp"
+#include "grain_motion.hpp"
+#include "grain_order.hpp"
 #include "verlet_list.hpp"
 #include "wall_contacts.hpp"
 
@@ -16,7 +19,8 @@ namespace granum::dem {
 /// What an engine holds from step to step. Engine::save writes all of it that does not follow from the
 /// material.
 struct Engine::Data {
-  Data(State initial, const Material& m);
+  /// \param order  place in the engine of each grain of the state; by default neighbours come near each other
+  Data(State initial, const Material& m, std::vector<std::uint32_t> order = {});
 
   void rebuild();
   void sweep(double dt);
@@ -31,24 +35,26 @@ struct Engine::Data {
   Material material;
   contact::NormalKernel law;
   bool tangential;
-  double friction; ///< finite stand-in for an infinite coefficient
-  State cold;      ///< cell and radius are current; the rest only between steps of rebuild and in state()
+  double friction;                  ///< finite stand-in for an infinite coefficient
+  std::vector<std::uint32_t> order; ///< place of each grain of the outer state
+  State
+      cold; ///< in the engine's order; cell and radius are current; the rest only between steps of rebuild and in state()
   double mass = 0;
   double inertia = 0;
   VerletList list;
   std::optional<WallContacts> walls;
-  std::vector<Motion> motion;
+  std::vector<Pair> pairs; ///< those of the list, padded
+  Grains grains;
   ContactMemory memory;
-  std::vector<Load> load;
-  std::vector<Load> last_load;
+  std::vector<LoadRow> load;
   Mat3 gradient;
   double dt = 0;
   double time_step_fraction = default_time_step_fraction;
   double fixed_damping = -1; ///< negative: adaptive
   double damping = 0;
-  double travelled = 0; ///< upper bound of own displacement since the list was checked [m]
-  double strained = 0;  ///< upper bound of the cell's strain since then [1]
-  double speed_squared = 0;
+  double travelled = 0;       ///< upper bound of own displacement since the list was checked [m]
+  double strained = 0;        ///< upper bound of the cell's strain since then [1]
+  MotionSums motion;          ///< over the velocities of this moment and the last forces
   double stiffest = 0;        ///< k_n in the last sweep [N/m]
   double stiffest_chosen = 0; ///< the same when the time step was chosen
   std::size_t contacts_chosen = 0;

@@ -28,14 +28,14 @@ bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, 
 
 } // namespace
 
-void WallContacts::list(const Mat3& cell, const std::vector<Motion>& motion, double reach,
+void WallContacts::list(const Mat3& cell, const Grains& grains, double reach,
                         const std::vector<WallHistory>& history) {
   const std::array<WallPlane, wall_count> planes = wall_planes(cell);
   std::vector<WallHistory> listed;
   auto past = history.begin();
-  for (std::uint32_t g = 0; g < motion.size(); ++g)
+  for (std::uint32_t g = 0; g < grains.size(); ++g)
     for (std::uint32_t w = 0; w < wall_count; ++w) {
-      if (wall_distance(planes[w], motion[g].x) >= reach)
+      if (wall_distance(planes[w], grains.centre(g)) >= reach)
         continue;
       while (past != history.end() && std::tie(past->grain, past->wall) < std::tie(g, w))
         ++past;
@@ -46,14 +46,14 @@ void WallContacts::list(const Mat3& cell, const std::vector<Motion>& motion, dou
 }
 
 void WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in, bool tangential,
-                         std::vector<Load>& load, SweepSums& sums) {
+                         std::vector<LoadRow>& load, SweepSums& sums) {
   const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
   const bool rough = tangential && friction_ > 0;
   forces_ = {};
   for (WallHistory& contact : contacts_) {
     const WallPlane& plane = planes[contact.wall];
-    const Motion& grain = in.motion[contact.grain];
-    const double distance = wall_distance(plane, grain.x);
+    const Vec3 centre = in.grains.centre(contact.grain);
+    const double distance = wall_distance(plane, centre);
     const double overlap = in.diameter / 2 - distance;
     if (!(overlap > 0)) {
       contact.tangential_force = {};
@@ -67,13 +67,14 @@ void WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in,
     if (rough) {
       // A rigid plate: all of it moves along itself as its centre does, and turning moves it across only.
       const Vec3 wall = in.gradient * plane.centre;
-      const Vec3 surface = in.gradient * grain.x + grain.v + cross(grain.w, arm);
+      const Vec3 surface = in.gradient * centre + in.grains.velocity(contact.grain) +
+                           cross(in.grains.spin(contact.grain), arm);
       forces_.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
                                         in.tangential_ratio * response.stiffness, friction_ * response.force);
       force += contact.tangential_force;
-      load[contact.grain].t += cross(arm, force);
+      add_torque(load[contact.grain], cross(arm, force));
     }
-    load[contact.grain].f += force;
+    add_force(load[contact.grain], force);
     forces_.force[contact.wall] += force;
     ++forces_.contacts;
     // The grain bears -force on the wall, over the branch `arm`.

@@ -31,12 +31,11 @@ class WallContacts {
   explicit WallContacts(double friction) : friction_(friction) {}
 
   /// Lists the grains nearer to a wall than reach; a memory moves to its contact's new place.
-  void list(const Mat3& cell, const std::vector<Motion>& motion, double reach,
-            const std::vector<WallHistory>& history);
+  void list(const Mat3& cell, const Grains& grains, double reach, const std::vector<WallHistory>& history);
   /// Adds forces and torques to load and to the sums. Tangential ones only where `tangential` and the walls
   /// are rough.
   void sweep(const contact::NormalKernel& law, const SweepInput& input, bool tangential,
-             std::vector<Load>& load, SweepSums& sums);
+             std::vector<LoadRow>& load, SweepSums& sums);
 
   void save(ByteWriter& to) const {
     to.put_all(contacts_);

@@ -93,6 +93,8 @@ class Engine {
 
  private:
   struct Data;
+  explicit Engine(std::unique_ptr<Data> data);
+
   std::unique_ptr<Data> data_;
 };
 

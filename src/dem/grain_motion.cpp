@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: x centre, v own velocity, w angular velocity; f force, t torque. Rows as in grain_rows.hpp.
+#include "grain_motion.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace granum::dem {
+
+namespace {
+
+/// Sum of v f + t w from its parts by place in the rows: x, y, z of f v, x of t w; -, -, -, z of t w; y of it.
+double sum_of(const Four& push, const Four& turn, double turn_y) {
+  return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
+}
+
+} // namespace
+
+GRANUM_VECTOR_LEVELS void move_grains(Grains& grains, const Mat3& stretch, double dt) {
+  const Mat3& a = stretch;
+  const Four x{a(0, 0), a(1, 0), a(2, 0), 0}, y{a(0, 1), a(1, 1), a(2, 1), 0},
+      z{a(0, 2), a(1, 2), a(2, 2), 0};
+  const Four own{dt, dt, dt, 0}, spin{0, 0, 0, 1};
+  for (MotionRow& grain : grains.row) {
+    const Four place = grain.place;
+    grain.place = place[0] * x + place[1] * y + place[2] * z + own * grain.rate + spin * place;
+  }
+}
+
+GRANUM_VECTOR_LEVELS double power(const Grains& grains, const std::vector<LoadRow>& load) {
+  Four push{}, turn{};
+  double turn_y = 0;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    push += grains.row[g].rate * load[g].push;
+    turn += grains.row[g].place * load[g].turn;
+    turn_y += grains.spin_y[g] * load[g].turn[0];
+  }
+  return sum_of(push, turn, turn_y);
+}
+
+GRANUM_VECTOR_LEVELS MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load,
+                                            const Kick& kick, double mass, double inertia) {
+  const Four keep{kick.keep, kick.keep, kick.keep, kick.keep}, keep_spin{1, 1, 1, kick.keep};
+  const Four push{kick.push, kick.push, kick.push, kick.turn}, turn{0, 0, 0, kick.turn};
+  Four squares{}, spin_squares{}, push_power{}, turn_power{};
+  double squares_y = 0, power_y = 0, fastest = 0;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    MotionRow& grain = grains.row[g];
+    const LoadRow on = load[g];
+    const Four rate = keep * grain.rate + push * on.push;
+    const Four place = keep_spin * grain.place + turn * on.turn;
+    const double spin_y = kick.keep * grains.spin_y[g] + kick.turn * on.turn[0];
+    grain.rate = rate;
+    grain.place = place;
+    grains.spin_y[g] = spin_y;
+    const Four square = rate * rate;
+    squares += square;
+    spin_squares += place * place;
+    squares_y += spin_y * spin_y;
+    push_power += rate * on.push;
+    turn_power += place * on.turn;
+    power_y += spin_y * on.turn[0];
+    fastest = std::max(fastest, square[0] + square[1] + square[2]);
+  }
+  return {.kinetic = mass * (squares[0] + squares[1] + squares[2]) +
+                     inertia * (squares[3] + squares_y + spin_squares[3]),
+          .power = sum_of(push_power, turn_power, power_y),
+          .speed_squared = fastest};
+}
+
+} // namespace granum::dem

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <granum/core/vec3.hpp>
+
+#include "grain_rows.hpp"
+
+namespace granum::dem {
+
+/// Sums over grains, always in the same order.
+struct MotionSums {
+  double kinetic = 0;       ///< sum of m v^2 + I w^2 [J]
+  double power = 0;         ///< sum of f v + t w [W]
+  double speed_squared = 0; ///< largest v^2 [m^2/s^2]
+};
+
+/// What the drag of a step makes of velocities: v becomes keep v + push f, w becomes keep w + turn t.
+struct Kick {
+  double keep; ///< [1]
+  double push; ///< [s/kg]
+  double turn; ///< [s/(kg m^2)]
+};
+
+/// Centres follow the cell, x becomes stretch x, and move with their own velocity.
+void move_grains(Grains& grains, const Mat3& stretch, double dt);
+/// Sum of f v + t w, with the loads of this moment and the velocities before their kick [W].
+[[nodiscard]] double power(const Grains& grains, const std::vector<LoadRow>& load);
+/// New velocities, and the sums over them.
+MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load, const Kick& kick, double mass,
+                       double inertia);
+
+} // namespace granum::dem
