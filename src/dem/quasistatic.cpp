@@ -58,7 +58,7 @@ void conclude(const Engine& engine, QuasistaticReport& report) {
     report.outcome = Outcome::unstable;
 }
 
-/// Whether the stress has stopped moving, looked at once in a spell.
+/// Whether the stress has stopped moving, or moves steadily; looked at once in a spell.
 class StressWatch {
  public:
   StressWatch(const QuasistaticOptions& options, const Mat3& stress)
@@ -67,20 +67,27 @@ class StressWatch {
   bool settled(std::size_t steps_at_rest, const Mat3& stress) {
     if (!(limit_ > 0) || steps_at_rest == 0 || steps_at_rest % spell_ != 0)
       return false;
-    double change = 0;
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column)
-        change = std::max(change, std::abs(stress(row, column) - last_(row, column)));
+    const Mat3 change = stress + -1.0 * last_;
+    const bool first = steps_at_rest == spell_;
+    steady_spells_ = !first && largest_difference(change, change_) <= limit_ ? steady_spells_ + 1 : 0;
     last_ = stress;
-    quiet_spells_ = change <= limit_ ? quiet_spells_ + 1 : 0;
-    return quiet_spells_ >= 2;
+    change_ = change;
+    return steady_spells_ >= 2;
   }
 
  private:
+  static double largest_difference(const Mat3& a, const Mat3& b) {
+    double largest = 0;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        largest = std::max(largest, std::abs(a(row, column) - b(row, column)));
+    return largest;
+  }
+
   double limit_;
   std::size_t spell_;
-  Mat3 last_;
-  int quiet_spells_ = 0;
+  Mat3 last_, change_;
+  int steady_spells_ = 0;
 };
 
 void require_valid(const QuasistaticOptions& options) {

@@ -12,12 +12,15 @@
 #include <granum/assembly/force_distribution.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/rose.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
+
+#include "endings.hpp"
 
 namespace granum::verify {
 
@@ -27,13 +30,9 @@ namespace {
 /// by 4e-5 (median), by 0.4 % at most up to |eta| = 0.6 and by 1.5 % past the peak, for a fifth of the steps.
 constexpr double rest_tolerance = 1e-5;
 
-double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
-                     double* amplitude) {
-  const triaxial::ProbeResult result = triaxial::probe(state, material, mode);
+double modulus_of(const triaxial::ProbeResult& result) {
   if (!result.converged)
     require_rest(result.unbalanced_force_ratio, "a probe");
-  if (amplitude != nullptr)
-    *amplitude = result.amplitude;
   return result.shear_modulus;
 }
 
@@ -117,10 +116,12 @@ void require_rest(double unbalanced_force_ratio, const std::string& what, double
 }
 
 Probes run_probes(const dem::State& state, const dem::Material& material) {
+  const auto [hh, hv, vh] = triaxial::probe_all(state, material);
   Probes probes;
-  probes.G_hh = probe_modulus(state, material, triaxial::ShearMode::hh, &probes.amplitude);
-  probes.G_hv = probe_modulus(state, material, triaxial::ShearMode::hv, nullptr);
-  probes.G_vh = probe_modulus(state, material, triaxial::ShearMode::vh, nullptr);
+  probes.G_hh = modulus_of(hh);
+  probes.G_hv = modulus_of(hv);
+  probes.G_vh = modulus_of(vh);
+  probes.amplitude = hh.amplitude;
   return probes;
 }
 
@@ -136,7 +137,7 @@ ShearLoop shear_loop(const dem::State& state, const dem::Material& material, dou
 }
 
 FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
-                         const triaxial::PathPoint& at, bool probed) {
+                         const triaxial::PathPoint& at, bool probed, std::vector<std::string>& notes) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material, rest_tolerance);
   require_rest(frozen.report.unbalanced_force_ratio, "a frozen state", rest_tolerance);
   const Mat3& stress = frozen.report.stress;
@@ -152,8 +153,12 @@ FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
   out.network = rows(response.relaxed());
   out.affine = rows(response.affine());
   out.closed = closed_forms(material, state.radius, out);
-  if (probed)
-    out.probes = run_probes(frozen.state, material);
+  if (probed) {
+    const std::string failure = failure_of([&] { out.probes = run_probes(frozen.state, material); });
+    if (!failure.empty())
+      notes.push_back("not probed at eta = " + short_text(at.stress.ratio()) +
+                      ", p' = " + pretty(at.stress.mean(), Dimension::pressure) + ": " + failure);
+  }
   return out;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <granum/dem/state.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/verify/experiment.hpp>
@@ -10,9 +13,11 @@ namespace granum::verify {
 /// Brings a copy of the state to rest at fixed cell and measures all that the experiment wants of it.
 /// \param    at       where on its path the state was taken
 /// \param    probed   whether to shear it by DEM as well
+/// \param    notes    takes one more where probes did not come to rest: the state then goes without them
 /// \throws   NotConverged if it does not come to rest, or its network is not solved
 [[nodiscard]] FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
-                                       const triaxial::PathPoint& at, bool probed);
+                                       const triaxial::PathPoint& at, bool probed,
+                                       std::vector<std::string>& notes);
 
 /// Shear moduli of a frozen state by DEM.
 /// \throws   NotConverged if a probe does not come to rest

@@ -213,7 +213,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
         std::max(iso.run.largest_inertial_number, snapshot.report.largest_inertial_number);
     iso.run.points.push_back(frozen_point(snapshot.state, specimen.material,
                                           isotropic_point(snapshot, first_cell),
-                                          holds(scene.probe_pressures, snapshot.pressure)));
+                                          holds(scene.probe_pressures, snapshot.pressure), iso.run.notes));
     iso.state = snapshot.state;
     ByteWriter to;
     dem::save_state(to, iso.state);
@@ -312,7 +312,8 @@ class ShearRecord {
   /// A state that does not come to rest is left out with a note: the path goes on without it.
   void freeze(bool probed) {
     const std::string failure = failure_of([&] {
-      run_.points.push_back(frozen_point(test_->engine().state(), material_, test_->now(), probed));
+      run_.points.push_back(
+          frozen_point(test_->engine().state(), material_, test_->now(), probed, run_.notes));
     });
     if (!failure.empty())
       run_.notes.push_back("not frozen at eta = " + std::to_string(test_->now().stress.ratio()) + ": " +

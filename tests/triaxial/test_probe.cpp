@@ -83,4 +83,9 @@ TEST_CASE("a probe does not change the state it is given, and repeats to the bit
   const ProbeResult first = probe(state, recipe.material, ShearMode::hh);
   CHECK(state == copy);
   CHECK(first.shear_modulus == probe(state, recipe.material, ShearMode::hh).shear_modulus);
+  const auto [hh, hv, vh] = probe_all(state, recipe.material);
+  CHECK(state == copy);
+  CHECK(first.shear_modulus == hh.shear_modulus);
+  CHECK(probe(state, recipe.material, ShearMode::hv).shear_modulus == hv.shear_modulus);
+  CHECK(probe(state, recipe.material, ShearMode::vh).shear_modulus == vh.shear_modulus);
 }
