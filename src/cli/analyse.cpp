@@ -234,6 +234,7 @@ bool says_what_is_missing(io::Finding finding) {
   using enum io::Finding;
   switch (finding) {
   case contacts_unknown:
+  case walls_unknown:
   case forces_unknown:
   case tangential_unknown:
   case ids_assumed:

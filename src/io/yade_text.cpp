@@ -152,7 +152,7 @@ class ContactFile {
       source_.fail("holds no contacts; expected a heading '# id1 id2 ...'");
     builder_.note_digits(digits_, "overlaps");
     if (wall_contacts_ > 0)
-      builder_.note(Finding::wall_contacts,
+      builder_.note(Finding::walls_unknown,
                     std::to_string(wall_contacts_) +
                         " contacts with bodies that are no spheres were not exported");
     if (!stiffness_)

@@ -55,7 +55,7 @@ TEST_CASE(
   CHECK(packing.id == std::vector<long>{0, 2, 4});
   CHECK(packing.time == 1.0 / 3);
   CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01 / 3, 0});
-  CHECK(packing.has(Finding::wall_contacts));
+  CHECK(packing.has(Finding::walls_unknown));
   CHECK_FALSE(packing.has(Finding::cell_unknown));
 }
 
@@ -102,9 +102,9 @@ TEST_CASE("YADE: its own text exports give the geometry, and say that it is roug
 
 TEST_CASE("YADE: contacts with walls are counted") {
   const ImportedPacking packing = read(grains, "# wall_contacts 3\n" + contacts);
-  CHECK(packing.has(Finding::wall_contacts));
-  CHECK(packing.walls.empty());
-  CHECK_FALSE(read(grains, contacts).has(Finding::wall_contacts));
+  CHECK(packing.has(Finding::walls_unknown));
+  CHECK(packing.assembly.wall_contacts.empty());
+  CHECK_FALSE(read(grains, contacts).has(Finding::walls_unknown));
 }
 
 TEST_CASE("YADE: each field that is wrong is refused with path and line") {
