@@ -6,7 +6,7 @@ set -euo pipefail
 
 run_packages=(
   g++ cmake ninja-build
-  libeigen3-dev libboost-dev libgsl-dev zlib1g-dev
+  libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
 test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format)
@@ -44,7 +44,7 @@ give_up() {
   {
     echo "granum: $1"
     echo "  needed, by their Debian 12 names: ${missing[*]}"
-    echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, and the small libraries named)"
+    echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, expat, and the small libraries named)"
     echo "  Install them, then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
   } >&2
   exit 3

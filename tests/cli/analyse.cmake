@@ -20,6 +20,9 @@ foreach(code liggghts_chain.atoms%liggghts_chain.contacts mercury_chain.data%mer
 endforeach()
 granum_cli_test("analyse: YADE, with its own stiffnesses" EXIT 0 STDERR "granum: warning"
   STDOUT "f_n +66\\.55 mN" ARGS analyse ${io}/yade_script.grains ${io}/yade_script.contacts)
+granum_cli_test("analyse: YADE's recorder, as VTK XML" EXIT 0 STDERR "single precision"
+  STDOUT "grains as VTK XML.*contacts as VTK XML.*C_n +1\\.3333.*f_n +66\\.55 mN"
+  ARGS analyse ${io}/yade_chain.vtu ${io}/yade_chain.vtp)
 granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "not at rest" STDOUT "C_n +1\\.3333.*zz +1\\.03965"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
 granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
