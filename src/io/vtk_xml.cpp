@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/vtk_xml.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -139,7 +140,8 @@ class ContactLines {
   }
 
   void note_missing(PackingBuilder& builder) const {
-    if (!normal_stiffness_ || !tangential_stiffness_)
+    const auto known = [](double stiffness) { return stiffness != 0; };
+    if (!normal_stiffness_ || std::ranges::none_of(normal_stiffness_->values, known))
       builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
     builder.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
     if (!normal_) {

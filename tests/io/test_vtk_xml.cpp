@@ -104,6 +104,19 @@ TEST_CASE("VTK XML: what granum writes comes back, walls and stiffnesses with it
     CHECK_FALSE(packing.has(finding));
 }
 
+TEST_CASE("VTK XML: stiffnesses that the writer did not know are not known") {
+  Assembly a = sample();
+  for (auto* contacts : {&a.contacts, &a.wall_contacts})
+    for (Contact& c : *contacts)
+      c.normal_stiffness = c.tangential_stiffness = 0;
+  CHECK(read(own_grains(), contacts_vtp(a, sample_id)).has(Finding::stiffness_unknown));
+}
+
+TEST_CASE("VTK XML: a stiffness below zero is refused") {
+  CHECK(refused(own_grains(), with(own_contacts(), "\n2e+05\n0\n3e+05\n", "\n-2e+05\n0\n3e+05\n"))
+            .find("its stiffnesses must be finite and not negative") != std::string::npos);
+}
+
 TEST_CASE("VTK XML: grains alone, and a packing without contacts") {
   const ImportedPacking alone = read_vtk_xml(text_source("g", own_grains()));
   check_grain_order(alone);
