@@ -73,9 +73,11 @@ void add_scalars(VtkText& text, const char* name, const std::vector<double>& val
   text.array("Float64", name, values.size(), 1, [&](std::size_t k) { return values[k]; });
 }
 
-/// The three edges of the cell, one after the other.
-void add_cell(VtkText& text, const Mat3& cell) {
+/// The three edges of the cell, one after the other, and the time.
+void add_field_data(VtkText& text, const Mat3& cell, std::optional<double> time) {
   text.open("FieldData");
+  if (time)
+    text.array("Float64", "TimeValue", 1, 1, [&](std::size_t) { return *time; });
   text.array("Float64", "cell", 1, 9,
              [&](std::size_t k) { return cell(static_cast<int>(k % 3), static_cast<int>(k / 3)); });
   text.close("FieldData");
@@ -104,6 +106,8 @@ GrainLoads grain_loads(const Assembly& assembly) {
       ++loads.contacts[grain];
       loads.pressure[grain] += c.normal_force * arm;
     }
+  for (const Contact& c : assembly.wall_contacts)
+    loads.pressure[c.i] += c.normal_force * norm(c.branch);
   for (std::size_t g = 0; g < count; ++g)
     loads.pressure[g] /= 4 * std::numbers::pi * assembly.radius[g] * assembly.radius[g] * assembly.radius[g];
   return loads;
@@ -117,14 +121,14 @@ bool through_face(const Assembly& assembly, const Contact& c) {
 
 } // namespace
 
-std::string grains_vtu(const Assembly& assembly, std::span<const long> id) {
+std::string grains_vtu(const Assembly& assembly, std::span<const long> id, std::optional<double> time) {
   require_ids(assembly, id);
   const std::size_t count = assembly.grain_count();
   const GrainLoads loads = grain_loads(assembly);
   const auto rattler = mechanical_coordination(assembly, ContactKind::frictional).rattler;
 
   VtkText text("UnstructuredGrid");
-  add_cell(text, assembly.cell);
+  add_field_data(text, assembly.cell, time);
   text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfCells", count));
   add_points(text, assembly.position);
   text.open("PointData Scalars=\"radius\"");

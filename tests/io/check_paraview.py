@@ -28,6 +28,7 @@ assert grains.GetCell(2).GetCellType() == vtk.VTK_VERTEX
 assert grains.GetPoint(1) == (0.0019, 0.002, 0.002)
 assert values(grains.GetPointData(), "radius") == [(0.5e-3,), (0.5e-3,), (0.25e-3,)]
 assert values(grains.GetPointData(), "contacts") == [(2,), (1,), (1,)]
+assert values(grains.GetFieldData(), "TimeValue") == [(0.25,)]
 assert values(grains.GetFieldData(), "cell") == [(4e-3, 0, 0, 0, 4e-3, 0, 0, 0, 4e-3)]
 
 contacts = read(vtk.vtkXMLPolyDataReader(), "contacts.vtp")

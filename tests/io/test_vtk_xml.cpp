@@ -120,6 +120,8 @@ TEST_CASE("VTK XML: a stiffness below zero is refused") {
 TEST_CASE("VTK XML: grains alone, and a packing without contacts") {
   const ImportedPacking alone = read_vtk_xml(text_source("g", own_grains()));
   check_grain_order(alone);
+  CHECK_FALSE(alone.time);
+  CHECK(read_vtk_xml(text_source("g", grains_vtu(sample(), sample_id, 1.0 / 3))).time == 1.0 / 3);
   CHECK(alone.has(Finding::contacts_unknown));
   Assembly loose = sample();
   loose.contacts.clear();
