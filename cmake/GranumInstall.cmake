@@ -3,7 +3,11 @@ include(CMakePackageConfigHelpers)
 
 set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
 
-install(TARGETS granum_theory granum_fit granum_dem granum_io granum_granum
+set(granum_installed granum_theory granum_fit granum_dem granum_io granum_granum)
+if(GRANUM_HDF5)
+  list(APPEND granum_installed granum_hdf5)
+endif()
+install(TARGETS ${granum_installed}
   EXPORT granumTargets
   FILE_SET HEADERS
   FILE_SET lone_headers

@@ -1,25 +1,27 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what granum needs and this machine lacks:  scripts/setup.sh run|test|tidy|bench
+# Installs what granum needs and this machine lacks:  scripts/setup.sh run|test|tidy|bench|hdf5
 # This is the only place that names the packages. Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
 set -euo pipefail
 
 run_packages=(
   g++ cmake ninja-build
-  libeigen3-dev libboost-dev libgsl-dev zlib1g-dev
+  libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
 test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format)
 tidy_packages=("${test_packages[@]}" clang-tidy)
+hdf5_packages=("${test_packages[@]}" libhdf5-dev hdf5-tools python3-h5py)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 
 case "${1:-}" in
 run) packages=("${run_packages[@]}") ;;
 test) packages=("${test_packages[@]}") ;;
 tidy) packages=("${tidy_packages[@]}") ;;
+hdf5) packages=("${hdf5_packages[@]}") ;;
 bench) packages=("${bench_packages[@]}") ;;
 *)
-  echo "usage: scripts/setup.sh run|test|tidy|bench" >&2
+  echo "usage: scripts/setup.sh run|test|tidy|bench|hdf5" >&2
   exit 2
   ;;
 esac
@@ -44,7 +46,7 @@ give_up() {
   {
     echo "granum: $1"
     echo "  needed, by their Debian 12 names: ${missing[*]}"
-    echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, and the small libraries named)"
+    echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, expat, and the small libraries named)"
     echo "  Install them, then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
   } >&2
   exit 3

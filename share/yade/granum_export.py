@@ -9,8 +9,9 @@ Inside YADE, at the end of a script or in its console:
     granum_export.write("packing", O)     # packing.grains, packing.contacts
 
 Reading them: granum::io::read_yade. YADE's own text exports print six digits, too few for overlaps.
-Spheres only: contacts with walls, facets or boxes are counted, not written. Forces are those on the second sphere
-of a pair, normals point from the first to the second, kn and ks are the tangents at this state.
+Forces are those on the second body of a pair, normals point from the first to the second, kn and ks are the tangents
+at this state. A contact of a sphere with a wall, a facet or a box has the sphere first and -1 - the other's id second;
+contacts with other bodies are counted, not written.
 """
 
 GRAIN_COLUMNS = "id x y z r"
@@ -27,6 +28,21 @@ def _spheres(scene):
     return {b.id: b for b in scene.bodies if b is not None and b.shape.__class__.__name__ == "Sphere"}
 
 
+WALLS = ("Wall", "Facet", "Box")
+
+
+def _walls(scene):
+    return {b.id for b in scene.bodies if b is not None and b.shape.__class__.__name__ in WALLS}
+
+
+def _row_of(i, first, second, turn):
+    """A contact, with everything that points somewhere multiplied by `turn`."""
+    geom, phys = i.geom, i.phys
+    numbers = list(geom.contactPoint) + [turn * x for x in geom.normal] + [geom.penetrationDepth]
+    numbers += [turn * x for v in (phys.normalForce, phys.shearForce) for x in v] + [phys.kn, phys.ks]
+    return _row([first, second] + [turn * int(k) for k in i.cellDist], numbers)
+
+
 def write_grains(path, scene):
     """Writes spheres, cell, step and time of `scene` (YADE's O) to `path`."""
     with open(path, "w") as out:
@@ -41,21 +57,26 @@ def write_grains(path, scene):
 
 
 def write_contacts(path, scene):
-    """Writes the real contacts between spheres of `scene` (YADE's O) to `path`."""
-    spheres = _spheres(scene)
-    real = [i for i in scene.interactions if i.isReal]
-    pairs = [i for i in real if i.id1 in spheres and i.id2 in spheres]
+    """Writes the real contacts of the spheres of `scene` (YADE's O), with each other and with walls, to `path`."""
+    spheres, walls = _spheres(scene), _walls(scene)
+    rows = []
+    left_out = 0
+    for i in scene.interactions:
+        if not i.isReal:
+            continue
+        if i.id1 in spheres and i.id2 in spheres:
+            rows.append(_row_of(i, i.id1, i.id2, 1))
+        elif i.id1 in spheres and i.id2 in walls:
+            rows.append(_row_of(i, i.id1, -1 - i.id2, 1))
+        elif i.id1 in walls and i.id2 in spheres:
+            rows.append(_row_of(i, i.id2, -1 - i.id1, -1))
+        else:
+            left_out += 1
     with open(path, "w") as out:
         out.write("# granum: contacts of a YADE scene, SI\n")
-        out.write("# wall_contacts %d\n" % (len(real) - len(pairs)))
+        out.write("# left_out %d\n" % left_out)
         out.write("# " + CONTACT_COLUMNS + "\n")
-        for i in pairs:
-            geom, phys = i.geom, i.phys
-            vectors = [geom.contactPoint, geom.normal]
-            forces = [phys.normalForce, phys.shearForce]
-            numbers = [x for v in vectors for x in v] + [geom.penetrationDepth]
-            numbers += [x for v in forces for x in v] + [phys.kn, phys.ks]
-            out.write(_row([i.id1, i.id2] + list(i.cellDist), numbers))
+        out.writelines(rows)
 
 
 def write(name, scene):

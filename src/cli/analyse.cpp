@@ -14,6 +14,7 @@
 #include <granum/elastic/projection.hpp>
 
 #include "analyse_paraview.hpp"
+#include "analyse_stress.hpp"
 #include "frame.hpp"
 
 namespace granum::cli {
@@ -147,31 +148,6 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   return out;
 }
 
-void take_code_stress(const AnalyseOptions& o, AnalyseAnswer& answer) {
-  if (o.stress.empty())
-    return;
-  if (answer.frames.size() != 1)
-    throw InvalidArgument(fmt::format("--stress is that of one frame, not of {}: choose it with --frames",
-                                      answer.frames.size()));
-  answer.frames.front().code_stress = parse_stress(o.stress);
-}
-
-/// Relative to the largest component, as shear stresses may be all but zero.
-void judge_code_stress(const FrameAnswer& frame, Validity& out) {
-  constexpr double agrees = 1e-6;
-  if (!frame.code_stress || !frame.analysis.stress)
-    return;
-  const PrintedStress stress = printed(*frame.analysis.stress);
-  double largest = 0, apart = 0;
-  for (std::size_t k = 0; k < stress.size(); ++k) {
-    largest = std::max(largest, std::abs((*frame.code_stress)[k]));
-    apart = std::max(apart, std::abs(stress[k] - (*frame.code_stress)[k]));
-  }
-  if (apart > agrees * largest)
-    out.add(fmt::format("the stress by contacts differs from the code's own by {} of its largest component",
-                        short_text(apart / largest, 2)));
-}
-
 /// What all frames have to say against themselves, each once, with the frame where there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
@@ -191,7 +167,7 @@ ExitCode run(const AnalyseOptions& o) {
   if (!o.out.empty())
     prepare_folder(o.out, analysis_files, o.force);
   AnalyseAnswer answer = answer_all(o);
-  take_code_stress(o, answer);
+  take_code_stress(o.stress, answer.frames);
   std::string table = o.json ? "" : analyse_table(answer);
   if (!o.out.empty()) {
     write_analysis(o.out, answer, existing(o));
@@ -202,11 +178,6 @@ ExitCode run(const AnalyseOptions& o) {
 }
 
 } // namespace
-
-PrintedStress printed(const ContactStress& stress) {
-  const Mat3& s = stress.tensor; // f_i l_j
-  return {s(0, 0), s(1, 1), s(2, 2), s(1, 0), s(2, 0), s(2, 1)};
-}
 
 Moduli moduli_of(const elastic::TransverselyIsotropic& c) {
   return {.K = c.bulk_modulus(),
@@ -234,6 +205,7 @@ bool says_what_is_missing(io::Finding finding) {
   using enum io::Finding;
   switch (finding) {
   case contacts_unknown:
+  case walls_unknown:
   case forces_unknown:
   case tangential_unknown:
   case ids_assumed:

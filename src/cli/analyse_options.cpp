@@ -132,8 +132,11 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->type_name("MAP");
   command
       .add_option("--stress", o.stress,
-                  "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive")
-      ->type_name("PRESSURES");
+                  "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
+                  "each frame that is taken, or a CSV file with a row for each, columns xx_kPa and so on, "
+                  "and step if they are to be matched by it")
+      ->type_name("PRESSURES|FILE")
+      ->allow_extra_args(false);
   command
       .add_option("--stiffness-from", o.stiffness_from,
                   "What k_n of the network is taken from; by default the overlaps, unless rounded")

@@ -23,7 +23,7 @@ struct AnalyseOptions {
   std::string column_map;
   std::string box;
   std::string frames = "all";
-  std::string stress;
+  std::vector<std::string> stress; ///< one a frame, or the name of a file of them
   std::string stiffness_from;
   bool no_network = false;
   bool json = false;

@@ -66,6 +66,11 @@ std::vector<Column> state_columns() {
       part("sigma_h_Pa", &Analysis::stress,
            [](const ContactStress& x) { return (x.symmetric(0, 0) + x.symmetric(1, 1)) / 2; }),
       part("p_Pa", &Analysis::stress, [](const ContactStress& x) { return x.mean(); }),
+      {"p_by_code_Pa",
+       [](const FrameAnswer& f) {
+         const auto& s = f.code_stress;
+         return s ? ((*s)[0] + (*s)[1] + (*s)[2]) / 3 : nothing;
+       }},
       part("f_n_mean_N", &Analysis::forces, [](const ForceAnalysis& x) { return x.distribution.mean; }),
       part("Z_2", &Analysis::forces, [](const ForceAnalysis& x) { return x.Z_2; }),
       part("sliding_fraction", &Analysis::forces,

@@ -143,16 +143,16 @@ class StatJoin {
   }
 
   void add_wall(const StatRow& row) {
-    WallContact contact;
-    contact.grain = builder_.index(row.i, row.line);
-    contact.wall = -(row.j + 1);
-    contact.point = row.point;
-    contact.overlap = row.overlap;
-    contact.normal_force = row.normal_force;
-    const double side = dot(row.normal, row.point - builder_.position(contact.grain)) < 0 ? -1 : 1;
-    contact.normal = (side / norm(row.normal)) * row.normal;
-    contact.tangential_force = side * row.tangential_force * row.tangent;
-    builder_.add_wall(contact);
+    const std::uint32_t grain = builder_.index(row.i, row.line);
+    const double side = dot(row.normal, row.point - builder_.position(grain)) < 0 ? -1 : 1;
+    const double distance = builder_.radius(grain) - row.overlap;
+    builder_.add_wall({.a = grain,
+                       .branch = (side * distance / norm(row.normal)) * row.normal,
+                       .overlap = row.overlap,
+                       .normal_force = row.normal_force,
+                       .tangential_force = side * row.tangential_force * row.tangent,
+                       .line = row.line},
+                      -(row.j + 1));
   }
 
   PackingBuilder& builder_;

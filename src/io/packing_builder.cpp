@@ -34,6 +34,18 @@ Contact turned(Contact c) {
   return c;
 }
 
+Contact contact_of(const PairRow& row) {
+  return {.i = row.a,
+          .j = row.b,
+          .branch = row.branch,
+          .overlap = row.overlap,
+          .normal_force = row.normal_force,
+          .tangential_force = row.tangential_force,
+          .normal_stiffness = row.normal_stiffness,
+          .tangential_stiffness = row.tangential_stiffness,
+          .sliding = row.sliding};
+}
+
 std::string many(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
 
 } // namespace
@@ -109,10 +121,6 @@ std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
   return static_cast<std::uint32_t>(found - ids.begin());
 }
 
-double PackingBuilder::radius_sum(std::uint32_t a, std::uint32_t b) const {
-  return packing_.assembly.radius[a] + packing_.assembly.radius[b];
-}
-
 Vec3 PackingBuilder::straight(std::uint32_t a, std::uint32_t b) const { return position(b) - position(a); }
 
 void PackingBuilder::require_agreement(const PairRow& row) const {
@@ -127,15 +135,29 @@ std::string PackingBuilder::pair_text(std::uint32_t a, std::uint32_t b) const {
   return "the pair " + std::to_string(packing_.id[a]) + ", " + std::to_string(packing_.id[b]);
 }
 
+void PackingBuilder::require_finite(const PairRow& row, const std::string& name) const {
+  const double length = norm(row.branch);
+  if (!(length > 0) || !std::isfinite(length))
+    fail_contact(row.line, name + " has no line of centres");
+  if (!std::isfinite(row.overlap) || !std::isfinite(row.normal_force) ||
+      !std::isfinite(norm(row.tangential_force)))
+    fail_contact(row.line, name + " has numbers beyond all range");
+}
+
+void PackingBuilder::add_wall(const PairRow& row, long wall) {
+  if (wall < 0 || wall > std::numeric_limits<std::uint32_t>::max())
+    fail_contact(row.line, "expected a number of a wall, found " + std::to_string(wall));
+  require_finite(row, "the contact of grain " + std::to_string(packing_.id[row.a]) + " with wall " +
+                          std::to_string(wall));
+  Contact contact = contact_of(row);
+  contact.j = static_cast<std::uint32_t>(wall);
+  packing_.assembly.wall_contacts.push_back(contact);
+}
+
 void PackingBuilder::add(const PairRow& row) {
   if (row.a == row.b)
     fail_contact(row.line, "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself");
-  const double length = norm(row.branch);
-  if (!(length > 0) || !std::isfinite(length))
-    fail_contact(row.line, pair_text(row.a, row.b) + " has no line of centres");
-  if (!std::isfinite(row.overlap) || !std::isfinite(row.normal_force) ||
-      !std::isfinite(norm(row.tangential_force)))
-    fail_contact(row.line, pair_text(row.a, row.b) + " has numbers beyond all range");
+  require_finite(row, pair_text(row.a, row.b));
   if (row.overlap <= 0) {
     if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
       ++neighbours_;
@@ -143,19 +165,12 @@ void PackingBuilder::add(const PairRow& row) {
     }
     ++open_;
   }
-  if (length > farthest * radius_sum(row.a, row.b))
+  if (norm(row.branch) > farthest * radius_sum(row.a, row.b))
     fail_contact(row.line,
                  pair_text(row.a, row.b) + " is in contact across a gap: are the right faces periodic?");
   if (norm(row.branch - straight(row.a, row.b)) > same_branch * radius_sum(row.a, row.b))
     ++through_faces_;
-  const Contact as_read{.i = row.a,
-                        .j = row.b,
-                        .branch = row.branch,
-                        .overlap = row.overlap,
-                        .normal_force = row.normal_force,
-                        .tangential_force = row.tangential_force,
-                        .normal_stiffness = row.normal_stiffness,
-                        .tangential_stiffness = row.tangential_stiffness};
+  const Contact as_read = contact_of(row);
   const bool turn = row.a > row.b;
   const Contact contact = turn ? turned(as_read) : as_read;
   if (!entries_.empty() && !both_sides_) {
@@ -207,9 +222,9 @@ void PackingBuilder::note_counts() {
   if (neighbours_ > 0)
     note(Finding::open_contacts,
          many(neighbours_, "rows without overlap and force are neighbours, not contacts; left out"));
-  if (!packing_.walls.empty())
+  if (const std::size_t walls = packing_.assembly.wall_contacts.size(); walls > 0)
     note(Finding::wall_contacts,
-         many(packing_.walls.size(), "contacts with walls are not part of the assembly"));
+         many(walls, "contacts with walls bear stress, but count in neither C_n nor fabric"));
 }
 
 ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
@@ -229,6 +244,8 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   if (!group.empty())
     merge(group);
   entries_.clear();
+  std::ranges::stable_sort(packing_.assembly.wall_contacts, {},
+                           [](const Contact& c) { return std::pair(c.i, c.j); });
   note_counts();
   packing_.step = step;
   packing_.time = time;

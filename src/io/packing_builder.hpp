@@ -29,6 +29,7 @@ struct PairRow {
   Vec3 tangential_force{}; ///< exerted by a on b [N]
   double normal_stiffness = 0;
   double tangential_stiffness = 0;
+  bool sliding = false;
   std::size_t line = 0;
 };
 
@@ -61,7 +62,9 @@ class PackingBuilder {
   /// Index of the grain of an id.
   /// \throws   FileError if there is none
   [[nodiscard]] std::uint32_t index(long id, std::size_t line) const;
-  [[nodiscard]] double radius_sum(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] double radius(std::uint32_t grain) const { return packing_.assembly.radius[grain]; }
+  [[nodiscard]] double radius_sum(std::uint32_t a, std::uint32_t b) const { return radius(a) + radius(b); }
+  [[nodiscard]] const std::vector<Vec3>& positions() const { return packing_.assembly.position; }
   [[nodiscard]] const Vec3& position(std::uint32_t grain) const { return packing_.assembly.position[grain]; }
   /// Centre of b minus centre of a, without periodic images.
   [[nodiscard]] Vec3 straight(std::uint32_t a, std::uint32_t b) const;
@@ -74,7 +77,9 @@ class PackingBuilder {
   /// Takes a contact in; a row without overlap and force is a neighbour and left out.
   /// \throws   FileError for a grain in contact with itself, centres that coincide, numbers beyond all range
   void add(const PairRow& row);
-  void add_wall(const WallContact& contact) { packing_.walls.push_back(contact); }
+  /// Takes a contact with a wall in, everything from the grain a to the wall.
+  /// \throws   FileError for a wall number that is none, a branch of no length, numbers beyond all range
+  void add_wall(const PairRow& row, long wall);
   void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
   void note_digits(const DigitWatch& coordinates, std::string_view what);
   /// Every pair is to stand there twice, once from each side.
@@ -100,6 +105,8 @@ class PackingBuilder {
 
   void bound_grains();
   void merge(const std::vector<Entry>& group);
+  /// \throws   FileError for a line of centres of no length, or numbers beyond all range
+  void require_finite(const PairRow& row, const std::string& name) const;
   [[nodiscard]] std::string pair_text(std::uint32_t a, std::uint32_t b) const;
   void note_counts();
 

@@ -10,6 +10,7 @@
 #include <granum/io/lammps_data.hpp>
 #include <granum/io/lammps_dump.hpp>
 #include <granum/io/mercury.hpp>
+#include <granum/io/vtk_xml.hpp>
 #include <granum/io/yade_text.hpp>
 #include <granum/io/yade_vtk.hpp>
 
@@ -54,6 +55,30 @@ FileKind kind_of_vtk(TextSource& source) {
   return FileKind::vtk_grains;
 }
 
+/// What the attribute of an element says, on the line where both stand.
+std::string_view attribute(std::string_view line, std::string_view name) {
+  const std::size_t at = line.find(name);
+  if (at == std::string_view::npos)
+    return {};
+  const std::string_view value = line.substr(at + name.size());
+  return value.substr(0, value.find_first_of("\"'"));
+}
+
+/// Points without lines are grains, whatever the type.
+FileKind kind_of_vtk_xml(TextSource& source) {
+  bool poly_data = false;
+  for (int k = 0; k < lines_of_a_header && source.next(); ++k) {
+    const std::string_view line = source.line();
+    poly_data = poly_data || line.find("PolyData") != std::string_view::npos;
+    if (line.find("<Piece") == std::string_view::npos)
+      continue;
+    const bool lines =
+        attribute(line, "NumberOfLines=\"") != "0" || attribute(line, "NumberOfPoints=\"") == "0";
+    return poly_data && lines ? FileKind::vtk_xml_contacts : FileKind::vtk_xml_grains;
+  }
+  source.fail("an XML file without an element Piece; expected .vtu or .vtp");
+}
+
 /// What a file that begins with a remark holds; nothing if the remark does not tell.
 std::optional<FileKind> kind_by_remark(std::string_view line) {
   if (line.starts_with("#format") || line.starts_with("# granum: grains of a YADE"))
@@ -91,7 +116,7 @@ FileKind kind_of_table(TextSource& source) {
   if (csv)
     return *csv;
   source.fail("of no format that granum reads: LAMMPS or LIGGGHTS dumps, LAMMPS data, YADE's text or VTK, "
-              "MercuryDPM's .data and .fstat, CSV");
+              ".vtu and .vtp, MercuryDPM's .data and .fstat, CSV");
 }
 
 using Reader = std::function<std::optional<ImportedPacking>()>;
@@ -122,6 +147,8 @@ FileKind partner_of(FileKind grains) {
     return FileKind::yade_contacts;
   case FileKind::vtk_grains:
     return FileKind::vtk_contacts;
+  case FileKind::vtk_xml_grains:
+    return FileKind::vtk_xml_contacts;
   default:
     return FileKind::csv_contacts;
   }
@@ -149,6 +176,10 @@ std::string_view description(FileKind kind) {
     return "grains of YADE as VTK";
   case FileKind::vtk_contacts:
     return "contacts of YADE as VTK";
+  case FileKind::vtk_xml_grains:
+    return "grains as VTK XML";
+  case FileKind::vtk_xml_contacts:
+    return "contacts as VTK XML";
   case FileKind::csv_grains:
     return "a CSV table of grains";
   case FileKind::csv_contacts:
@@ -159,7 +190,8 @@ std::string_view description(FileKind kind) {
 
 bool holds_contacts(FileKind kind) {
   return kind == FileKind::dump_contacts || kind == FileKind::mercury_fstat ||
-         kind == FileKind::yade_contacts || kind == FileKind::vtk_contacts || kind == FileKind::csv_contacts;
+         kind == FileKind::yade_contacts || kind == FileKind::vtk_contacts ||
+         kind == FileKind::vtk_xml_contacts || kind == FileKind::csv_contacts;
 }
 
 FileKind recognise(TextSource source) {
@@ -172,6 +204,10 @@ FileKind recognise(TextSource source) {
   }
   if (line.starts_with("# vtk DataFile"))
     return kind_of_vtk(source);
+  if (line.starts_with("<?xml") || line.starts_with("<VTKFile")) {
+    source.hold();
+    return kind_of_vtk_xml(source);
+  }
   if (const auto kind = kind_by_remark(line))
     return *kind;
   return kind_of_table(source);
@@ -205,6 +241,9 @@ struct PackingFiles::Impl {
     case FileKind::vtk_grains:
       return once(second ? read_yade_vtk(std::move(first), std::move(*second))
                          : read_yade_vtk(std::move(first)));
+    case FileKind::vtk_xml_grains:
+      return once(second ? read_vtk_xml(std::move(first), std::move(*second))
+                         : read_vtk_xml(std::move(first)));
     default:
       return once(second ? read_packing_csv(std::move(first), std::move(*second), options.box)
                          : read_packing_csv(std::move(first), options.box));

@@ -29,7 +29,8 @@ class VtkText {
   void array(const char* type, std::string_view name, std::size_t count, std::size_t components,
              Value value) {
     text_ += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + svg_escaped(name) +
-             "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n";
+             "\" NumberOfComponents=\"" + std::to_string(components) + "\" NumberOfTuples=\"" +
+             std::to_string(count) + "\" format=\"ascii\">\n";
     for (std::size_t k = 0; k < count * components; ++k) {
       append(value(k));
       text_ += (k + 1) % components == 0 ? '\n' : ' ';
@@ -72,6 +73,16 @@ void add_scalars(VtkText& text, const char* name, const std::vector<double>& val
   text.array("Float64", name, values.size(), 1, [&](std::size_t k) { return values[k]; });
 }
 
+/// The three edges of the cell, one after the other, and the time.
+void add_field_data(VtkText& text, const Mat3& cell, std::optional<double> time) {
+  text.open("FieldData");
+  if (time)
+    text.array("Float64", "TimeValue", 1, 1, [&](std::size_t) { return *time; });
+  text.array("Float64", "cell", 1, 9,
+             [&](std::size_t k) { return cell(static_cast<int>(k % 3), static_cast<int>(k / 3)); });
+  text.close("FieldData");
+}
+
 void add_points(VtkText& text, const std::vector<Vec3>& points) {
   text.open("Points");
   text.array("Float64", "Points", points.size(), 3,
@@ -95,6 +106,8 @@ GrainLoads grain_loads(const Assembly& assembly) {
       ++loads.contacts[grain];
       loads.pressure[grain] += c.normal_force * arm;
     }
+  for (const Contact& c : assembly.wall_contacts)
+    loads.pressure[c.i] += c.normal_force * norm(c.branch);
   for (std::size_t g = 0; g < count; ++g)
     loads.pressure[g] /= 4 * std::numbers::pi * assembly.radius[g] * assembly.radius[g] * assembly.radius[g];
   return loads;
@@ -108,13 +121,14 @@ bool through_face(const Assembly& assembly, const Contact& c) {
 
 } // namespace
 
-std::string grains_vtu(const Assembly& assembly, std::span<const long> id) {
+std::string grains_vtu(const Assembly& assembly, std::span<const long> id, std::optional<double> time) {
   require_ids(assembly, id);
   const std::size_t count = assembly.grain_count();
   const GrainLoads loads = grain_loads(assembly);
   const auto rattler = mechanical_coordination(assembly, ContactKind::frictional).rattler;
 
   VtkText text("UnstructuredGrid");
+  add_field_data(text, assembly.cell, time);
   text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfCells", count));
   add_points(text, assembly.position);
   text.open("PointData Scalars=\"radius\"");
@@ -135,7 +149,9 @@ std::string grains_vtu(const Assembly& assembly, std::span<const long> id) {
 
 std::string contacts_vtp(const Assembly& assembly, std::span<const long> id) {
   require_ids(assembly, id);
-  const std::vector<Contact>& contacts = assembly.contacts;
+  const std::size_t between = assembly.contacts.size();
+  std::vector<Contact> contacts = assembly.contacts;
+  contacts.insert(contacts.end(), assembly.wall_contacts.begin(), assembly.wall_contacts.end());
   const std::size_t count = contacts.size();
   std::vector<Vec3> ends;
   for (const Contact& c : contacts) {
@@ -153,9 +169,17 @@ std::string contacts_vtp(const Assembly& assembly, std::span<const long> id) {
   text.array("Float64", "overlap", count, 1, [&](std::size_t k) { return contacts[k].overlap; });
   text.array("UInt8", "sliding", count, 1, [&](std::size_t k) { return contacts[k].sliding ? 1 : 0; });
   text.array("UInt8", "through_face", count, 1,
-             [&](std::size_t k) { return through_face(assembly, contacts[k]) ? 1 : 0; });
-  text.array("Int64", "grains", count, 2,
-             [&](std::size_t k) { return id_of(id, k % 2 == 0 ? contacts[k / 2].i : contacts[k / 2].j); });
+             [&](std::size_t k) { return k < between && through_face(assembly, contacts[k]) ? 1 : 0; });
+  text.array("Int64", "grains", count, 2, [&](std::size_t k) {
+    const Contact& c = contacts[k / 2];
+    return id_of(id, k % 2 == 0 || k / 2 >= between ? c.i : c.j);
+  });
+  text.array("Int64", "wall", count, 1,
+             [&](std::size_t k) { return k < between ? -1L : static_cast<long>(contacts[k].j); });
+  text.array("Float64", "normal_stiffness", count, 1,
+             [&](std::size_t k) { return contacts[k].normal_stiffness; });
+  text.array("Float64", "tangential_stiffness", count, 1,
+             [&](std::size_t k) { return contacts[k].tangential_stiffness; });
   text.close("CellData");
   text.open("Lines");
   text.array("Int64", "connectivity", 2 * count, 1, [](std::size_t k) { return k; });

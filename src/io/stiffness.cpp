@@ -13,6 +13,15 @@ void assign(Contact& c, const contact::PowerLaw& law, double ratio, StiffnessFro
   c.tangential_stiffness = ratio * c.normal_stiffness;
 }
 
+/// A rigid plane, at which a grain stands as before its mirror image: F(2 d), with the derivative 2 F'(2 d).
+void assign_wall(Contact& c, const contact::PowerLaw& law, double ratio, StiffnessFrom from) {
+  Contact mirrored = c;
+  mirrored.overlap = 2 * c.overlap;
+  assign(mirrored, law, ratio, from);
+  c.normal_stiffness = 2 * mirrored.normal_stiffness;
+  c.tangential_stiffness = ratio * c.normal_stiffness;
+}
+
 } // namespace
 
 void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double ratio, StiffnessFrom from) {
@@ -20,6 +29,8 @@ void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double r
   const double checked_ratio = contact::given_stiffness_ratio(ratio);
   for (Contact& c : assembly.contacts)
     assign(c, law, checked_ratio, from);
+  for (Contact& c : assembly.wall_contacts)
+    assign_wall(c, law, checked_ratio, from);
 }
 
 void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& grain, double ratio,
@@ -31,6 +42,8 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
     const double equal_radius = 2 * ri * (rj / (ri + rj)); // two spheres of it have the same R*
     assign(c, contact::PowerLaw::sphere(grain, equal_radius), checked_ratio, from);
   }
+  for (Contact& c : assembly.wall_contacts)
+    assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), checked_ratio, from);
 }
 
 } // namespace granum::io

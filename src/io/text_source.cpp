@@ -123,6 +123,14 @@ bool TextSource::next() {
   }
 }
 
+std::string_view TextSource::next_bytes() {
+  if (begin_ == end_ && !fill())
+    return {};
+  const std::string_view bytes(buffer_.data() + begin_, end_ - begin_);
+  begin_ = end_;
+  return bytes;
+}
+
 void TextSource::fail(const std::string& what) const { throw FileError(name_, line_number_, what); }
 
 } // namespace granum::io

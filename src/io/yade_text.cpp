@@ -151,10 +151,10 @@ class ContactFile {
     if (columns_.empty())
       source_.fail("holds no contacts; expected a heading '# id1 id2 ...'");
     builder_.note_digits(digits_, "overlaps");
-    if (wall_contacts_ > 0)
-      builder_.note(Finding::wall_contacts,
-                    std::to_string(wall_contacts_) +
-                        " contacts with bodies that are no spheres were not exported");
+    if (left_out_ > 0)
+      builder_.note(Finding::walls_unknown,
+                    std::to_string(left_out_) +
+                        " contacts with bodies that are neither spheres nor walls were not exported");
     if (!stiffness_)
       builder_.note(Finding::stiffness_unknown, "no columns kn, ks");
     builder_.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
@@ -164,8 +164,8 @@ class ContactFile {
 
  private:
   void read_heading() {
-    if (row_.size() > 2 && row_[1] == "wall_contacts")
-      wall_contacts_ = row_.count(2, "contacts with walls");
+    if (row_.size() > 2 && row_[1] == "left_out")
+      left_out_ = row_.count(2, "contacts with other bodies");
     if (row_.size() < 2 || row_[1] != "id1")
       return;
     columns_.assign(row_.fields().begin() + 1, row_.fields().end());
@@ -207,15 +207,19 @@ class ContactFile {
     PairRow pair;
     pair.line = line;
     pair.a = builder_.index(row_.integer(id1_, "id1"), line);
-    pair.b = builder_.index(row_.integer(id2_, "id2"), line);
+    const long second = row_.integer(id2_, "id2");
+    const bool wall = second < 0;
+    if (!wall)
+      pair.b = builder_.index(second, line);
     digits_.see(row_[overlap_]);
     pair.overlap = row_.number(overlap_, "overlap pd");
     const Vec3 direction = vector(normal_, "normal");
     if (!(std::abs(norm(direction) - 1) <= 1e-3))
       source_.fail("expected a unit vector as normal, found one of length " + short_text(norm(direction)));
     const Vec3 n = (1 / norm(direction)) * direction;
-    pair.branch = (builder_.radius_sum(pair.a, pair.b) - pair.overlap) * n;
-    if (pair.a != pair.b)
+    const double radii = wall ? builder_.radius(pair.a) : builder_.radius_sum(pair.a, pair.b);
+    pair.branch = (radii - pair.overlap) * n;
+    if (!wall && pair.a != pair.b)
       require_place(pair);
     pair.normal_force = dot(vector(normal_force_, "normal force"), n);
     pair.tangential_force = vector(shear_force_, "shear force");
@@ -223,7 +227,10 @@ class ContactFile {
       pair.normal_stiffness = stiffness(stiffness_->first, "kn");
       pair.tangential_stiffness = stiffness(stiffness_->second, "ks");
     }
-    builder_.add(pair);
+    if (wall)
+      builder_.add_wall(pair, -(second + 1));
+    else
+      builder_.add(pair);
   }
 
   /// The line of centres fits the positions, with the shift that the row states.
@@ -248,7 +255,7 @@ class ContactFile {
   std::array<std::size_t, 3> normal_{}, normal_force_{}, shear_force_{};
   std::optional<std::array<std::size_t, 3>> shift_;
   std::optional<std::pair<std::size_t, std::size_t>> stiffness_;
-  std::size_t wall_contacts_ = 0;
+  std::size_t left_out_ = 0;
   DigitWatch digits_;
 };
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
+#include "centre_index.hpp"
 #include "packing_builder.hpp"
 #include "text_row.hpp"
 
@@ -175,35 +175,6 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
   builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
   return builder;
 }
-
-/// Finds the sphere whose centre is written with the same digits.
-class CentreIndex {
- public:
-  explicit CentreIndex(const std::vector<Vec3>& centres) {
-    for (std::size_t k = 0; k < centres.size(); ++k) {
-      const auto [at, fresh] = index_.emplace(key(centres[k]), static_cast<std::uint32_t>(k));
-      if (!fresh)
-        at->second = several;
-    }
-  }
-
-  [[nodiscard]] std::uint32_t find(const Vec3& point, const PackingBuilder& builder, std::size_t line) const {
-    const auto found = index_.find(key(point));
-    if (found == index_.end())
-      builder.fail_contact(line,
-                           "the contact ends at no centre of a sphere; pairs through periodic faces need "
-                           "share/yade/granum_export.py");
-    if (found->second == several)
-      builder.fail_contact(line, "the contact ends where two spheres have their centres");
-    return found->second;
-  }
-
- private:
-  using Key = std::tuple<double, double, double>;
-  static constexpr std::uint32_t several = 0xffffffff;
-  static Key key(const Vec3& p) { return {p.x, p.y, p.z}; }
-  std::map<Key, std::uint32_t> index_;
-};
 
 } // namespace
 

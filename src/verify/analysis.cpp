@@ -26,7 +26,7 @@ CountAnalysis count(const io::ImportedPacking& packing) {
     touched[c.i] = touched[c.j] = true;
   CountAnalysis out{.grains = assembly.grain_count(),
                     .contacts = assembly.contacts.size(),
-                    .wall_contacts = packing.walls.size(),
+                    .wall_contacts = assembly.wall_contacts.size(),
                     .mechanical = mechanical_coordination(assembly, ContactKind::frictional)};
   out.without_contact = static_cast<std::size_t>(std::count(touched.begin(), touched.end(), false));
   out.coordination_number = coordination_number(assembly);

@@ -23,10 +23,11 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     case Finding::duplicated:
     case Finding::one_sided:
     case Finding::cell_unknown:
+    case Finding::wall_contacts:
       out.push_back(note.text);
       break;
-    case Finding::wall_contacts:
-      out.push_back(note.text + ", nor of stress, fabric and C_n");
+    case Finding::walls_unknown:
+      out.push_back(note.text + ": stress, z* and the network lack them");
       break;
     default:
       break;

@@ -20,6 +20,9 @@ foreach(code liggghts_chain.atoms%liggghts_chain.contacts mercury_chain.data%mer
 endforeach()
 granum_cli_test("analyse: YADE, with its own stiffnesses" EXIT 0 STDERR "granum: warning"
   STDOUT "f_n +66\\.55 mN" ARGS analyse ${io}/yade_script.grains ${io}/yade_script.contacts)
+granum_cli_test("analyse: YADE's recorder, as VTK XML" EXIT 0 STDERR "single precision"
+  STDOUT "grains as VTK XML.*contacts as VTK XML.*C_n +1\\.3333.*f_n +66\\.55 mN"
+  ARGS analyse ${io}/yade_chain.vtu ${io}/yade_chain.vtp)
 granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "not at rest" STDOUT "C_n +1\\.3333.*zz +1\\.03965"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
 granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
@@ -61,6 +64,22 @@ granum_cli_test("analyse: a stress that does not" EXIT 0 STDOUT "against the cod
   STDERR "the stress by contacts differs from the code's own by 0\\.[0-9]+ of its largest component"
   ARGS analyse ${chain} --stress 367.6Pa,0Pa,1049.7Pa,178.6Pa,0Pa,0Pa)
 
+set(both "${io}/lammps_chain.atoms" "${io}/lammps_chain.contacts" --no-network)
+granum_cli_test("analyse: a stress for each frame" EXIT 0 STDERR "frame 0: coordinates"
+  JSON "frames/1/stress/relative_difference/zz=^-?[0-9.]+e-(09|1[0-9])$"
+  ARGS analyse ${both} --json --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa
+    --stress 340.848683Pa,0.00005344Pa,947.8248458Pa,166.767186Pa,32.342564Pa,0Pa)
+granum_cli_test("analyse: a file of stresses" EXIT 0 STDERR "frame 0: coordinates"
+  JSON "frames/1/stress/relative_difference/xz=^-?[0-9.]+e-(09|1[0-9])$"
+  ARGS analyse ${both} --json --stress analyse_stress_frames.csv)
+granum_cli_test("analyse: a file of stresses by their step" EXIT 0 STDERR "not at rest"
+  JSON "frames/0/stress/relative_difference/xz=^-?[0-9.]+e-(09|1[0-9])$"
+  ARGS analyse ${both} --frames 1 --json --stress analyse_stress_steps.csv)
+granum_cli_test("analyse: one of two stresses does not agree" EXIT 0 STDOUT "frame"
+  STDERR "frame 1: the stress by contacts differs from the code's own by 0\\.088"
+  ARGS analyse ${both} --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa
+    --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa)
+
 # what is refused
 function(granum_analyse_refuses what code message)
   granum_cli_test("analyse: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS analyse ${ARGN})
@@ -75,8 +94,13 @@ granum_analyse_refuses("a frame that is not there" 2 "--frames takes none of the
 granum_analyse_refuses("frames in words" 2 "--frames takes all, last" ${io}/lammps_chain.atoms --frames some)
 granum_analyse_refuses("frames backwards" 2 "--frames 3:1 takes no frame" ${io}/lammps_chain.atoms --frames 3:1)
 granum_analyse_refuses("five stresses" 2 "--stress takes six stresses" ${chain} --stress 1Pa,1Pa,1Pa,1Pa,1Pa)
-granum_analyse_refuses("one stress for two frames" 2 "--stress is that of one frame, not of 2"
+granum_analyse_refuses("one stress for two frames" 2 "--stress is given 1 times for 2 frames"
   ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --stress 1Pa,1Pa,1Pa,1Pa,1Pa,1Pa)
+granum_analyse_refuses("a file of stresses without a frame's step" 3 "analyse_stress_steps.csv: expected one row of step 0, found 0"
+  ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames 0 --stress analyse_stress_steps.csv)
+granum_analyse_refuses("a file of stresses for other frames" 3 "analyse_stress_frames.csv: expected one row of stresses for each of 1 frames, found 2"
+  ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames 0 --stress analyse_stress_frames.csv)
+granum_analyse_refuses("a missing file of stresses" 3 "none: cannot be read" ${chain} --stress none)
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)

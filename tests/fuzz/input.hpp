@@ -7,9 +7,11 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
+#include <granum/io/text_source.hpp>
 
 /// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a
 /// fault.
@@ -50,8 +52,6 @@ inline void check(const io::ImportedPacking& packing) {
     const Contact &before = a.contacts[k - 1], &here = a.contacts[k];
     demand(std::tie(before.i, before.j) < std::tie(here.i, here.j));
   }
-  for (const io::WallContact& wall : packing.walls)
-    demand(wall.grain < a.grain_count() && wall.wall >= 0);
 }
 
 /// Runs a reader; the refusals that it may make are taken for an answer.
@@ -63,6 +63,19 @@ int run(const Action& action) {
     return 0;
   }
   return 0;
+}
+
+/// Runs a reader of one file, or of two where the input has two parts.
+template <class Read>
+int run_packing(const std::uint8_t* data, std::size_t size, const Read& read) {
+  return run([&] {
+    const Parts input = parts(text(data, size));
+    io::TextSource grains = io::TextSource::of_text("grains", input.first);
+    if (input.second)
+      check(read(std::move(grains), io::TextSource::of_text("contacts", *input.second)));
+    else
+      check(read(std::move(grains)));
+  });
 }
 
 } // namespace granum::fuzz

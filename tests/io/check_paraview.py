@@ -28,13 +28,16 @@ assert grains.GetCell(2).GetCellType() == vtk.VTK_VERTEX
 assert grains.GetPoint(1) == (0.0019, 0.002, 0.002)
 assert values(grains.GetPointData(), "radius") == [(0.5e-3,), (0.5e-3,), (0.25e-3,)]
 assert values(grains.GetPointData(), "contacts") == [(2,), (1,), (1,)]
+assert values(grains.GetFieldData(), "TimeValue") == [(0.25,)]
+assert values(grains.GetFieldData(), "cell") == [(4e-3, 0, 0, 0, 4e-3, 0, 0, 0, 4e-3)]
 
 contacts = read(vtk.vtkXMLPolyDataReader(), "contacts.vtp")
-assert contacts.GetNumberOfLines() == 2 and contacts.GetNumberOfPoints() == 4
+assert contacts.GetNumberOfLines() == 3 and contacts.GetNumberOfPoints() == 6
 assert contacts.GetCell(1).GetPoints().GetPoint(1) == (0.001, 0.002, 0.0027)
-assert values(contacts.GetCellData(), "normal_force") == [(2,), (1 / 3,)]
-assert values(contacts.GetCellData(), "tangential_force") == [(0, 0, 0), (0.1, -0.2, 0)]
-assert values(contacts.GetCellData(), "grains") == [(0, 1), (0, 2)]
+assert values(contacts.GetCellData(), "normal_force") == [(2,), (1 / 3,), (3,)]
+assert values(contacts.GetCellData(), "tangential_force") == [(0, 0, 0), (0.1, -0.2, 0), (0, 0, 0)]
+assert values(contacts.GetCellData(), "grains") == [(0, 1), (0, 2), (2, 2)]
+assert values(contacts.GetCellData(), "wall") == [(-1,), (-1,), (5,)]
 
 path = read(vtk.vtkXMLPolyDataReader(), "path.vtp")
 assert path.GetNumberOfLines() == 1 and path.GetCell(0).GetNumberOfPoints() == 3

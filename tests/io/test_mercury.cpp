@@ -80,12 +80,13 @@ TEST_CASE("MercuryDPM: negative indices are walls, and no grains") {
     const auto packing = read(data, fstat + (turned ? with(row, "0 0 -1 1 0 0", "0 0 1 -1 0 0") : row));
     REQUIRE(packing);
     CHECK(packing->assembly.contacts.size() == 2);
-    REQUIRE(packing->walls.size() == 1);
-    const WallContact& wall = packing->walls[0];
-    CHECK(wall.grain == 2);
-    CHECK(wall.wall == 2);
+    REQUIRE(packing->assembly.wall_contacts.size() == 1);
+    const Contact& wall = packing->assembly.wall_contacts[0];
+    CHECK(wall.i == 2);
+    CHECK(wall.j == 2);
     CHECK(wall.normal_force == 0.5);
-    check_vector(wall.normal, {0, 0, -1}, 1e-15);
+    CHECK(wall.overlap == 1e-7);
+    check_vector(wall.branch, {0, 0, -0.4999e-3}, 1e-15);
     check_vector(wall.tangential_force, {0.25, 0, 0}, 1e-15);
     CHECK(packing->has(Finding::wall_contacts));
   }

@@ -36,7 +36,9 @@ TEST_CASE("packing files: each format is told by what stands in it") {
       {"mercury_chain.data", mercury_data},     {"mercury_chain.fstat", mercury_fstat},
       {"yade_text.txt", yade_grains},           {"yade_text_ext.txt", yade_grains},
       {"yade_script.grains", yade_grains},      {"yade_script.contacts", yade_contacts},
-      {"yade_chain.contacts", yade_contacts},   {"yade_chain.vtk", vtk_contacts}};
+      {"yade_chain.contacts", yade_contacts},   {"yade_chain.vtk", vtk_contacts},
+      {"yade_chain.vtu", vtk_xml_grains},       {"yade_chain.vtp", vtk_xml_contacts},
+      {"vtk_raw.vtu", vtk_xml_grains},          {"vtk_appended.vtp", vtk_xml_contacts}};
   for (const auto& [name, kind] : expected) {
     INFO(name);
     CHECK(recognise(data_source(name)) == kind);
@@ -52,6 +54,12 @@ TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these"
   CHECK(kind_of("nx,ny,nz\n") == FileKind::csv_contacts);
   CHECK(kind_of("# vtk DataFile Version 3.0.\ncomment\nASCII\n\nDATASET POLYDATA\nPOINTS 0 double\n") ==
         FileKind::vtk_grains);
+  const std::string points = "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"3\"";
+  CHECK(kind_of(points + " NumberOfLines=\"0\">") == FileKind::vtk_xml_grains);
+  CHECK(kind_of(points + " NumberOfLines=\"2\">") == FileKind::vtk_xml_contacts);
+  CHECK(kind_of(with(points, "3", "0") + " NumberOfLines=\"0\">") == FileKind::vtk_xml_contacts);
+  CHECK(refusal([&] { (void)kind_of("<?xml?>\n<html/>\n"); }).find("without an element Piece") !=
+        std::string::npos);
   CHECK(refusal([&] { (void)kind_of("Lorem ipsum\n"); }).find("of no format that granum reads") !=
         std::string::npos);
   CHECK(refusal([&] { (void)kind_of(""); }).find("is empty") != std::string::npos);
@@ -72,6 +80,10 @@ TEST_CASE("packing files: the chain out of every format, files in any order") {
     check_chain(*packing, 1e-9, 1e-7);
     CHECK(files.kinds().size() == 2);
   }
+  PackingFiles vtk(data({"yade_chain.vtp", "yade_chain.vtu"}));
+  const auto recorded = vtk.next();
+  REQUIRE(recorded);
+  check_chain(*recorded, 3e-9, 1e-2);
   PackingFiles yade(data({"yade_script.contacts", "yade_script.grains"}));
   REQUIRE(yade.next());
   CHECK_FALSE(yade.next());
@@ -82,6 +94,7 @@ TEST_CASE("packing files: frames of one file, then those of the next") {
   CHECK(count_states({"lammps_chain.atoms", "lammps_chain.contacts"}) == 2);
   CHECK(count_states({"lammps_chain.atoms", "lammps_chain.contacts", "lammps_face.atoms",
                       "lammps_face.contacts"}) == 2 + 1);
+  CHECK(count_states({"yade_chain.vtu", "vtk_raw.vtu", "vtk_big.vtu"}) == 3);
   CHECK(count_states({"lammps_chain.data", "lammps_tilted.data"}) == 2);
 }
 

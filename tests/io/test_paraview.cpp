@@ -69,7 +69,8 @@ TEST_CASE("ParaView: grains keep every bit, and carry what they bear") {
 }
 
 TEST_CASE("ParaView: pressures of the grains, by volume, are the mean stress of the packing") {
-  const Assembly assembly = chain();
+  Assembly assembly = chain();
+  assembly.wall_contacts = {{.i = 1, .j = 4, .branch = {0, 0, -0.4e-3}, .normal_force = 5}};
   const std::vector<double> pressure = array(grains_vtu(assembly), "pressure");
   double sum = 0;
   for (std::size_t g = 0; g < 4; ++g)
@@ -99,6 +100,28 @@ TEST_CASE("ParaView: contacts are lines along their branches, with forces") {
   CHECK(array(file, "connectivity") == std::vector<double>{0, 1, 2, 3, 4, 5});
   CHECK(array(file, "offsets") == std::vector<double>{2, 4, 6});
   CHECK(file.find("Name=\"connectivity\" NumberOfComponents=\"1\"") != std::string::npos);
+}
+
+TEST_CASE("ParaView: contacts with walls are lines to the walls, behind the others") {
+  Assembly assembly = chain();
+  assembly.wall_contacts = {
+      {.i = 1, .j = 4, .branch = {0, 0, -0.4e-3}, .normal_force = 5, .normal_stiffness = 7}};
+  const std::vector<long> id{7, 9, 11, 13};
+  const std::string file = contacts_vtp(assembly, id);
+  CHECK(array(file, "wall") == std::vector<double>{-1, -1, -1, 4});
+  CHECK(array(file, "grains") == std::vector<double>{7, 9, 7, 11, 9, 11, 9, 9});
+  CHECK(array(file, "normal_force") == std::vector<double>{2, 1.0 / 3, 1, 5});
+  CHECK(array(file, "normal_stiffness") == std::vector<double>{0, 0, 0, 7});
+  CHECK(array(file, "through_face") == std::vector<double>{0, 0, 1, 0});
+  const std::vector<double> points = array(file, "Points");
+  REQUIRE(points.size() == 24);
+  CHECK(points[23] == assembly.position[1].z - 0.4e-3);
+}
+
+TEST_CASE("ParaView: the edges of the cell stand one after the other") {
+  Assembly assembly = chain();
+  assembly.cell(0, 2) = 1e-3; // of the third edge
+  CHECK(array(grains_vtu(assembly), "cell") == std::vector<double>{4e-3, 0, 0, 0, 4e-3, 0, 1e-3, 0, 4e-3});
 }
 
 TEST_CASE("ParaView: an assembly without contacts, and one without grains") {

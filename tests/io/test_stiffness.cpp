@@ -35,6 +35,22 @@ TEST_CASE("stiffnesses of the chain by overlap and by force are those of Hertz a
   }
 }
 
+TEST_CASE("at a wall the grain has the stiffness of F(2 d), by overlap and by force") {
+  Assembly a = chain();
+  const auto law = contact::PowerLaw::sphere(glass, 0.5e-3);
+  const double d = 1e-7, force = law.force(2 * d);
+  a.wall_contacts = {{.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = d, .normal_force = force}};
+  const double slope = (law.force(2 * d * 1.0001) - law.force(2 * d * 0.9999)) / (2e-4 * d);
+  for (const StiffnessFrom from : {StiffnessFrom::overlap, StiffnessFrom::force}) {
+    assign_stiffness(a, law, 0.5, from);
+    CHECK(a.wall_contacts[0].normal_stiffness == relative(slope, 1e-7)); // a central difference
+    CHECK(a.wall_contacts[0].tangential_stiffness == 0.5 * a.wall_contacts[0].normal_stiffness);
+    const double before = a.wall_contacts[0].normal_stiffness;
+    assign_hertz_stiffness(a, glass, 0.5, from);
+    CHECK(a.wall_contacts[0].normal_stiffness == relative(before, 1e-14));
+  }
+}
+
 TEST_CASE("spheres of two sizes have the stiffness of their reduced radius") {
   Assembly a = chain();
   a.radius[0] = 1.5e-3; // 1/R* = 1/1.5 + 1/0.5 per mm: that of two spheres of 0.75 mm

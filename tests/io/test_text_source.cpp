@@ -115,3 +115,25 @@ TEST_CASE("a file that compresses endless zeros into one line costs no more than
   CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("a line of more than 64 MiB") !=
         std::string::npos);
 }
+
+TEST_CASE("the bytes behind a line come as they are, plain or gzip") {
+  std::string whole = "<xml>\r\n";
+  for (std::uint32_t k = 0, value = 1; k < 700'000; ++k, value = value * 1664525 + 1013904223)
+    whole += static_cast<char>(value >> 24); // more than two buffers of all bytes, line ends among them
+  const TemporaryFolder folder;
+  const auto packed = folder.path() / "packed.gz";
+  const gzFile file = gzopen(packed.c_str(), "wb1");
+  gzwrite(file, whole.data(), static_cast<unsigned>(whole.size()));
+  gzclose(file);
+  for (const auto& path : {written(folder, whole), packed}) {
+    TextSource source(path);
+    REQUIRE(source.next());
+    CHECK(source.line() == "<xml>");
+    std::string rest;
+    for (auto bytes = source.next_bytes(); !bytes.empty(); bytes = source.next_bytes())
+      rest += bytes;
+    CHECK(rest == whole.substr(7));
+    CHECK_FALSE(source.next());
+  }
+  CHECK(samples::text_source("name", "all").next_bytes() == "all");
+}

@@ -55,7 +55,7 @@ TEST_CASE(
   CHECK(packing.id == std::vector<long>{0, 2, 4});
   CHECK(packing.time == 1.0 / 3);
   CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01 / 3, 0});
-  CHECK(packing.has(Finding::wall_contacts));
+  CHECK_FALSE(packing.has(Finding::walls_unknown));
   CHECK_FALSE(packing.has(Finding::cell_unknown));
 }
 
@@ -100,11 +100,24 @@ TEST_CASE("YADE: its own text exports give the geometry, and say that it is roug
   CHECK(both.assembly.contacts[0].overlap == 9.93569733362e-08); // overlaps keep the digits of the contacts
 }
 
-TEST_CASE("YADE: contacts with walls are counted") {
-  const ImportedPacking packing = read(grains, "# wall_contacts 3\n" + contacts);
+TEST_CASE("YADE: a wall stands behind the sphere that is named first") {
+  const ImportedPacking packing =
+      read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
+  REQUIRE(packing.assembly.wall_contacts.size() == 1);
+  const Contact& wall = packing.assembly.wall_contacts[0];
+  CHECK((wall.i == 0 && wall.j == 3)); // body 3, exported from wall to sphere
+  check_vector(wall.branch, {-0.49e-3, 0, 0}, 1e-15);
+  CHECK(wall.normal_force == 0.25);
+  CHECK(wall.tangential_force == Vec3{0, -0.125, 0});
+  CHECK(wall.normal_stiffness == 1000);
   CHECK(packing.has(Finding::wall_contacts));
-  CHECK(packing.walls.empty());
-  CHECK_FALSE(read(grains, contacts).has(Finding::wall_contacts));
+}
+
+TEST_CASE("YADE: contacts that were not exported are counted") {
+  const ImportedPacking packing = read(grains, "# left_out 3\n" + contacts);
+  CHECK(packing.has(Finding::walls_unknown));
+  CHECK(packing.assembly.wall_contacts.empty());
+  CHECK_FALSE(read(grains, contacts).has(Finding::walls_unknown));
 }
 
 TEST_CASE("YADE: each field that is wrong is refused with path and line") {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs share/yade/granum_export.py on a stand-in for YADE's scene:  yade_scene.py <folder of the script> <name>
 
-The chain of three spheres of data/README.md, with a deleted body, a wall and an interaction that is not real.
+The chain of three spheres of data/README.md, with a deleted body, a wall that touches a sphere, and an interaction that is not real.
 """
 
 import sys
@@ -58,7 +58,7 @@ scene = Record(
     interactions=[
         interaction(0, 2, (1.49995e-3, 2e-3, 2e-3), (1, 0, 0), 1e-7, (0.0235294118, 0, 0), (0, 0.01 / 3, 0), 352941.177),
         interaction(4, 2, (1.9999e-3, 2e-3, 2.4999e-3), (0, 0, -1), 2e-7, (0, 0, -0.0665512265), (0, 0, 0), 499134.19875),
-        Record(isReal=True, id1=0, id2=3),
+        interaction(3, 0, (0.51e-3, 2e-3, 2e-3), (1, 0, 0), 1e-5, (0.25, 0, 0), (0, 0.125, 0), 1000),
         Record(isReal=False, id1=0, id2=4),
     ],
 )

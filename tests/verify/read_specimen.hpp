@@ -13,27 +13,39 @@ inline const contact::GrainMaterial specimen_grain{30e9, 0.15};
 inline constexpr double specimen_radius = 0.5e-3;
 inline constexpr double specimen_friction = 0.5;
 
-/// Dense spheres with friction at each of the pressures.
-inline std::vector<Assembly> specimen_at(const std::vector<double>& pressures, std::size_t grains = 80) {
-  const triaxial::SpecimenRecipe recipe{
-      .material = {.law = contact::PowerLaw::sphere(specimen_grain, specimen_radius),
-                   .tangential_stiffness_ratio =
-                       contact::mindlin_stiffness_ratio(specimen_grain.poisson_ratio),
-                   .friction_coefficient = specimen_friction},
-      .radius = specimen_radius,
-      .grains = grains,
-      .seed = 3,
-      .first_pressure = pressures.front()};
+/// Dense spheres with friction.
+inline triaxial::SpecimenRecipe specimen_recipe(double first_pressure, std::size_t grains = 80) {
+  return {.material = {.law = contact::PowerLaw::sphere(specimen_grain, specimen_radius),
+                       .tangential_stiffness_ratio =
+                           contact::mindlin_stiffness_ratio(specimen_grain.poisson_ratio),
+                       .friction_coefficient = specimen_friction},
+          .radius = specimen_radius,
+          .grains = grains,
+          .seed = 3,
+          .first_pressure = first_pressure};
+}
+
+/// Such a specimen at each of the pressures, as the engine holds it.
+inline std::vector<dem::State> states_at(const std::vector<double>& pressures,
+                                         const triaxial::SpecimenRecipe& recipe) {
   const dem::State start = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
                                                           triaxial::Density::dense, recipe);
-  std::vector<Assembly> states;
+  std::vector<dem::State> states;
   triaxial::isotropic_path(start, recipe.material, pressures, triaxial::compression_options(),
                            [&](const triaxial::Snapshot& snapshot) {
-                             const auto frozen = triaxial::freeze_in_place(snapshot.state, recipe.material);
-                             states.push_back(dem::freeze(frozen.state, recipe.material));
+                             states.push_back(
+                                 triaxial::freeze_in_place(snapshot.state, recipe.material).state);
                              return true;
                            });
   return states;
+}
+
+inline std::vector<Assembly> specimen_at(const std::vector<double>& pressures, std::size_t grains = 80) {
+  const triaxial::SpecimenRecipe recipe = specimen_recipe(pressures.front(), grains);
+  std::vector<Assembly> frozen;
+  for (const dem::State& state : states_at(pressures, recipe))
+    frozen.push_back(dem::freeze(state, recipe.material));
+  return frozen;
 }
 
 /// One such state, made once.

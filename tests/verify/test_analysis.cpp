@@ -2,11 +2,13 @@
 #include <granum/verify/analysis.hpp>
 
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <granum/assembly/density.hpp>
 #include <granum/assembly/fabric_tensor.hpp>
 #include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/fabric/sampling.hpp>
@@ -69,6 +71,32 @@ TEST_CASE("analysis: granum's own specimen through CSV and through a dump is the
   const Assembly& own = specimen();
   check_same(analyse(through_csv(own), known), own);
   check_same(analyse(through_dump(own), known), own);
+}
+
+TEST_CASE("analysis: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
+  triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
+  recipe.wall_friction = 0.3;
+  const dem::State state = states_at({50e3}, recipe).front();
+  const Assembly own = dem::freeze(state, recipe.material);
+  REQUIRE(own.wall_contacts.size() > 20);
+  // The state was frozen with contacts that stick; those at the Coulomb limit would slip by a rounding.
+  dem::State sticking = state;
+  dem::Material material = recipe.material;
+  sticking.walls->friction_coefficient = material.friction_coefficient =
+      std::numeric_limits<double>::infinity();
+  const Mat3 engine = dem::Engine(sticking, material).figures().stress;
+  for (const io::ImportedPacking& packing : {through_mercury(own), through_vtk(own)}) {
+    const Analysis a = analyse(packing, known);
+    check_same(a, own);
+    for (int k = 0; k < 3; ++k) // sums in another order
+      CHECK(a.stress->tensor(k, k) == relative(engine(k, k), 1e-11));
+    CHECK(a.counts.wall_contacts == own.wall_contacts.size());
+    CHECK(a.forces->unbalance.force_ratio < 1e-6); // walls hold their grains
+  }
+  // Without the walls a good part of the stress is missing.
+  io::ImportedPacking open = through_vtk(own);
+  open.assembly.wall_contacts.clear();
+  CHECK(analyse(open, known).stress->mean() < 0.9 * trace(engine) / 3);
 }
 
 TEST_CASE("analysis: G_g comes out of the forces where it is not given, and the closed forms with it") {

@@ -8,7 +8,10 @@
 #include <granum/assembly/assembly.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/lammps_dump.hpp>
+#include <granum/io/mercury.hpp>
 #include <granum/io/packing_csv.hpp>
+#include <granum/io/paraview.hpp>
+#include <granum/io/vtk_xml.hpp>
 
 namespace granum::samples {
 
@@ -82,6 +85,43 @@ inline std::string csv_contacts(const Assembly& a) {
 inline io::ImportedPacking through_csv(const Assembly& a) {
   return io::read_packing_csv(io::TextSource::of_text("grains", csv_grains(a)),
                               io::TextSource::of_text("contacts", csv_contacts(a)), io::CsvBox{a.cell});
+}
+
+/// One row of .fstat: force on the first grain, all from the second to the first; walls the other way.
+inline std::string fstat_row(long i, long j, const Vec3& point, const Contact& c, double turn) {
+  const Vec3 n = turn * normal(c), t = turn * c.tangential_force;
+  const double size = norm(t);
+  const Vec3 along = size > 0 ? (1 / size) * t : Vec3{};
+  return "0 " + std::to_string(i) + " " + std::to_string(j) + " " +
+         words({point.x, point.y, point.z, c.overlap, 0, c.normal_force, size, n.x, n.y, n.z, along.x,
+                along.y, along.z},
+               " ") +
+         "\n";
+}
+
+/// What is read back from granum's files for ParaView.
+inline io::ImportedPacking through_vtk(const Assembly& a) {
+  return io::read_vtk_xml(io::TextSource::of_text("grains", io::grains_vtu(a)),
+                          io::TextSource::of_text("contacts", io::contacts_vtp(a)));
+}
+
+/// What is read back from MercuryDPM's files, contacts with walls among them.
+inline io::ImportedPacking through_mercury(const Assembly& a) {
+  const std::string box = "0 0 0 " + words({a.cell(0, 0), a.cell(1, 1), a.cell(2, 2)}, " ") + "\n";
+  std::string data = std::to_string(a.grain_count()) + " 0 " + box;
+  for (std::size_t g = 0; g < a.grain_count(); ++g) {
+    const Vec3& x = a.position[g];
+    data += words({x.x, x.y, x.z, 0, 0, 0, a.radius[g], 0, 0, 0, 0, 0, 0, 0}, " ") + "\n";
+  }
+  std::string fstat = "# 0 1\n# " + box + "# " + words({a.radius[0], a.radius[0]}, " ") + " 0 0 0 0\n";
+  for (const Contact& c : a.contacts)
+    fstat += fstat_row(c.i, c.j, a.position[c.i] + 0.5 * c.branch, c, -1) +
+             fstat_row(c.j, c.i, a.position[c.i] + 0.5 * c.branch, c, 1);
+  for (const Contact& c : a.wall_contacts)
+    fstat += fstat_row(c.i, -1 - static_cast<long>(c.j), a.position[c.i] + c.branch, c, 1);
+  return io::MercuryOutput(io::TextSource::of_text("data", data), io::TextSource::of_text("fstat", fstat))
+      .next()
+      .value();
 }
 
 } // namespace granum::samples

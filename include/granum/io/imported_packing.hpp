@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +18,12 @@ enum class Finding {
   unsorted,           ///< contacts were not in the order of their grains; sorted here
   through_faces,      ///< contacts reach through periodic faces; the nearest image was taken
   open_contacts,      ///< contacts whose grains do not overlap
-  wall_contacts,      ///< contacts with walls are there; they are in `walls`, not in the assembly
+  wall_contacts,      ///< contacts with walls are there; they bear stress, and are none of C_n and fabric
   one_sided,          ///< pairs of which one of two expected rows is there
   forces_swapped,     ///< normal and tangential force stand in the other order than the layout says
   viscous_forces,     ///< the forces may hold viscous parts
   contacts_unknown,   ///< no contacts in the files
+  walls_unknown,      ///< contacts with walls are there, but the files hold only their number
   forces_unknown,     ///< contacts, but no forces
   tangential_unknown, ///< normal forces, but no tangential ones
   ids_assumed,        ///< grains have no ids in the file; they were numbered
@@ -41,23 +41,11 @@ struct ImportNote {
   std::string text;
 };
 
-/// A contact of a grain with a wall. Everything points from the grain to the wall.
-struct WallContact {
-  std::uint32_t grain = 0; ///< index in the assembly
-  long wall = 0;           ///< number of the wall as the code counts, from 0
-  Vec3 point{};            ///< [m]
-  Vec3 normal{};           ///< unit vector from the grain to the wall
-  double overlap = 0;      ///< [m]
-  double normal_force = 0; ///< compression positive [N]
-  Vec3 tangential_force{}; ///< exerted by the grain on the wall [N]
-};
-
 /// One state of a packing, SI, compression positive, grains in the order of their ids.
 struct ImportedPacking {
   Assembly assembly;
   std::vector<long> id; ///< of each grain, as the files name it, ascending
   std::array<bool, 3> periodic{true, true, true};
-  std::vector<WallContact> walls;
   long step = 0;
   std::optional<double> time; ///< [s]
   std::vector<ImportNote> notes;

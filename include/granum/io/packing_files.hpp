@@ -28,6 +28,8 @@ enum class FileKind {
   yade_contacts,
   vtk_grains,
   vtk_contacts,
+  vtk_xml_grains,
+  vtk_xml_contacts,
   csv_grains,
   csv_contacts,
 };

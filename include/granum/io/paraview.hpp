@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,17 +14,24 @@
 namespace granum::io {
 
 /// Grains as an unstructured grid (.vtu) of one vertex each. Point data: radius [m]; id, the index or what
-/// `id` says; contacts [1]; rattler, 1 for a grain that carries nothing, as mechanical_coordination of
-/// frictional contacts tells; pressure [Pa], a third of the trace of sum f (x) l/2 over the grain's volume,
-/// compression positive. Show them as spheres by a glyph scaled with the radius.
+/// `id` says; contacts with other grains [1]; rattler, 1 for a grain that carries nothing, as
+/// mechanical_coordination of frictional contacts tells; pressure [Pa], a third of the trace of the sum of
+/// f (x) its part of the line of centres over the grain's volume, walls included, compression positive. Field
+/// data: cell, its three edges one after the other [m]; TimeValue. Show them as spheres by a glyph scaled
+/// with the radius.
 /// \param    id   empty, or one number for each grain
+/// \param    time   of the state, if it is known [s]
 /// \throws   InvalidArgument as require_valid(Assembly), or for another number of ids
-[[nodiscard]] std::string grains_vtu(const Assembly& assembly, std::span<const long> id = {});
+[[nodiscard]] std::string grains_vtu(const Assembly& assembly, std::span<const long> id = {},
+                                     std::optional<double> time = {});
 
-/// Contacts as lines (.vtp) from the centre of one grain to that of the other, its nearest periodic image.
-/// Cell data: normal_force and tangential_force [N], the latter the vector exerted by grain i on j; overlap
-/// [m]; sliding, 0 or 1; through_face, 1 where the line leaves the periodic cell; grains, the two indices or
-/// what `id` says. A tube of a radius by normal_force shows the force chains.
+/// Contacts as lines (.vtp) from the centre of one grain to that of the other, its nearest periodic image,
+/// and behind them those with walls, from the centre to the wall. Cell data: normal_force and
+/// tangential_force [N], the latter the vector exerted by grain i on j or the wall; overlap [m];
+/// normal_stiffness and tangential_stiffness [N/m], 0 where they are not known; sliding, 0 or 1;
+/// through_face, 1 where the line leaves the periodic cell; grains, the two indices or what `id` says, twice
+/// that of i at a wall; wall, its number, or -1 between grains. A tube of a radius by normal_force shows the
+/// force chains. read_vtk_xml (vtk_xml.hpp) reads both files back.
 /// \throws   as grains_vtu
 [[nodiscard]] std::string contacts_vtp(const Assembly& assembly, std::span<const long> id = {});
 

@@ -13,7 +13,8 @@ enum class StiffnessFrom {
 };
 
 /// Sets k_n of every contact from a contact law and k_t = ratio k_n: output of DEM codes holds neither.
-/// Assumes   the law holds for all contacts: identical grains, monotonic loading.
+/// Assumes   the law holds for all contacts: identical grains, monotonic loading; walls are rigid planes, at
+///           which a grain stands as before its mirror image.
 /// \param    assembly   its contacts are changed
 /// \param    ratio      k_t/k_n >= 0 [1], as contact::mindlin_stiffness_ratio gives it
 /// \param    from       a contact that does not press (overlap or force <= 0) gets k_n at zero: 0, for the

@@ -34,6 +34,10 @@ class TextSource {
   [[nodiscard]] std::string_view line() const { return line_; }
   /// Makes the next call of next() stay on the line here.
   void hold() { held_ = true; }
+  /// The bytes behind the line here, as many as are at hand, for files that do not consist of lines; none at
+  /// the end. Valid until the next call.
+  /// \throws   FileError as next
+  [[nodiscard]] std::string_view next_bytes();
 
   /// Number of the line here, from 1; after the end that of the last line.
   [[nodiscard]] std::size_t line_number() const { return line_number_; }

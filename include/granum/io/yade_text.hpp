@@ -18,8 +18,9 @@ namespace granum::io {
 [[nodiscard]] ImportedPacking read_yade(TextSource grains);
 
 /// The same with contacts: rows under "# id1 id2 ..." as the script writes them to <name>.contacts. normal
-/// points from id1 to id2, the forces are those on id2; the line of centres is (R1 + R2 - pd) normal. kn and
-/// ks become the stiffnesses where they are there. Not in the files, and so noted: contact law, history,
+/// points from id1 to id2, the forces are those on id2; the line of centres is (R1 + R2 - pd) normal. A
+/// negative id2 is the wall -1 - id2, the branch to it (R1 - pd) normal. kn and ks become the stiffnesses
+/// where they are there. Not in the files, and so noted: contact law, history,
 /// units.
 /// \throws   FileError also for a column that is missing, an unknown grain, a grain in contact with itself, a
 ///           normal that is no unit vector or does not fit the positions, one pair with two forces
