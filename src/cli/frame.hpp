@@ -35,6 +35,7 @@ struct Command {
 };
 
 Command add_estimate(CLI::App& program);
+Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
 Command add_sweep(CLI::App& program);

@@ -19,6 +19,7 @@
 #include <granum/verify/tables.hpp>
 
 #include "frame.hpp"
+#include "result_folder.hpp"
 #include "scene_file.hpp"
 #include "study_options.hpp"
 
@@ -104,15 +105,7 @@ fs::path output_folder(const Options& options) {
       folder = fmt::format("granum-verify-{}", number++);
     while (fs::exists(folder));
   }
-  for (const char* file : file_names)
-    if (!options.force && fs::exists(folder / file))
-      throw FileError((folder / file).string(), 0, "exists already and is kept; --force replaces it");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw FileError(folder.string(), 0, "cannot be made: " + error.message());
-  if (access(folder.c_str(), W_OK) != 0)
-    throw FileError(folder.string(), 0, "cannot be written to");
+  make_result_folder(folder, {std::begin(file_names), std::end(file_names)}, options.force);
   return folder;
 }
 
