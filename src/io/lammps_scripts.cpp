@@ -68,7 +68,7 @@ jump SELF next_pressure
 )deck";
 
 constexpr std::string_view probe =
-    R"deck(# Small-strain moduli of states of in.iso: without sliding, at rest, then each probe from that state.
+    R"deck(# Small-strain moduli of states of in.iso: without sliding, at rest, each probe from that state.
 include scene.lmp
 if "x${probe_pressure} == xnone" then "jump SELF end"
 print "pressure_Pa,modulus,value_Pa,strain" file moduli.csv screen no

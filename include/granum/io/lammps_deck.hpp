@@ -37,17 +37,17 @@ struct DeckFile {
 };
 
 /// Everything that LAMMPS (2021 or later, package GRANULAR) needs, on any number of processors: grains.data,
-/// the numbers of the scene with their units, in.prepare, in.iso and in.probe, in.all that runs the three, and
-/// README.txt. What it writes is read back by LammpsDump.
+/// the numbers of the scene with their units, in.prepare, in.iso and in.probe, in.all that runs the three,
+/// and README.txt. What it writes is read back by LammpsDump.
 ///
 /// Contacts: pair_style granular, hertz/material with tangential mindlin/force. That variant adds k_t du to
 /// the force carried so far; mindlin without /force rescales the whole force with k_t, so that a frozen state
 /// answers with another k_t than a contact network has. Time step, drag and servo follow from the pressure.
 /// Assumes   `start` is periodic on all faces.
 /// \param    start   grains of equal radius; contacts and forces are not taken over
-/// \throws   InvalidArgument as lammps_data; for a law that is not that of spheres of the radius (LAMMPS has no
-///           other of this family), a radius that is not that of the grains, a ratio, friction or pressure
-///           out of range
+/// \throws   InvalidArgument as lammps_data; for a law that is not that of spheres of the radius (LAMMPS
+///           has no other of this family), a radius that is not that of the grains, a ratio, friction or
+///           pressure out of range
 [[nodiscard]] std::vector<DeckFile> lammps_deck(const Assembly& start, const LammpsExperiment& experiment);
 
 } // namespace granum::io
