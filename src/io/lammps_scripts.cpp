@@ -104,7 +104,9 @@ constexpr std::string_view settings = R"deck(# What must be said before there is
 units si
 atom_style sphere
 boundary p p p
-newton off
+# Each contact is worked out once. With newton off those across faces are worked out on both sides, their two
+# histories drift apart in loose packings, and a net force is left that moves all grains for ever.
+newton on
 comm_modify vel yes # contacts need the velocities of their partners across processors and faces
 box tilt large
 neighbor $(0.3*v_radius:%.17g) bin # [m]
