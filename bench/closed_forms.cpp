@@ -132,9 +132,11 @@ void add_batch_of_pressures(const std::string& name, const contact::PowerLaw& la
 
 void add_scalar_calls() {
   add("hertz_mindlin, rung 0", 1,
-      [pack = SpherePack{.grain = quartz, .porosity = 0.375, .coordination_number = 6, .pressure = 1e5}] {
-        return hertz_mindlin(pack);
-      });
+      [packing = SpherePacking{.shear_modulus = quartz.shear_modulus,
+                               .poisson_ratio = quartz.poisson_ratio,
+                               .porosity = 0.375,
+                               .coordination_number = 6,
+                               .pressure = 1e5}] { return hertz_mindlin(packing); });
   add("K and G, rung 0", 1, [state = isotropic_state()] { return uniform_strain(state); });
   add("6x6 with fabric from a state, rung 1", 1,
       [state = anisotropic_state()] { return voigt(uniform_strain_stiffness(uniform_contacts(state))); });
@@ -148,9 +150,11 @@ void add_scalar_calls() {
   add("uniform stress by direction, rung 2", 1,
       [state = anisotropic_state()] { return uniform_stress(state); });
   add("relaxed with standard error, rung 3", 1,
-      [state = anisotropic_state()] { return relaxed(state, 5.6); });
+      [state = anisotropic_state()] { return relaxed(state, 6.2); });
   add("gradient of G_vh, rung 2", 1,
       [state = anisotropic_state()] { return gradient(state, {}, Modulus::G_vh); });
+  add("gradient and standard error of G_vh, rung 3", 1,
+      [state = anisotropic_state()] { return relaxed_gradient(state, 6.2, Modulus::G_vh); });
   add("exponents m and n of G_vh, rung 2", 1,
       [state = anisotropic_state()] { return uniform_strain_exponents(state, Modulus::G_vh); });
 }

@@ -21,6 +21,15 @@ function(granum_compile_settings target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
 endfunction()
 
+# granum_precompile(<target>): Eigen and the standard headers that most sources begin with are parsed once, where
+# GRANUM_PRECOMPILED_HEADERS asks for it. Other builds go without, so that every source still includes what it uses.
+function(granum_precompile target)
+  if(GRANUM_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <array> <cmath> <functional> <optional> <span> <string> <vector> <Eigen/Core>)
+  endif()
+endfunction()
+
 # granum_library(<name>): compiled library granum_<name>, exported as granum::<name>.
 function(granum_library name)
   add_library(granum_${name})
@@ -53,6 +62,13 @@ function(granum_tests module)
   granum_compile_settings(test_${module})
   target_link_libraries(test_${module} PRIVATE granum::granum granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
   target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  if(module MATCHES "^(effective|elastic)$")
+    granum_precompile(test_${module})
+  endif()
+  # Tests that compute much themselves would take minutes unoptimised, as the sanitized ones are otherwise.
+  if(module MATCHES "^(effective|fabric|network|dem|triaxial|verify)$")
+    target_compile_options(test_${module} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()
 

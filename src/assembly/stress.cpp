@@ -32,6 +32,7 @@ ContactStress contact_stress(const Assembly& assembly) {
   Mat3 antisymmetric;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
+      stress.tensor(i, j) = sum(i, j) / volume;
       stress.symmetric(i, j) = (sum(i, j) + sum(j, i)) / (2 * volume);
       antisymmetric(i, j) = (sum(i, j) - sum(j, i)) / (2 * volume);
     }

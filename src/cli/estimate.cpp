@@ -7,7 +7,9 @@
 #include <fmt/core.h>
 
 #include "frame.hpp"
+#include "ladder_report.hpp"
 #include "packing_options.hpp"
+#include "uncertainty.hpp"
 
 namespace granum::cli {
 
@@ -17,7 +19,9 @@ using effective::State;
 
 struct Options {
   PackingOptions packing;
+  std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
+  Number tolerance;
 };
 
 EstimateCase resolve(const PackingOptions& o) {
@@ -29,6 +33,9 @@ EstimateCase resolve(const PackingOptions& o) {
     question.assumptions.push_back(note);
   if (state.stress_v == 0 && state.stress_h == 0)
     question.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
+  if (state.coordination_number == 0)
+    question.assumptions.emplace_back(
+        "m, n and s do not exist: without contacts every modulus is 0 at any stress");
   return question;
 }
 
@@ -58,9 +65,28 @@ EstimateAnswer solve(const Packing& packing) {
 
 ExitCode run(const Options& options) {
   const EstimateCase question = resolve(options.packing);
-  const EstimateAnswer answer = solve(question.subject);
-  return deliver(options.output, estimate_table(question, answer), estimate_json(question, answer),
-                 answer.validity);
+  EstimateAnswer answer = solve(question.subject);
+  std::optional<UncertaintyAnswer> uncertainty;
+  if (!options.uncertain.empty()) {
+    uncertainty = propagate(options.packing, options.uncertain);
+    answer.validity.merge(uncertainty->validity);
+  }
+  std::string table = estimate_table(question, answer);
+  nlohmann::ordered_json json = estimate_json(question, answer);
+  Validity validity = answer.validity;
+  if (uncertainty) {
+    table += uncertainty_table(*uncertainty);
+    json["uncertainty"] = uncertainty_json(*uncertainty);
+  }
+  if (options.tolerance.given()) {
+    const effective::LadderEstimate ladder =
+        choose_rung(options.packing, question.subject.state, options.tolerance.value);
+    table += ladder_table(ladder);
+    json["ladder"] = ladder_json(ladder);
+    validity.merge(ladder.validity);
+    keep_each_once(validity);
+  }
+  return deliver(options.output, table, json, validity);
 }
 
 } // namespace
@@ -70,6 +96,9 @@ Command add_estimate(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "estimate", "Closed-form stiffness of a packing at one state, and how it grows with stress");
   add_packing_options(*command, options->packing);
+  add_number_without_default(*command, "--tolerance", options->tolerance,
+                             "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
+  add_uncertainty_option(*command, options->uncertain);
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

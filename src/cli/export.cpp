@@ -10,7 +10,6 @@
 #include <granum/triaxial/scatter.hpp>
 
 #include "frame.hpp"
-#include "result_folder.hpp"
 #include "scene_file.hpp"
 #include "study_options.hpp"
 
@@ -88,17 +87,16 @@ std::vector<io::DeckFile> deck_of(const verify::Scene& scene, const Specimen& sp
   return files;
 }
 
-std::vector<std::string> names(const std::vector<io::DeckFile>& files) {
-  std::vector<std::string> names;
-  for (const io::DeckFile& file : files)
-    names.push_back(file.name);
-  return names;
-}
-
-/// The names are the same for every specimen: those of a small one are known at once.
-std::vector<std::string> deck_names(verify::Scene scene) {
+/// Makes the folders. The files of a deck have the same names for every specimen: a small one is made at once.
+void prepare_folders(verify::Scene scene, const fs::path& out, bool force) {
+  const std::vector<Specimen> specimens = specimens_of(scene);
   scene.grains = 40;
-  return names(deck_of(scene, {triaxial::Density::dense, 1}, io::LammpsStart::scattered));
+  const std::vector<io::DeckFile> deck = deck_of(scene, specimens.front(), io::LammpsStart::scattered);
+  std::vector<const char*> names;
+  for (const io::DeckFile& file : deck)
+    names.push_back(file.name.c_str());
+  for (const Specimen& specimen : specimens)
+    prepare_folder(out / specimen.folder(), names, force);
 }
 
 ExitCode run(const Options& options) {
@@ -106,15 +104,13 @@ ExitCode run(const Options& options) {
   require_spheres(scene);
   const io::LammpsStart start =
       options.start == "scattered" ? io::LammpsStart::scattered : io::LammpsStart::packed;
-  const std::vector<Specimen> specimens = specimens_of(scene);
-  for (const Specimen& specimen : specimens)
-    make_result_folder(fs::path(options.out) / specimen.folder(), deck_names(scene), options.force);
+  prepare_folders(scene, options.out, options.force);
 
   nlohmann::ordered_json json = json_head("export lammps");
   json["scene"] = json_of(scene);
   json["files"] = nlohmann::ordered_json::array();
   std::string table;
-  for (const Specimen& specimen : specimens) {
+  for (const Specimen& specimen : specimens_of(scene)) {
     const fs::path folder = fs::path(options.out) / specimen.folder();
     for (const io::DeckFile& file : deck_of(scene, specimen, start)) {
       io::write_file(folder / file.name, file.text,

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -46,6 +48,18 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& ta
   return command.add_option_function<std::string>(name, take, help)
       ->type_name(type_name(dimension))
       ->default_str(pretty(target, dimension));
+}
+
+void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {
+  for (const char* name : names)
+    if (!force && std::filesystem::exists(folder / name))
+      throw FileError((folder / name).string(), 0, "exists already and is kept; --force replaces it");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw FileError(folder.string(), 0, "cannot be made: " + error.message());
+  if (access(folder.c_str(), W_OK) != 0)
+    throw FileError(folder.string(), 0, "cannot be written to");
 }
 
 nlohmann::ordered_json json_head(std::string_view command) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,6 +36,7 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
+Command add_analyse(CLI::App& program);
 Command add_estimate(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
@@ -58,6 +61,11 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& ta
 
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);
+
+/// Makes the folder that results go to, before any work is done.
+/// \param    names   of the files that will be written there
+/// \throws   FileError if it cannot be made or written to, or holds one of the files and force is not set
+void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force);
 
 /// Delivers a result, `table` or `json` as the options ask, to standard output or the file, and the notes of
 /// its validity as warnings to standard error.

@@ -33,7 +33,9 @@ void require_belongs_to_contact(const PackingOptions& o) {
           fmt::format("{} goes with --contact {}, not with --contact {}", number->name, contact, o.contact));
 }
 
-contact::PowerLaw make_law(const PackingOptions& o) {
+} // namespace
+
+contact::PowerLaw resolve_law(const PackingOptions& o) {
   require_belongs_to_contact(o);
   const contact::GrainMaterial grain{.shear_modulus = o.grain_shear_modulus.value,
                                      .poisson_ratio = o.grain_poisson_ratio.value};
@@ -47,6 +49,8 @@ contact::PowerLaw make_law(const PackingOptions& o) {
     throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
   return contact::PowerLaw::general(grain, o.alpha.value, o.profile_constant.value);
 }
+
+namespace {
 
 /// A share of the volume, 0 < value < 1; numbers in per cent are the usual slip.
 double require_share(const Number& number) {
@@ -75,9 +79,11 @@ double resolve_void_ratio(const PackingOptions& o) {
   return o.void_ratio.value;
 }
 
-void add_contact_options(CLI::App& command, PackingOptions& o) {
+} // namespace
+
+void add_law_options(CLI::App& command, PackingOptions& o, const std::string& name) {
   o.contact_option =
-      command.add_option("--contact", o.contact, "Shape of the grains near their contacts")
+      command.add_option(name, o.contact, "Shape of the grains near their contacts")
           ->check(CLI::IsMember(std::vector<std::string>(std::begin(contact_names), std::end(contact_names))))
           ->capture_default_str();
   add_number(command, "--slope", o.slope, "Cone: A_1, tangent of the flank angle");
@@ -85,9 +91,9 @@ void add_contact_options(CLI::App& command, PackingOptions& o) {
   add_number_without_default(command, "--alpha", o.alpha, "Power-law: alpha >= 1 of the profile A r^alpha");
   add_number_without_default(command, "--profile-constant", o.profile_constant,
                              "Power-law: A in SI, m^(1-alpha), without unit");
+  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
+  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
 }
-
-} // namespace
 
 bool Number::given() const { return in_table || (option != nullptr && option->count() > 0); }
 
@@ -127,9 +133,7 @@ std::vector<Number*> numbers(PackingOptions& o) {
 }
 
 void add_packing_options(CLI::App& command, PackingOptions& o) {
-  add_contact_options(command, o);
-  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
-  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
+  add_law_options(command, o);
   add_number(command, "--radius", o.radius, "Radius of the grains");
   add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
                              "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
@@ -167,7 +171,7 @@ Stresses resolve_stresses(const PackingOptions& o) {
 }
 
 State resolve_state(const PackingOptions& o, const Stresses& stress) {
-  const State state{.law = make_law(o),
+  const State state{.law = resolve_law(o),
                     .tangential_ratio = o.tangential_ratio.given()
                                             ? contact::given_stiffness_ratio(o.tangential_ratio.value)
                                             : contact::mindlin_stiffness_ratio(o.grain_poisson_ratio.value),

@@ -70,6 +70,13 @@ inline constexpr const char* contact_names[] = {"cone", "sphere", "flat", "power
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);
 
 void add_packing_options(CLI::App& command, PackingOptions& options);
+/// The part of them that names the contact law: shape and material of the grains.
+/// \param    name   of the option for the shape
+void add_law_options(CLI::App& command, PackingOptions& options, const std::string& name = "--contact");
+
+/// The contact law that the options describe, of grains of --radius.
+/// \throws   InvalidArgument for options that contradict one another or are out of range
+[[nodiscard]] contact::PowerLaw resolve_law(const PackingOptions& options);
 
 struct Stresses {
   double v;

@@ -25,14 +25,26 @@ State loaded(State state) {
   return state;
 }
 
-/// Contacts of one stiffness, that of the mean force, which grows with the mean stress p' alone: a modulus
-/// goes as p'^b, and stress_v and stress_h share b as they share 3 p'.
-FieldAnswer at_mean_force(const State& state) {
-  const State at = loaded(state);
+/// Exponents where there are contacts that they could be of.
+using ExponentsOf = effective::StressExponents (*)(const State& state, effective::Modulus which);
+std::optional<effective::StressExponents> exponents(ExponentsOf of, const State& state) {
+  return state.coordination_number > 0 ? std::optional(of(loaded(state), G_hv)) : std::nullopt;
+}
+
+effective::StressExponents exponents_at_mean_force(const State& at, effective::Modulus) {
   const double share_v = at.stress_v / (at.stress_v + 2 * at.stress_h);
-  const double b = state.law.stiffness_exponent();
-  return {.stiffness = effective::uniform_strain_stiffness(effective::uniform_contacts(state)),
-          .exponents = effective::StressExponents{.stress_v = b * share_v, .stress_h = b * (1 - share_v)},
+  const double b = at.law.stiffness_exponent();
+  return {.stress_v = b * share_v, .stress_h = b * (1 - share_v)};
+}
+
+/// Contacts of one stiffness, that of the mean force, which grows with the mean stress p' alone: a modulus
+/// goes as p'^b, and stress_v and stress_h share b as they share 3 p'. No contacts, no stiffness.
+FieldAnswer at_mean_force(const State& state) {
+  TransverselyIsotropic stiffness;
+  if (state.coordination_number > 0)
+    stiffness = effective::uniform_strain_stiffness(effective::uniform_contacts(state));
+  return {.stiffness = stiffness,
+          .exponents = exponents(exponents_at_mean_force, state),
           .validity = effective::require_valid(state)};
 }
 
@@ -48,7 +60,7 @@ FieldAnswer directional(const Packing& packing) {
   const State& state = packing.state;
   effective::Estimate estimate = effective::uniform_strain(state);
   return {.stiffness = estimate.stiffness,
-          .exponents = effective::uniform_strain_exponents(loaded(state), G_hv),
+          .exponents = exponents(effective::uniform_strain_exponents, state),
           .validity = std::move(estimate.validity)};
 }
 
@@ -58,7 +70,7 @@ FieldAnswer uniform_stress(const Packing& packing) {
   FieldAnswer answer{
       .stiffness = estimate.stiffness, .exponents = std::nullopt, .validity = std::move(estimate.validity)};
   if (state.tangential_ratio > 0)
-    answer.exponents = effective::uniform_stress_exponents(loaded(state), G_hv);
+    answer.exponents = exponents(effective::uniform_stress_exponents, state);
   return answer;
 }
 

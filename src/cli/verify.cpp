@@ -19,7 +19,6 @@
 #include <granum/verify/tables.hpp>
 
 #include "frame.hpp"
-#include "result_folder.hpp"
 #include "scene_file.hpp"
 #include "study_options.hpp"
 
@@ -105,7 +104,7 @@ fs::path output_folder(const Options& options) {
       folder = fmt::format("granum-verify-{}", number++);
     while (fs::exists(folder));
   }
-  make_result_folder(folder, {std::begin(file_names), std::end(file_names)}, options.force);
+  prepare_folder(folder, file_names, options.force);
   return folder;
 }
 

@@ -30,6 +30,9 @@ double gamma_ratio(double alpha) {
   return alpha < 1e8 ? boost::math::tgamma_delta_ratio(z, 0.5) : 1 / std::sqrt(z);
 }
 
+/// g = Gamma((alpha+1)/2)/(2 sqrt(pi) Gamma(alpha/2+1)).
+double profile_factor(double alpha) { return gamma_ratio(alpha) / (2 * std::sqrt(std::numbers::pi)); }
+
 /// An exponent as the sum of two doubles: forces span so many decades that the rounding of the exponent alone
 /// would cost a hundred units in the last place.
 struct Exponent {
@@ -90,9 +93,20 @@ PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double prof
     throw InvalidArgument("alpha", alpha, "",
                           "[1, inf); infinite alpha is the flat punch (--contact flat, PowerLaw::flat)");
   require_positive("profile_constant", profile_constant, "m^(1-alpha)");
-  const double root = std::pow(gamma_ratio(alpha) / (2 * std::sqrt(std::numbers::pi)), 1 / alpha) *
-                      std::pow(profile_constant, -1 / alpha);
+  const double root = std::pow(profile_factor(alpha), 1 / alpha) * std::pow(profile_constant, -1 / alpha);
   return {grain, alpha, 2 * shear / (1 - nu) / (1 + 1 / alpha) * root};
+}
+
+PowerLaw PowerLaw::of_grain(const GrainMaterial& grain) const {
+  const auto& [shear, nu] = checked(grain);
+  const double stiffer = shear / grain_.shear_modulus * ((1 - grain_.poisson_ratio) / (1 - nu));
+  return {grain, alpha_, coefficient_ * stiffer};
+}
+
+double PowerLaw::profile_constant() const {
+  const double root = // (g/A)^(1/alpha)
+      coefficient_ * force_exponent() * (1 - grain_.poisson_ratio) / (2 * grain_.shear_modulus);
+  return profile_factor(alpha_) * std::pow(root, -alpha_);
 }
 
 double PowerLaw::force(double overlap) const {

@@ -44,10 +44,20 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string exact_text(double value) {
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 1e-4 && size < 1e16);
   char buffer[64];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value,
+                                plain ? std::chars_format::fixed : std::chars_format::scientific)
+                      .ptr};
 }
 
 std::string short_text(double value, int digits) { return general_text(value, digits); }
+
+std::string percent_text(double share) {
+  const double percent = 100 * share;
+  const double whole = std::round(percent);
+  return short_text(std::abs(percent) < 100 ? percent : whole, std::abs(percent) < 100 ? 2 : 15) + " %";
+}
 
 } // namespace granum

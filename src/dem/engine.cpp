@@ -14,48 +14,9 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "contact_sweep.hpp"
-#include "verlet_list.hpp"
+#include "engine_data.hpp"
 
 namespace granum::dem {
-
-struct Engine::Data {
-  Data(State initial, const Material& m);
-
-  void rebuild();
-  void sweep(double dt);
-  void choose_time_step();
-  [[nodiscard]] bool time_step_is_due() const;
-  void integrate();
-  void move();
-  void take_figures(const SweepSums& sums);
-  [[nodiscard]] std::vector<ContactHistory> history() const;
-
-  Material material;
-  contact::NormalKernel law;
-  bool tangential;
-  double friction; ///< finite stand-in for an infinite coefficient
-  State cold;      ///< cell and radius are current; the rest only between steps of rebuild and in state()
-  double mass = 0;
-  double inertia = 0;
-  VerletList list;
-  std::vector<Motion> motion;
-  ContactMemory memory;
-  std::vector<Load> load;
-  std::vector<Load> last_load;
-  Mat3 gradient;
-  double dt = 0;
-  double fixed_damping = -1; ///< negative: adaptive
-  double damping = 0;
-  double travelled = 0; ///< upper bound of own displacement since the list was checked [m]
-  double strained = 0;  ///< upper bound of the cell's strain since then [1]
-  double speed_squared = 0;
-  double stiffest = 0;        ///< k_n in the last sweep [N/m]
-  double stiffest_chosen = 0; ///< the same when the time step was chosen
-  std::size_t contacts_chosen = 0;
-  StepFigures figures;
-  std::size_t steps = 0;
-};
 
 namespace {
 
@@ -68,12 +29,16 @@ constexpr double stability_fraction = 0.8;
 Engine::Data::Data(State initial, const Material& m)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
       friction(std::min(m.friction_coefficient, 1e100)), cold(std::move(initial)),
-      list(2 * cold.radius, 0.02 * cold.radius) {
+      list(2 * cold.radius, 0.02 * cold.radius, images(cold)) {
   require_valid(m);
   require_positive("radius", cold.radius, "m");
   const std::size_t count = cold.grain_count();
   if (count == 0)
     throw InvalidArgument("engine: the state has no grains");
+  if (cold.walls) {
+    require_valid(*cold.walls);
+    walls.emplace(std::min(cold.walls->friction_coefficient, 1e100));
+  }
   mass = m.density * 4.0 / 3.0 * std::numbers::pi * std::pow(cold.radius, 3);
   inertia = mass * cold.radius * cold.radius;
   cold.velocity.resize(count);
@@ -100,8 +65,11 @@ std::vector<ContactHistory> Engine::Data::history() const {
 /// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
 void Engine::Data::rebuild() {
   const bool running = steps > 0;
-  if (running)
+  if (running) {
     cold.history = history();
+    if (walls)
+      cold.walls->history = walls->history();
+  }
   for (std::size_t g = 0; running && g < motion.size(); ++g)
     cold.position[g] = motion[g].x;
   list.build(cold.cell, cold.position);
@@ -128,21 +96,25 @@ void Engine::Data::rebuild() {
       }
     }
   }
+  if (walls)
+    walls->list(cold.cell, motion, cold.radius + list.skin(), cold.walls->history);
   travelled = 0;
   strained = 0;
 }
 
 void Engine::Data::sweep(double elapsed) {
-  take_figures(contact_sweep(law,
-                             {.pairs = list.pairs(),
-                              .motion = motion,
-                              .cell = cold.cell,
-                              .gradient = gradient,
-                              .diameter = 2 * cold.radius,
-                              .elapsed = elapsed,
-                              .tangential_ratio = material.tangential_stiffness_ratio,
-                              .friction = friction},
-                             tangential ? &memory : nullptr, load));
+  const SweepInput input{.pairs = list.pairs(),
+                         .motion = motion,
+                         .cell = cold.cell,
+                         .gradient = gradient,
+                         .diameter = 2 * cold.radius,
+                         .elapsed = elapsed,
+                         .tangential_ratio = material.tangential_stiffness_ratio,
+                         .friction = friction};
+  SweepSums sums = contact_sweep(law, input, tangential ? &memory : nullptr, load);
+  if (walls)
+    walls->sweep(law, input, tangential, load, sums);
+  take_figures(sums);
 }
 
 void Engine::Data::take_figures(const SweepSums& sums) {
@@ -151,7 +123,14 @@ void Engine::Data::take_figures(const SweepSums& sums) {
   figures.stress = (1 / volume) * sums.stress;
   figures.contacts = sums.contacts;
   figures.sliding = sums.sliding;
-  figures.mean_normal_force = sums.contacts > 0 ? sums.normal_force / static_cast<double>(sums.contacts) : 0;
+  figures.boundary_stress = {figures.stress(0, 0), figures.stress(1, 1), figures.stress(2, 2)};
+  if (walls) {
+    figures.boundary_stress = wall_stress(walls->forces(), wall_planes(cold.cell));
+    figures.wall_contacts = walls->forces().contacts;
+    figures.wall_sliding = walls->forces().sliding;
+  }
+  const std::size_t all = figures.contacts + figures.wall_contacts;
+  figures.mean_normal_force = all > 0 ? sums.normal_force / static_cast<double>(all) : 0;
   // <n1^4> = 1/5, <n1^2 (1 - n1^2)> = 2/15 for isotropic normals.
   const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
   figures.p_wave_modulus = sums.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
@@ -160,13 +139,31 @@ void Engine::Data::take_figures(const SweepSums& sums) {
 /// Now and then, and at once when contacts have become stiffer or more by a tenth.
 bool Engine::Data::time_step_is_due() const {
   return steps % time_step_interval == 0 || stiffest > 1.1 * stiffest_chosen ||
-         10 * figures.contacts > 11 * contacts_chosen;
+         10 * (figures.contacts + figures.wall_contacts) > 11 * contacts_chosen;
 }
 
 /// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most
 /// twice its block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n
 /// (translation, or k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3
-/// blocks.
+/// blocks. A wall does not move with its grain: its contacts count half.
+void Engine::Data::add_wall_stiffness(std::vector<Mat3>& translation, std::vector<Mat3>& rotation) const {
+  const std::array<WallPlane, wall_count> planes = wall_planes(cold.cell);
+  const double ratio = tangential && walls->friction() > 0 ? material.tangential_stiffness_ratio : 0;
+  for (const WallHistory& contact : walls->candidates()) {
+    const WallPlane& plane = planes[contact.wall];
+    const double distance = wall_distance(plane, motion[contact.grain].x);
+    if (distance >= cold.radius)
+      continue;
+    const double k_n = std::visit(
+        [&](const auto& kernel) { return wall_response(kernel, cold.radius - distance).stiffness; }, law);
+    const Mat3 nn = outer(plane.normal, plane.normal);
+    const Mat3 across = Mat3::identity() + -1.0 * nn;
+    translation[contact.grain] += (0.5 * k_n) * nn + (0.5 * ratio * k_n) * across;
+    if (tangential)
+      rotation[contact.grain] += (0.5 * ratio * k_n * distance * distance) * across;
+  }
+}
+
 void Engine::Data::choose_time_step() {
   std::vector<Mat3> translation(motion.size()), rotation(tangential ? motion.size() : 0);
   const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);
@@ -191,6 +188,8 @@ void Engine::Data::choose_time_step() {
       rotation[pair.j] += turn;
     }
   }
+  if (walls)
+    add_wall_stiffness(translation, rotation);
   const auto row_sum = [](const Mat3& m) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
@@ -198,7 +197,7 @@ void Engine::Data::choose_time_step() {
     return largest;
   };
   stiffest_chosen = stiffest;
-  contacts_chosen = figures.contacts;
+  contacts_chosen = figures.contacts + figures.wall_contacts;
   double omega_squared = 0;
   for (std::size_t g = 0; g < motion.size(); ++g)
     omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
@@ -281,6 +280,7 @@ void Engine::step() {
 }
 
 const StepFigures& Engine::figures() const { return data_->figures; }
+WallForces Engine::wall_forces() const { return data_->walls ? data_->walls->forces() : WallForces{}; }
 double Engine::unbalanced_force_ratio() const {
   const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
   double sum = 0;
@@ -325,6 +325,8 @@ State Engine::state() const {
     out.angular_velocity[g] = data_->motion[g].w;
   }
   out.history = data_->history();
+  if (data_->walls)
+    out.walls->history = data_->walls->history();
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <granum/core/error.hpp>
 
 #include "verlet_list.hpp"
+#include "wall_contacts.hpp"
 
 namespace granum::dem {
 
@@ -52,6 +53,25 @@ Sweep frictionless_sweep(const Law& law, const State& state, const std::vector<P
   return sweep;
 }
 
+/// Adds what smooth walls do to the grains; the branch of a wall contact ends at the wall.
+template <class Law>
+void add_walls(const Law& law, const State& state, std::vector<Vec3>& force, Sweep& sweep) {
+  for (const WallPlane& plane : wall_planes(state.cell))
+    for (std::size_t g = 0; g < force.size(); ++g) {
+      const double distance = wall_distance(plane, state.position[g]);
+      const double overlap = state.radius - distance;
+      if (!(overlap > 0))
+        continue;
+      const contact::NormalResponse response = wall_response(law, overlap);
+      force[g] += response.force * plane.normal;
+      sweep.virial += response.force * distance;
+      sweep.force_sum += response.force;
+      sweep.stiffest = std::max(sweep.stiffest, response.stiffness);
+      sweep.largest_overlap = std::max(sweep.largest_overlap, overlap);
+      ++sweep.contacts;
+    }
+}
+
 /// FIRE's rule for time step and mixing, as published, with the dimensionless time step bounded by stability.
 struct FireRule {
   double step = 0.1;
@@ -78,7 +98,7 @@ class Minimiser {
   Minimiser(State& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : state_(state), law_(law.kernel()), pressure_(pressure), options_(options),
-        list_(2 * state.radius, 0.1 * state.radius), force_(state.grain_count()),
+        list_(2 * state.radius, 0.1 * state.radius, images(state)), force_(state.grain_count()),
         velocity_(state.grain_count()),
         cell_inertia_(cell_inertia_per_grain * static_cast<double>(state.grain_count()) * state.radius *
                       state.radius) {
@@ -90,8 +110,7 @@ class Minimiser {
     for (; report.steps < options_.max_steps; ++report.steps) {
       if (!list_.valid(state_.cell, state_.position))
         list_.build(state_.cell, state_.position);
-      const Sweep sweep = std::visit(
-          [&](const auto& law) { return frictionless_sweep(law, state_, list_.pairs(), force_); }, law_);
+      const Sweep sweep = std::visit([&](const auto& law) { return forces(law); }, law_);
       report.pressure = sweep.virial / (3 * determinant(state_.cell));
       report.unbalanced_force_ratio = unbalanced(sweep);
       if (arrived(sweep, report)) {
@@ -108,6 +127,14 @@ class Minimiser {
   static constexpr double cell_inertia_per_grain = 500;
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
+
+  template <class Law>
+  Sweep forces(const Law& law) {
+    Sweep sweep = frictionless_sweep(law, state_, list_.pairs(), force_);
+    if (state_.walls)
+      add_walls(law, state_, force_, sweep);
+    return sweep;
+  }
 
   [[nodiscard]] double unbalanced(const Sweep& sweep) const {
     if (sweep.contacts == 0)
@@ -198,6 +225,8 @@ void clear_tangential(State& state) {
   state.velocity.assign(state.grain_count(), Vec3{});
   state.angular_velocity.assign(state.grain_count(), Vec3{});
   state.history.clear();
+  if (state.walls)
+    state.walls->history.clear();
 }
 
 RelaxReport minimise(State& state, const contact::PowerLaw& law, std::optional<double> pressure,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <granum/core/error.hpp>
 
@@ -74,7 +75,8 @@ Neighbour neighbour(int b, int d, int count) {
 /// is lost.
 void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home,
                     std::span<const Vec3> position, const std::array<Vec3, 27>& shifts, double cutoff_squared,
-                    std::vector<Pair>& out) {
+                    Images images, std::vector<Pair>& out) {
+  constexpr std::uint32_t no_shift = 13;
   for (int dx = -1; dx <= 1; ++dx)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dz = -1; dz <= 1; ++dz) {
@@ -82,6 +84,8 @@ void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>&
         const Neighbour ny = neighbour(home[1], dy, bins.count[1]);
         const Neighbour nz = neighbour(home[2], dz, bins.count[2]);
         const auto image = static_cast<std::uint32_t>(image_index(nx.shift, ny.shift, nz.shift));
+        if (images == Images::none && image != no_shift)
+          continue;
         const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
         for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k) {
           const std::uint32_t j = bins.grain[k];
@@ -124,9 +128,11 @@ void wrap(const Mat3& cell, std::span<Vec3> position) {
   }
 }
 
-std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
+std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff,
+                                  Images images) {
   const Vec3 widths = cell_widths(cell);
-  const double narrowest = std::min({widths.x, widths.y, widths.z});
+  const double narrowest = images == Images::periodic ? std::min({widths.x, widths.y, widths.z})
+                                                      : std::numeric_limits<double>::infinity();
   if (!(cutoff > 0) || !(2 * cutoff <= narrowest))
     throw InvalidArgument("neighbour cutoff", cutoff, "m",
                           "(0, half of the smallest cell width " + std::to_string(narrowest) +
@@ -139,7 +145,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   for (std::uint32_t i = 0; i < position.size(); ++i) {
     const std::size_t first = pairs.size();
     pairs_of_grain(i, bins, bin_of(bins, to_fraction * position[i]), position, shifts, cutoff * cutoff,
-                   pairs);
+                   images, pairs);
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
               [](const Pair& a, const Pair& b) { return a.j < b.j; });
   }

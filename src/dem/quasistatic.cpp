@@ -72,7 +72,7 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
     Mat3 gradient;
     double worst = 0, norm_squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double gap = target[axis] - now.stress(axis, axis);
+      const double gap = target[axis] - now.boundary_stress[axis];
       worst = std::max(worst, std::abs(gap));
       const double modulus = std::max(now.p_wave_modulus, pressure);
       const double strain_rate =
@@ -80,7 +80,7 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
       gradient(axis, axis) = -strain_rate;
       norm_squared += square(strain_rate);
     }
-    if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts > 0 &&
+    if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts + now.wall_contacts > 0 &&
         worst < options.stress_tolerance * pressure &&
         engine.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;

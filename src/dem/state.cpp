@@ -11,6 +11,8 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 
+#include "verlet_list.hpp"
+
 namespace granum::dem {
 
 void require_valid(const Material& material) {
@@ -18,6 +20,11 @@ void require_valid(const Material& material) {
   require_positive("density", material.density, "kg/m^3");
   if (!(material.friction_coefficient >= 0))
     throw InvalidArgument("friction_coefficient", material.friction_coefficient, "", "[0, inf]");
+}
+
+void require_valid(const Walls& walls) {
+  if (!(walls.friction_coefficient >= 0))
+    throw InvalidArgument("friction_coefficient of the walls", walls.friction_coefficient, "", "[0, inf]");
 }
 
 double void_ratio(const State& state) {
@@ -32,11 +39,13 @@ Assembly freeze(const State& state, const Material& material) {
   assembly.cell = state.cell;
   assembly.position = state.position;
   assembly.radius.assign(state.grain_count(), state.radius);
-  wrap(assembly.cell, assembly.position);
+  if (!state.walls)
+    wrap(assembly.cell, assembly.position);
   const std::array<Vec3, 27> shifts = shift_vectors(assembly.cell);
   const contact::NormalKernel kernel = material.law.kernel();
   auto memory = state.history.begin();
-  for (const Pair& pair : neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius)) {
+  for (const Pair& pair :
+       neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius, images(state))) {
     Contact c;
     c.i = pair.i;
     c.j = pair.j;

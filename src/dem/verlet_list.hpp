@@ -4,22 +4,29 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <granum/core/vec3.hpp>
 #include <granum/dem/neighbours.hpp>
+#include <granum/dem/state.hpp>
 
 namespace granum::dem {
+
+/// What the boundary of a state makes of pairs across its faces.
+inline Images images(const State& state) { return state.walls ? Images::none : Images::periodic; }
 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.
 class VerletList {
  public:
-  VerletList(double contact_distance, double skin) : contact_distance_(contact_distance), skin_(skin) {}
+  VerletList(double contact_distance, double skin, Images images)
+      : contact_distance_(contact_distance), skin_(skin), images_(images) {}
 
-  /// Wraps the centres and lists the pairs anew.
+  /// Wraps the centres of a periodic cell and lists the pairs anew.
   void build(const Mat3& cell, std::span<Vec3> position) {
-    wrap(cell, position);
-    pairs_ = neighbour_pairs(cell, position, contact_distance_ + skin_);
+    if (images_ == Images::periodic)
+      wrap(cell, position);
+    pairs_ = neighbour_pairs(cell, position, contact_distance_ + skin_, images_);
     reference_.assign(position.begin(), position.end());
     reference_inverse_ = inverse(cell);
   }
@@ -40,12 +47,16 @@ class VerletList {
     return 2 * std::sqrt(farthest) + strain * (contact_distance_ + skin_) < skin_;
   }
 
+  /// Takes a list as it was built elsewhere; valid() is not asked before the next build.
+  void restore(std::vector<Pair> pairs) { pairs_ = std::move(pairs); }
+
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double skin() const { return skin_; }
 
  private:
   double contact_distance_;
   double skin_;
+  Images images_;
   std::vector<Pair> pairs_;
   std::vector<Vec3> reference_;
   Mat3 reference_inverse_;

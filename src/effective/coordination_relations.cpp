@@ -41,7 +41,7 @@ double coordination_number(double porosity, CoordinationRelation relation) {
   require_closed("porosity", porosity, range.low, range.high);
   switch (relation) {
   case CoordinationRelation::murphy_quadratic:
-    return 20 + porosity * (14 * porosity - 34);
+    return (20 - 14 * porosity) * (1 - porosity); // factors keep the digits that the sum would lose
   case CoordinationRelation::murphy_exponential:
     return 24 * std::exp(-2.547 * porosity) - 0.3731;
   default:

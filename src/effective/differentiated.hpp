@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The estimates with their derivatives: the kernels at dual numbers.
+// The uniform-field estimates with their derivatives: the kernels at dual numbers. Slow to compile.
 #pragma once
 
 #include <cmath>
 
-#include <granum/core/error.hpp>
 #include <granum/effective/gradients.hpp>
 
 #include "checked_state.hpp"
-#include "dual.hpp"
+#include "dual_moduli.hpp"
 
 namespace granum::effective::kernel {
-
-/// By what a Dual<N> of this file is differentiated: the first N of these.
-enum Seed { log_stress_v, log_stress_h, log_coordination, log_radius, voids, anisotropy, shape, ratio };
-
-/// All of them: Seed::ratio is the last.
-inline constexpr int all_seeds = 8;
-/// The stresses alone.
-inline constexpr int stress_seeds = 2;
-
-template <int N>
-Dual<N> seeded(double value, Seed seed, double slope = 1) {
-  Dual<N> x(value);
-  if (seed < N)
-    x.derivatives()[seed] = slope;
-  return x;
-}
-template <int N>
-Dual<N> log_seeded(double value, Seed seed) {
-  return seeded<N>(value, seed, value);
-}
 
 /// d ln k_n/d alpha at a given force and a given profile constant A; 0 for the flat punch, where A^(-1/alpha)
 /// is its radius.
@@ -48,33 +27,11 @@ Dual<N> contact_stiffness(const contact::PowerLaw& law, const Dual<N>& area, con
   return k;
 }
 
-/// Means of f^exponent over the directions. Only stresses move: straight away.
-inline AxialMoments<Dual<stress_seeds>>
-moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root, const Dual<stress_seeds>& exponent) {
-  if (exponent.value() == 0)
-    return fabric_moments(a);
-  const double c2 = root.value();
-  const auto to_exponent = [&](const Dual<stress_seeds>& f) { return power(f, exponent.value()); };
-  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
-}
-
-/// The same by way of the four numbers that the nodes see, so that each node carries four derivatives.
-inline AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
-                                                const Dual<all_seeds>& exponent) {
-  using Node = Dual<4>;
-  const Dual<all_seeds> inverse = 1 / root;
-  const double c2 = root.value();
-  const Node node_exponent(exponent.value(), 4, 3);
-  const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
-  const AxialMoments<Node> m = direction_moments(
-      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
-  const auto outer = [&](const Node& x) -> Dual<all_seeds> {
-    const auto& d = x.derivatives();
-    return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
-                           d[3] * exponent.derivatives()};
-  };
-  return {.s4 = outer(m.s4), .s2c2 = outer(m.s2c2), .c4 = outer(m.c4)};
-}
+/// Means of f^exponent over the directions; each is compiled by the one source that needs it.
+AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
+                                            const Dual<stress_seeds>& exponent);
+AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
+                                         const Dual<all_seeds>& exponent);
 
 /// The stiffness of a model with derivatives by the first N seeds. Assumes a checked, loaded state.
 template <int N>
@@ -104,53 +61,6 @@ Constants<Dual<N>> differentiated(const State& s, const Model& model) {
     return uniform_stress(scale, r, fabric, moments);
   return uniform_strain(scale, r, moments,
                         model.hypothesis == Hypothesis::free_spin ? Spin::free : Spin::none);
-}
-
-/// A modulus of five constants, with the derivatives that they carry.
-template <class T>
-T modulus(const Constants<T>& c, Modulus which) {
-  const T determinant = c.C33 * (c.C11 + c.C12) - 2 * c.C13 * c.C13;
-  switch (which) {
-  case Modulus::K:
-    return (2 * c.C11 + c.C33 + 2 * c.C12 + 4 * c.C13) / 9;
-  case Modulus::G_hh:
-    return (c.C11 - c.C12) / 2;
-  case Modulus::G_vh:
-    return c.C44;
-  case Modulus::E_v:
-    return determinant / (c.C11 + c.C12);
-  case Modulus::E_h:
-    return 2 * determinant * (c.C11 - c.C12) / (c.C33 * (c.C11 - c.C12) + determinant);
-  case Modulus::C11:
-    return c.C11;
-  case Modulus::C33:
-    return c.C33;
-  case Modulus::C12:
-    return c.C12;
-  case Modulus::C13:
-    return c.C13;
-  }
-  return T(0); // not reached: the public function has refused other values
-}
-
-/// What derivatives need beyond a valid state: stress and contacts, and for a Young's modulus of uniform
-/// stress k_t.
-/// \throws   InvalidArgument otherwise
-void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which);
-
-/// The modulus of the five plain constants [Pa].
-/// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite, and where
-///           the stiffness is beyond what a double holds
-template <int N>
-double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
-  if (!std::isfinite(c.C11.value()) || !std::isfinite(c.C33.value()))
-    throw InvalidArgument("the moduli exceed what a double can hold");
-  return effective::modulus({.C11 = c.C11.value(),
-                             .C33 = c.C33.value(),
-                             .C12 = c.C12.value(),
-                             .C13 = c.C13.value(),
-                             .C44 = c.C44.value()},
-                            which);
 }
 
 } // namespace granum::effective::kernel

@@ -12,6 +12,16 @@ namespace granum::effective {
 
 namespace kernel {
 
+// Only stresses move: straight away.
+AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
+                                            const Dual<stress_seeds>& exponent) {
+  if (exponent.value() == 0)
+    return fabric_moments(a);
+  const double c2 = root.value();
+  const auto to_exponent = [&](const Dual<stress_seeds>& f) { return power(f, exponent.value()); };
+  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
+}
+
 void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which) {
   (void)require_valid(state);
   require_positive("stress_v", state.stress_v, "Pa");

@@ -45,6 +45,50 @@ double log_stiffness_by_shape(const contact::PowerLaw& law, double log_force) {
          (1 - b) * log_coefficient_by_shape(law);
 }
 
+// By way of the four numbers that the nodes see, so that each node carries four derivatives.
+AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
+                                         const Dual<all_seeds>& exponent) {
+  using Node = Dual<4>;
+  const Dual<all_seeds> inverse = 1 / root;
+  const double c2 = root.value();
+  const Node node_exponent(exponent.value(), 4, 3);
+  const auto to_exponent = [&](const Node& f) { return power(f, node_exponent); };
+  const AxialMoments<Node> m = direction_moments(
+      Node(a.value(), 4, 0), Node(c2, 4, 1), Node(inverse.value(), 4, 2), c2, to_exponent, rule_for(c2 * c2));
+  const auto outer = [&](const Node& x) -> Dual<all_seeds> {
+    const auto& d = x.derivatives();
+    return {x.value(), d[0] * a.derivatives() + d[1] * root.derivatives() + d[2] * inverse.derivatives() +
+                           d[3] * exponent.derivatives()};
+  };
+  return {.s4 = outer(m.s4), .s2c2 = outer(m.s2c2), .c4 = outer(m.c4)};
+}
+
+Constants<Dual<all_seeds>> all_derivatives(const State& state, const Model& model) {
+  return differentiated<all_seeds>(state, model);
+}
+
+Gradient by_inputs(const State& s, double value, const Dual<all_seeds>::DerType& by) {
+  Gradient g{.value = value};
+  g[Input::mean_stress] = 3 * (by[log_stress_v] + by[log_stress_h]) / (s.stress_v + 2 * s.stress_h);
+  g[Input::stress_v] = by[log_stress_v] / s.stress_v;
+  g[Input::stress_h] = by[log_stress_h] / s.stress_h;
+  g[Input::coordination_number] = by[log_coordination] / s.coordination_number;
+  g[Input::void_ratio] = by[voids];
+  g[Input::fabric_anisotropy] = by[anisotropy];
+  g[Input::alpha] = by[shape];
+  g[Input::tangential_ratio] = by[ratio];
+  g[Input::radius] = by[log_radius] / s.radius;
+  // The grain's elasticity enters by k_n ~ c^(1-b), c ~ G/(1-nu), alone.
+  const auto& grain = s.law.grain();
+  const double by_log_coefficient = (1 - s.law.stiffness_exponent()) * g.value;
+  g[Input::grain_shear_modulus] = by_log_coefficient / grain.shear_modulus;
+  g[Input::grain_poisson_ratio] = by_log_coefficient / (1 - grain.poisson_ratio);
+  const double other = 2 - grain.poisson_ratio; // r = 2(1-nu)/(2-nu), dr/dnu = -2/(2-nu)^2
+  g[Input::grain_poisson_ratio_mindlin] =
+      g[Input::grain_poisson_ratio] - 2 / (other * other) * g[Input::tangential_ratio];
+  return g;
+}
+
 } // namespace kernel
 
 Gradient operator*(const Gradient& x, const Gradient& y) {
@@ -56,30 +100,9 @@ Gradient operator*(const Gradient& x, const Gradient& y) {
 
 Gradient gradient(const State& s, const Model& model, Modulus which) {
   kernel::require_differentiable(s, model.hypothesis, which);
-  const auto constants = kernel::differentiated<kernel::all_seeds>(s, model);
-  Gradient g{.value = kernel::checked_modulus(constants, which)};
+  const auto constants = kernel::all_derivatives(s, model);
   const kernel::Dual<kernel::all_seeds> X = kernel::modulus(constants, which);
-  const auto& by = X.derivatives();
-
-  g[Input::mean_stress] =
-      3 * (by[kernel::log_stress_v] + by[kernel::log_stress_h]) / (s.stress_v + 2 * s.stress_h);
-  g[Input::stress_v] = by[kernel::log_stress_v] / s.stress_v;
-  g[Input::stress_h] = by[kernel::log_stress_h] / s.stress_h;
-  g[Input::coordination_number] = by[kernel::log_coordination] / s.coordination_number;
-  g[Input::void_ratio] = by[kernel::voids];
-  g[Input::fabric_anisotropy] = by[kernel::anisotropy];
-  g[Input::alpha] = by[kernel::shape];
-  g[Input::tangential_ratio] = by[kernel::ratio];
-  g[Input::radius] = by[kernel::log_radius] / s.radius;
-  // The grain's elasticity enters by k_n ~ c^(1-b), c ~ G/(1-nu), alone.
-  const auto& grain = s.law.grain();
-  const double by_log_coefficient = (1 - s.law.stiffness_exponent()) * g.value;
-  g[Input::grain_shear_modulus] = by_log_coefficient / grain.shear_modulus;
-  g[Input::grain_poisson_ratio] = by_log_coefficient / (1 - grain.poisson_ratio);
-  const double other = 2 - grain.poisson_ratio; // r = 2(1-nu)/(2-nu), dr/dnu = -2/(2-nu)^2
-  g[Input::grain_poisson_ratio_mindlin] =
-      g[Input::grain_poisson_ratio] - 2 / (other * other) * g[Input::tangential_ratio];
-  return g;
+  return kernel::by_inputs(s, kernel::checked_modulus(constants, which), X.derivatives());
 }
 
 } // namespace granum::effective

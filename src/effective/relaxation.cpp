@@ -14,12 +14,14 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "relaxation_kernel.hpp"
+#include "relaxed_parts.hpp"
 
 namespace granum::effective {
 
 namespace {
 
 using kernel::frictionless_isostatic;
+using kernel::RelaxingFactor;
 
 // What the calibration covers; see validation/relaxation/README.md.
 constexpr double smallest_coordination = 4.1, largest_coordination = 8.7;
@@ -29,48 +31,61 @@ constexpr double largest_overlap = 0.01;
 constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
 
-/// A factor with its slopes by the coefficients, and last by the variable that the scatter acts on.
+/// A factor with its slopes by its n coefficients, then by z*, r and b.
 template <std::size_t n>
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 1, 1>>;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 3, 1>>;
+
+template <std::size_t n>
+Dual<n> variable(double value, std::size_t index) {
+  return {value, static_cast<int>(n) + 3, static_cast<int>(index)};
+}
 
 template <std::size_t n>
 std::array<Dual<n>, n> variables(const std::array<double, n>& values) {
   std::array<Dual<n>, n> duals;
   for (std::size_t k = 0; k < n; ++k)
-    duals[k] = Dual<n>(values[k], static_cast<int>(n) + 1, static_cast<int>(k));
+    duals[k] = variable<n>(values[k], k);
   return duals;
 }
 
-/// \param  leverage   multiplies the last slope: d(variable of the scatter)/d(variable of the derivative)
+/// The error is still that of the coefficients alone.
 template <std::size_t n>
-RelaxationFactor with_error(const Dual<n>& factor, const double (&covariance)[n][n],
-                            const kernel::Scatter& scatter, double leverage) {
+RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][n]) {
   constexpr int size = static_cast<int>(n);
-  const Eigen::Matrix<double, size, 1> slopes = factor.derivatives().template head<size>();
-  const Eigen::Map<const Eigen::Matrix<double, size, size>> matrix(&covariance[0][0]);
   const double h = factor.value();
   if (!(h > 0))
     return {};
-  const double shift = scatter.gain * leverage * factor.derivatives()[size] / h;
-  const double variance = slopes.dot(matrix * slopes) / (h * h) + scatter.base * scatter.base + shift * shift;
-  return {.value = h, .relative_error = std::sqrt(variance)};
+  const auto& slopes = factor.derivatives();
+  const Eigen::Map<const Eigen::Matrix<double, size, size>> matrix(&covariance[0][0]);
+  const auto by_coefficients = slopes.template head<size>();
+  return {.value = h,
+          .error = std::sqrt(by_coefficients.dot(matrix * by_coefficients)) / h,
+          .by_coordination = slopes[size],
+          .by_ratio = slopes[size + 1],
+          .by_exponent = slopes[size + 2]};
 }
 
-RelaxationFactor shear_factor(double z, double r, double b) {
+/// The same with the scatter of specimens, which acts on a variable of the slope `leverage`.
+RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& scatter, double leverage) {
+  if (factor.value > 0)
+    factor.error = std::hypot(factor.error, scatter.base, scatter.gain * leverage / factor.value);
+  return factor;
+}
+
+RelaxingFactor shear_factor(double z, double r, double b) {
   constexpr std::size_t n = kernel::shear_coefficients.size();
-  using D = Dual<n>;
-  const D z_variable(z, static_cast<int>(n) + 1, static_cast<int>(n));
-  return with_error<n>(
-      kernel::shear_relaxation(z_variable, D(r), D(b), variables(kernel::shear_coefficients)),
-      kernel::shear_covariance, kernel::shear_scatter, 1);
+  const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
+                                             variables(kernel::shear_coefficients));
+  const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
+  return with_scatter(factor, kernel::shear_scatter, factor.by_coordination);
 }
 
-RelaxationFactor bulk_factor(double z, double r, double b) {
+RelaxingFactor bulk_factor(double z, double r, double b) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
-  using D = Dual<n>;
-  const D r_variable(r, static_cast<int>(n) + 1, static_cast<int>(n));
-  return with_error<n>(kernel::bulk_relaxation(D(z), r_variable, D(b), variables(kernel::bulk_coefficients)),
-                       kernel::bulk_covariance, kernel::bulk_scatter, r);
+  const Dual<n> h = kernel::bulk_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
+                                            variables(kernel::bulk_coefficients));
+  const RelaxingFactor factor = with_slopes<n>(h, kernel::bulk_covariance);
+  return with_scatter(factor, kernel::bulk_scatter, r * factor.by_ratio);
 }
 
 std::string text(const char* format, double first, double second = 0) {
@@ -83,7 +98,13 @@ double isostatic(double r) {
   return r > 0 ? kernel::frictional_isostatic(kernel::shear_coefficients) : frictionless_isostatic;
 }
 
-void note_range(double z, double r, Validity& validity) {
+/// Remarks on a z* >= 0 and r >= 0.
+Validity notes_of(double z, double r) {
+  Validity validity;
+  if (!(z > isostatic(r)))
+    validity.add(
+        text("z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
+             isostatic(r)));
   if (z < smallest_coordination || z > largest_coordination)
     validity.add(text("z* is %.3g: the relaxation factors are calibrated from 4.1 to 8.7", z));
   if (r > largest_ratio)
@@ -92,27 +113,31 @@ void note_range(double z, double r, Validity& validity) {
     validity.add(text("k_t/k_n is %.3g: between 0 and 0.1 the relaxation factor of K depends on the "
                       "tangential forces that the packing carries, which are not known",
                       r));
+  return validity;
 }
-
-/// ln of the stretch, and the standard error of that.
-struct Stretch {
-  double logarithm = 0;
-  double error = 0;
-};
 
 double log_stress_ratio(const State& s) { return s.stress_h > 0 ? std::log(s.stress_v / s.stress_h) : 0; }
 
-Stretch stretch_of(const State& s, double shear) {
+kernel::Stretch stretch_of(const State& s, double shear) {
+  using D = Eigen::AutoDiffScalar<Eigen::Vector4d>;
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
+  const double a = s.fabric_anisotropy;
   const double b = s.law.stiffness_exponent();
   const double log_fabric = std::log(F.F33 / F.F11);
   const double log_stress = log_stress_ratio(s);
-  const double logarithm =
-      kernel::log_stretch(shear, b, log_fabric, log_stress, kernel::stretch_coefficients);
+  const D logarithm =
+      kernel::log_stretch(D(shear, 4, 0), D(b, 4, 1), D(log_fabric, 4, 2), D(log_stress, 4, 3),
+                          kernel::constants<D>(kernel::stretch_coefficients));
+  const auto& by = logarithm.derivatives();
   const Eigen::Vector2d slopes = (1 - shear) * Eigen::Vector2d(log_fabric, b * log_stress);
   const Eigen::Map<const Eigen::Matrix2d> covariance(&kernel::stretch_covariance[0][0]);
-  const double scatter = kernel::stretch_scatter * logarithm;
-  return {logarithm, std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter)};
+  const double scatter = kernel::stretch_scatter * logarithm.value();
+  return {.logarithm = logarithm.value(),
+          .error = std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter),
+          .by_shear = by[0],
+          .by_exponent = by[1],
+          .by_fabric = by[2] * 20 / ((5 + a) * (5 - 3 * a)), // F33/F11 = (5+a)/(5-3a)
+          .by_log_stress = by[3]};
 }
 
 void note_state(const State& s, double z, Validity& validity) {
@@ -120,7 +145,8 @@ void note_state(const State& s, double z, Validity& validity) {
     validity.add(text("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
                       "coordination number",
                       z, s.coordination_number));
-  const double overlap = s.law.overlap(mean_contact_force(s)) / (2 * s.radius);
+  const double force = s.coordination_number > 0 ? mean_contact_force(s) : 0;
+  const double overlap = s.law.overlap(force) / (2 * s.radius);
   if (overlap > largest_overlap)
     validity.add(
         text("mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
@@ -133,7 +159,28 @@ void note_state(const State& s, double z, Validity& validity) {
                       ratio, s.fabric_anisotropy));
 }
 
+RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
+
 } // namespace
+
+namespace kernel {
+
+RelaxingFactors relaxing_factors(double z, double r, double b) {
+  if (!(z > isostatic(r)))
+    return {};
+  const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
+  return {.shear = shear_factor(near_z, near_r, b), .bulk = bulk_factor(near_z, near_r, b)};
+}
+
+RelaxedParts relaxed_parts(const State& s, double z) {
+  auto [shear, bulk] = relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent());
+  const double stresses = std::abs(log_stress_ratio(s));
+  shear.error = std::hypot(shear.error, shear_by_stress * stresses);
+  bulk.error = std::hypot(bulk.error, bulk_by_stress * stresses);
+  return {.shear = shear, .bulk = bulk, .stretch = stretch_of(s, shear.value)};
+}
+
+} // namespace kernel
 
 double mechanical_coordination_number(double coordination_number, double rattler_fraction) {
   require_non_negative("coordination_number", coordination_number);
@@ -147,40 +194,26 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 0.5);
-  Relaxation relaxation;
-  if (z > isostatic(r)) {
-    const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
-    relaxation.shear = shear_factor(near_z, near_r, b);
-    relaxation.bulk = bulk_factor(near_z, near_r, b);
-  } else {
-    relaxation.validity.add(
-        text("z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
-             isostatic(r)));
-  }
-  note_range(z, r, relaxation.validity);
-  return relaxation;
+  const kernel::RelaxingFactors factors = kernel::relaxing_factors(z, r, b);
+  return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {
   const Estimate uniform = uniform_strain(state);
-  const Relaxation factors =
-      relaxation(mechanical_coordination_number, state.tangential_ratio, state.law.stiffness_exponent());
+  const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
+  const auto [shear, bulk, stretch] = kernel::relaxed_parts(state, z);
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
-  estimate.validity.merge(factors.validity);
-  note_state(state, mechanical_coordination_number, estimate.validity);
-  if (!(factors.shear.value > 0))
+  estimate.validity.merge(notes_of(z, state.tangential_ratio));
+  note_state(state, z, estimate.validity);
+  if (!(shear.value > 0))
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;
-  const Stretch stretch = stretch_of(state, factors.shear.value);
-  const kernel::RelaxedConstants<double> c = kernel::relax<double>(
-      {u.C11, u.C33, u.C12, u.C13, u.C44}, factors.bulk.value, factors.shear.value, stretch.logarithm);
+  const kernel::RelaxedConstants<double> c =
+      kernel::relax<double>({u.C11, u.C33, u.C12, u.C13, u.C44}, bulk.value, shear.value, stretch.logarithm);
   estimate.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
-  const double stresses = std::abs(log_stress_ratio(state));
-  const double shear_error = std::hypot(factors.shear.relative_error, kernel::shear_by_stress * stresses);
-  const double bulk_error = std::hypot(factors.bulk.relative_error, kernel::bulk_by_stress * stresses);
-  estimate.relative_error = {.bulk_modulus = bulk_error,
-                             .G_hh = std::hypot(shear_error, stretch.error / 3),
-                             .G_vh = std::hypot(shear_error, stretch.error / 6)};
+  estimate.relative_error = {.bulk_modulus = bulk.error,
+                             .G_hh = std::hypot(shear.error, stretch.error / 3),
+                             .G_vh = std::hypot(shear.error, stretch.error / 6)};
   return estimate;
 }
 

@@ -54,10 +54,11 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   const T g0 = frictionless_branch(u, slope, floor);
   const T ratio = x / reach;
   const T root_ratio = sqrt(ratio);
-  const T near_share = 1.0 / (1.0 + ratio * ratio * root_ratio);
+  const T power = ratio * ratio * root_ratio;
+  const T near_share = 1.0 / (1.0 + power);
   const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
   const T near_coupling = strength * (1.0 - spread * b * b) * growth;
-  const T coupling = near_share * near_coupling + (1.0 - near_share) * (1.5 + 2.25 * r);
+  const T coupling = near_share * near_coupling + (1.5 + 2.25 * r) / (1.0 + 1.0 / power);
   const T product = r * coupling;
   const T square = g0 * g0 + 4.0 * product;
   if (!(square > 0.0))

@@ -10,7 +10,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
-#include "differentiated.hpp"
+#include "dual_moduli.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {

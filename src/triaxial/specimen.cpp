@@ -34,6 +34,8 @@ dem::State seeds(const SpecimenRecipe& recipe) {
   dem::State state;
   state.cell = Mat3::diagonal(edge, edge, edge);
   state.radius = recipe.radius;
+  if (recipe.wall_friction)
+    state.walls = dem::Walls{.friction_coefficient = *recipe.wall_friction, .history = {}};
   for (std::size_t g = 0; g < recipe.grains; ++g)
     state.position.push_back(uniform_in_cube(random, 0, edge));
   return state;
@@ -79,6 +81,8 @@ void require_valid(const SpecimenRecipe& recipe) {
   require_positive("radius", recipe.radius, "m");
   if (recipe.grains < 40 || recipe.grains > 10'000'000)
     throw InvalidArgument("grains", static_cast<double>(recipe.grains), "", "[40, 1e7]");
+  if (recipe.wall_friction)
+    dem::require_valid(dem::Walls{.friction_coefficient = *recipe.wall_friction, .history = {}});
   require_open("expansion_void_ratio", recipe.expansion_void_ratio, 0.4, 1.0);
   require_positive("first_pressure", recipe.first_pressure, "Pa");
   require_open("unjamming_strain", recipe.unjamming_strain, 0, 0.1);

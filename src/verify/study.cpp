@@ -9,8 +9,6 @@
 #include <thread>
 
 #include <granum/assembly/cell_work.hpp>
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/fabric_tensor.hpp>
 #include <granum/assembly/force_moments.hpp>
 #include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
@@ -18,8 +16,8 @@
 #include <granum/core/units.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/verify/plan.hpp>
 
@@ -28,13 +26,12 @@ namespace granum::verify {
 namespace {
 
 void measure_assembly(const Assembly& assembly, const contact::PowerLaw& contact_law, StateResult& out) {
-  const MechanicalCoordination mechanical = mechanical_coordination(assembly, ContactKind::frictional);
-  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(contact_normals(assembly));
-  out.coordination_number = coordination_number(assembly);
-  out.mechanical_coordination_number = mechanical.coordination_number;
-  out.rattler_fraction = mechanical.rattler_fraction;
-  out.fabric_anisotropy = anisotropy.anisotropy;
-  out.fabric_anisotropy_error = anisotropy.standard_error;
+  const triaxial::Microstructure micro = triaxial::microstructure(assembly);
+  out.coordination_number = micro.coordination_number;
+  out.mechanical_coordination_number = micro.mechanical_coordination_number;
+  out.rattler_fraction = micro.rattler_fraction;
+  out.fabric_anisotropy = micro.fabric_anisotropy;
+  out.fabric_anisotropy_error = micro.fabric_anisotropy_error;
   out.pressure_by_contacts = contact_stress(assembly).mean();
   out.pressure_by_work = pressure_by_cell_work(assembly, contact_law);
 }
@@ -160,14 +157,11 @@ StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::Specimen
   const dem::Material& material = recipe.material;
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
   require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
-  const Assembly on_path = dem::freeze(snapshot.state, material);
-  const auto sliding = std::count_if(on_path.contacts.begin(), on_path.contacts.end(),
-                                     [](const Contact& c) { return c.sliding; });
   StateResult out;
   out.pressure = snapshot.pressure;
   out.contact_pressure = trace(snapshot.report.stress) / 3;
   out.void_ratio = dem::void_ratio(frozen.state);
-  out.sliding_fraction = static_cast<double>(sliding) / static_cast<double>(on_path.contacts.size());
+  out.sliding_fraction = triaxial::microstructure(dem::freeze(snapshot.state, material)).sliding_fraction;
   out.steps = snapshot.report.steps + frozen.report.steps;
   out.unbalanced_force_ratio = frozen.report.unbalanced_force_ratio;
   out.largest_inertial_number = snapshot.report.largest_inertial_number;

@@ -202,3 +202,35 @@ granum_cli_test("estimate: z* given twice" EXIT 2 STDERR "say the same: give one
   ARGS estimate ${dense} --mechanical-coordination-number 6 --rattler-fraction 0.02)
 granum_cli_test("estimate: rattlers in per cent" EXIT 2 STDERR "rattler_fraction = 2 is outside"
   ARGS estimate ${dense} --rattler-fraction 2)
+
+# --tolerance: the cheapest rung whose stated error fits; exit code 4 under --strict if none does. Dense spheres: rung 3
+# is good to 2.7 %, rung 0 off by two thirds.
+set(counted ${dense} --rattler-fraction 0.02 --fabric 0)
+granum_cli_test("estimate: a tolerance of 5% takes rung 3" EXIT 0 JSON "ladder/rung=^3$"
+  ARGS estimate ${counted} --tolerance 5% --strict --json)
+granum_cli_test("estimate: a tolerance of 80% takes rung 0" EXIT 0 JSON "ladder/rungs/0/verdict=^chosen$"
+  ARGS estimate ${counted} --tolerance 80% --strict --json)
+granum_cli_test("estimate: a plain fraction is a tolerance" EXIT 0 JSON "ladder/tolerance=^0\\.05"
+  ARGS estimate ${counted} --tolerance 0.05 --json)
+granum_cli_test("estimate: the chosen rung and its error in words" EXIT 0
+  STDOUT "Rung 3, relaxed: tolerance of 5 % met\n\n  G_vh = 20[0-9]\\.?[0-9]* MPa \\+- 2\\.[0-9] %.*chosen: the cheapest"
+  ARGS estimate ${counted} --tolerance 5%)
+granum_cli_test("estimate: relaxed column and rung 3 agree" EXIT 0 JSON "ladder/rungs/3/relative_error/G_vh=^0\\.026"
+  ARGS estimate ${counted} --tolerance 5% --json)
+granum_cli_test("estimate: a tolerance that nothing meets" EXIT 0 JSON "ladder/tolerance_met=^(OFF|false)$"
+  STDERR "the tolerance of 1 % is not met: the best rung, 3, has a stated error of 2\\.7 %"
+  ARGS estimate ${counted} --tolerance 1% --json)
+granum_cli_test("estimate: a tolerance that nothing meets, strictly" EXIT 4 STDOUT "a packing of grains"
+  STDERR "error: the tolerance of 1 % is not met" ARGS estimate ${counted} --tolerance 1% --strict)
+granum_cli_test("estimate: without rattlers z* is estimated" EXIT 0 STDOUT "estimated from C_n.*z\\* or the share of rattlers"
+  STDERR "not met" ARGS estimate --void-ratio 0.57 --pressure 10kPa --coordination-number 4.1 --tolerance 5%)
+granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 JSON "ladder/rungs/1/reason=^needs the fabric a$"
+  ARGS estimate ${dense} --tolerance 5% --json)
+granum_cli_test("estimate: no error of an assumed C_n" EXIT 4 STDOUT "met only if the assumed C_n is right"
+  STDERR "--coordination-number was assumed"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 5% --strict)
+granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
+  STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
+granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
+granum_estimate_refuses("tolerance NaN" "--tolerance = 'nan' is not a pure number" ${dense} --tolerance nan)
+granum_estimate_refuses("tolerance with a unit" "--tolerance = '5kPa' must be a pure number" ${dense} --tolerance 5kPa)

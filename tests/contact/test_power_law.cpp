@@ -227,3 +227,28 @@ TEST_CASE("tangential stiffness ratio") {
   CHECK_THROWS_AS((void)contact::given_stiffness_ratio(-0.1), InvalidArgument);
   CHECK_THROWS_AS((void)contact::given_stiffness_ratio(inf), InvalidArgument);
 }
+
+TEST_CASE("power law: the profile constant comes back from the coefficient") {
+  // Within 1e-15 alpha, alpha the power that the contact's radius is raised to.
+  CHECK(close(PowerLaw::cone(glass, 0.4).profile_constant(), 0.4, 2e-15));
+  CHECK(close(PowerLaw::sphere(glass, 0.5e-3).profile_constant(), 1 / (2 * 0.5e-3), 2e-15));
+  for (const double alpha : {1.0, 1.5, 2.0, 8.0, 40.0}) {
+    const double A = std::pow(10, 4.8 * alpha);
+    CHECK(close(PowerLaw::general(glass, alpha, A).profile_constant(), A, 2e-15 * alpha));
+  }
+}
+
+TEST_CASE("power law: the same profile of another solid") {
+  const GrainMaterial steel{.shear_modulus = 80e9, .poisson_ratio = 0.3};
+  const auto same = [](const PowerLaw& a, const PowerLaw& b) {
+    CHECK(a.alpha() == b.alpha());
+    CHECK(a.grain().shear_modulus == b.grain().shear_modulus);
+    CHECK(a.grain().poisson_ratio == b.grain().poisson_ratio);
+    CHECK(close(a.stiffness_at_force(0.3), b.stiffness_at_force(0.3), 2e-15));
+  };
+  same(PowerLaw::cone(glass, 0.4).of_grain(steel), PowerLaw::cone(steel, 0.4));
+  same(PowerLaw::sphere(glass, 5e-4).of_grain(steel), PowerLaw::sphere(steel, 5e-4));
+  same(PowerLaw::flat(glass, 5.7e-6).of_grain(steel), PowerLaw::flat(steel, 5.7e-6));
+  same(PowerLaw::general(glass, 1.5, 180).of_grain(steel), PowerLaw::general(steel, 1.5, 180));
+  CHECK_THROWS_AS((void)PowerLaw::sphere(glass, 5e-4).of_grain({.shear_modulus = 0}), InvalidArgument);
+}

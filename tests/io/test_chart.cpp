@@ -290,10 +290,10 @@ TEST_CASE("the gnuplot script names file, columns, units, scales and errors, quo
       chart, "out file.csv", {{"p_Pa", "G_Pa"}, {"p_Pa", "G_vh_Pa", "G_vh_error_Pa"}}, "again.svg");
   for (const char* piece :
        {"set xlabel 'p'' [kPa]'", "set logscale x\n", "set title 'Moduli'", "set output 'again.svg'",
-        "'out file.csv' using (column('p_Pa')/1000):(column('G_Pa')/1e+06) with linespoints linestyle 1 "
+        "'out file.csv' using (column('p_Pa')/1000):(column('G_Pa')/1000000) with linespoints linestyle 1 "
         "title 'rung 2'",
-        "(column('G_vh_Pa')/1e+06) with points linestyle 2 notitle",
-        "(column('G_vh_Pa')/1e+06):(column('G_vh_error_Pa')/1e+06) with yerrorbars"}) {
+        "(column('G_vh_Pa')/1000000) with points linestyle 2 notitle",
+        "(column('G_vh_Pa')/1000000):(column('G_vh_error_Pa')/1000000) with yerrorbars"}) {
     CAPTURE(piece);
     CHECK(script.find(piece) != std::string::npos);
   }

@@ -81,3 +81,14 @@ TEST_CASE("a ratio that a path does not reach, and an angle that no material has
 }
 
 TEST_CASE("no stress has the stress ratio 0") { CHECK(AxialStress{}.ratio() == 0); }
+
+TEST_CASE("the mobilised friction angle is the inverse of the failure ratio, on every path") {
+  for (const ShearPath path : all_shear_paths)
+    for (const double angle : {0.02, 0.3, 0.46, 1.2}) {
+      const AxialStress stress = stress_on_path(path, 100e3, failure_ratio(path, angle));
+      CHECK(mobilised_friction_angle(stress) == relative(angle, 1e-13));
+    }
+  CHECK(mobilised_friction_angle({.v = 3, .h = 3}) == 0);
+  CHECK_THROWS_AS((void)mobilised_friction_angle({.v = -1, .h = 3}), InvalidArgument);
+  CHECK_THROWS_AS((void)mobilised_friction_angle({.v = 0, .h = 0}), InvalidArgument);
+}

@@ -3,7 +3,7 @@
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
-#include "harness.hpp"
+#include "matrices.hpp"
 
 namespace accuracy {
 
@@ -19,17 +19,6 @@ struct NormalBlock {
   [[nodiscard]] Real S13() const { return -(C11 - C12) * C13 / determinant(); }
   [[nodiscard]] Real S33() const { return (C11 * C11 - C12 * C12) / determinant(); }
 };
-
-/// Stiffness of a packing under uniform strain with random moments: well conditioned, as they all are.
-granum::elastic::TransverselyIsotropic draw_stiffness(Draw& draw) {
-  const double scale = draw.log_uniform(1e-3, 1e12);
-  const double C33 = scale * draw.uniform(1, 3), C11 = scale * draw.uniform(1, 3);
-  return {.C11 = C11,
-          .C33 = C33,
-          .C12 = C11 * draw.uniform(-0.3, 0.5),
-          .C13 = scale * draw.uniform(-0.3, 0.5),
-          .C44 = scale * draw.uniform(0.1, 1)};
-}
 
 void check_transversely_isotropic(Table& table, Draw& draw) {
   const auto c = draw_stiffness(draw);

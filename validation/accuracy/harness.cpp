@@ -63,7 +63,7 @@ void Table::take_against(const std::string& function, const std::string& domain,
 std::string said(std::initializer_list<std::pair<const char*, double>> arguments) {
   std::string text;
   for (const auto& [name, value] : arguments)
-    text += (text.empty() ? "" : " ") + std::string(name) + "=" + granum::exact_text(value);
+    text += (text.empty() ? "" : " ") + std::string(name) + "=" + granum::short_text(value, 6);
   return text;
 }
 

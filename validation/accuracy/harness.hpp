@@ -52,9 +52,13 @@ struct Reach {
   double ulp;
 };
 constexpr Reach closed_form{8};
+constexpr Reach cement{16}; ///< of the regression, as its docstring says
 /// Relative 1e-14, what the docstrings of the stiffness with fabric promise.
 constexpr Reach stiffness_form{1e-14 / 2.220446049250313e-16};
 constexpr Reach quadrature{1e-13 / 2.220446049250313e-16}; ///< relative 1e-13
+/// Relative 1e-12, what the docstrings of derivatives and of the kinematic field promise.
+constexpr Reach derivative{1e-12 / 2.220446049250313e-16};
+constexpr Reach kinematic_strain = derivative;
 
 /// The table: one row a function and domain, with its largest error so far.
 class Table {
@@ -84,7 +88,7 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/// "name=value" with all digits.
+/// "name=value" with six digits.
 std::string said(std::initializer_list<std::pair<const char*, double>> arguments);
 
 /// One function a group of formulas; each adds its rows.
@@ -94,5 +98,13 @@ void check_elastic(Table& table, std::size_t samples);
 void check_uniform_field(Table& table, std::size_t samples);
 void check_directional(Table& table, std::size_t samples);
 void check_sphere_packs(Table& table, std::size_t samples);
+void check_sphere_models(Table& table, std::size_t samples);
+void check_static_field(Table& table, std::size_t samples);
+void check_derivatives(Table& table, std::size_t samples);
+void check_kinematic(Table& table, std::size_t samples);
+void check_waves(Table& table, std::size_t samples);
+void check_tensors(Table& table, std::size_t samples);
+void check_distribution(Table& table, std::size_t samples);
+void check_relaxation(Table& table, std::size_t samples);
 
 } // namespace accuracy

@@ -54,6 +54,14 @@ int main(int count, char** arguments) {
   accuracy::check_uniform_field(table, samples);
   accuracy::check_directional(table, samples / 200);
   accuracy::check_sphere_packs(table, samples);
+  accuracy::check_sphere_models(table, samples);
+  accuracy::check_static_field(table, samples / 400);
+  accuracy::check_derivatives(table, samples / 2000);
+  accuracy::check_kinematic(table, samples / 400);
+  accuracy::check_relaxation(table, samples);
+  accuracy::check_waves(table, samples / 5);
+  accuracy::check_tensors(table, samples / 20);
+  accuracy::check_distribution(table, samples);
   const bool all = print(table);
   if (out)
     granum::io::write_file(out, csv(table), granum::io::Existing::replace);

@@ -28,6 +28,18 @@ Five strain_stiffness(const Real& scale, const Real& r, const Moments& w) {
           scale * (1 - r) * n1122, scale * (1 - r) * n1133, scale * ((1 - r) * n1133 + r * (n11 + w.m2) / 4)};
 }
 
+Five free_spin_stiffness(const Real& scale, const Real& r, const Moments& w) {
+  // Displacement u = (e + W) n, e13 = 1/2, W13 = -W31 = x. Energy <w (u_n^2 + r u_t^2)>, with
+  // u_1 = (1/2+x) n3, u_3 = (1/2-x) n1 and u_n = n1 n3; its minimum over x lies at
+  // x = (A1-A3)/(2 (A1+A3)), A_i = <w n_i^2>.
+  const Real n1133 = (w.m2 - w.m4) / 2, A1 = (w.m0 - w.m2) / 2, A3 = w.m2;
+  const Real x = (A1 - A3) / (2 * (A1 + A3)), half = Real(1) / 2;
+  const Real squares = (half + x) * (half + x) * A3 + (half - x) * (half - x) * A1;
+  Five c = strain_stiffness(scale, r, w);
+  c.C44 = scale * (n1133 + r * (squares - n1133));
+  return c;
+}
+
 Five stress_stiffness(const Real& scale, const Real& r, const Moments& fabric, const Moments& w) {
   // Forces of unit stresses: f_i = n_i/F_ii along the axis. Energy: f_n^2 + (f^2 - f_n^2)/r.
   const Real F33 = fabric.m2, F11 = (1 - F33) / 2;

@@ -23,6 +23,8 @@ struct Five {
 
 /// Uniform strain: scale <w ((1-r) nnnn + r/4 (...))>.
 Five strain_stiffness(const Real& scale, const Real& r, const Moments& w);
+/// The same with the mean spin w of the grains free: C44 is the least over w of the energy of a strain e13.
+Five free_spin_stiffness(const Real& scale, const Real& r, const Moments& w);
 /// Uniform stress: the inverse of the compliance <w (f_n^2 + f_t^2/r)>/scale with f = F^-1 n; w = 1/k.
 Five stress_stiffness(const Real& scale, const Real& r, const Moments& fabric, const Moments& w);
 

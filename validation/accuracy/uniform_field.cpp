@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms in a, k_n and k_t as sums of the moments of E(gamma; a); [ChangLiao1994] for uniform stress.
-#include <algorithm>
-
 #include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "harness.hpp"
-#include "moments.hpp"
+#include "packing.hpp"
 
 namespace accuracy {
 
@@ -14,20 +12,6 @@ namespace {
 
 using granum::effective::State;
 using granum::effective::UniformContacts;
-
-void compare(Table& table, const std::string& function, const std::string& domain, Reach reach,
-             const granum::elastic::TransverselyIsotropic& c, const Five& reference, const std::string& at) {
-  table.take(function + " C11, C33", domain, reach, c.C11, reference.C11, at);
-  table.take(function + " C11, C33", domain, reach, c.C33, reference.C33, at);
-  table.take(function + " C44, C66", domain, reach, c.C44, reference.C44, at);
-  table.take_against(function + " C44, C66", domain, reach, c.C66(), (reference.C11 - reference.C12) / 2,
-                     reference.C11, at);
-  table.take_against(function + " C12 (of C11)", domain, reach, c.C12, reference.C12, reference.C11, at);
-  table.take_against(function + " C13 (of root C11 C33)", domain, reach, c.C13, reference.C13,
-                     sqrt(reference.C11 * reference.C33), at);
-  const Real K = (2 * reference.C11 + reference.C33 + 2 * reference.C12 + 4 * reference.C13) / 9;
-  table.take(function + " K", domain, reach, c.bulk_modulus(), K, at);
-}
 
 void check_uniform_contacts(Table& table, Draw& draw) {
   const double a = draw.anisotropy(), r = draw.ratio();
@@ -44,6 +28,8 @@ void check_uniform_contacts(Table& table, Draw& draw) {
   const std::string domain = "a in [-1, 1], k_t/k_n 0 to 2";
   compare(table, "uniform_strain_stiffness", domain, closed_form, uniform_strain_stiffness(sheared),
           strain_stiffness(scale, ratio, m), at);
+  compare(table, "free_spin_stiffness", domain, closed_form, free_spin_stiffness(sheared),
+          free_spin_stiffness(scale, ratio, m), at);
   if (r > 0)
     compare(table, "uniform_stress_stiffness", domain, closed_form, uniform_stress_stiffness(sheared),
             stress_stiffness(scale, ratio, m, m), at);

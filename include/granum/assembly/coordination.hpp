@@ -8,13 +8,11 @@
 
 namespace granum {
 
-/// C_n = 2 N_c/N over all grains, rattlers included.                                                [paper
-/// Table 2]
+/// C_n = 2 N_c/N over all grains, rattlers included.                                        [Chung2014]
 /// Assumes   every listed contact counts, whatever force it carries.
-/// \return   C_n [1]; 0 for grains
-/// without contacts
-/// \throws   InvalidArgument for an assembly without grains: the ratio has no value Checked
-/// by tests/assembly/test_coordination.cpp
+/// \return   C_n [1]; 0 for grains without contacts
+/// \throws   InvalidArgument for an assembly without grains: the ratio has no value
+/// Checked by tests/assembly/test_coordination.cpp
 [[nodiscard]] double coordination_number(const Assembly& assembly);
 
 /// What a contact can transmit decides how few of them can hold a grain in place.
@@ -33,12 +31,11 @@ struct MechanicalCoordination {
 };
 
 /// z* and rattlers: grains with too few contacts are taken out, again and again, until none is left.
-/// [AgnolinRoux2007]
+///                                                                                     [AgnolinRoux2007]
 /// Assumes   kind is that of the contacts in the probe, not of the preparation.
-/// \param    kind
-/// frictional: fewer than 2 contacts make a rattler; frictionless: fewer than 4
-/// \throws   InvalidArgument for
-/// an assembly that require_valid rejects Checked by tests/assembly/test_coordination.cpp
+/// \param    kind   frictional: fewer than 2 contacts make a rattler; frictionless: fewer than 4
+/// \throws   InvalidArgument for an assembly that require_valid rejects
+/// Checked by tests/assembly/test_coordination.cpp
 [[nodiscard]] MechanicalCoordination mechanical_coordination(const Assembly& assembly, ContactKind kind);
 
 } // namespace granum

@@ -10,6 +10,7 @@ namespace granum {
 /// Mean stress tensor of an assembly, compression positive.
 struct ContactStress {
   Mat3 symmetric; ///< [Pa]
+  Mat3 tensor;    ///< as summed, before it was made symmetric: what codes print one half of [Pa]
   double asymmetry =
       0; ///< norm of the antisymmetric part over norm of the symmetric part [1]; 0 without stress
 

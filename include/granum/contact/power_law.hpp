@@ -79,6 +79,11 @@ class PowerLaw {
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
 
+  /// The same profile of another solid: c goes as G/(1-nu).
+  /// \throws   InvalidArgument if grain is out of range
+  /// Accuracy  3 ulp more than this law.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
+
   /// alpha in [1, inf]; infinity for the flat punch.
   [[nodiscard]] double alpha() const { return alpha_; }
   /// 1/(1+alpha): the exponent b of k_n ~ f^b, 0 for the flat punch.
@@ -87,6 +92,9 @@ class PowerLaw {
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
   [[nodiscard]] double coefficient() const { return coefficient_; }
+  /// A_alpha of one grain, from c [m^(1-alpha)]; infinite where alpha is too large for a double to hold it.
+  /// Accuracy  relative alpha 1e-15.  Checked by tests/contact/test_power_law.cpp
+  [[nodiscard]] double profile_constant() const;
   /// Material of both grains.
   [[nodiscard]] const GrainMaterial& grain() const { return grain_; }
 

@@ -28,5 +28,7 @@ struct LeadingNumber {
 [[nodiscard]] std::string exact_text(double value);
 /// At most `digits` significant digits, no trailing zeros, for people to read.
 [[nodiscard]] std::string short_text(double value, int digits = 4);
+/// A share as per cent, two significant digits or whole numbers: "2.7 %", "64 %", "418 %".
+[[nodiscard]] std::string percent_text(double share);
 
 } // namespace granum

@@ -4,22 +4,30 @@
 #include <cstddef>
 #include <memory>
 
+#include <granum/core/bytes.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/dem/state.hpp>
+#include <granum/dem/walls.hpp>
 
 namespace granum::dem {
 
 /// Figures of the last step, from which runs steer and stop.
 struct StepFigures {
-  Mat3 stress;                  ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
+  Mat3 stress;          ///< (1/V) sum of force (x) branch over contacts, compression positive [Pa]
+  Vec3 boundary_stress; ///< normal stresses that servos hold: reaction of the walls over their area, or
+                        ///< the diagonal of the contact stress of a periodic cell [Pa]
   double mean_normal_force = 0; ///< over contacts that touch [N]
   double p_wave_modulus =
       0; ///< mean uniform-strain modulus of the network, (1/V) sum k_n l^2 (1/5 + 2r/15) [Pa]
-  std::size_t contacts = 0;
-  std::size_t sliding = 0; ///< contacts at the Coulomb limit in this step
+  std::size_t contacts = 0;      ///< between grains
+  std::size_t sliding = 0;       ///< of them, at the Coulomb limit in this step
+  std::size_t wall_contacts = 0; ///< between grains and walls
+  std::size_t wall_sliding = 0;
 };
 
-/// Explicit dynamics of equal spheres in a periodic cell that deforms with a given velocity gradient.
+/// Explicit dynamics of equal spheres in a cell that deforms with a given velocity gradient: periodic, or,
+/// where the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts count in the
+/// contact stress with the branch from the centre to the wall, so that at rest it is that of smooth walls.
 ///
 /// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried
 /// so far scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a
@@ -50,6 +58,8 @@ class Engine {
   void step();
 
   [[nodiscard]] const StepFigures& figures() const;
+  /// Forces of the walls in the last step; zeros in a periodic cell.
+  [[nodiscard]] WallForces wall_forces() const;
   /// Mean of sqrt(force^2 + (torque/R)^2) over the grains that touch others / mean contact force [1]; 0
   /// without contacts.
   [[nodiscard]] double unbalanced_force_ratio() const;
@@ -66,6 +76,13 @@ class Engine {
   /// The state as it stands after the last step.
   [[nodiscard]] State state() const;
   [[nodiscard]] const Material& material() const;
+
+  /// All that the next steps depend on, to the bit; no random numbers are drawn while an engine runs.
+  void save(ByteWriter& to) const;
+  /// The engine that was saved: it goes on with the same bits as the one that wrote it.
+  /// \throws   FileError if the bytes end too early or were written for another material
+  /// Checked by tests/dem/test_engine_bytes.cpp
+  [[nodiscard]] static Engine load(ByteReader& from, const Material& material);
 
  private:
   struct Data;

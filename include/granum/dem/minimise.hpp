@@ -26,8 +26,8 @@ struct [[nodiscard]] RelaxReport {
 
 /// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.
 /// [Bitzek2006]
-/// Assumes   no friction: positions only, no rotations and no histories are modelled; both are cleared in
-/// the state.
+/// Assumes   no friction, at walls neither: positions only, no rotations and no histories are modelled; both
+/// are cleared in the state.
 /// Converged when forces balance, or when no overlap beyond the tolerance is left (below jamming).
 /// \throws   InvalidArgument for a state that is empty or too small for its cell
 /// Checked by tests/dem/test_minimise.cpp

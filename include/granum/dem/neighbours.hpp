@@ -28,12 +28,17 @@ struct Pair {
 /// Moves every centre into the cell by whole edge vectors.
 void wrap(const Mat3& cell, std::span<Vec3> position);
 
+enum class Images {
+  periodic, ///< pairs across the faces of the cell count
+  none      ///< the cell is a box: pairs inside it only
+};
+
 /// All pairs i < j whose centres are nearer than cutoff, sorted by (i, j), each with its nearest image.
-/// Assumes   centres lie in the cell (call wrap first).
-/// \param    cutoff  [m], at most half of the smallest cell width, so that no pair meets twice
+/// Assumes   centres lie in the cell (call wrap first if it is periodic).
+/// \param    cutoff  [m]; with images at most half of the smallest cell width, so that no pair meets twice
 /// \throws   InvalidArgument if the cell is too narrow for the cutoff
 /// Cost      O(N) by cells of the cutoff's size.  Checked against all pairs by tests/dem/test_neighbours.cpp
 [[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
-                                                double cutoff);
+                                                double cutoff, Images images = Images::periodic);
 
 } // namespace granum::dem

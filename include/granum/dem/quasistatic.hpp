@@ -37,8 +37,8 @@ struct [[nodiscard]] QuasistaticReport {
   [[nodiscard]] bool converged() const { return outcome == Outcome::converged; }
 };
 
-/// Brings the normal stresses of the three axes to their targets, each by a servo on its cell edge, and the
-/// grains to rest.
+/// Brings the normal stresses at the boundaries (StepFigures::boundary_stress) to their targets, each by a
+/// servo on its cell edge, and the grains to rest.
 /// Assumes   an orthogonal cell along the axes.
 /// \param    target  normal stresses [Pa], each > 0
 /// \throws   InvalidArgument for a target or option that is not positive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <granum/assembly/assembly.hpp>
@@ -34,7 +35,25 @@ struct ContactHistory {
   bool operator==(const ContactHistory&) const = default;
 };
 
-/// Everything that a run of equal spheres in a periodic cell needs to go on.
+/// Memory of the contact of a grain with a wall.
+struct WallHistory {
+  std::uint32_t grain = 0;
+  std::uint32_t wall = 0;          ///< as wall_planes numbers them
+  Vec3 tangential_force;           ///< exerted on the grain [N]
+  double tangential_stiffness = 0; ///< at the last step [N/m]
+
+  bool operator==(const WallHistory&) const = default;
+};
+
+/// Six rigid plane walls, the faces of the cell (walls.hpp).
+struct Walls {
+  double friction_coefficient = 0;  ///< mu >= 0 between grain and wall; 0: smooth, infinity: no slip [1]
+  std::vector<WallHistory> history; ///< sorted by (grain, wall)
+
+  bool operator==(const Walls&) const = default;
+};
+
+/// Everything that a run of equal spheres needs to go on.
 struct State {
   Mat3 cell;         ///< columns are the edge vectors [m]
   double radius = 0; ///< [m], all grains
@@ -42,15 +61,20 @@ struct State {
   std::vector<Vec3> velocity;          ///< beyond the affine motion of the cell [m/s]
   std::vector<Vec3> angular_velocity;  ///< [1/s]
   std::vector<ContactHistory> history; ///< sorted by (i, j)
+  std::optional<Walls> walls;          ///< without them the cell is periodic
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
   bool operator==(const State&) const = default;
 };
 
+/// \throws InvalidArgument naming the value that no walls can have.
+void require_valid(const Walls& walls);
+
 /// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
 [[nodiscard]] double void_ratio(const State& state);
 
-/// The contacts of a state, with forces and tangent stiffnesses from the material's law.
+/// The contacts between the grains of a state, with forces and tangent stiffnesses from the material's law.
+/// Contacts with walls are not among them.
 [[nodiscard]] Assembly freeze(const State& state, const Material& material);
 
 } // namespace granum::dem

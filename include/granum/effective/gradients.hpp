@@ -31,20 +31,21 @@ struct Model {
 /// An input that a modulus is differentiated by. Each of them varies alone, except mean_stress, which moves
 /// both stresses at their ratio, and grain_poisson_ratio_mindlin.
 enum class Input {
-  mean_stress,                 ///< p = (stress_v + 2 stress_h)/3 [Pa]
-  stress_v,                    ///< [Pa]
-  stress_h,                    ///< [Pa]
-  coordination_number,         ///< C_n
-  void_ratio,                  ///< e
-  fabric_anisotropy,           ///< a
-  alpha,                       ///< at constant profile A_alpha, 0 for the flat punch of constant radius
-  grain_shear_modulus,         ///< G_g [Pa]
-  grain_poisson_ratio,         ///< nu_g at constant k_t/k_n
-  grain_poisson_ratio_mindlin, ///< nu_g if k_t/k_n = 2(1-nu)/(2-nu) follows it
-  tangential_ratio,            ///< k_t/k_n
-  radius                       ///< R of the packing [m], the contact law kept as it is
+  mean_stress,                   ///< p = (stress_v + 2 stress_h)/3 [Pa]
+  stress_v,                      ///< [Pa]
+  stress_h,                      ///< [Pa]
+  coordination_number,           ///< C_n
+  void_ratio,                    ///< e
+  fabric_anisotropy,             ///< a
+  alpha,                         ///< at constant profile A_alpha, 0 for the flat punch of constant radius
+  grain_shear_modulus,           ///< G_g [Pa]
+  grain_poisson_ratio,           ///< nu_g at constant k_t/k_n
+  grain_poisson_ratio_mindlin,   ///< nu_g if k_t/k_n = 2(1-nu)/(2-nu) follows it
+  tangential_ratio,              ///< k_t/k_n
+  radius,                        ///< R of the packing [m], the contact law kept as it is
+  mechanical_coordination_number ///< z*, which rung 3 alone depends on
 };
-inline constexpr std::size_t input_count = 12;
+inline constexpr std::size_t input_count = 13;
 
 /// A modulus and its derivatives.
 struct Gradient {
@@ -66,5 +67,22 @@ struct Gradient {
 /// Accuracy  relative 1e-11 of the largest logarithmic derivative.
 ///           Checked by tests/effective/test_gradients.cpp
 [[nodiscard]] Gradient gradient(const State& state, const Model& model, Modulus which);
+
+/// A relaxed modulus with its derivatives, and what the calibration of the relaxation leaves open of it.
+struct RelaxedGradient {
+  Gradient gradient;
+  double standard_error = 0; ///< of the calibration alone, the inputs taken as exact [Pa]
+};
+
+/// A modulus of relaxed(state, z*), rung 3, with its exact derivatives by every input; each varies alone: z*
+/// stays where C_n moves. The standard error combines those of the two factors and of the stretch, taken as
+/// independent, to first order; that of G_vh and G_hh is the one of relaxed().
+/// \param    mechanical_coordination_number   z* [1]
+/// \throws   InvalidArgument as gradient and relaxed, and if z* is not above the isostatic point, where every
+///           modulus vanishes
+/// Accuracy  relative 1e-11 of the largest logarithmic derivative.
+///           Checked by tests/effective/test_relaxed_gradients.cpp
+[[nodiscard]] RelaxedGradient relaxed_gradient(const State& state, double mechanical_coordination_number,
+                                               Modulus which);
 
 } // namespace granum::effective

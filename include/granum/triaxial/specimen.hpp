@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/state.hpp>
 
-/// Specimens of equal spheres in a periodic cell: preparation, isotropic compression, frozen states.
+/// Specimens of equal spheres in a periodic cell or a box of walls: preparation, isotropic compression.
 namespace granum::triaxial {
 
 /// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ
@@ -25,6 +26,8 @@ struct SpecimenRecipe {
   double radius = 0;         ///< R > 0 [m]
   std::size_t grains = 1000; ///< at least 40, so that the cell is wider than four diameters
   std::uint64_t seed = 1;
+  /// Given: six rigid walls of this friction coefficient [1] hold the specimen; else its cell is periodic.
+  std::optional<double> wall_friction = {};
   double expansion_void_ratio =
       0.56;                     ///< of the fixed cell in which the grains grow, overlaps uncorrected [1]
   double first_pressure = 10e3; ///< [Pa]

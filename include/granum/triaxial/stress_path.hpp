@@ -13,6 +13,7 @@ struct AxialStress {
   double v = 0;
   double h = 0;
 
+  constexpr bool operator==(const AxialStress&) const = default;
   [[nodiscard]] double mean() const { return (v + 2 * h) / 3; } ///< p'
   [[nodiscard]] double deviator() const { return v - h; }       ///< q
   /// eta = q/p'; 0 without stress.
@@ -49,5 +50,13 @@ inline constexpr std::array all_shear_paths{ShearPath::txc, ShearPath::rtxc, She
 /// \throws   InvalidArgument if the angle is out of its range
 /// Accuracy  8 ulp.  Checked by tests/triaxial/test_stress_path.cpp
 [[nodiscard]] double failure_ratio(ShearPath path, double friction_angle);
+
+/// Friction angle that a state of stress mobilises, arcsin of (s1 - s3)/(s1 + s3), the inverse of
+/// failure_ratio.
+/// \param    stress   both stresses >= 0, not both 0 [Pa]
+/// \return   in [0, pi/2] [rad]
+/// \throws   InvalidArgument if a stress is negative or both are 0
+/// Accuracy  8 ulp.  Checked by tests/triaxial/test_stress_path.cpp
+[[nodiscard]] double mobilised_friction_angle(const AxialStress& stress);
 
 } // namespace granum::triaxial

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Example 06: how much effort does a modulus deserve?
+//
+// A closed form takes nanoseconds and may be wrong by a factor of three; the linear response of the contact
+// network takes a packing and a fraction of a second, and is right. effective::estimate takes the cheapest
+// rung of the ladder whose stated error fits a tolerance, and says what it would need to do better. Here one
+// loose packing is asked about four times, each time knowing a little more of it; at the end its own
+// network tells how far off each answer was.
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/core/number.hpp>
+#include <granum/dem/state.hpp>
+#include <granum/effective/ladder.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+using namespace granum;
+
+namespace {
+
+constexpr double pressure = 100e3;
+
+dem::State loose_specimen(const triaxial::SpecimenRecipe& recipe) {
+  dem::State last;
+  const dem::State frictionless = triaxial::frictionless_specimen(recipe).state;
+  triaxial::isotropic_path(triaxial::start_of_compression(frictionless, triaxial::Density::loose, recipe),
+                           recipe.material, {10e3, pressure}, triaxial::compression_options(),
+                           [&last](const triaxial::Snapshot& snapshot) {
+                             last = snapshot.state;
+                             return true;
+                           });
+  return last;
+}
+
+/// Asks for several tolerances, prints the answers, and returns how many broke a promise: a looser tolerance
+/// takes no dearer rung, and no answer is off by more than three stated errors.
+int ask(const char* what, const effective::KnownPacking& packing, double network_modulus) {
+  std::printf("\n%s\n", what);
+  int broken = 0;
+  std::size_t last_rung = 0;
+  for (const double tolerance : {5.0, 0.3, 0.05}) {
+    const effective::LadderEstimate ladder = effective::estimate(packing, tolerance);
+    const effective::RungAssessment& choice = ladder.choice();
+    const double modulus = choice.stiffness->G_vh();
+    const double error = modulus / network_modulus - 1;
+    std::printf("  within %-6s rung %d  G = %5.1f MPa, stated error %6s, actual %6s%s\n",
+                percent_text(tolerance).c_str(), choice.rung, modulus / 1e6,
+                percent_text(choice.relative_error->G_vh).c_str(), percent_text(error).c_str(),
+                ladder.tolerance_met ? "" : "  (tolerance not met)");
+    broken += ladder.chosen < last_rung;
+    broken += std::abs(error) > 3 * choice.relative_error->G_vh;
+    last_rung = ladder.chosen;
+    if (tolerance == 0.05)
+      for (const std::string& advice : ladder.advice)
+        std::printf("      %s\n", advice.c_str());
+  }
+  return broken;
+}
+
+} // namespace
+
+int main() {
+  // 1. A packing: 500 spheres of 1 mm, compressed with friction to 100 kPa.
+  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const triaxial::SpecimenRecipe recipe{
+      .material = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
+                   .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                   .friction_coefficient = 0.4986},
+      .radius = 0.5e-3,
+      .grains = 500};
+  const dem::State specimen = loose_specimen(recipe);
+  const Assembly assembly = dem::freeze(specimen, recipe.material);
+
+  // 2. Rung 4, the answer that all others are measured against.
+  const auto network =
+      elastic::transversely_isotropic_projection(network::linear_response(assembly).relaxed());
+  std::printf("contact network of the packing: G_vh = %.1f MPa\n", network.G_vh() / 1e6);
+
+  // 3. Known: the contacts, the void ratio, C_n and the stress, as one would have them from a paper. z* is
+  //    estimated from C_n, and may be off: so many contacts may be those of few grains or of all.
+  effective::KnownPacking packing{.state = {.law = recipe.material.law,
+                                            .tangential_ratio = recipe.material.tangential_stiffness_ratio,
+                                            .radius = recipe.radius,
+                                            .void_ratio = dem::void_ratio(specimen),
+                                            .coordination_number = coordination_number(assembly),
+                                            .stress_v = pressure,
+                                            .stress_h = pressure},
+                                  .fabric_standard_error = std::nullopt};
+  int broken = ask("known: law, e, C_n, stress", packing, network.G_vh());
+
+  // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
+  const MechanicalCoordination counted = mechanical_coordination(assembly, ContactKind::frictional);
+  packing.rattler_fraction = effective::Measured{counted.rattler_fraction, 0.01};
+  broken += ask("also the rattlers, to 1 % of the grains", packing, network.G_vh());
+
+  // 5. Exactly, from the list of contacts; which has the fabric as well.
+  packing.rattler_fraction.reset();
+  packing.mechanical_coordination_number = effective::Measured{counted.coordination_number, 0};
+  broken += ask("z* from the list of contacts", packing, network.G_vh());
+  packing.state.fabric_anisotropy = fabric::estimate_anisotropy(contact_normals(assembly)).anisotropy;
+  packing.fabric_standard_error = 0;
+  broken += ask("and the fabric", packing, network.G_vh());
+
+  // 6. Check: no promise was broken.
+  return broken == 0 ? 0 : 1;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/bytes.hpp>
+#include <granum/dem/state.hpp>
+
+namespace granum::dem {
+
+/// A state to the bit: what load_state reads is equal to it.
+/// Checked by tests/dem/test_engine_bytes.cpp
+void save_state(ByteWriter& to, const State& state);
+/// \throws   FileError if the bytes end too early
+[[nodiscard]] State load_state(ByteReader& from);
+
+} // namespace granum::dem

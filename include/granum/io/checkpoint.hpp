@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace granum::io {
+
+/// What a run needs to go on: the scene that it came from, and its state as it wrote it (core/bytes.hpp).
+struct Checkpoint {
+  std::string scene; ///< text
+  std::string state; ///< bytes
+
+  bool operator==(const Checkpoint&) const = default;
+};
+
+/// Version of the file format and of the states that this library writes and reads.
+inline constexpr std::uint32_t checkpoint_version = 1;
+
+/// Writes a checkpoint in place of the one that path may hold: a reader finds the old one or the whole new
+/// one, whenever the writer is stopped.
+/// \throws   FileError if writing fails; the old checkpoint is then as it was
+/// Checked by tests/io/test_checkpoint.cpp
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
+
+/// \throws   FileError naming the path and what is wrong: no checkpoint, a newer version, another byte order,
+///           cut short, longer than it says, or damaged (checksum)
+/// Checked by tests/io/test_checkpoint.cpp
+[[nodiscard]] Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+} // namespace granum::io

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include <granum/assembly/assembly.hpp>
+#include <granum/dem/state.hpp>
+#include <granum/elastic/stiffness.hpp>
+
+/// What is measured on a specimen at a point of its path.
+namespace granum::triaxial {
+
+/// The contact network in numbers.
+struct Microstructure {
+  double coordination_number = 0;            ///< C_n, all grains
+  double mechanical_coordination_number = 0; ///< z*, rattlers left out
+  double rattler_fraction = 0;
+  double fabric_anisotropy = 0;       ///< a of E(gamma; a)
+  double fabric_anisotropy_error = 0; ///< standard error
+  double sliding_fraction = 0;        ///< contacts at the Coulomb limit
+
+  bool operator==(const Microstructure&) const = default;
+};
+
+/// \param    assembly  with at least 2 contacts, frictional ones
+/// \throws   InvalidArgument for an assembly that require_valid rejects, or fewer contacts
+/// Checked by tests/triaxial/test_shear_test.cpp
+[[nodiscard]] Microstructure microstructure(const Assembly& assembly);
+
+/// The part of a specimen between walls that keeps a distance from them, where walls do not order the grains.
+struct InteriorMeasures {
+  std::size_t grains = 0; ///< with their centres inside
+  /// C_n, z* and rattlers: of these grains and all their contacts; a and sliding: of contacts whose middle is
+  /// inside.
+  Microstructure micro;
+  Mat3 stress; ///< contact stress, each contact with the share of its branch that is inside [Pa]
+};
+
+/// \param    layer  left out at every wall [m]; two diameters are the custom
+/// \throws   InvalidArgument if the layers leave too little: no grain, or fewer than 2 contacts
+/// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R
+///           of a side wall no contact between grains bears force along it.
+/// Checked by tests/triaxial/test_walls.cpp
+[[nodiscard]] InteriorMeasures interior_measures(const dem::State& state, const dem::Material& material,
+                                                 double layer);
+
+/// Elastic answer of the state frozen in place.
+struct FrozenModuli {
+  elastic::VoigtStiffness relaxed; ///< of the network, every grain in equilibrium [Pa]
+  elastic::VoigtStiffness affine;  ///< under uniform strain [Pa]
+  Mat3 stress;                     ///< contact stress of the frozen state [Pa]
+  double unbalanced_force_ratio = 0;
+
+  [[nodiscard]] double G_hh() const { return relaxed.matrix(5, 5); }
+  /// G_hv = G_vh, mean of both vertical planes.
+  [[nodiscard]] double G_vh() const { return (relaxed.matrix(3, 3) + relaxed.matrix(4, 4)) / 2; }
+};
+
+/// Brings the state to rest at fixed cell with no contact sliding, and solves its network.
+/// Assumes   a periodic cell: contacts with walls are no part of a network.
+/// \throws   InvalidArgument for a state between walls; NotConverged if the state does not come to
+///           rest (unbalanced force ratio 1e-6), or the network is not solved
+/// Checked by tests/triaxial/test_shear_test.cpp
+[[nodiscard]] FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material);
+
+} // namespace granum::triaxial

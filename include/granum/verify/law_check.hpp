@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include <granum/assembly/assembly.hpp>
+#include <granum/contact/power_law.hpp>
+
+/// The contact law that a DEM code has used, as its forces and overlaps show it.
+/// Checked by tests/verify/test_law_check.cpp
+namespace granum::verify {
+
+/// The contact law of two equal grains of a material and a radius [m]; contact::PowerLaw::sphere is one.
+using LawFamily = std::function<contact::PowerLaw(const contact::GrainMaterial& grain, double radius)>;
+
+/// A fitted number and its standard error.
+struct LawExponent {
+  double value = 0;
+  double standard_error = 0;
+};
+
+/// f_n against the overlap d of all contacts that press. Contacts of two sizes count as the contact of equal
+/// spheres with the same 1/R_i + 1/R_j, and f_n/R^2 goes as (d/R)^(1+1/alpha): all of similar grains lie on
+/// one line.
+struct LawCheck {
+  std::size_t contacts = 0; ///< compared
+  std::size_t left_out = 0; ///< without overlap or force, or with less than 1e-3 of the mean force
+  /// 1 + 1/alpha, the slope of ln f_n over ln d by least squares, twice: the second time without the contacts
+  /// that lie further from the first line than ten times the median; nothing if the overlaps are all equal or
+  /// there are fewer than 3.
+  std::optional<LawExponent> force_exponent = {};
+  /// alpha = 1/(slope - 1); nothing unless the slope is above 1 by more than its error: punches have 1.
+  std::optional<LawExponent> alpha = {};
+  double coefficient_ratio = 0; ///< median of f_n over the law's force at the overlap [1]
+  /// |f_n/(coefficient_ratio force) - 1|, what the law's shape leaves unexplained [1]
+  double median_misfit = 0;
+  double misfit_90 = 0; ///< of 90 % of the contacts
+  double worst_misfit = 0;
+};
+
+/// Compares the forces with a law.
+/// \param    family   contact law of two grains
+/// \param    grain    their material
+/// \return   contacts = 0 if none has both force and overlap: the other numbers then say nothing
+/// \throws   InvalidArgument for an assembly that require_valid rejects or a material that the law refuses
+/// Accuracy  the slope of forces that obey a power law: 1e-9 for overlaps of 17 digits over a decade.
+[[nodiscard]] LawCheck check_law(const Assembly& assembly, const LawFamily& family,
+                                 const contact::GrainMaterial& grain);
+
+} // namespace granum::verify

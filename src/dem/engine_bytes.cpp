@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include <granum/core/bytes.hpp>
+#include <granum/dem/state_bytes.hpp>
+
+#include "engine_data.hpp"
+
+namespace granum::dem {
+
+namespace {
+
+/// The numbers that forces follow from; two materials with the same ones give the same bits.
+std::array<double, 5> fingerprint(const Material& material) {
+  return {material.law.alpha(), material.law.coefficient(), material.tangential_stiffness_ratio,
+          material.friction_coefficient, material.density};
+}
+
+/// Scalars of Engine::Data, so that writing and reading cannot fall out of step.
+template <class Data, class Visit>
+void each_scalar(Data& d, const Visit& visit) {
+  visit(d.gradient);
+  visit(d.dt);
+  visit(d.fixed_damping);
+  visit(d.damping);
+  visit(d.travelled);
+  visit(d.strained);
+  visit(d.speed_squared);
+  visit(d.stiffest);
+  visit(d.stiffest_chosen);
+  visit(d.contacts_chosen);
+  visit(d.figures);
+  visit(d.steps);
+}
+
+} // namespace
+
+void Engine::save(ByteWriter& to) const {
+  const Data& d = *data_;
+  to.put(fingerprint(d.material));
+  save_state(to, state());
+  to.put_all(d.list.pairs());
+  to.put_all(d.motion);
+  for (const std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
+    to.put_all(*array);
+  to.put_all(d.load);
+  if (d.walls)
+    d.walls->save(to);
+  each_scalar(d, [&](const auto& value) { to.put(value); });
+}
+
+Engine Engine::load(ByteReader& from, const Material& material) {
+  if (from.get<std::array<double, 5>>() != fingerprint(material))
+    from.fail("was written for grains of another material or contact law");
+  Engine engine(load_state(from), material);
+  Data& d = *engine.data_;
+  d.list.restore(from.get_all<Pair>());
+  d.motion = from.get_all<Motion>();
+  for (std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
+    *array = from.get_all<double>();
+  d.load = from.get_all<Load>();
+  if (d.walls)
+    d.walls->load(from);
+  each_scalar(d, [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); });
+  return engine;
+}
+
+} // namespace granum::dem

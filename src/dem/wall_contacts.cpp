@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: s tangential force on the grain.
+#include "wall_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <variant>
+
+namespace granum::dem {
+
+namespace {
+
+/// The tangential force after a step in which the surface moved by `slip` against the wall, within Coulomb's
+/// limit: what a contact of two grains does (contact_sweep.cpp), with the wall's normal.
+bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, double stiffness,
+                    double limit) {
+  const double keep =
+      stiffness < contact.tangential_stiffness ? stiffness / contact.tangential_stiffness : 1.0;
+  Vec3 s = keep * contact.tangential_force - stiffness * slip;
+  s -= dot(s, normal) * normal;
+  const double size = norm(s);
+  const bool slides = size > limit;
+  contact.tangential_force = slides ? (limit / size) * s : s;
+  contact.tangential_stiffness = stiffness;
+  return slides;
+}
+
+} // namespace
+
+void WallContacts::list(const Mat3& cell, const std::vector<Motion>& motion, double reach,
+                        const std::vector<WallHistory>& history) {
+  const std::array<WallPlane, wall_count> planes = wall_planes(cell);
+  std::vector<WallHistory> listed;
+  auto past = history.begin();
+  for (std::uint32_t g = 0; g < motion.size(); ++g)
+    for (std::uint32_t w = 0; w < wall_count; ++w) {
+      if (wall_distance(planes[w], motion[g].x) >= reach)
+        continue;
+      while (past != history.end() && std::tie(past->grain, past->wall) < std::tie(g, w))
+        ++past;
+      const bool known = past != history.end() && past->grain == g && past->wall == w;
+      listed.push_back(known ? *past : WallHistory{g, w, {}, 0});
+    }
+  contacts_ = std::move(listed);
+}
+
+void WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in, bool tangential,
+                         std::vector<Load>& load, SweepSums& sums) {
+  const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
+  const bool rough = tangential && friction_ > 0;
+  forces_ = {};
+  for (WallHistory& contact : contacts_) {
+    const WallPlane& plane = planes[contact.wall];
+    const Motion& grain = in.motion[contact.grain];
+    const double distance = wall_distance(plane, grain.x);
+    const double overlap = in.diameter / 2 - distance;
+    if (!(overlap > 0)) {
+      contact.tangential_force = {};
+      contact.tangential_stiffness = 0;
+      continue;
+    }
+    const contact::NormalResponse response =
+        std::visit([&](const auto& kernel) { return wall_response(kernel, overlap); }, law);
+    const Vec3 arm = -distance * plane.normal;
+    Vec3 force = response.force * plane.normal;
+    if (rough) {
+      // A rigid plate: all of it moves along itself as its centre does, and turning moves it across only.
+      const Vec3 wall = in.gradient * plane.centre;
+      const Vec3 surface = in.gradient * grain.x + grain.v + cross(grain.w, arm);
+      forces_.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
+                                        in.tangential_ratio * response.stiffness, friction_ * response.force);
+      force += contact.tangential_force;
+      load[contact.grain].t += cross(arm, force);
+    }
+    load[contact.grain].f += force;
+    forces_.force[contact.wall] += force;
+    ++forces_.contacts;
+    // The grain bears -force on the wall, over the branch `arm`.
+    sums.stress += outer(-force, arm);
+    sums.normal_force += response.force;
+    sums.stiffness += response.stiffness * distance * distance;
+    sums.stiffest = std::max(sums.stiffest, response.stiffness);
+  }
+}
+
+std::vector<WallHistory> WallContacts::history() const {
+  std::vector<WallHistory> out;
+  std::copy_if(contacts_.begin(), contacts_.end(), std::back_inserter(out),
+               [](const WallHistory& contact) { return contact.tangential_stiffness > 0; });
+  return out;
+}
+
+} // namespace granum::dem

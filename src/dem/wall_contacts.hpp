@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <granum/contact/power_law.hpp>
+#include <granum/core/bytes.hpp>
+#include <granum/dem/state.hpp>
+#include <granum/dem/walls.hpp>
+
+#include "contact_sweep.hpp"
+
+namespace granum::dem {
+
+/// Normal force and stiffness of a grain pressed onto a rigid plane, from the law of two equal grains.
+template <class Law>
+contact::NormalResponse wall_response(const Law& law, double overlap) {
+  const contact::NormalResponse pair = law(2 * overlap);
+  return {pair.force, 2 * pair.stiffness};
+}
+
+/// Distance of a centre from a wall [m].
+inline double wall_distance(const WallPlane& plane, const Vec3& x) {
+  return dot(x - plane.centre, plane.normal);
+}
+
+/// The contacts of grains with walls: candidates near a wall, with their memories.
+class WallContacts {
+ public:
+  explicit WallContacts(double friction) : friction_(friction) {}
+
+  /// Lists the grains nearer to a wall than reach; a memory moves to its contact's new place.
+  void list(const Mat3& cell, const std::vector<Motion>& motion, double reach,
+            const std::vector<WallHistory>& history);
+  /// Adds forces and torques to load and to the sums. Tangential ones only where `tangential` and the walls
+  /// are rough.
+  void sweep(const contact::NormalKernel& law, const SweepInput& input, bool tangential,
+             std::vector<Load>& load, SweepSums& sums);
+
+  void save(ByteWriter& to) const {
+    to.put_all(contacts_);
+    to.put(forces_);
+  }
+  void load(ByteReader& from) {
+    contacts_ = from.get_all<WallHistory>();
+    forces_ = from.get<WallForces>();
+  }
+
+  [[nodiscard]] double friction() const { return friction_; }
+  [[nodiscard]] const WallForces& forces() const { return forces_; }
+  [[nodiscard]] std::vector<WallHistory> history() const;
+  /// Grains and walls listed, whether or not they touch.
+  [[nodiscard]] const std::vector<WallHistory>& candidates() const { return contacts_; }
+
+ private:
+  double friction_;
+  std::vector<WallHistory> contacts_; ///< sorted by (grain, wall)
+  WallForces forces_;
+};
+
+} // namespace granum::dem

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: rates of strain e, compression positive; M the uniform-strain modulus of the network, the scale
+// of a servo's gain: e = gap/(M t) + integral, t = servo_steps time steps.
+#include <granum/triaxial/shear_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include <granum/core/check.hpp>
+
+namespace granum::triaxial {
+
+namespace {
+
+/// A servo alone closes a gap in about this many steps; its integral takes integral_factor times as long.
+/// Critical damping needs 4; the specimen near its peak is many times softer than M, which takes damping.
+constexpr double servo_steps = 20;
+constexpr double integral_factor = 10;
+/// Strain rate that a servo may reach, in driven rates: a dilating specimen near its peak needs 1 at most.
+constexpr double largest_servo_rate = 3;
+/// Steps between two questions whether to stop, and whether the motion is finite.
+constexpr std::size_t watch_interval = 500;
+
+bool drives_axial(ShearPath path) { return path == ShearPath::txc || path == ShearPath::rtxe; }
+
+/// +1 where the driven strain compresses.
+double driven_sense(ShearPath path) { return path == ShearPath::txc || path == ShearPath::txe ? 1 : -1; }
+
+} // namespace
+
+void require_valid(const ShearOptions& options) {
+  require_positive("mean_stress", options.mean_stress, "Pa");
+  require_open("inertial_number", options.inertial_number, 0, 0.1);
+  require_positive("eta_step", options.eta_step);
+  require_positive("strain_step", options.strain_step);
+  require_open("largest_strain", options.largest_strain, 0, 1);
+  (void)name(options.path);
+}
+
+ShearTest::ShearTest(dem::Engine engine, const ShearOptions& options)
+    : options_(options), engine_(std::move(engine)), start_cell_(engine_.cell()) {
+  measure();
+  peak_ = now_;
+}
+
+ShearTest::ShearTest(dem::State state, const dem::Material& material, const ShearOptions& options)
+    : ShearTest(dem::Engine((require_valid(options), std::move(state)), material), options) {}
+
+/// Figures of the state as it stands; work is added by step().
+void ShearTest::measure() {
+  const Vec3& stress = engine_.figures().boundary_stress;
+  const Mat3& cell = engine_.cell();
+  now_.stress = {.v = stress.z, .h = (stress.x + stress.y) / 2};
+  now_.stress_difference = std::abs(stress.x - stress.y);
+  now_.axial_strain = -std::log(cell(2, 2) / start_cell_(2, 2));
+  now_.volumetric_strain = -std::log(determinant(cell) / determinant(start_cell_));
+  now_.step = engine_.steps();
+}
+
+double ShearTest::servo_rate(Servo& servo, double gap, double modulus, double limit) const {
+  const double per_step = 1 / (servo_steps * integral_factor);
+  const double proportional = gap / (modulus * servo_steps * engine_.time_step());
+  const double wanted = proportional + servo.integral;
+  // No winding up while the rate is at its limit.
+  if (std::abs(wanted) < limit || wanted * gap < 0)
+    servo.integral = std::clamp(servo.integral + per_step * proportional, -limit, limit);
+  return std::clamp(wanted, -limit, limit);
+}
+
+Vec3 ShearTest::strain_rates() {
+  const dem::StepFigures& figures = engine_.figures();
+  const double pressure = std::max(now_.stress.mean(), 1e-3 * options_.mean_stress);
+  const double to_inertial = engine_.diameter() * std::sqrt(engine_.material().density / pressure);
+  const double driven = driven_sense(options_.path) * options_.inertial_number / to_inertial;
+  const double limit = largest_servo_rate * std::abs(driven);
+  const double modulus = std::max(figures.p_wave_modulus, pressure);
+  const Vec3& stress = figures.boundary_stress;
+  Vec3 rates;
+  if (drives_axial(options_.path)) {
+    rates.z = driven;
+    rates.x = servo_rate(held_, options_.mean_stress - stress.x, modulus, limit);
+    rates.y = servo_rate(held_y_, options_.mean_stress - stress.y, modulus, limit);
+  } else {
+    const double trim = servo_rate(trim_, (stress.y - stress.x) / 2, modulus, limit);
+    rates.x = driven / 2 + trim;
+    rates.y = driven / 2 - trim;
+    rates.z = servo_rate(held_, options_.mean_stress - stress.z, modulus, limit);
+  }
+  largest_inertial_number_ =
+      std::max(largest_inertial_number_, std::sqrt(dot(rates, rates) / 3) * to_inertial);
+  return rates;
+}
+
+void ShearTest::step() {
+  const Vec3 rates = strain_rates();
+  const double dt = engine_.time_step();
+  const auto power = [&] {
+    const Vec3& stress = engine_.figures().boundary_stress;
+    return determinant(engine_.cell()) * (stress.x * rates.x + stress.y * rates.y + stress.z * rates.z);
+  };
+  const double before = power();
+  engine_.set_velocity_gradient(Mat3::diagonal(-rates.x, -rates.y, -rates.z));
+  engine_.step();
+  now_.work += dt * (before + power()) / 2 / determinant(start_cell_);
+  measure();
+  if (std::abs(now_.stress.ratio()) > std::abs(peak_.stress.ratio()))
+    peak_ = now_;
+  const Vec3& stress = engine_.figures().boundary_stress;
+  const double gap = drives_axial(options_.path) ? std::max(std::abs(stress.x - options_.mean_stress),
+                                                            std::abs(stress.y - options_.mean_stress))
+                                                 : std::abs(stress.z - options_.mean_stress);
+  path_error_ = std::max(path_error_, gap / options_.mean_stress);
+}
+
+/// Whether eta or the strain has passed its next multiple, which is then moved on.
+bool ShearTest::passes_snapshot() {
+  bool passes = false;
+  const double eta = now_.stress.ratio() * (is_compression(options_.path) ? 1 : -1);
+  for (; eta >= static_cast<double>(next_eta_) * options_.eta_step; ++next_eta_)
+    passes = true;
+  for (; std::abs(now_.axial_strain) >= static_cast<double>(next_strain_) * options_.strain_step;
+       ++next_strain_)
+    passes = true;
+  return passes;
+}
+
+ShearEvent ShearTest::advance() {
+  while (std::abs(now_.axial_strain) < options_.largest_strain) {
+    step();
+    if (engine_.steps() % watch_interval == 0) {
+      if (!engine_.finite())
+        return ShearEvent::unstable;
+      if (options_.stop_requested && options_.stop_requested())
+        return ShearEvent::stopped;
+    }
+    if (passes_snapshot())
+      return ShearEvent::snapshot;
+  }
+  return engine_.finite() ? ShearEvent::finished : ShearEvent::unstable;
+}
+
+namespace {
+
+/// Members of a test beside its engine, so that writing and reading cannot fall out of step.
+template <class Visit, class... Members>
+void each(const Visit& visit, Members&... members) {
+  (visit(members), ...);
+}
+
+} // namespace
+
+void ShearTest::save(ByteWriter& to) const {
+  engine_.save(to);
+  const ShearOptions& o = options_;
+  each([&](const auto& value) { to.put(value); }, o.path, o.mean_stress, o.inertial_number, o.eta_step,
+       o.strain_step, o.largest_strain, start_cell_, held_, held_y_, trim_, now_, peak_, path_error_,
+       largest_inertial_number_, next_eta_, next_strain_);
+}
+
+ShearTest ShearTest::load(ByteReader& from, const dem::Material& material,
+                          std::function<bool()> stop_requested) {
+  dem::Engine engine = dem::Engine::load(from, material);
+  ShearOptions o;
+  o.stop_requested = std::move(stop_requested);
+  const auto read = [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); };
+  each(read, o.path, o.mean_stress, o.inertial_number, o.eta_step, o.strain_step, o.largest_strain);
+  ShearTest test(std::move(engine), o);
+  each(read, test.start_cell_, test.held_, test.held_y_, test.trim_, test.now_, test.peak_, test.path_error_,
+       test.largest_inertial_number_, test.next_eta_, test.next_strain_);
+  return test;
+}
+
+} // namespace granum::triaxial

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The chain of three spheres as the codes wrote it (tests/io/data): two contacts of 0.0235294118 N and 0.0665512265 N.
+set(io "${PROJECT_SOURCE_DIR}/tests/io/data")
+set(chain "${io}/lammps_chain.atoms" "${io}/lammps_chain.contacts" --frames 0)
+set(first_only "granum: warning: coordinates have at most 5 significant digits")
+
+granum_cli_test("analyse: table" EXIT 0 STDERR "${first_only}.*the packing is not at rest"
+  STDOUT "a LAMMPS dump of grains.*C_n +1\\.3333.*z\\* +0\\.0000.*xx +0\\.3676102947.*largest f_n +66\\.55 mN.*rung 2"
+  ARGS analyse ${chain} --grain-shear-modulus 30GPa)
+foreach(expectation "forces/largest_normal_force=^0\\.0665512265(0|$)" "counts/coordination_number=^1\\.333333333"
+    "counts/rattlers=^3$" "stress/by_contacts/zz=^1039\\.654941" "stress/by_contacts/xy=^178\\.6225"
+    "contact_law/force_over_law=^(1\\.0|0\\.99999999)" "moduli/rung0/G=^2171[0-9][0-9][0-9]\\.")
+  granum_cli_test("analyse: json ${expectation}" EXIT 0 STDERR "${first_only}" JSON "frames/0/${expectation}"
+    ARGS analyse ${chain} --grain-shear-modulus 30GPa --json)
+endforeach()
+foreach(code liggghts_chain.atoms%liggghts_chain.contacts mercury_chain.data%mercury_chain.fstat)
+  string(REPLACE "%" ";${io}/" files "${io}/${code}")
+  granum_cli_test("analyse: ${code}" EXIT 0 STDERR "granum: warning" STDOUT "C_n +1\\.3333.*zz +1\\.03965.*f_n +66\\.55 mN"
+    ARGS analyse ${files} --frames 0)
+endforeach()
+granum_cli_test("analyse: YADE, with its own stiffnesses" EXIT 0 STDERR "granum: warning"
+  STDOUT "f_n +66\\.55 mN" ARGS analyse ${io}/yade_script.grains ${io}/yade_script.contacts)
+granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "not at rest" STDOUT "C_n +1\\.3333.*zz +1\\.03965"
+  ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
+granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
+  ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv)
+granum_cli_test("analyse: contacts alone" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.50000 0\\.00000 0\\.50000.*f_n +66\\.55 mN"
+  ARGS analyse analyse_chain_contacts.csv)
+granum_cli_test("analyse: grains alone" EXIT 0 STDOUT "grains without contact +3" ARGS analyse ${io}/lammps_chain.data)
+
+# several frames
+granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
+  STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts)
+granum_cli_test("analyse: the last frame" EXIT 0 STDERR "not at rest" JSON "frames/0/step=^20$"
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames last --json)
+granum_cli_test("analyse: a range of frames" EXIT 0 STDERR "not at rest" JSON "frames/0/frame=^1$"
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames 1:9:2 --json)
+
+granum_cli_test("analyse: two frames give no exponent" EXIT 0 STDERR "frame 0: coordinates"
+  STDOUT "exponents need at least 3 states"
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --grain-shear-modulus 30GPa)
+# Simple cubic lattice of 27 spheres at overlaps of 1, 2 and 4e-7 m: no grain moves against the mean strain, so the
+# network is its own affine estimate, and every G goes as p^(1/3).
+set(lattice analyse_lattice.grains analyse_lattice.contacts)
+granum_cli_test("analyse: a lattice under rising stress" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+  STDOUT "the last of 3 frames.*C_n +6\\.0000.*this network, affine.* 1\\.000  1\\.000.*rung 0 +0\\.333[3-7] .*rung 4, this network +0\\.333[34] "
+  ARGS analyse ${lattice} --grain-shear-modulus 30GPa)
+foreach(expectation "series/rung4/s/value=^0\\.333[345]" "series/rung0/s/value=^0\\.333[3-7]" "series/rung4/states=^3$"
+    "frames/2/contact_law/alpha=^$" "frames/2/grain/shear_modulus=^(30000|29999)")
+  granum_cli_test("analyse: json of the lattice ${expectation}" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "${expectation}"
+    ARGS analyse ${lattice} --json)
+endforeach()
+granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "frames/1/step=^2$"
+  ARGS analyse ${lattice} --frames 0::2 --no-network --json)
+
+# the code's own stress
+granum_cli_test("analyse: a stress that agrees" EXIT 0 STDERR "${first_only}" STDOUT "zz .*relative difference -?[0-9.]+e-(09|10)"
+  ARGS analyse ${chain} --stress 367.610294Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa)
+granum_cli_test("analyse: a stress that does not" EXIT 0 STDOUT "against the code's own"
+  STDERR "the stress by contacts differs from the code's own by 0\\.[0-9]+ of its largest component"
+  ARGS analyse ${chain} --stress 367.6Pa,0Pa,1049.7Pa,178.6Pa,0Pa,0Pa)
+
+# what is refused
+function(granum_analyse_refuses what code message)
+  granum_cli_test("analyse: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS analyse ${ARGN})
+endfunction()
+granum_analyse_refuses("a number that is none" 3 "analyse_bad_number\\.atoms:11: expected .*coordinate" analyse_bad_number.atoms)
+granum_analyse_refuses("a frame cut off" 3 "analyse_cut\\.contacts:10: " ${io}/lammps_chain.atoms analyse_cut.contacts)
+granum_analyse_refuses("a missing file" 3 "none\\.dump: cannot be read" none.dump)
+granum_analyse_refuses("a file of no known format" 3 "analyse_words\\.txt:2: of no format that granum reads" analyse_words.txt)
+granum_analyse_refuses("contacts of dumps alone" 2 "a file of grains is missing" ${io}/lammps_chain.contacts)
+granum_analyse_refuses("files of two formats" 2 ".* which does not go with" ${io}/lammps_chain.atoms ${io}/mercury_chain.fstat)
+granum_analyse_refuses("a frame that is not there" 2 "--frames takes none of the 2 frames" ${io}/lammps_chain.atoms --frames 5)
+granum_analyse_refuses("frames in words" 2 "--frames takes all, last" ${io}/lammps_chain.atoms --frames some)
+granum_analyse_refuses("frames backwards" 2 "--frames 3:1 takes no frame" ${io}/lammps_chain.atoms --frames 3:1)
+granum_analyse_refuses("five stresses" 2 "--stress takes six stresses" ${chain} --stress 1Pa,1Pa,1Pa,1Pa,1Pa)
+granum_analyse_refuses("one stress for two frames" 2 "--stress is that of one frame, not of 2"
+  ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --stress 1Pa,1Pa,1Pa,1Pa,1Pa,1Pa)
+granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
+granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
+granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)
+granum_analyse_refuses("a slope without cones" 2 "--slope goes with --contact cone" ${chain} --slope 0.4)
+granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: coordinates have"
+  ARGS analyse ${chain} --strict)
+
+add_test(NAME "cli: analyse: files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DIO=${io}"
+  "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/analysis" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analysis_files.cmake")
+set_tests_properties("cli: analyse: files" PROPERTIES LABELS cli)
+add_test(NAME "cli: analyse: 10,000 grains of LAMMPS" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
+  "-DDATA=${PROJECT_SOURCE_DIR}/examples/data" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_real_packing.cmake")
+set_tests_properties("cli: analyse: 10,000 grains of LAMMPS" PROPERTIES LABELS slow)

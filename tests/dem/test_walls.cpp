@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/dem/walls.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
+
+#include "dem/lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3;
+
+/// A box of walls that nothing touches unless a test places it so.
+State box(double x, double y, double z, double wall_friction) {
+  State state;
+  state.radius = radius;
+  state.cell = Mat3::diagonal(x, y, z);
+  state.walls = Walls{.friction_coefficient = wall_friction, .history = {}};
+  return state;
+}
+
+/// One grain between two walls across x, each at `overlap` from touching.
+State squeezed(double overlap, double wall_friction) {
+  State state = box(2 * (radius - overlap), 8e-3, 8e-3, wall_friction);
+  state.position = {{radius - overlap, 4e-3, 4e-3}};
+  return state;
+}
+
+/// Lattice of cubic cells, shaken, inside walls: enough grains for a box to press on.
+State shaken_box(double wall_friction) {
+  State state = test::fcc(radius, 3, -0.02 * radius);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double phase = static_cast<double>(g);
+    state.position[g] +=
+        0.01 * radius * Vec3{std::sin(7 * phase), std::cos(3 * phase), std::sin(11 * phase + 1)};
+  }
+  // The outermost centres of the lattice lie a quarter of an edge inside: room for R.
+  state.cell = 1.2 * state.cell;
+  for (Vec3& x : state.position)
+    x += 0.1 / 1.2 * (state.cell * Vec3{1, 1, 1});
+  state.walls = Walls{.friction_coefficient = wall_friction, .history = {}};
+  return state;
+}
+
+/// What friction at the side walls adds to the contact stress: (1/V) sum of f_k x_k over the walls across the
+/// other two axes.
+Vec3 stress_by_wall_friction(const State& state) {
+  Vec3 sum;
+  for (const WallHistory& contact : state.walls->history)
+    for (int axis = 0; axis < 3; ++axis)
+      sum[axis] += contact.tangential_force[axis] *
+                   (0.5 * state.cell(axis, axis) - state.position[contact.grain][axis]) /
+                   determinant(state.cell);
+  return sum;
+}
+
+double wall_area_force(const WallForces& forces) {
+  double sum = 0;
+  for (const Vec3& f : forces.force)
+    sum += norm(f);
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("the walls of a sheared cell: unit normals into the cell, areas and distances of its faces") {
+  Mat3 cell = Mat3::diagonal(2, 3, 4);
+  cell(0, 1) = 0.5; // the second edge leans along x
+  const auto planes = wall_planes(cell);
+  const Vec3 middle = 0.5 * (cell * Vec3{1, 1, 1});
+  for (std::size_t w = 0; w < wall_count; ++w) {
+    CHECK(norm(planes[w].normal) == relative(1, 1e-15));
+    CHECK(dot(middle - planes[w].centre, planes[w].normal) > 0);
+  }
+  // Volume = area times distance of opposite faces.
+  for (std::size_t k = 0; k < 3; ++k)
+    CHECK(planes[2 * k].area * dot(planes[2 * k + 1].centre - planes[2 * k].centre, planes[2 * k].normal) ==
+          relative(24, 1e-14));
+  CHECK(planes[0].area == relative(4 * std::hypot(3, 0.5), 1e-15));
+  CHECK(planes[2].normal == Vec3{0, 1, 0});
+}
+
+TEST_CASE("one grain between two walls: the force of a rigid plane in closed form, and its stress") {
+  const contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double overlap = 1e-7;
+  const Material sphere = test::quartz(radius, 0);
+  Engine engine(squeezed(overlap, 0), sphere);
+  // Hertz: a sphere of modulus E against a rigid plane, (4/3) E/(1 - nu^2) sqrt(R) d^(3/2), E = 2 G (1 + nu).
+  const double plane_strain = 2 * quartz.shear_modulus / (1 - quartz.poisson_ratio);
+  const double force = 4.0 / 3 * plane_strain * std::sqrt(radius) * std::pow(overlap, 1.5);
+  // An overlap is a difference of lengths 5e3 times as large.
+  CHECK(engine.wall_forces().force[0].x == relative(force, 1e-11));
+  CHECK(engine.wall_forces().force[1].x == relative(-force, 1e-11));
+  CHECK(engine.figures().wall_contacts == 2);
+  CHECK(engine.figures().contacts == 0);
+  CHECK(engine.figures().boundary_stress.x == relative(force / 64e-6, 1e-11));
+  CHECK(engine.figures().stress(0, 0) == relative(force / 64e-6, 1e-11));
+  CHECK(engine.figures().boundary_stress.y == 0);
+
+  // Any law: the plane stops the grain where another grain of its kind would stop it.
+  Material cone = sphere;
+  cone.law = contact::PowerLaw::cone(quartz, 0.4);
+  CHECK(Engine(squeezed(overlap, 0), cone).wall_forces().force[0].x ==
+        relative(cone.law.force(2 * overlap), 1e-11));
+}
+
+TEST_CASE("a servo brings two walls to a stress; the grain's overlap is the law's") {
+  const Material material = test::quartz(radius, 0.5);
+  State state = squeezed(1e-7, 0.5);
+  state.cell(1, 1) = state.cell(2, 2) = 2 * (radius - 1e-7);
+  state.position = {{radius - 1e-7, radius - 1e-7, radius - 1e-7}};
+  Engine engine(state, material);
+  const double pressure = 50e3;
+  QuasistaticOptions options;
+  const QuasistaticReport report = equilibrate(engine, {pressure, pressure, pressure}, options);
+  REQUIRE(report.converged());
+  const double edge = engine.cell()(0, 0);
+  CHECK(material.law.force(2 * (radius - edge / 2)) == relative(pressure * edge * edge, 1e-5));
+}
+
+TEST_CASE("a rough wall carries tangential force to Coulomb's limit, a smooth one none") {
+  const Material material = test::quartz(radius, 0.5);
+  const double overlap = 1e-7;
+  State state = squeezed(overlap, std::numeric_limits<double>::infinity());
+  state.velocity = {{0, 1e-4, 0}};
+  const auto after_a_step = [&](double wall_friction) {
+    state.walls->friction_coefficient = wall_friction;
+    Engine engine(state, material);
+    engine.set_damping(0);
+    engine.step();
+    return std::pair{engine.wall_forces(), engine.state()};
+  };
+  const double dt = [&] { return Engine(state, material).time_step(); }();
+  // Sticking: k_t times the way of the surface, k_t = r k_n of the plane, on both walls against the motion.
+  const auto [sticking, moved] = after_a_step(std::numeric_limits<double>::infinity());
+  const double k_t = material.tangential_stiffness_ratio * 2 * material.law.stiffness_at_overlap(2 * overlap);
+  CHECK(sticking.force[0].y == relative(-k_t * 1e-4 * dt, 1e-9));
+  CHECK(sticking.force[1].y == relative(-k_t * 1e-4 * dt, 1e-9));
+  CHECK(moved.walls->history.size() == 2);
+  CHECK(moved.walls->history[0].tangential_force.y == sticking.force[0].y);
+  CHECK(sticking.sliding == 0);
+  // Sliding: mu times the normal force.
+  state.velocity = {{0, 1, 0}};
+  const auto [sliding, slid] = after_a_step(0.3);
+  CHECK(sliding.force[0].y == relative(-0.3 * sliding.force[0].x, 1e-12));
+  CHECK(sliding.sliding == 2);
+  const auto [smooth, unhindered] = after_a_step(0);
+  CHECK(smooth.force[0].y == 0);
+  CHECK(unhindered.velocity[0].y == 1);
+  CHECK(unhindered.walls->history.empty());
+}
+
+TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating box feels no slip") {
+  // Rigid rotation of the whole box about z at the rate w, the grain spinning with it.
+  const Material material = test::quartz(radius, 0.5);
+  State state = squeezed(1e-7, 1e100);
+  const double w = 10;
+  state.angular_velocity = {{0, 0, w}};
+  Engine engine(state, material);
+  engine.set_damping(0);
+  Mat3 spin;
+  spin(0, 1) = -w;
+  spin(1, 0) = w;
+  engine.set_velocity_gradient(spin);
+  engine.step();
+  const Vec3 on_grain = engine.wall_forces().force[0];
+  const double tangential = norm(on_grain - dot(on_grain, Vec3{1, 0, 0}) * Vec3{1, 0, 0});
+  // The normal has turned by w dt, which tilts the normal force by as much.
+  CHECK(tangential <= 1.01 * w * engine.time_step() * norm(on_grain));
+  // Without the grain's spin the surfaces slip: R w dt k_t.
+  State still = state;
+  still.angular_velocity = {{0, 0, 0}};
+  Engine other(still, material);
+  other.set_damping(0);
+  other.set_velocity_gradient(spin);
+  other.step();
+  const double k_t = material.tangential_stiffness_ratio * 2 * material.law.stiffness_at_overlap(2e-7);
+  CHECK(norm(other.wall_forces().force[0] - on_grain) ==
+        relative(k_t * radius * w * other.time_step(), 0.01));
+}
+
+TEST_CASE("momentum: what the grains gain is what the walls gave") {
+  const Material material = test::quartz(radius, 0.5);
+  State state = shaken_box(0.3);
+  for (std::size_t g = 0; g < state.grain_count(); ++g)
+    state.velocity[g] = {0.01, -0.02 * std::sin(static_cast<double>(g)), 0.005};
+  Engine engine(state, material);
+  engine.set_damping(0);
+  const double mass = material.density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
+  const auto momentum = [&] {
+    Vec3 sum;
+    const State now = engine.state();
+    for (const Vec3& v : now.velocity)
+      sum += mass * v;
+    return sum;
+  };
+  const Vec3 start = momentum();
+  Vec3 impulse;
+  std::size_t touched = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const double dt = engine.time_step();
+    engine.step();
+    touched += engine.figures().wall_contacts;
+    for (const Vec3& f : engine.wall_forces().force)
+      impulse += dt * f;
+  }
+  REQUIRE(touched > 0);
+  REQUIRE(norm(impulse) > 0.1 * norm(start));
+  CHECK(norm(momentum() - start - impulse) < 1e-11 * norm(impulse));
+}
+
+TEST_CASE("no pair is seen across a wall, and no grain leaves") {
+  State state = box(8e-3, 8e-3, 8e-3, 0);
+  state.position = {{radius, 4e-3, 4e-3}, {8e-3 - radius, 4e-3, 4e-3}};
+  CHECK(freeze(state, test::quartz(radius, 0.5)).contacts.empty());
+  state.velocity = {{-0.02, 0, 0}, {0.03, 0, 0}};
+  Engine engine(state, test::quartz(radius, 0.5));
+  engine.set_damping(0);
+  for (int k = 0; k < 2000; ++k)
+    engine.step();
+  const State after = engine.state();
+  CHECK(after.velocity[0].x > 0);
+  CHECK(after.velocity[1].x < 0);
+  for (const Vec3& x : after.position)
+    CHECK((x.x > 0.9 * radius && x.x < 8e-3 - 0.9 * radius));
+}
+
+TEST_CASE(
+    "at rest the contact stress, wall branches included, is the wall stress plus what wall friction bears") {
+  for (const double wall_friction : {0.0, 0.3}) {
+    CAPTURE(wall_friction);
+    const Material material = test::quartz(radius, 0.5);
+    State state = shaken_box(wall_friction);
+    REQUIRE(minimise_enthalpy(state, material.law, 1e6).converged);
+    REQUIRE(minimise_enthalpy(state, material.law, 100e3).converged);
+    Engine engine(state, material);
+    QuasistaticOptions options;
+    options.force_tolerance = 1e-7;
+    const Vec3 target{100e3, 110e3, 120e3};
+    const QuasistaticReport report = equilibrate(engine, target, options);
+    REQUIRE(report.converged());
+    const StepFigures& figures = engine.figures();
+    const Vec3 by_friction = stress_by_wall_friction(engine.state());
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(figures.boundary_stress[axis] == relative(target[axis], 2e-6));
+      // Exact at equilibrium; the residual forces are 1e-7 of the mean one.
+      CHECK(figures.stress(axis, axis) == relative(figures.boundary_stress[axis] + by_friction[axis], 1e-5));
+      CHECK((by_friction[axis] == 0) == (wall_friction == 0));
+    }
+    // Opposite walls balance, and the frictionless state of the minimiser stood at its pressure too.
+    const WallForces walls = engine.wall_forces();
+    CHECK(norm(walls.force[0] + walls.force[1] + walls.force[2] + walls.force[3] + walls.force[4] +
+               walls.force[5]) < 1e-5 * wall_area_force(walls));
+    CHECK(Engine(state, material).figures().boundary_stress.x == relative(100e3, 1e-3));
+  }
+}
+
+TEST_CASE("walls: the same bits on several threads, and wall memories go along with a state") {
+  const Material material = test::quartz(radius, 0.5);
+  State start = shaken_box(0.3);
+  REQUIRE(minimise_enthalpy(start, material.law, 1e6).converged);
+  const auto run = [&] {
+    Engine engine(start, material);
+    engine.set_velocity_gradient(Mat3::diagonal(-3, 1, 1));
+    for (int k = 0; k < 1000; ++k)
+      engine.step();
+    return engine.state();
+  };
+  State first, second;
+  std::thread a([&] { first = run(); });
+  std::thread b([&] { second = run(); });
+  a.join();
+  b.join();
+  CHECK(first == run());
+  CHECK(second == first);
+  CHECK(first.walls->history.size() > 10);
+  const State again = Engine(first, material).state();
+  REQUIRE(again.walls->history.size() == first.walls->history.size());
+  for (std::size_t k = 0; k < first.walls->history.size(); ++k) {
+    const Vec3 before = first.walls->history[k].tangential_force;
+    CHECK(norm(again.walls->history[k].tangential_force - before) <= 1e-9 * norm(before));
+  }
+}
+
+TEST_CASE("the interior of a box: volume, members, and shares of a branch") {
+  Mat3 cell = Mat3::diagonal(10, 10, 10);
+  const Interior inside(cell, 2);
+  CHECK(inside.volume() == relative(216, 1e-14));
+  CHECK(inside.holds({5, 5, 2.1}));
+  CHECK_FALSE(inside.holds({5, 5, 1.9}));
+  CHECK_FALSE(inside.holds({8.1, 5, 5}));
+  CHECK(inside.share({5, 5, 5}, {1, 0, 0}) == 1);
+  CHECK(inside.share({1, 5, 5}, {4, 0, 0}) == relative(0.75, 1e-14));
+  CHECK(inside.share({1, 5, 5}, {8, 0, 0}) == relative(0.75, 1e-14));
+  CHECK(inside.share({1, 1, 5}, {0.5, 8, 0}) == 0);
+  CHECK(inside.share({9, 5, 5}, {-4, 0, 0}) == relative(0.75, 1e-14));
+  CHECK_THROWS_AS(Interior(cell, 5), InvalidArgument);
+  CHECK_THROWS_AS(Interior(cell, -1), InvalidArgument);
+}
+
+TEST_CASE("impossible walls are refused") {
+  CHECK_THROWS_AS(Engine(squeezed(1e-7, -0.1), test::quartz(radius, 0.5)), InvalidArgument);
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/dem/walls.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "dem/lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::triaxial;
+
+namespace {
+
+constexpr double pressure = 100e3;
+constexpr double radius = 0.5e-3;
+const dem::Material material = test::quartz(radius, 0.4986);
+
+SpecimenRecipe boxed() {
+  SpecimenRecipe recipe{.material = material, .radius = radius};
+  recipe.grains = 400;
+  recipe.seed = 2;
+  recipe.wall_friction = 0;
+  return recipe;
+}
+
+dem::State compressed(const SpecimenRecipe& recipe, Density density) {
+  dem::State state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
+  REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
+    state = snapshot.state;
+    return true;
+  }));
+  return state;
+}
+
+/// A dense specimen between smooth walls, made once.
+const dem::State& specimen() {
+  static const dem::State made = compressed(boxed(), Density::dense);
+  return made;
+}
+
+} // namespace
+
+TEST_CASE("a specimen between walls: the walls bear the pressure, and so does its interior") {
+  const dem::Engine engine(specimen(), material);
+  for (int axis = 0; axis < 3; ++axis) {
+    CHECK(engine.figures().boundary_stress[axis] == relative(pressure, 2e-5));
+    // At rest an identity; residual forces are 1e-5 of the mean one.
+    CHECK(engine.figures().stress(axis, axis) == relative(pressure, 1e-3));
+  }
+  const InteriorMeasures interior = interior_measures(specimen(), material, 3 * radius);
+  CHECK(interior.grains > 60);
+  CHECK(interior.grains < 200);
+  // Within R of a side wall stand no contacts between grains: the rest of the section, (L - 2 R)^2 of L^2 or
+  // somewhat more, bears the force of the whole wall. Sixty grains are a small sample: 20 %.
+  const double edge = std::cbrt(determinant(specimen().cell));
+  const double crowding = std::pow(edge / (edge - 2 * radius), 2);
+  CHECK(trace(interior.stress) / 3 > 0.8 * pressure);
+  CHECK(trace(interior.stress) / 3 < 1.2 * crowding * pressure);
+  // With no layer left out the interior is all there is between the grains.
+  const InteriorMeasures all = interior_measures(specimen(), material, 0);
+  const Assembly assembly = dem::freeze(specimen(), material);
+  const Microstructure whole = microstructure(assembly);
+  CHECK(all.grains == 400);
+  CHECK(all.micro.coordination_number == relative(whole.coordination_number, 1e-14));
+  CHECK(all.micro.mechanical_coordination_number == relative(whole.mechanical_coordination_number, 1e-14));
+  CHECK(all.micro.fabric_anisotropy == relative(whole.fabric_anisotropy, 1e-12));
+  // Grains at a wall have lost the contacts that they would have beyond it.
+  CHECK(interior.micro.coordination_number > whole.coordination_number + 0.3);
+}
+
+TEST_CASE("between walls a stress path is followed by the wall stress, to its peak and past it") {
+  ShearOptions options;
+  options.path = ShearPath::txc;
+  options.mean_stress = pressure;
+  options.largest_strain = 0.0025;
+  ShearTest test(specimen(), material, options);
+  while (test.advance() == ShearEvent::snapshot) {
+    const AxialStress on_path = stress_on_path(options.path, pressure, test.now().stress.ratio());
+    CHECK(test.now().stress.v == relative(on_path.v, 0.03));
+    CHECK(test.now().stress.h == relative(on_path.h, 0.03));
+  }
+  CHECK(test.peak().step < test.now().step);
+  // Smooth walls and the loose layers at them take some degrees from the 26 of a periodic cell.
+  const double degree = std::numbers::pi / 180;
+  CHECK(mobilised_friction_angle(test.peak().stress) > 18 * degree);
+  CHECK(mobilised_friction_angle(test.peak().stress) < 28 * degree);
+  const dem::StepFigures& figures = test.engine().figures();
+  // In motion the grains' own forces are out of balance by less than 1 %.
+  CHECK(figures.stress(2, 2) == relative(figures.boundary_stress.z, 0.02));
+}
+
+TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough walls more fully than smooth") {
+  const auto moduli = [](double wall_friction) {
+    dem::State state = specimen();
+    state.walls->friction_coefficient = wall_friction;
+    const FrozenState frozen = freeze_in_place(state, material, 1e-7);
+    std::array<double, 3> G{};
+    for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
+      const ProbeResult result = probe(frozen.state, material, mode, {.force_tolerance = 1e-7});
+      CHECK(result.unbalanced_force_ratio < 1e-6);
+      CHECK(result.opening < 0.05);
+      G[static_cast<std::size_t>(mode)] = result.shear_modulus;
+    }
+    return G;
+  };
+  const std::array<double, 3> smooth = moduli(0), rough = moduli(1e3);
+  // Uniform strain is an upper bound, of all that the grains' own contacts can bear; that of the walls adds
+  // its share of the contacts.
+  const double bound = network::linear_response(dem::freeze(specimen(), material)).affine().matrix(3, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(smooth[k] > 0.1 * bound);
+    // Smooth walls push only where they tilt.
+    CHECK(rough[k] > 1.2 * smooth[k]);
+    CHECK(rough[k] < 1.2 * bound);
+  }
+  CHECK_THROWS_AS((void)frozen_moduli(specimen(), material), InvalidArgument);
+}
+
+TEST_CASE("a layer that leaves nothing is refused") {
+  CHECK_THROWS_AS((void)interior_measures(specimen(), material, 10 * radius), InvalidArgument);
+  CHECK_THROWS_AS((void)interior_measures(specimen(), material, -radius), InvalidArgument);
+}

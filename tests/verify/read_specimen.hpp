@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small specimen of granum's own, at rest, as if another code had made it.
+#pragma once
+
+#include <vector>
+
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+namespace granum::samples {
+
+inline const contact::GrainMaterial specimen_grain{30e9, 0.15};
+inline constexpr double specimen_radius = 0.5e-3;
+inline constexpr double specimen_friction = 0.5;
+
+/// Dense spheres with friction at each of the pressures.
+inline std::vector<Assembly> specimen_at(const std::vector<double>& pressures, std::size_t grains = 80) {
+  const triaxial::SpecimenRecipe recipe{
+      .material = {.law = contact::PowerLaw::sphere(specimen_grain, specimen_radius),
+                   .tangential_stiffness_ratio =
+                       contact::mindlin_stiffness_ratio(specimen_grain.poisson_ratio),
+                   .friction_coefficient = specimen_friction},
+      .radius = specimen_radius,
+      .grains = grains,
+      .seed = 3,
+      .first_pressure = pressures.front()};
+  const dem::State start = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                          triaxial::Density::dense, recipe);
+  std::vector<Assembly> states;
+  triaxial::isotropic_path(start, recipe.material, pressures, triaxial::compression_options(),
+                           [&](const triaxial::Snapshot& snapshot) {
+                             const auto frozen = triaxial::freeze_in_place(snapshot.state, recipe.material);
+                             states.push_back(dem::freeze(frozen.state, recipe.material));
+                             return true;
+                           });
+  return states;
+}
+
+/// One such state, made once.
+inline const Assembly& specimen() {
+  static const Assembly state = specimen_at({50e3}).front();
+  return state;
+}
+
+} // namespace granum::samples

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the recorded table says.
+//
+//     ladder_report check table.csv ../relaxation/states.csv README.md
+//     ladder_report lines table.csv       errors and costs by rung, as the table of README.md
+//     ladder_report picture table.csv     error against cost, SVG
+//     ladder_report restate table.csv     the table again, with what rungs 0 to 3 say of it now
+//
+// check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
+// README.md has the lines.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include <granum/io/chart.hpp>
+
+#include "table.hpp"
+
+namespace {
+
+using namespace granum;
+using ladder::Moduli;
+using ladder::Row;
+
+// ---- rows that belong together ----
+
+using Filter = std::function<bool(const Row&)>;
+
+std::vector<Row> select(const std::vector<Row>& rows, const Filter& filter) {
+  std::vector<Row> chosen;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), filter);
+  return chosen;
+}
+
+std::vector<Row> of_rung(const std::vector<Row>& rows, double rung, const std::string& known) {
+  return select(rows, [&](const Row& r) { return r.rung == rung && r.known == known; });
+}
+
+/// The rung that a packing's row is compared with.
+class Networks {
+ public:
+  explicit Networks(const std::vector<Row>& rows) {
+    for (const Row& row : rows)
+      if (row.rung == 4)
+        values_[row.specimen.name()] = row.value;
+  }
+  [[nodiscard]] Moduli errors(const Row& row) const {
+    return ladder::errors(row.value, values_.at(row.specimen.name()));
+  }
+
+ private:
+  std::map<std::string, Moduli> values_;
+};
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values)
+    sum += value * value;
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double median(std::vector<double> values) {
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <class Of>
+std::vector<double> each(const std::vector<Row>& rows, const Of& of) {
+  std::vector<double> values;
+  for (const Row& row : rows)
+    values.push_back(of(row));
+  return values;
+}
+
+double actual_error(const Row& row) { return ladder::largest(row.error); }
+double stated_error(const Row& row) { return ladder::largest(row.stated); }
+double cost(const Row& row) { return row.cost; }
+
+// ---- the lines of README.md ----
+
+struct Rung {
+  double number;
+  const char* known;
+  const char* title;
+  const char* inputs;
+};
+
+constexpr Rung rungs[] = {
+    {0, "all", "0, uniform strain, isotropic", "law, e, C_n, p"},
+    {1, "all", "1, with fabric", "+ a"},
+    {2, "all", "2, contact stiffness by direction", "+ both stresses"},
+    {3, "C_n", "3, relaxed, z* estimated from C_n", "law, e, C_n, both stresses"},
+    {3, "all", "3, relaxed", "law, e, C_n, a, both stresses, z*"},
+    {4, "packing", "4, contact network", "a packing"},
+    {5, "packing", "5, probe by DEM", "a packing"},
+};
+
+struct Kind {
+  const char* name;
+  Filter has;
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"dense", [](const Row& r) { return r.specimen.preparation == "dense"; }},
+      {"loose",
+       [](const Row& r) { return r.specimen.preparation == "loose" && r.specimen.stress_ratio == 0; }},
+      {"loose, sheared", [](const Row& r) { return r.specimen.stress_ratio != 0; }},
+  };
+  return all;
+}
+
+std::string error_cell(const std::vector<Row>& rows) {
+  if (rows.empty())
+    return "";
+  std::string text = percent_text(rms(each(rows, actual_error)));
+  if (rows.front().rung <= 3)
+    text += ", stated " + percent_text(rms(each(rows, stated_error)));
+  return text;
+}
+
+std::string time_text(double seconds) {
+  const auto [unit, symbol] = seconds < 1e-6   ? std::pair{1e-9, " ns"}
+                              : seconds < 1e-3 ? std::pair{1e-6, " µs"}
+                                               : std::pair{1.0, " s"};
+  const double value = seconds / unit;
+  return short_text(value < 100 ? value : 10 * std::round(value / 10), value < 100 ? 2 : 4) + symbol;
+}
+
+std::vector<std::string> summary(const std::vector<Row>& rows) {
+  std::vector<std::string> lines{"| rung | knows | dense | loose | loose, sheared | one evaluation |",
+                                 "| --- | --- | --- | --- | --- | --- |"};
+  for (const Rung& rung : rungs) {
+    const std::vector<Row> own = of_rung(rows, rung.number, rung.known);
+    std::string line = std::string("| ") + rung.title + " | " + rung.inputs;
+    for (const Kind& kind : kinds())
+      line += " | " + (rung.number == 4 ? "reference" : error_cell(select(own, kind.has)));
+    lines.push_back(line + " | " + time_text(median(each(own, cost))) + " |");
+  }
+  return lines;
+}
+
+// ---- the picture ----
+
+io::Chart chart(const std::vector<Row>& rows) {
+  io::Chart picture{.title = "What a rung costs, and what it is worth: 28 packings of 1,500 grains",
+                    .x = {"processor time of one evaluation [s]", io::Scale::logarithmic, 1},
+                    .y = {"error of K, G_hh and G_vh, the largest [%]", io::Scale::logarithmic, 0.01},
+                    .series = {}};
+  const auto add = [&picture](const std::string& name, const std::vector<Row>& own) {
+    picture.series.push_back({name, io::Mark::marker, each(own, cost), each(own, actual_error)});
+  };
+  for (const Kind& kind : {kinds()[0], kinds()[1]}) {
+    io::Series line{std::string("stated errors, ") + kind.name, io::Mark::line, {}, {}};
+    for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
+      const std::vector<Row> own = select(of_rung(rows, rung, "all"), kind.has);
+      line.x.push_back(median(each(own, cost)));
+      line.y.push_back(rms(each(own, stated_error)));
+    }
+    picture.series.push_back(line);
+  }
+  add("rung 0: uniform strain, isotropic", of_rung(rows, 0, "all"));
+  add("rung 1: with fabric", of_rung(rows, 1, "all"));
+  add("rung 2: stiffness by direction", of_rung(rows, 2, "all"));
+  add("rung 3: relaxed, z* from C_n", of_rung(rows, 3, "C_n"));
+  add("rung 3: relaxed, z* known", of_rung(rows, 3, "all"));
+  // The network is what the others are measured against: here against the probe, each at its own cost.
+  const std::vector<Row> probes = of_rung(rows, 5, "packing");
+  std::map<std::string, double> network_cost;
+  for (const Row& row : of_rung(rows, 4, "packing"))
+    network_cost[row.specimen.name()] = row.cost;
+  picture.series.push_back({"rung 4: network, against rung 5", io::Mark::marker,
+                            each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); }),
+                            each(probes, actual_error)});
+  add("rung 5: DEM probe, against rung 4", probes);
+  return picture;
+}
+
+// ---- the questions ----
+
+class Claims {
+ public:
+  void require(bool holds, const std::string& what) {
+    std::printf("%s  %s\n", holds ? "holds " : "FAILS ", what.c_str());
+    all_ = all_ && holds;
+  }
+  [[nodiscard]] bool all() const { return all_; }
+
+ private:
+  bool all_ = true;
+};
+
+/// Errors over the stated ones.
+struct Coverage {
+  std::vector<double> ratios;
+
+  void add(const Moduli& error, const Moduli& stated) {
+    for (std::size_t k = 0; k < error.size(); ++k)
+      ratios.push_back(std::abs(error[k]) / stated[k]);
+  }
+  [[nodiscard]] double beyond(double limit) const {
+    const auto count = std::count_if(ratios.begin(), ratios.end(), [limit](double r) { return r > limit; });
+    return static_cast<double>(count) / static_cast<double>(ratios.size());
+  }
+  [[nodiscard]] std::string text() const {
+    return std::to_string(ratios.size()) + " values, " + percent_text(beyond(1)) +
+           " beyond the stated error, " + percent_text(beyond(2)) + " beyond twice, " +
+           percent_text(beyond(3)) + " beyond three times";
+  }
+};
+
+/// A standard error: of normal errors 32 % would lie beyond one and 5 % beyond two.
+void require_coverage(Claims& claims, const std::string& what, const Coverage& coverage) {
+  claims.require(coverage.beyond(2) <= 0.1 && coverage.beyond(3) <= 0.02, what + ": " + coverage.text());
+}
+
+bool same(const Moduli& first, const Moduli& second) {
+  constexpr double recorded_digits = 1e-5; // seven digits, and the slopes of what they are put into
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (!(std::abs(first[k] - second[k]) <= recorded_digits * std::abs(second[k])))
+      return false;
+  return true;
+}
+
+/// The rung's answer today.
+Row restated(Row row) {
+  const auto estimate = effective::estimate(ladder::known_packing(row.specimen, row.known), 0.05);
+  const auto& rung = estimate.rungs[static_cast<std::size_t>(row.rung)];
+  row.value = ladder::moduli(rung.stiffness.value());
+  row.stated = ladder::triple(rung.relative_error.value());
+  return row;
+}
+
+std::string restated_table(const std::vector<Row>& rows) {
+  const Networks networks(rows);
+  const std::vector<std::string>& names = ladder::headings();
+  std::string text = io::csv_line({names.begin(), names.end()});
+  for (Row row : rows) {
+    if (row.rung <= 3) {
+      row = restated(row);
+      row.error = networks.errors(row);
+    }
+    text += ladder::csv_line(row);
+  }
+  return text;
+}
+
+void check_library(Claims& claims, const std::vector<Row>& rows) {
+  std::string other;
+  for (const Row& row : rows) {
+    if (row.rung > 3)
+      continue;
+    const Row now = restated(row);
+    if (!same(now.value, row.value) || !same(now.stated, row.stated))
+      other = row.specimen.name();
+  }
+  claims.require(other.empty(), "the library says of each packing what was recorded" +
+                                    (other.empty() ? "" : "; not of " + other));
+  const auto packing = ladder::known_packing(rows.front().specimen, "all");
+  for (const auto& rung : effective::estimate(packing, 0.05).rungs) {
+    const auto own = select(rows, [&rung](const Row& r) { return r.rung == rung.rung; });
+    const double ratio = rung.typical_time / median(each(own, cost));
+    claims.require(ratio > 1 / 3.0 && ratio < 3,
+                   "time stated for rung " + std::to_string(rung.rung) +
+                       " over the median of the table: " + short_text(ratio, 2));
+  }
+}
+
+void check_table(Claims& claims, const std::vector<Row>& rows) {
+  const Networks networks(rows);
+  bool errors_follow = true;
+  for (const Row& row : rows)
+    if (row.rung < 4)
+      for (std::size_t k = 0; k < row.error.size(); ++k)
+        errors_follow = errors_follow && std::abs(networks.errors(row)[k] - row.error[k]) <
+                                             1e-5 * (1 + std::abs(row.error[k]));
+  claims.require(errors_follow, "the errors are those of the moduli");
+  for (const char* known : {"all", "C_n"})
+    for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
+      Coverage coverage;
+      for (const Row& row : of_rung(rows, rung, known))
+        coverage.add(row.error, row.stated);
+      if (!coverage.ratios.empty())
+        require_coverage(claims, "rung " + short_text(rung) + ", known: " + known, coverage);
+    }
+  const auto worst_probe = each(of_rung(rows, 5, "packing"), actual_error);
+  claims.require(*std::max_element(worst_probe.begin(), worst_probe.end()) < 0.01,
+                 "probe within 1 % of network");
+  const double relaxed = rms(each(of_rung(rows, 3, "all"), actual_error));
+  const double strained = rms(each(of_rung(rows, 2, "all"), actual_error));
+  claims.require(relaxed < strained / 10, "rung 3 has a tenth of the error of rung 2 at most: " +
+                                              percent_text(relaxed) + " and " + percent_text(strained));
+  double last = 0;
+  for (const double rung : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+    const double now = median(each(select(rows, [rung](const Row& r) { return r.rung == rung; }), cost));
+    claims.require(now > last,
+                   "rung " + short_text(rung) + " costs more than those below: " + time_text(now));
+    last = now;
+  }
+}
+
+/// The packings that rung 3 is calibrated on, at the k_t/k_n that they were made with.
+void check_calibration_packings(Claims& claims, const std::string& path) {
+  std::map<std::string, std::array<Coverage, 4>> coverage;
+  int outside = 0, packings = 0;
+  for (const relaxation::Packing& p : relaxation::read_packings(path)) {
+    if (p.relative_overlap > 0.01) // beyond, the closed forms are too stiff, and rung 3 remarks it
+      continue;
+    ++packings;
+    const ladder::Measured z =
+        effective::estimated_mechanical_coordination_number(p.state.coordination_number);
+    outside += std::abs(p.mechanical_coordination - z.value) > std::sqrt(3.0) * z.standard_error;
+    const auto own = std::find_if(p.networks.begin(), p.networks.end(), [](const relaxation::Network& n) {
+      return n.ratio == ladder::tangential_ratio;
+    });
+    for (const char* known : {"all", "C_n"}) {
+      effective::KnownPacking packing{.state = p.state};
+      if (std::strcmp(known, "all") == 0) {
+        packing.mechanical_coordination_number = ladder::Measured{p.mechanical_coordination, 0};
+      } else {
+        packing.state.fabric_anisotropy = 0;
+        packing.fabric_standard_error.reset();
+      }
+      const auto estimate = effective::estimate(packing, 0.05);
+      for (const std::size_t k : {0u, 1u, 2u, 3u})
+        if (const auto& rung = estimate.rungs[k]; rung.stiffness)
+          coverage[known][k].add(
+              ladder::errors(ladder::moduli(*rung.stiffness), ladder::moduli(own->stiffness)),
+              ladder::triple(*rung.relative_error));
+    }
+  }
+  claims.require(outside == 0 && packings > 300, "z* between no rattlers and twice the estimate of them, " +
+                                                     std::to_string(packings) + " packings");
+  for (const auto& [known, of_rungs] : coverage)
+    for (std::size_t k = 0; k < of_rungs.size(); ++k)
+      if (!of_rungs[k].ratios.empty())
+        require_coverage(claims, "calibration packings, rung " + std::to_string(k) + ", known: " + known,
+                         of_rungs[k]);
+}
+
+void check_readme(Claims& claims, const std::vector<Row>& rows, const std::string& path) {
+  std::ifstream in(path);
+  std::set<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    lines.insert(line);
+  for (const std::string& line : summary(rows))
+    claims.require(lines.count(line) > 0, "README.md has: " + line);
+}
+
+int run(int argc, char** argv) {
+  const std::string what = argc > 2 ? argv[1] : "";
+  if (what == "lines" || what == "picture" || what == "restate") {
+    const std::vector<Row> rows = ladder::read(argv[2]);
+    if (what == "picture")
+      std::printf("%s", io::svg(chart(rows)).c_str());
+    else if (what == "restate")
+      std::printf("%s", restated_table(rows).c_str());
+    else
+      for (const std::string& line : summary(rows))
+        std::printf("%s\n", line.c_str());
+    return 0;
+  }
+  if (what != "check" || argc != 5) {
+    std::fprintf(stderr,
+                 "usage: %s check table.csv states.csv README.md, or lines|picture|restate table.csv\n",
+                 argv[0]);
+    return 2;
+  }
+  const std::vector<Row> rows = ladder::read(argv[2]);
+  Claims claims;
+  check_library(claims, rows);
+  check_table(claims, rows);
+  check_calibration_packings(claims, argv[3]);
+  check_readme(claims, rows, argv[4]);
+  return claims.all() ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed against accuracy: makes a fixed set of packings and asks every rung of the ladder about each.
+//
+//     ladder_run table.csv [grains]
+//
+// Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact
+// network, rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <fstream>
+
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/contact/friction.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/dem/quasistatic.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "table.hpp"
+
+namespace {
+
+using namespace granum;
+using ladder::Moduli;
+using ladder::Row;
+using ladder::Specimen;
+using triaxial::Density;
+
+constexpr double kPa = 1e3;
+
+struct Stage {
+  double pressure;         // [Pa]
+  double stress_ratio = 0; // (stress_v - stress_h)/p
+};
+
+/// One way to make a specimen, and the states of it that are asked about.
+struct Case {
+  const char* contact;
+  Density density;
+  std::vector<Stage> path;
+};
+
+const std::vector<Case>& cases() {
+  const std::vector<Stage> isotropic{{10 * kPa}, {100 * kPa}};
+  const std::vector<Stage> sheared{{10 * kPa}, {100 * kPa}, {100 * kPa, 0.4}, {100 * kPa, 0.8}};
+  static const std::vector<Case> all{
+      {"sphere", Density::dense, isotropic}, {"sphere", Density::loose, sheared},
+      {"cone", Density::dense, isotropic},   {"cone", Density::loose, isotropic},
+      {"flat", Density::dense, isotropic},   {"flat", Density::loose, isotropic},
+  };
+  return all;
+}
+
+/// None of the seeds that rung 3 is calibrated on.
+constexpr std::uint64_t first_seed = 11, last_seed = 12;
+
+triaxial::SpecimenRecipe recipe(const Case& c, std::uint64_t seed, std::size_t grains) {
+  return {
+      .material = {.law = relaxation::detail::law(c.contact),
+                   .tangential_stiffness_ratio = ladder::tangential_ratio,
+                   .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient()},
+      .radius = 0.5e-3,
+      .grains = grains,
+      .seed = seed,
+      .first_pressure = 10 * kPa};
+}
+
+// ---- costs ----
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Median over `repeats` of the processor time of one call, each taken over enough calls to be measured.
+template <class Call>
+double cost_of(const Call& call, int repeats) {
+  constexpr double shortest = 5e-3; // [s], against the microsecond that the clock resolves
+  std::vector<double> times;
+  long calls = 1;
+  while (static_cast<int>(times.size()) < repeats) {
+    const double start = processor_time();
+    for (long k = 0; k < calls; ++k)
+      call();
+    const double spent = processor_time() - start;
+    if (spent < shortest)
+      calls *= 4;
+    else
+      times.push_back(spent / static_cast<double>(calls));
+  }
+  std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
+  return times[static_cast<std::size_t>(repeats / 2)];
+}
+
+volatile double sink; // what the compiler may not leave out
+
+double closed_form_cost(std::size_t rung, const ladder::KnownPacking& packing, double z) {
+  const effective::State& s = packing.state;
+  constexpr int repeats = 9;
+  switch (rung) {
+  case 0: {
+    const effective::IsotropicPacking isotropic{.law = s.law,
+                                                .tangential_ratio = s.tangential_ratio,
+                                                .radius = s.radius,
+                                                .void_ratio = s.void_ratio,
+                                                .coordination_number = s.coordination_number,
+                                                .pressure = (s.stress_v + 2 * s.stress_h) / 3};
+    return cost_of([&] { sink = effective::uniform_strain_moduli(isotropic).shear_modulus; }, repeats);
+  }
+  case 1:
+    return cost_of([&] { sink = effective::uniform_strain_stiffness(effective::uniform_contacts(s)).C44; },
+                   repeats);
+  case 2:
+    return cost_of([&] { sink = effective::uniform_strain(s).stiffness.C44; }, repeats);
+  default:
+    return cost_of([&] { sink = effective::relaxed(s, z).stiffness.C44; }, repeats);
+  }
+}
+
+// ---- rungs ----
+
+class Table {
+ public:
+  explicit Table(const std::string& path) : out_(path) {
+    const auto& names = ladder::headings();
+    out_ << io::csv_line({names.begin(), names.end()});
+  }
+  void add(Row row, const Moduli& reference) {
+    row.error = ladder::errors(row.value, reference);
+    out_ << ladder::csv_line(row) << std::flush;
+  }
+  [[nodiscard]] bool good() const { return out_.good(); }
+
+ private:
+  std::ofstream out_;
+};
+
+void add_closed_forms(Table& table, const Specimen& specimen, const Moduli& network) {
+  for (const char* known : {"all", "C_n"}) {
+    const ladder::KnownPacking packing = ladder::known_packing(specimen, known);
+    const effective::LadderEstimate estimate = effective::estimate(packing, 0.05);
+    for (std::size_t k = 0; k <= 3; ++k) {
+      const effective::RungAssessment& rung = estimate.rungs[k];
+      if (!rung.stiffness)
+        continue;
+      table.add({.specimen = specimen,
+                 .known = known,
+                 .rung = static_cast<double>(k),
+                 .value = ladder::moduli(*rung.stiffness),
+                 .stated = ladder::triple(rung.relative_error.value()),
+                 .cost = closed_form_cost(k, packing, estimate.mechanical_coordination_number.value)},
+                network);
+    }
+  }
+}
+
+struct Network {
+  Row row;
+  elastic::VoigtStiffness stiffness;
+};
+
+Network solve_network(const Specimen& specimen, const Assembly& assembly) {
+  const auto solve = [&assembly] { return network::linear_response(assembly); };
+  const elastic::VoigtStiffness stiffness = solve().relaxed();
+  return {.row = {.specimen = specimen,
+                  .known = "packing",
+                  .rung = 4,
+                  .value = ladder::moduli(elastic::transversely_isotropic_projection(stiffness)),
+                  .cost = cost_of([&solve] { sink = solve().report().residual; }, 5)},
+          .stiffness = stiffness};
+}
+
+/// One modulus a probe; the bulk modulus is not probed.
+Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Material& material) {
+  using triaxial::ShearMode;
+  const auto modulus = [&](ShearMode mode) { return triaxial::probe(frozen, material, mode).shear_modulus; };
+  return {.specimen = specimen,
+          .known = "packing",
+          .rung = 5,
+          .value = {effective::State::unset, modulus(ShearMode::hh), modulus(ShearMode::vh)},
+          .cost = cost_of([&modulus] { sink = modulus(ShearMode::vh); }, 5)};
+}
+
+Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& frozen,
+                 const Assembly& assembly) {
+  const ContactStress stress = contact_stress(assembly);
+  return {.contact = c.contact,
+          .preparation = c.density == Density::dense ? "dense" : "loose",
+          .seed = static_cast<double>(seed),
+          .grains = static_cast<double>(assembly.grain_count()),
+          .pressure = stage.pressure,
+          .stress_ratio = stage.stress_ratio,
+          .void_ratio = dem::void_ratio(frozen),
+          .C_n = coordination_number(assembly),
+          .z_star = mechanical_coordination(assembly, ContactKind::frictional).coordination_number,
+          .a = fabric::estimate_anisotropy(contact_normals(assembly)).anisotropy,
+          .stress_v = stress.symmetric(2, 2),
+          .stress_h = (stress.symmetric(0, 0) + stress.symmetric(1, 1)) / 2};
+}
+
+void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& state,
+               const dem::Material& material) {
+  const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
+  if (!(frozen.report.unbalanced_force_ratio < 1e-6))
+    throw std::runtime_error("a frozen state did not come to rest");
+  const Assembly assembly = dem::freeze(frozen.state, material);
+  const Specimen specimen = measure(c, seed, stage, frozen.state, assembly);
+  const Network network = solve_network(specimen, assembly);
+  add_closed_forms(table, specimen, network.row.value);
+  table.add(network.row, network.row.value);
+  // A probe shears one plane, the transversely isotropic mean of the network takes in the others.
+  const elastic::Matrix6& own = network.stiffness.matrix;
+  if (seed == first_seed)
+    table.add(probe_row(specimen, frozen.state, material), {effective::State::unset, own(5, 5), own(4, 4)});
+  std::fprintf(stderr, "%s\n", specimen.name().c_str());
+}
+
+void run_specimen(Table& table, const Case& c, std::uint64_t seed, std::size_t grains) {
+  const triaxial::SpecimenRecipe specimen = recipe(c, seed, grains);
+  dem::State state =
+      triaxial::start_of_compression(triaxial::frictionless_specimen(specimen).state, c.density, specimen);
+  for (const Stage& stage : c.path) {
+    const double stress_h = stage.pressure * (1 - stage.stress_ratio / 3);
+    const double stress_v = stage.pressure * (1 + 2 * stage.stress_ratio / 3);
+    dem::Engine engine(std::move(state), specimen.material);
+    const dem::QuasistaticReport report =
+        dem::equilibrate(engine, {stress_h, stress_h, stress_v}, triaxial::compression_options());
+    if (report.outcome == dem::Outcome::unstable)
+      throw std::runtime_error("a stage became unstable");
+    engine.rest();
+    state = engine.state();
+    run_stage(table, c, seed, stage, state, specimen.material);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: %s table.csv [grains]\n", argv[0]);
+    return 2;
+  }
+  const std::size_t grains = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1500;
+  try {
+    Table table(argv[1]);
+    for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed)
+      for (const Case& c : cases())
+        run_specimen(table, c, seed, grains);
+    return table.good() ? 0 : 3;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
