@@ -2,6 +2,7 @@
 #include <granum/io/lammps_deck.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,17 @@ void require_spheres(const contact::PowerLaw& law, double radius) {
                           short_text(radius) + " m, the only one of alpha = 2 that LAMMPS has");
 }
 
+void require_valid(const LammpsPath& path) {
+  if (path.name.empty() || path.name == "none" ||
+      !std::all_of(path.name.begin(), path.name.end(),
+                   [](unsigned char c) { return c < 128 && std::isalnum(c) != 0; }))
+    throw InvalidArgument("path.name must be letters and digits, and not none: " + path.name);
+  require_open("path.inertial_number", path.inertial_number, 0, 0.1);
+  if (!(path.eta_step >= 1e-3 && path.eta_step < 3))
+    throw InvalidArgument("path.eta_step", path.eta_step, "", "[0.001, 3)");
+  require_open("path.largest_strain", path.largest_strain, 0, 1);
+}
+
 void require_valid(const Assembly& start, const LammpsExperiment& experiment) {
   require_positive("radius", experiment.radius, "m");
   require_spheres(experiment.law, experiment.radius);
@@ -48,6 +60,8 @@ void require_valid(const Assembly& start, const LammpsExperiment& experiment) {
     if (std::find(experiment.pressures.begin(), experiment.pressures.end(), pressure) ==
         experiment.pressures.end())
       throw InvalidArgument("probe_pressures", pressure, "Pa", "the list of pressures");
+  if (experiment.path)
+    require_valid(*experiment.path);
 }
 
 /// The numbers of a deck, one a line: name, value, and what it is, with its unit.
@@ -75,9 +89,27 @@ std::string list_of(const std::vector<double>& values) {
   return text;
 }
 
-/// Names of states: none without probes, which a list of LAMMPS cannot say.
-std::string names_or_none(const std::vector<double>& values) {
-  return values.empty() ? "none" : list_of(values);
+/// Names of isotropic states, "100kPa"; none where there are none, which a list of LAMMPS cannot say.
+std::string names_of(const std::vector<double>& pressures) {
+  std::string text;
+  for (const double pressure : pressures)
+    text += (text.empty() ? "" : " ") + exact_text(pressure / 1e3) + "kPa";
+  return text.empty() ? "none" : text;
+}
+
+/// A test that no deck has been asked for is there with its numbers, under the name none.
+void add_path(Numbers& n, const LammpsExperiment& e) {
+  const LammpsPath path = e.path.value_or(LammpsPath{.name = "none"});
+  n.heading("Stress path");
+  n.add("path", path.name, "of in.path; none: no path [-]");
+  n.add("path_start", names_of({e.pressures.back()}), "state that it starts from [-]");
+  n.add("path_drives", path.drives_vertical ? "axial" : "lateral", "stress that changes [-]");
+  n.add("path_sense", path.compresses ? "1" : "-1", "1: it grows, -1: it falls [1]");
+  n.add("path_eta_sign", path.drives_vertical == path.compresses ? "1" : "-1", "sign of q/p on the path [1]");
+  n.add("path_eta_step", path.eta_step, "of q/p between snapshots [1]");
+  n.add("path_largest_strain", path.largest_strain, "axial strain, either sense, at the end [1]");
+  n.add("shear_inertial_number", path.inertial_number, "driven strain rate times 2R sqrt(density/p) [1]");
+  n.add("segment_steps", "25", "with constant rates of strain between two looks at the stress [1]");
 }
 
 std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
@@ -91,8 +123,9 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("start", e.start == LammpsStart::packed ? "packed" : "scattered",
         "packed: grains.data is (nearly) jammed; scattered: far from it [-]");
   n.add("pressure", list_of(e.pressures), "isotropic states that in.iso stops at [Pa]");
-  n.add("probe_pressure", names_or_none(e.probe_pressures),
-        "those that in.probe shears; none: no probe [Pa]");
+  n.add("state", names_of(e.pressures), "their names [-]");
+  n.add("probe_state", names_of(e.probe_pressures), "those that in.probe shears [-]");
+  n.add("probed_states", std::to_string(e.probe_pressures.size()), "how many these are; 0: no probe [1]");
   n.heading("Grains");
   n.add("radius", e.radius, "of every grain [m]");
   n.add("density", e.density, "of the grains, sets the time scale alone [kg/m^3]");
@@ -101,7 +134,7 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("hertz", e.law.coefficient(), "c of f_n = c overlap^1.5 [N/m^1.5]");
   n.add("tangential_stiffness", tangential,
         "k_t over radius of the contact, " + exact_text(e.tangential_ratio) + " k_n [Pa]");
-  n.add("friction", e.friction_coefficient, "mu on the path [1]");
+  n.add("friction", e.friction_coefficient, "mu from the first pressure on [1]");
   n.add("prepare_friction", e.friction_while_prepared ? e.friction_coefficient : 0.0,
         "mu up to the first pressure [1]");
   n.add("probe_friction", "1e6", "mu in frozen states, in which no contact slides [1]");
@@ -115,14 +148,16 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("restitution", "0.5", "of the contacts' damping [1]");
   n.add("tangential_damping", "0.5", "over the normal one [1]");
   n.add("time_step_share", "0.1", "of sqrt(m/k_n); LAMMPS does not tell when it is unstable, near 0.18 [1]");
-  n.add("path_inertial_number", "0.0005", "strain rate times 2R sqrt(density/pressure), at most [1]");
+  n.add("iso_inertial_number", "0.0005", "strain rate times 2R sqrt(density/pressure), at most [1]");
   n.add("relaxed_share", e.friction_while_prepared ? "0.1" : "0.3",
         "of the shear modulus under uniform strain that grains at rest have [1]");
-  n.add("prepare_tolerance", "0.001", "of stresses, and of unbalanced over mean force, up to the path [1]");
-  n.add("path_tolerance", "0.0001", "the same while the servo works on the path [1]");
+  n.add("prepare_tolerance", "0.001",
+        "of stresses, and of unbalanced over mean force, up to the first pressure [1]");
+  n.add("iso_tolerance", "0.0001", "the same while the servo works from there on [1]");
   n.add("rest_tolerance", "1e-08", "of unbalanced over mean force in states at rest [1]");
   n.add("servo_steps", "400000", "at most for each pressure [1]");
   n.add("rest_steps", "40000", "at most for each rest [1]");
+  add_path(n, e);
   n.heading("Probes");
   n.add("probe_share", "0.0003", "strain of the probes over (mean overlap / diameter) [1]");
   n.add("ramp_steps", "100", "in which the box takes this strain [1]");
@@ -136,6 +171,8 @@ std::vector<DeckFile> lammps_deck(const Assembly& start, const LammpsExperiment&
   std::vector<DeckFile> files{{"grains.data", lammps_data(start, experiment.density)},
                               {"scene.lmp", scene_text(start, experiment)}};
   for (const auto& [name, text] : lammps_scripts::files)
+    files.push_back({std::string(name), std::string(text)});
+  for (const auto& [name, text] : lammps_scripts::path_files)
     files.push_back({std::string(name), std::string(text)});
   return files;
 }

@@ -6,40 +6,50 @@ namespace granum::io::lammps_scripts {
 namespace {
 
 constexpr std::string_view readme =
-    R"deck(LAMMPS deck written by granum: equal spheres, periodic, isotropic compression, small-strain probes.
+    R"deck(LAMMPS deck of granum: equal spheres, periodic; isotropic compression, a stress path, small-strain probes.
 
   lmp -in in.all                 one core
   mpirun -np 16 lmp -in in.all   any number of them; the files are the same
 
-in.all runs three parts, which can also be run one after the other, each from what the one before left:
-  in.prepare   grains.data to the first pressure                              -> prepared.restart
-  in.iso       every pressure: servo, rest, snapshot                          -> state.*.restart, states.csv
-  in.probe     some of them: no sliding, rest, snapshot, G_vh, G_hh, K        -> moduli.csv
+in.all runs five parts, which can also be run one after the other, each from what the ones before left:
+  in.prepare      grains.data to the first pressure                               -> prepared.restart
+  in.iso          every pressure: servo, rest, snapshot                           -> states.csv
+  in.probe        some of them: no sliding, rest, snapshot, G_vh, G_hh, K         -> moduli.csv
+  in.path         one of them: TXC, RTXC, RTXE or TXE, snapshots at multiples of eta = q/p
+                                                                                  -> path.csv, peak.csv
+  in.path-probe   those snapshots: as in.probe                                    -> moduli.csv
 All numbers, with their units, are in scene.lmp; -var NAME VALUE on the command line overrides one of them.
 
-Snapshots are atoms.*.dump and contacts.*.dump, 17 digits; states that are named frozen are those that were
-probed. granum reads a pair of them, and takes the stress, the fabric and the moduli of the contact network
-from it. states.csv holds LAMMPS's own stresses (compression positive), moduli.csv what the probes gave.
+Each state leaves atoms.*.dump and contacts.*.dump with 17 digits, and state.*.restart to go on from; states
+named frozen are those that were probed. The two dumps of a state together are what granum analyses:
+  granum analyse atoms.STATE.dump contacts.STATE.dump
+states.csv holds LAMMPS's own stresses (compression positive), moduli.csv what the probes gave.
 
 Contacts are pair_style granular, hertz/material, tangential mindlin/force, of LAMMPS 29 Sep 2021 or later
 with the package GRANULAR. z is vertical; G_vh: layers stacked along z move along x, G_hh: stacked along y.
 )deck";
 
-constexpr std::string_view all = R"deck(# The whole experiment: prepare, compress, probe.
+constexpr std::string_view all =
+    R"deck(# The whole experiment: prepare, compress, probe; then the stress path and its probes, if there is one.
 include in.prepare
 clear
 include in.iso
 clear
 include in.probe
+clear
+include in.path
+clear
+include in.path-probe
 )deck";
 
-constexpr std::string_view prepare = R"deck(# From grains.data to the first pressure.
+constexpr std::string_view prepare =
+    R"deck(# From grains.data to the first pressure.
 include scene.lmp
 include settings.lmp
 read_data grains.data
 variable mu equal ${prepare_friction} # [1]
 variable tolerance equal ${prepare_tolerance} # [1]
-variable inertial_number equal ${path_inertial_number} # [1]
+variable inertial_number equal ${iso_inertial_number} # [1]
 include model.lmp
 if "${start} == scattered" then "include gather.lmp"
 include servo.lmp
@@ -52,61 +62,33 @@ include scene.lmp
 include settings.lmp
 read_restart prepared.restart
 variable mu equal ${friction} # [1]
-variable tolerance equal ${path_tolerance} # [1]
-variable inertial_number equal ${path_inertial_number} # [1]
+variable tolerance equal ${iso_tolerance} # [1]
+variable inertial_number equal ${iso_inertial_number} # [1]
 include model.lmp
 print "pressure_Pa,state,step,sigma_xx_Pa,sigma_yy_Pa,sigma_zz_Pa,sigma_xy_Pa,sigma_xz_Pa,sigma_yz_Pa,&
 volume_m3,unbalanced_force_ratio" file states.csv screen no
 label next_pressure
 include servo.lmp
 include rest.lmp
-variable name string ${pressure}Pa
+variable name string ${state}
 include snapshot.lmp
-write_restart state.${name}.restart
-next pressure
+next pressure state
 jump SELF next_pressure
 )deck";
 
 constexpr std::string_view probe =
-    R"deck(# Small-strain moduli of states of in.iso: without sliding, at rest, each probe from that state.
+    R"deck(# Small-strain moduli of some states of in.iso.
 include scene.lmp
-if "x${probe_pressure} == xnone" then "jump SELF end"
-print "pressure_Pa,modulus,value_Pa,strain" file moduli.csv screen no
-label next_state
-variable pressure delete
-variable pressure index ${probe_pressure} # [Pa]
-variable name string ${pressure}Pa.frozen
-variable mu equal ${probe_friction} # [1]
-include settings.lmp
-read_restart state.${pressure}Pa.restart
-include model.lmp
-include rest.lmp
-include snapshot.lmp
-write_restart state.${name}.restart
-variable modulus delete
-variable modulus index G_vh G_hh K
-label next_modulus
-clear
-include settings.lmp
-read_restart state.${name}.restart
-change_box all triclinic
-include model.lmp
-include cycle.lmp
-next modulus
-jump SELF next_modulus
-clear
-next probe_pressure
-jump SELF next_state
-label end
+print "pressure_Pa,state,modulus,value_Pa,strain" file moduli.csv screen no
+if "${probed_states} > 0" then "include probes.lmp"
 )deck";
 
-constexpr std::string_view settings = R"deck(# What must be said before there is a box.
+constexpr std::string_view settings =
+    R"deck(# What must be said before there is a box.
 units si
 atom_style sphere
 boundary p p p
-# Each contact is worked out once. With newton off those across faces are worked out on both sides, their two
-# histories drift apart in loose packings, and a net force is left that moves all grains for ever.
-newton on
+newton on # each contact across a face is worked out once, with one history, and its two forces cancel
 comm_modify vel yes # contacts need the velocities of their partners across processors and faces
 box tilt large
 neighbor $(0.3*v_radius:%.17g) bin # [m]
@@ -197,7 +179,8 @@ run 0
 )deck";
 
 constexpr std::string_view snapshot =
-    R"deck(# Grains and contacts with all digits, and the stress as LAMMPS has it. [m, N]
+    R"deck(# Grains and contacts with all digits, the stress as LAMMPS has it, and what a later part goes on from. [m, N]
+write_restart state.${name}.restart
 dump atoms all custom 1 atoms.${name}.dump id type radius x y z fx fy fz
 dump_modify atoms sort id format float %.17g
 dump contacts all local 1 contacts.${name}.dump index c_ids[*] c_forces[*]
@@ -208,6 +191,37 @@ undump contacts
 print "$(v_pressure:%.17g),${name},$(step),$(c_stress[1]:%.17g),$(c_stress[2]:%.17g),$(c_stress[3]:%.17g),&
 $(c_stress[4]:%.17g),$(c_stress[5]:%.17g),$(c_stress[6]:%.17g),$(vol:%.17g),$(v_unbalanced:%.3g)" &
   append states.csv screen no
+print "variable pressure delete" file state.${name}.lmp screen no
+print "variable pressure string $(v_pressure:%.17g) # [Pa]" append state.${name}.lmp screen no
+)deck";
+
+constexpr std::string_view probes =
+    R"deck(# Small-strain moduli of the states in probe_state: without sliding, at rest, each probe from that state.
+label next_state
+include state.${probe_state}.lmp
+variable name string ${probe_state}.frozen
+variable mu equal ${probe_friction} # [1]
+include settings.lmp
+read_restart state.${probe_state}.restart
+include model.lmp
+velocity all set 0 0 0 # [m/s]
+set group all omega 0 0 0 # [1/s]
+include rest.lmp
+include snapshot.lmp
+variable modulus delete
+variable modulus index G_vh G_hh K
+label next_modulus
+clear
+include settings.lmp
+read_restart state.${name}.restart
+change_box all triclinic
+include model.lmp
+include cycle.lmp
+next modulus
+jump SELF next_modulus
+clear
+next probe_state
+jump SELF next_state
 )deck";
 
 constexpr std::string_view cycle =
@@ -221,7 +235,8 @@ variable leg equal -2*v_strain # [1]
 include leg.lmp
 variable down equal $(v_answer:%.17g) # [Pa]
 variable value equal (v_down-v_up)/(2*v_strain) # [Pa]
-print "$(v_pressure:%.17g),${modulus},$(v_value:%.17g),$(v_strain:%.6g)" append moduli.csv screen no
+print "$(v_pressure:%.17g),${probe_state},${modulus},$(v_value:%.17g),$(v_strain:%.6g)" &
+  append moduli.csv screen no
 )deck";
 
 constexpr std::string_view leg =
@@ -242,21 +257,24 @@ velocity all set v_ux v_uy v_uz sum yes
 include rest.lmp
 )deck";
 
-constexpr std::string_view G_vh = R"deck(# Layers stacked along z move along x.
+constexpr std::string_view G_vh =
+    R"deck(# Layers stacked along z move along x.
 variable ux atom v_rate*(z-0.5*(zlo+zhi)) # [m/s]
 variable uy atom 0 # [m/s]
 variable uz atom 0 # [m/s]
 variable answer equal c_stress[5] # xz [Pa]
 )deck";
 
-constexpr std::string_view G_hh = R"deck(# Layers stacked along y move along x.
+constexpr std::string_view G_hh =
+    R"deck(# Layers stacked along y move along x.
 variable ux atom v_rate*(y-0.5*(ylo+yhi)) # [m/s]
 variable uy atom 0 # [m/s]
 variable uz atom 0 # [m/s]
 variable answer equal c_stress[4] # xy [Pa]
 )deck";
 
-constexpr std::string_view K = R"deck(# The volume grows by the strain, a third of it along each axis.
+constexpr std::string_view K =
+    R"deck(# The volume grows by the strain, a third of it along each axis.
 variable ux atom v_rate*(x-0.5*(xlo+xhi))/3 # [m/s]
 variable uy atom v_rate*(y-0.5*(ylo+yhi))/3 # [m/s]
 variable uz atom v_rate*(z-0.5*(zlo+zhi))/3 # [m/s]
@@ -269,21 +287,22 @@ const std::string_view scene_head =
     R"deck(# The scene in numbers, SI. A number can be overridden: lmp -in in.all -var NAME VALUE
 )deck";
 
-const std::array<std::pair<std::string_view, std::string_view>, 16> files{{{"README.txt", readme},
-                                                                           {"in.all", all},
-                                                                           {"in.prepare", prepare},
-                                                                           {"in.iso", iso},
-                                                                           {"in.probe", probe},
-                                                                           {"settings.lmp", settings},
-                                                                           {"model.lmp", model},
-                                                                           {"gather.lmp", gather},
-                                                                           {"servo.lmp", servo},
-                                                                           {"rest.lmp", rest},
-                                                                           {"snapshot.lmp", snapshot},
-                                                                           {"cycle.lmp", cycle},
-                                                                           {"leg.lmp", leg},
-                                                                           {"G_vh.lmp", G_vh},
-                                                                           {"G_hh.lmp", G_hh},
-                                                                           {"K.lmp", K}}};
+const std::array<Script, 17> files{{{"README.txt", readme},
+                                    {"in.all", all},
+                                    {"in.prepare", prepare},
+                                    {"in.iso", iso},
+                                    {"in.probe", probe},
+                                    {"settings.lmp", settings},
+                                    {"model.lmp", model},
+                                    {"gather.lmp", gather},
+                                    {"servo.lmp", servo},
+                                    {"rest.lmp", rest},
+                                    {"snapshot.lmp", snapshot},
+                                    {"probes.lmp", probes},
+                                    {"cycle.lmp", cycle},
+                                    {"leg.lmp", leg},
+                                    {"G_vh.lmp", G_vh},
+                                    {"G_hh.lmp", G_hh},
+                                    {"K.lmp", K}}};
 
 } // namespace granum::io::lammps_scripts

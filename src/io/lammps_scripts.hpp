@@ -3,13 +3,17 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
 
 /// The part of a LAMMPS deck that is the same for every scene. Its numbers stand in scene.lmp.
 namespace granum::io::lammps_scripts {
 
+struct Script {
+  std::string_view name;
+  std::string_view text;
+};
+
 extern const std::string_view scene_head;
-/// Name and text of each file.
-extern const std::array<std::pair<std::string_view, std::string_view>, 16> files;
+extern const std::array<Script, 17> files;     ///< preparation, isotropic compression, probes
+extern const std::array<Script, 7> path_files; ///< stress path and its probes
 
 } // namespace granum::io::lammps_scripts

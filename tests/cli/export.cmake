@@ -9,6 +9,10 @@ granum_cli_test("export: no folder" EXIT 2 STDERR "^granum: error: --out is requ
   ARGS export lammps --set study.contacts=sphere)
 granum_cli_test("export: unknown start" EXIT 2 STDERR "^granum: error: --start: "
   ARGS export lammps --set study.contacts=sphere --start poured --out refused)
+granum_cli_test("export: unknown path" EXIT 2 STDERR "^granum: error: --path: "
+  ARGS export lammps --set study.contacts=sphere --path up --out refused)
+granum_cli_test("export: a path without steps" EXIT 2 STDERR "^granum: error: path.eta_step = 0"
+  ARGS export lammps --set study.contacts=sphere --path TXC --eta-step 0 --out refused)
 granum_cli_test("export: folder within a file" EXIT 3 STDERR "^granum: error: isotropic\\.csv/dense-1: cannot be made"
   ARGS export lammps --set study.contacts=sphere --out isotropic.csv)
 foreach(start packed scattered)

@@ -90,7 +90,9 @@ TEST_CASE("LAMMPS deck: the material is that of the contact law") {
   // LAMMPS's own default for tangential mindlin is 8 G_eff = 4 G/(2 - nu): Mindlin without slip.
   CHECK(scene_number(experiment, "tangential_stiffness") == relative(4 * 30e9 / (2 - 0.15), 1e-14));
   CHECK(scene_value(experiment, "pressure") == "10000 30000");
-  CHECK(scene_value(experiment, "probe_pressure") == "30000");
+  CHECK(scene_value(experiment, "state") == "10kPa 30kPa");
+  CHECK(scene_value(experiment, "probe_state") == "30kPa");
+  CHECK(scene_value(experiment, "probed_states") == "1");
   CHECK(scene_number(experiment, "friction") == 0.5);
 }
 
@@ -100,9 +102,36 @@ TEST_CASE("LAMMPS deck: dense is prepared without friction, loose with it") {
   experiment.friction_while_prepared = true;
   CHECK(scene_number(experiment, "prepare_friction") == 0.5);
   experiment.probe_pressures.clear();
-  CHECK(scene_value(experiment, "probe_pressure") == "none");
+  CHECK(scene_value(experiment, "probed_states") == "0");
   experiment.start = LammpsStart::scattered;
   CHECK(scene_value(experiment, "start") == "scattered");
+}
+
+TEST_CASE("LAMMPS deck: states are named by their pressure in kPa") {
+  LammpsExperiment experiment = spheres();
+  experiment.pressures = {12.5e3, 100e3, 1e6};
+  experiment.probe_pressures = {100e3};
+  CHECK(scene_value(experiment, "state") == "12.5kPa 100kPa 1000kPa");
+  CHECK(scene_value(experiment, "probe_state") == "100kPa");
+  CHECK(scene_value(experiment, "pressure") == "12500 100000 1000000");
+}
+
+TEST_CASE("LAMMPS deck: a stress path drives one stress in one sense") {
+  LammpsExperiment experiment = spheres();
+  CHECK(scene_value(experiment, "path") == "none");
+  const auto says = [&](bool vertical, bool compresses, const char* drives, const char* sense,
+                        const char* sign) {
+    experiment.path = LammpsPath{.name = "X1", .drives_vertical = vertical, .compresses = compresses};
+    CHECK(scene_value(experiment, "path") == "X1");
+    CHECK(scene_value(experiment, "path_start") == "30kPa");
+    CHECK(scene_value(experiment, "path_drives") == drives);
+    CHECK(scene_value(experiment, "path_sense") == sense);
+    CHECK(scene_value(experiment, "path_eta_sign") == sign);
+  };
+  says(true, true, "axial", "1", "1");      // TXC
+  says(true, false, "axial", "-1", "-1");   // RTXE
+  says(false, true, "lateral", "1", "-1");  // TXE
+  says(false, false, "lateral", "-1", "1"); // RTXC
 }
 
 TEST_CASE("LAMMPS deck: the grains are read back") {
@@ -121,8 +150,11 @@ TEST_CASE("LAMMPS deck: every file that is included and every number that is use
     if (file.name != "README.txt" && file.name != "grains.data")
       all += file.text + "\n";
   }
+  // Named by a variable, or written by a part of the deck.
+  const std::set<std::string> written{"${modulus", "path_${path_drives", "state.${path_start",
+                                      "state.${probe_state", "path_states.lmp"};
   for (const std::string& name : words_after(all, "include "))
-    CHECK_MESSAGE((names.contains(name) || name == "${modulus"), name);
+    CHECK_MESSAGE((names.contains(name) || written.contains(name)), name);
   for (const std::string& name : words_after(all, "variable modulus index "))
     CHECK_MESSAGE((name == "" || names.contains(name + ".lmp")), name);
   const std::set<std::string> defined = words_after(all, "variable ");
@@ -177,6 +209,19 @@ TEST_CASE("LAMMPS deck: impossible experiments are refused by name") {
   CHECK(with([](auto& e) { e.friction_coefficient = -1; }).find("friction_coefficient") != std::string::npos);
   CHECK(with([](auto& e) { e.tangential_ratio = -1; }).find("tangential_ratio") != std::string::npos);
   CHECK(with([](auto& e) { e.density = 0; }).find("density") != std::string::npos);
+  const auto with_path = [&](auto change) {
+    return with([&](LammpsExperiment& e) {
+      e.path = LammpsPath{.name = "TXC"};
+      change(*e.path);
+    });
+  };
+  CHECK(with_path([](auto&) {}).empty());
+  for (const char* name : {"", "none", "T.C", "a b"})
+    CHECK(with_path([&](auto& p) { p.name = name; }).find("path.name") != std::string::npos);
+  CHECK(with_path([](auto& p) { p.inertial_number = 0.1; }).find("path.inertial_number") !=
+        std::string::npos);
+  CHECK(with_path([](auto& p) { p.eta_step = 1e-4; }).find("path.eta_step") != std::string::npos);
+  CHECK(with_path([](auto& p) { p.largest_strain = 1; }).find("path.largest_strain") != std::string::npos);
   Assembly two_sizes = three_grains();
   two_sizes.radius[1] = 0.4e-3;
   CHECK(refused(two_sizes, spheres()).find("radius = 0.0004") != std::string::npos);

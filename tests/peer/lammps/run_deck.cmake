@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Exports a deck, runs it unchanged, takes one state up again on the other number of ranks, reads all back:
 #   cmake -DPROGRAM=granum -DLMP=lmp -DMPIRUN=mpirun -DCHECK=check_lammps_deck -DDENSITY=dense -DRANKS=2
-#     -DFOLDER=... -P run_deck.cmake
+#     "-DPATH_OPTIONS=--path;txc" -DFOLDER=... -P run_deck.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -27,10 +27,10 @@ math(EXPR others "3 - ${RANKS}")
 
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}/${DENSITY}-1")
-run(COMMAND "${PROGRAM}" export lammps --grains 1000 --set study.contacts=sphere --set study.densities=${DENSITY}
-  --set study.pressures=30kPa,60kPa,120kPa --set study.probe_pressures=30kPa,120kPa --out "${FOLDER}")
+run(COMMAND "${PROGRAM}" export lammps --grains 2000 --set study.contacts=sphere --set study.densities=${DENSITY}
+  --set study.pressures=30kPa,60kPa,120kPa --set study.probe_pressures=30kPa,120kPa ${PATH_OPTIONS} --out "${FOLDER}")
 run(COMMAND ${on_${RANKS}} -in in.all)
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/again.lmp" DESTINATION "${FOLDER}/${DENSITY}-1")
 run(COMMAND ${on_${others}} -in again.lmp)
-run(COMMAND "${CHECK}" .)
+run(COMMAND "${CHECK}" . ${DENSITY})
 message(STATUS "${last_output}")
