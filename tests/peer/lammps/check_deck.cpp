@@ -16,6 +16,7 @@
 #include <granum/assembly/coordination.hpp>
 #include <granum/assembly/stress.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/csv.hpp>
 #include <granum/io/lammps_dump.hpp>
 #include <granum/io/stiffness.hpp>
 #include <granum/network/linear_response.hpp>
@@ -40,32 +41,12 @@ void expect(bool holds, const std::string& what, double value, double limit) {
   failures += holds ? 0 : 1;
 }
 
-std::vector<std::string> fields_of(std::string_view line) {
-  std::vector<std::string> fields{""};
-  for (const char c : line)
-    if (c == ',')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  return fields;
-}
-
 std::vector<Row> rows_of(const fs::path& path) {
-  io::TextSource source(path);
-  std::vector<Row> rows;
-  std::vector<std::string> heading;
-  while (source.next()) {
-    const std::vector<std::string> fields = fields_of(source.line());
-    if (heading.empty()) {
-      heading = fields;
-      continue;
-    }
-    if (fields.size() != heading.size())
-      source.fail("a row of another length than the heading");
-    Row& row = rows.emplace_back();
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      row[heading[k]] = fields[k];
-  }
+  const io::CsvTable table = io::read_csv(path);
+  std::vector<Row> rows(table.row_count());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t k = 0; k < table.headings().size(); ++k)
+      rows[r][table.headings()[k]] = table.fields(r)[k];
   return rows;
 }
 
