@@ -136,6 +136,7 @@ include snapshot.lmp
 if "${eta_count} == 1" then "variable path_states string ${name}" &
 else "variable path_states string '${path_states} ${name}'"
 variable eta_count string $(v_eta_count+1)
+run 0 # the stress of the moment once more, for the next segment
 )deck";
 
 } // namespace

@@ -53,6 +53,7 @@ variable inertial_number equal ${iso_inertial_number} # [1]
 include model.lmp
 if "${start} == scattered" then "include gather.lmp"
 include servo.lmp
+run 0
 write_restart prepared.restart
 )deck";
 
@@ -133,12 +134,21 @@ thermo_modify norm no format float %.9g
 )deck";
 
 constexpr std::string_view gather =
-    R"deck(# Scattered grains are moved together by the box until they nearly jam.
+    R"deck(# Scattered grains are moved together by the box: quickly while they hardly touch, then slowly until half the
+# pressure is there. The servo alone would take many times as many steps.
 variable inertial_number equal ${gather_inertial_number} # [1]
 variable smaller equal (v_first_solid_fraction/v_gathered_solid_fraction)^(1/3) # of each edge [1]
+variable jammed equal "c_stress > 0.5*v_pressure" # [1]
 fix drag all viscous ${drag}
 fix box all deform 1 x scale ${smaller} y scale ${smaller} z scale ${smaller} remap x
 run ${gather_steps}
+unfix box
+run $(v_gather_steps/2) # grains that were pushed into each other part
+fix box all deform 1 x trate $(-v_fastest_rate:%.17g) y trate $(-v_fastest_rate:%.17g) &
+  z trate $(-v_fastest_rate:%.17g) remap x
+fix halt all halt 10 v_jammed > 0.5 error continue message no # asked every 10 steps
+run ${servo_steps}
+unfix halt
 unfix box
 unfix drag
 )deck";
@@ -180,7 +190,6 @@ run 0
 
 constexpr std::string_view snapshot =
     R"deck(# Grains and contacts with all digits, the stress as LAMMPS has it, and what a later part goes on from. [m, N]
-write_restart state.${name}.restart
 dump atoms all custom 1 atoms.${name}.dump id type radius x y z fx fy fz
 dump_modify atoms sort id format float %.17g
 dump contacts all local 1 contacts.${name}.dump index c_ids[*] c_forces[*]
@@ -191,6 +200,7 @@ undump contacts
 print "$(v_pressure:%.17g),${name},$(step),$(c_stress[1]:%.17g),$(c_stress[2]:%.17g),$(c_stress[3]:%.17g),&
 $(c_stress[4]:%.17g),$(c_stress[5]:%.17g),$(c_stress[6]:%.17g),$(vol:%.17g),$(v_unbalanced:%.3g)" &
   append states.csv screen no
+write_restart state.${name}.restart # after a run 0: before any run it would hold no histories
 print "variable pressure delete" file state.${name}.lmp screen no
 print "variable pressure string $(v_pressure:%.17g) # [Pa]" append state.${name}.lmp screen no
 )deck";

@@ -68,21 +68,23 @@ Moduli network_moduli(const Assembly& packing) {
 /// A state on the way of a stress path: its grains move.
 bool moves(const std::string& state) { return state.starts_with("TXC") && !state.ends_with("frozen"); }
 
-/// The stress by contacts against what LAMMPS says of itself, and the forces at rest.
+/// The stress by contacts against what LAMMPS says of itself, sum of d_a f_b: off the diagonal the transpose of
+/// f_i l_j, which is another number as long as moments do not balance to the last digit.
 void check_state(const fs::path& folder, const Row& row) {
   const Assembly packing = packing_of(folder, row.at("state"));
-  const Mat3 stress = contact_stress(packing).symmetric;
-  const double own[3][3] = {
-      {number(row, "sigma_xx_Pa"), number(row, "sigma_xy_Pa"), number(row, "sigma_xz_Pa")},
-      {number(row, "sigma_xy_Pa"), number(row, "sigma_yy_Pa"), number(row, "sigma_yz_Pa")},
-      {number(row, "sigma_xz_Pa"), number(row, "sigma_yz_Pa"), number(row, "sigma_zz_Pa")}};
+  const Mat3 stress = contact_stress(packing).tensor;
+  const double by_contacts[] = {stress(0, 0), stress(1, 1), stress(2, 2),
+                                stress(1, 0), stress(2, 0), stress(2, 1)};
+  const char* const columns[] = {"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa",
+                                 "sigma_xy_Pa", "sigma_xz_Pa", "sigma_yz_Pa"};
   double worst = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      worst = std::max(worst, std::abs(stress(i, j) - own[i][j]) / number(row, "pressure_Pa"));
+  for (std::size_t k = 0; k < 6; ++k)
+    worst = std::max(worst, std::abs(by_contacts[k] - number(row, columns[k])) / number(row, "pressure_Pa"));
   expect(worst < 1e-10, row.at("state") + ": stress by contacts and by LAMMPS", worst, 1e-10);
-  const double target = std::abs(trace(stress) / 3 / number(row, "pressure_Pa") - 1);
-  expect(target < 1e-3, row.at("state") + ": pressure and its target", target, 1e-3);
+  if (!row.at("state").starts_with("TXC")) {
+    const double target = std::abs(trace(stress) / 3 / number(row, "pressure_Pa") - 1);
+    expect(target < 1e-3, row.at("state") + ": pressure and its target", target, 1e-3);
+  }
   const double limit = moves(row.at("state")) ? 1e-2 : 1e-4;
   const double unbalanced = unbalance(packing).force_ratio;
   expect(unbalanced < limit, row.at("state") + ": unbalanced force ratio", unbalanced, limit);
