@@ -2,9 +2,9 @@
 //
 // Example 13: a packing for LAMMPS, and what LAMMPS made of it.
 //
-// granum makes a small dense specimen and writes a deck for it; LAMMPS compresses and shears it, on one core here
-// and on any number of them elsewhere; granum reads what it left and solves the contact network of that state,
-// which must give the same moduli. Without LAMMPS the deck is all there is.
+// granum makes a small dense specimen and writes a deck for it; LAMMPS compresses and shears it, on one core
+// here and on any number of them elsewhere; granum reads what it left and solves the contact network of that
+// state, which must give the same moduli. Without LAMMPS the deck is all there is.
 //   13_from_scene_to_lammps_and_back [FOLDER]
 #include <algorithm>
 #include <cmath>

@@ -28,7 +28,7 @@ states.csv holds LAMMPS's own stresses (compression positive), moduli.csv what t
 Contacts are pair_style granular, hertz/material, tangential mindlin/force, of LAMMPS 29 Sep 2021 or later
 with the package GRANULAR. z is vertical; G_vh: layers stacked along z move along x, G_hh: stacked along y.
 
-What a run takes, estimated from small ones of LAMMPS 29 Sep 2021: 10^7 grains about 7 GB of memory over all
+What a run takes, estimated from small ones of LAMMPS 29 Sep 2021: 10^7 grains about 8 GB of memory over all
 ranks and 30 MB for each rank; for each doubling of the pressure some 1.5e5 steps (8,700 with 2,000 grains,
 growing as the edge of the box), 300 core-hours; for each state 11 GB of dumps and 3.4 GB of restart.
 )deck";
