@@ -128,7 +128,7 @@ dem::State own_compression(const verify::Scene& scene, triaxial::Density density
   return last;
 }
 
-/// Two engines, one start: other ways into equilibrium, the same packing to within what it forgets on the way.
+/// Two engines, one start: other ways into equilibrium, nearly the same packing.
 void check_own(const fs::path& folder, triaxial::Density density, const States& probed) {
   verify::Scene scene;
   scene.grains = 2000;
