@@ -6,6 +6,7 @@ set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
 install(TARGETS granum_theory granum_fit granum_dem granum_io granum_granum
   EXPORT granumTargets
   FILE_SET HEADERS
+  FILE_SET lone_headers
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT granumTargets NAMESPACE granum:: DESTINATION "${granum_config_dir}")

@@ -21,33 +21,40 @@ function(granum_compile_settings target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
 endfunction()
 
-# granum_precompile(<target>): Eigen and the standard headers that most sources begin with are parsed once, where
-# GRANUM_PRECOMPILED_HEADERS asks for it. Other builds go without, so that every source still includes what it uses.
+# granum_precompile(<target> [<header>...]): Eigen, the standard headers that most sources begin with, and the named ones
+# are parsed once, where GRANUM_PRECOMPILED_HEADERS asks for it.
 function(granum_precompile target)
   if(GRANUM_PRECOMPILED_HEADERS)
+    list(TRANSFORM ARGN REPLACE "(.+)" "<\\1>")
     target_precompile_headers(${target} PRIVATE
-      <algorithm> <array> <cmath> <functional> <optional> <span> <string> <vector> <Eigen/Core>)
+      <algorithm> <array> <cmath> <functional> <limits> <optional> <span> <string> <vector> <Eigen/Core> ${ARGN})
   endif()
 endfunction()
 
-# granum_library(<name>): compiled library granum_<name>, exported as granum::<name>.
+# granum_library(<name>): compiled library granum_<name>, exported as granum::<name>. Headers without a source of their own
+# are the file set lone_headers, which alone is compiled by itself where headers are checked: the others are the first
+# include of their source (tests/layering demands it), which shows as well that they include what they use.
 function(granum_library name)
   add_library(granum_${name})
   add_library(granum::${name} ALIAS granum_${name})
   set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name})
   granum_compile_settings(granum_${name})
-  target_sources(granum_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include")
+  target_sources(granum_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include"
+    FILE_SET lone_headers TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include")
+  set_target_properties(granum_${name} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY lone_headers)
 endfunction()
 
 # granum_module(<library> <module> <concept>...): each concept is include/granum/<module>/<concept>.hpp and,
 # where it exists, src/<module>/<concept>.cpp.
 function(granum_module library module)
   foreach(concept IN LISTS ARGN)
-    target_sources(granum_${library} PUBLIC FILE_SET HEADERS
-      FILES "${PROJECT_SOURCE_DIR}/include/granum/${module}/${concept}.hpp")
+    set(header_set lone_headers)
     if(EXISTS "${PROJECT_SOURCE_DIR}/src/${module}/${concept}.cpp")
       target_sources(granum_${library} PRIVATE "${PROJECT_SOURCE_DIR}/src/${module}/${concept}.cpp")
+      set(header_set HEADERS)
     endif()
+    target_sources(granum_${library} PUBLIC FILE_SET ${header_set}
+      FILES "${PROJECT_SOURCE_DIR}/include/granum/${module}/${concept}.hpp")
   endforeach()
 endfunction()
 
@@ -62,12 +69,14 @@ function(granum_tests module)
   granum_compile_settings(test_${module})
   target_link_libraries(test_${module} PRIVATE granum::granum granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
   target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  if(module MATCHES "^(effective|elastic)$")
-    granum_precompile(test_${module})
-  endif()
   # Tests that compute much themselves would take minutes unoptimised, as the sanitized ones are otherwise.
-  if(module MATCHES "^(effective|fabric|network|dem|triaxial|verify)$")
-    target_compile_options(test_${module} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  set(headers granum_test_headers)
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND module MATCHES "^(effective|fabric|network|dem|triaxial|verify)$")
+    target_compile_options(test_${module} PRIVATE -O1)
+    set(headers granum_optimised_test_headers)
+  endif()
+  if(GRANUM_PRECOMPILED_HEADERS)
+    target_precompile_headers(test_${module} REUSE_FROM ${headers})
   endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()

@@ -16,6 +16,16 @@ bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && 
   throw InvalidArgument(std::string(what) + " " + std::to_string(index) + ": " + rule);
 }
 
+void require_valid(const char* kind, std::size_t index, const Contact& c) {
+  if (!finite(c.branch) || !(norm(c.branch) > 0))
+    reject(kind, index, "its branch vector must be finite and not zero");
+  if (!std::isfinite(c.normal_force) || !finite(c.tangential_force))
+    reject(kind, index, "its force is not finite");
+  if (!(c.normal_stiffness >= 0) || !std::isfinite(c.normal_stiffness) || !(c.tangential_stiffness >= 0) ||
+      !std::isfinite(c.tangential_stiffness))
+    reject(kind, index, "its stiffnesses must be finite and not negative");
+}
+
 } // namespace
 
 void require_valid(const Assembly& assembly) {
@@ -35,13 +45,12 @@ void require_valid(const Assembly& assembly) {
     const Contact& c = assembly.contacts[k];
     if (!(c.i < c.j) || c.j >= n)
       reject("contact", k, "needs grain indices i < j < number of grains");
-    if (!finite(c.branch) || !(norm(c.branch) > 0))
-      reject("contact", k, "its branch vector must be finite and not zero");
-    if (!std::isfinite(c.normal_force) || !finite(c.tangential_force))
-      reject("contact", k, "its force is not finite");
-    if (!(c.normal_stiffness >= 0) || !std::isfinite(c.normal_stiffness) || !(c.tangential_stiffness >= 0) ||
-        !std::isfinite(c.tangential_stiffness))
-      reject("contact", k, "its stiffnesses must be finite and not negative");
+    require_valid("contact", k, c);
+  }
+  for (std::size_t k = 0; k < assembly.wall_contacts.size(); ++k) {
+    if (assembly.wall_contacts[k].i >= n)
+      reject("wall contact", k, "needs a grain index i < number of grains");
+    require_valid("wall contact", k, assembly.wall_contacts[k]);
   }
 }
 

@@ -22,10 +22,12 @@ MechanicalCoordination mechanical_coordination(const Assembly& assembly, Contact
     neighbours[c.j].push_back(c.i);
   }
   std::vector<std::size_t> degree(grains);
+  for (const Contact& c : assembly.wall_contacts)
+    ++degree[c.i];
   std::vector<std::size_t> removed;
   MechanicalCoordination result{.rattler = std::vector<bool>(grains, false)};
   for (std::size_t g = 0; g < grains; ++g) {
-    degree[g] = neighbours[g].size();
+    degree[g] += neighbours[g].size();
     if (degree[g] < fewest) {
       result.rattler[g] = true;
       removed.push_back(g);
@@ -41,6 +43,8 @@ MechanicalCoordination mechanical_coordination(const Assembly& assembly, Contact
   result.rattler_count = removed.size();
   for (const Contact& c : assembly.contacts)
     result.contact_count += !result.rattler[c.i] && !result.rattler[c.j];
+  for (const Contact& c : assembly.wall_contacts)
+    result.wall_contact_count += !result.rattler[c.i];
   if (grains > 0)
     result.rattler_fraction = static_cast<double>(result.rattler_count) / static_cast<double>(grains);
   if (result.rattler_count < grains)

@@ -54,11 +54,12 @@ double energy_moment(const Assembly& assembly, double exponent, double stiffness
 BulkModulusBounds bulk_modulus_bounds(const Assembly& assembly) {
   const double pressure = contact_stress(assembly).mean();
   double stiffness = 0, energy = 0;
-  for (const Contact& c : assembly.contacts) {
-    stiffness += c.normal_stiffness * dot(c.branch, c.branch);
-    energy += compliance_energy(c.normal_force, c.normal_stiffness) +
-              compliance_energy(norm(c.tangential_force), c.tangential_stiffness);
-  }
+  for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (const Contact& c : *contacts) {
+      stiffness += c.normal_stiffness * dot(c.branch, c.branch);
+      energy += compliance_energy(c.normal_force, c.normal_stiffness) +
+                compliance_energy(norm(c.tangential_force), c.tangential_stiffness);
+    }
   const double volume = assembly.volume();
   return {.lower = energy > 0 ? pressure * pressure * volume / energy : 0, .upper = stiffness / (9 * volume)};
 }

@@ -21,12 +21,9 @@ double frobenius(const Mat3& m) {
 ContactStress contact_stress(const Assembly& assembly) {
   require_valid(assembly);
   Mat3 sum;
-  for (const Contact& c : assembly.contacts) {
-    const Mat3 product = outer(force(c), c.branch);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        sum(i, j) += product(i, j);
-  }
+  for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (const Contact& c : *contacts)
+      sum += outer(force(c), c.branch);
   const double volume = assembly.volume();
   ContactStress stress;
   Mat3 antisymmetric;
@@ -54,17 +51,22 @@ std::vector<Residual> residuals(const Assembly& assembly) {
     result[c.i].moment -= (assembly.radius[c.i] / sum) * turn;
     result[c.j].moment -= (assembly.radius[c.j] / sum) * turn;
   }
+  for (const Contact& c : assembly.wall_contacts) {
+    result[c.i].force -= force(c);
+    result[c.i].moment -= cross(c.branch, force(c));
+  }
   return result;
 }
 
 Unbalance unbalance(const Assembly& assembly) {
   const auto grains = residuals(assembly);
   double contact_force = 0;
-  for (const Contact& c : assembly.contacts)
-    contact_force += norm(force(c));
+  for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (const Contact& c : *contacts)
+      contact_force += norm(force(c));
   if (!(contact_force > 0))
     return {};
-  contact_force /= static_cast<double>(assembly.contacts.size());
+  contact_force /= static_cast<double>(assembly.contacts.size() + assembly.wall_contacts.size());
   const auto count = static_cast<double>(grains.size());
   const double radius = std::accumulate(assembly.radius.begin(), assembly.radius.end(), 0.0) / count;
   Unbalance sum;

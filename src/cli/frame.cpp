@@ -62,6 +62,15 @@ void prepare_folder(const std::filesystem::path& folder, std::span<const char* c
     throw FileError(folder.string(), 0, "cannot be written to");
 }
 
+std::filesystem::path results_folder(const std::string& out, std::string_view command,
+                                     std::span<const char* const> names, bool force) {
+  std::filesystem::path folder = out;
+  for (int number = 1; out.empty() && (number == 1 || std::filesystem::exists(folder)); ++number)
+    folder = fmt::format("granum-{}-{}", command, number);
+  prepare_folder(folder, names, force);
+  return folder;
+}
+
 nlohmann::ordered_json json_head(std::string_view command) {
   return {{"program", "granum"},
           {"version", verify::version()},

@@ -41,6 +41,7 @@ Command add_estimate(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
+Command add_reproduce(CLI::App& program);
 Command add_sweep(CLI::App& program);
 Command add_verify(CLI::App& program);
 
@@ -66,6 +67,12 @@ nlohmann::ordered_json json_head(std::string_view command);
 /// \param    names   of the files that will be written there
 /// \throws   FileError if it cannot be made or written to, or holds one of the files and force is not set
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force);
+
+/// The folder for the results of a command: the one asked for, or, where `out` is empty, the first free
+/// granum-COMMAND-N.
+/// \throws   FileError as prepare_folder, which makes it
+[[nodiscard]] std::filesystem::path results_folder(const std::string& out, std::string_view command,
+                                                   std::span<const char* const> names, bool force);
 
 /// Delivers a result, `table` or `json` as the options ask, to standard output or the file, and the notes of
 /// its validity as warnings to standard error.

@@ -22,22 +22,45 @@ struct Key {
   std::string name;
   std::string meaning;
   std::function<void(Scene&, const std::string& name, const std::string& text)> set;
+  std::function<std::string(const Scene&)> get; ///< what `set` takes, to the bit; TOML
 };
 
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+/// A value with its SI unit.
+std::string quantity_text(double value, Dimension dimension) {
+  return dimension == Dimension::dimensionless
+             ? exact_text(value)
+             : quoted(exact_text(value) + std::string(si_symbol(dimension)));
+}
+
+/// A list of TOML, each item by its own text.
+template <class Value, class Text>
+std::string list_text(const std::vector<Value>& values, const Text& text) {
+  std::string out;
+  for (const Value& value : values)
+    out += (out.empty() ? "" : ", ") + text(value);
+  return "[" + out + "]";
+}
+
 Key quantity(const char* name, double Scene::*member, Dimension dimension, const char* meaning) {
-  return {name, meaning, [member, dimension](Scene& scene, const std::string& key, const std::string& text) {
+  return {name, meaning,
+          [member, dimension](Scene& scene, const std::string& key, const std::string& text) {
             scene.*member = parse_quantity(key, text, dimension);
-          }};
+          },
+          [member, dimension](const Scene& scene) { return quantity_text(scene.*member, dimension); }};
 }
 
 template <class Integer>
 Key whole_number(const char* name, Integer Scene::*member, const char* meaning) {
-  return {name, meaning, [member](Scene& scene, const std::string& key, const std::string& text) {
+  return {name, meaning,
+          [member](Scene& scene, const std::string& key, const std::string& text) {
             const double value = parse_quantity(key, text, Dimension::dimensionless);
             if (!(value >= 0 && value <= 9e15) || value != std::floor(value))
               throw InvalidArgument(key + " = " + text + " is not a whole number");
             scene.*member = static_cast<Integer>(value);
-          }};
+          },
+          [member](const Scene& scene) { return std::to_string(scene.*member); }};
 }
 
 std::vector<std::string> items_of(const std::string& text) {
@@ -49,31 +72,44 @@ std::vector<std::string> items_of(const std::string& text) {
 }
 
 Key pressures(const char* name, std::vector<double> Scene::*member, const char* meaning) {
-  return {name, meaning, [member](Scene& scene, const std::string& key, const std::string& text) {
+  return {name, meaning,
+          [member](Scene& scene, const std::string& key, const std::string& text) {
             std::vector<double> values;
             for (const std::string& item : items_of(text))
               values.push_back(parse_quantity(key, item, Dimension::pressure));
             scene.*member = values;
+          },
+          [member](const Scene& scene) {
+            return list_text(scene.*member,
+                             [](double value) { return quantity_text(value, Dimension::pressure); });
           }};
 }
+
+std::string_view name_of(verify::Shape shape) { return verify::name(shape); }
+std::string_view name_of(triaxial::Density density) { return verify::name(density); }
+std::string_view name_of(triaxial::ShearPath path) { return triaxial::name(path); }
 
 template <class Value>
 Key names(const char* name, std::vector<Value> Scene::*member, std::vector<Value> known,
           const char* meaning) {
-  return {name, meaning, [member, known](Scene& scene, const std::string& key, const std::string& text) {
+  return {name, meaning,
+          [member, known](Scene& scene, const std::string& key, const std::string& text) {
             std::vector<Value> values;
             for (const std::string& item : items_of(text)) {
               const auto found = std::find_if(known.begin(), known.end(),
-                                              [&](Value value) { return verify::name(value) == item; });
+                                              [&](Value value) { return name_of(value) == item; });
               if (found == known.end()) {
                 std::string all;
                 for (const Value value : known)
-                  all += (all.empty() ? "" : ", ") + std::string(verify::name(value));
+                  all += (all.empty() ? "" : ", ") + std::string(name_of(value));
                 throw InvalidArgument(key + ": '" + item + "' is unknown; known are " + all);
               }
               values.push_back(*found);
             }
             scene.*member = values;
+          },
+          [member](const Scene& scene) {
+            return list_text(scene.*member, [](Value value) { return quoted(std::string(name_of(value))); });
           }};
 }
 
@@ -103,12 +139,33 @@ const std::vector<Key>& keys() {
       whole_number("study.threads", &Scene::threads, "specimens side by side; results do not depend on it"),
       pressures("study.pressures", &Scene::pressures, "rising list"),
       pressures("study.probe_pressures", &Scene::probe_pressures, "some of the pressures; may be empty"),
+      {"specimen.boundary", "periodic, or walls: six rigid ones (reproduce only)",
+       [](Scene& scene, const std::string& key, const std::string& text) {
+         if (text != "periodic" && text != "walls")
+           throw InvalidArgument(key + ": '" + text + "' is unknown; known are periodic, walls");
+         scene.walls = text == "walls";
+       },
+       [](const Scene& scene) { return quoted(scene.walls ? "walls" : "periodic"); }},
+      quantity("specimen.wall_friction", &Scene::wall_friction, dimensionless,
+               "coefficient between grains and walls"),
       quantity("specimen.expansion_void_ratio", &Scene::expansion_void_ratio, dimensionless,
                "of the cell in which the grains grow"),
       quantity("specimen.unjamming_strain", &Scene::unjamming_strain, dimensionless,
                "by which loose specimens are opened before friction is switched on"),
       quantity("specimen.agitation", &Scene::agitation, dimensionless,
                "random move of each grain then, as a share of its radius"),
+      names("shear.paths", &Scene::paths,
+            {triaxial::all_shear_paths.begin(), triaxial::all_shear_paths.end()},
+            "TXC, RTXC, RTXE, TXE (this and the next: reproduce only)"),
+      quantity("shear.inertial_number", &Scene::inertial_number, dimensionless,
+               "driven strain rate times d sqrt(density/p')"),
+      quantity("shear.eta_step", &Scene::eta_step, dimensionless, "freeze at its multiples ..."),
+      quantity("shear.strain_step", &Scene::strain_step, dimensionless, "... and of this axial strain"),
+      quantity("shear.largest_strain", &Scene::largest_strain, dimensionless, "axial, where paths end"),
+      quantity("shear.probe_eta_step", &Scene::probe_eta_step, dimensionless,
+               "cyclic shear at its multiples; 0: nowhere"),
+      quantity("shear.loop_strain", &Scene::loop_strain, dimensionless,
+               "of cycles of shear with friction (Fig. 8); 0: none"),
   };
   return table;
 }
@@ -160,7 +217,7 @@ template <class Value>
 std::vector<std::string> names_of(const std::vector<Value>& values) {
   std::vector<std::string> out;
   for (const Value value : values)
-    out.emplace_back(verify::name(value));
+    out.emplace_back(name_of(value));
   return out;
 }
 
@@ -218,9 +275,32 @@ nlohmann::ordered_json json_of(const Scene& scene) {
         {"pressures_Pa", scene.pressures},
         {"probe_pressures_Pa", scene.probe_pressures}}},
       {"specimen",
-       {{"expansion_void_ratio", scene.expansion_void_ratio},
+       {{"boundary", scene.walls ? "walls" : "periodic"},
+        {"wall_friction", scene.wall_friction},
+        {"expansion_void_ratio", scene.expansion_void_ratio},
         {"unjamming_strain", scene.unjamming_strain},
-        {"agitation", scene.agitation}}}};
+        {"agitation", scene.agitation}}},
+      {"shear",
+       {{"paths", names_of(scene.paths)},
+        {"inertial_number", scene.inertial_number},
+        {"eta_step", scene.eta_step},
+        {"strain_step", scene.strain_step},
+        {"largest_strain", scene.largest_strain},
+        {"probe_eta_step", scene.probe_eta_step},
+        {"loop_strain", scene.loop_strain}}}};
+}
+
+std::string toml_of(const Scene& scene) {
+  std::string text, section;
+  for (const Key& key : keys()) {
+    const std::size_t dot = key.name.find('.');
+    if (key.name.substr(0, dot) != section) {
+      section = key.name.substr(0, dot);
+      text += (text.empty() ? "[" : "\n[") + section + "]\n";
+    }
+    text += key.name.substr(dot + 1) + " = " + key.get(scene) + "\n";
+  }
+  return text;
 }
 
 std::string key_help() {

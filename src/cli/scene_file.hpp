@@ -22,6 +22,9 @@ void set_key(verify::Scene& scene, const std::string& key, const std::string& va
 /// \throws   InvalidArgument
 void apply_setting(verify::Scene& scene, const std::string& setting);
 
+/// A scene as TOML with every key: read_scene of it is the same scene, to the bit.
+[[nodiscard]] std::string toml_of(const verify::Scene& scene);
+
 /// The resolved scene in SI, for manifests; and its keys with what they mean, for help.
 [[nodiscard]] nlohmann::ordered_json json_of(const verify::Scene& scene);
 [[nodiscard]] std::string key_help();

@@ -37,8 +37,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.footer(key_help());
 }
 
-verify::Scene resolve(const StudyOptions& options) {
-  verify::Scene scene = options.scene_file.empty() ? verify::Scene{} : read_scene(options.scene_file);
+verify::Scene resolve(const StudyOptions& options, const verify::Scene& base) {
+  verify::Scene scene = options.scene_file.empty() ? base : read_scene(options.scene_file);
   for (const std::string& setting : options.settings)
     apply_setting(scene, setting);
   if (options.grains_given)

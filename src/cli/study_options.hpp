@@ -27,8 +27,8 @@ struct StudyOptions {
 
 void add_study_options(CLI::App& command, StudyOptions& options);
 
-/// Defaults, then the scene file, then --set, then --grains, --seeds and --threads.
+/// The scene file or else `base`, then --set, then --grains, --seeds and --threads.
 /// \throws   FileError, InvalidArgument
-[[nodiscard]] verify::Scene resolve(const StudyOptions& options);
+[[nodiscard]] verify::Scene resolve(const StudyOptions& options, const verify::Scene& base = {});
 
 } // namespace granum::cli

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
-
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -19,7 +13,9 @@
 #include <granum/verify/tables.hpp>
 
 #include "frame.hpp"
+#include "progress.hpp"
 #include "scene_file.hpp"
+#include "stop_signal.hpp"
 #include "study_options.hpp"
 
 namespace granum::cli {
@@ -39,74 +35,6 @@ struct Options {
 };
 
 constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
-
-std::atomic<bool> stop_requested = false;
-std::atomic<std::time_t> first_signal = 0;
-
-/// The first Ctrl-C (or termination) ends the study in order; another one two seconds later ends it at once.
-/// Some callers, such as timeout(1), send each signal more than once.
-extern "C" void granum_verify_stop(int) {
-  const std::time_t now = std::time(nullptr);
-  if (!stop_requested) {
-    stop_requested = true;
-    first_signal = now;
-  } else if (now - first_signal >= 2) {
-    _exit(130);
-  }
-}
-
-void listen_for_stop() {
-  struct sigaction action = {};
-  action.sa_handler = granum_verify_stop;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// One line on the terminal, overwritten in place; silent elsewhere.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(fileno(stderr)) != 0) {}
-  ~ProgressLine() { clear(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(const verify::Progress& progress) {
-    if (!shown_)
-      return;
-    const double elapsed = seconds_since(start_);
-    const double left = progress.done > 0 ? elapsed * (1 - progress.done) / progress.done : 0;
-    fmt::print(stderr, "\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
-               progress.what);
-    std::fflush(stderr);
-  }
-  void clear() {
-    if (shown_)
-      fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  bool shown_;
-  Clock::time_point start_ = Clock::now();
-};
-
-/// The folder for results: the one asked for, checked before any work is done, or the first free
-/// granum-verify-N.
-/// \throws   FileError if it cannot be made, or holds results that --force does not release
-fs::path output_folder(const Options& options) {
-  fs::path folder = options.out;
-  if (options.out.empty()) {
-    int number = 1;
-    do
-      folder = fmt::format("granum-verify-{}", number++);
-    while (fs::exists(folder));
-  }
-  prepare_folder(folder, file_names, options.force);
-  return folder;
-}
 
 ordered_json exponent_json(const std::optional<verify::Exponent>& exponent) {
   if (!exponent)
@@ -150,6 +78,7 @@ struct Outcome {
   std::vector<verify::ExponentRow> exponents;
   std::vector<verify::Verdict> verdicts;
   double seconds = 0;
+  bool stopped = false; ///< on request
 
   [[nodiscard]] bool complete() const {
     return std::all_of(specimens.begin(), specimens.end(), [](const auto& s) { return s.failure.empty(); });
@@ -204,10 +133,11 @@ Outcome run_and_judge(const verify::Scene& scene, bool quiet) {
   outcome.scene = scene;
   const Clock::time_point start = Clock::now();
   ProgressLine line(quiet);
-  listen_for_stop();
+  const std::atomic<bool>& stop = listen_for_stop();
   outcome.specimens = verify::run_study(
-      scene, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop_requested});
+      scene, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop});
   outcome.seconds = seconds_since(start);
+  outcome.stopped = stop;
   outcome.exponents = verify::exponents(scene, outcome.specimens);
   outcome.verdicts = verify::verdicts(scene, outcome.specimens);
   return outcome;
@@ -230,14 +160,15 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 ExitCode run(const Options& options) {
   const verify::Scene scene = resolve(options.study);
   const bool writes = !options.json || !options.out.empty();
-  const fs::path folder = writes ? output_folder(options) : fs::path();
+  const fs::path folder =
+      writes ? results_folder(options.out, "verify", file_names, options.force) : fs::path();
   const Outcome outcome = run_and_judge(scene, options.quiet);
   if (writes)
     write_results(folder, outcome, options);
   const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
   const std::string where = writes ? "CSV and manifest in " + folder.string() + "\n" : "";
   deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
-  if (!outcome.complete() && !stop_requested)
+  if (!outcome.complete() && !outcome.stopped)
     return ExitCode::not_converged;
   return outcome.all_hold() ? ExitCode::ok : ExitCode::fell_short;
 }

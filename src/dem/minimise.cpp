@@ -100,8 +100,8 @@ class Minimiser {
       : state_(state), law_(law.kernel()), pressure_(pressure), options_(options),
         list_(2 * state.radius, 0.1 * state.radius, images(state)), force_(state.grain_count()),
         velocity_(state.grain_count()),
-        cell_inertia_(cell_inertia_per_grain * static_cast<double>(state.grain_count()) * state.radius *
-                      state.radius) {
+        cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
+                      state.radius * state.radius) {
     list_.build(state_.cell, state_.position);
   }
 
@@ -123,8 +123,11 @@ class Minimiser {
   }
 
  private:
-  /// W/(m N R^2): the cell's period is then that of the specimen's slow sound waves.
-  static constexpr double cell_inertia_per_grain = 500;
+  /// W/(m N R^2): the cell's period is then that of the specimen's slow sound waves, which cross it in a time
+  /// that grows as N^(1/3).
+  static double cell_inertia_per_grain(std::size_t grains) {
+    return 500 * std::pow(std::max(1.0, static_cast<double>(grains) / 1000), 2.0 / 3);
+  }
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
 

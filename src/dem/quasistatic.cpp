@@ -19,6 +19,14 @@ constexpr std::size_t watch_interval = 500;
 
 double square(double x) { return x * x; }
 
+double squared_norm(const Mat3& m) {
+  double sum = 0;
+  for (const auto& row : m.m)
+    for (const double value : row)
+      sum += square(value);
+  return sum;
+}
+
 struct Rates {
   double largest;     ///< of strain [1/s]
   double to_inertial; ///< inertial number of a unit strain rate [s]
@@ -59,6 +67,11 @@ void require_valid(const QuasistaticOptions& options) {
 } // namespace
 
 QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options) {
+  return shear_at_stress(engine, Mat3{}, 0, target, options);
+}
+
+QuasistaticReport shear_at_stress(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
+                                  const Vec3& target, const QuasistaticOptions& options) {
   require_valid(options);
   for (int axis = 0; axis < 3; ++axis)
     require_positive("target stress", target[axis], "Pa");
@@ -69,19 +82,22 @@ QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const Quasista
     if (interrupted(engine, options, report))
       break;
     const StepFigures& now = engine.figures();
+    const bool ramp = report.steps < ramp_steps;
     Mat3 gradient;
-    double worst = 0, norm_squared = 0;
+    if (ramp)
+      gradient = 1 / (static_cast<double>(ramp_steps) * engine.time_step()) * strain;
+    double worst = 0, norm_squared = squared_norm(gradient);
     for (int axis = 0; axis < 3; ++axis) {
       const double gap = target[axis] - now.boundary_stress[axis];
       worst = std::max(worst, std::abs(gap));
       const double modulus = std::max(now.p_wave_modulus, pressure);
       const double strain_rate =
           std::clamp(gap / (modulus * servo_steps * engine.time_step()), -rate.largest, rate.largest);
-      gradient(axis, axis) = -strain_rate;
+      gradient(axis, axis) -= strain_rate;
       norm_squared += square(strain_rate);
     }
-    if (report.steps % check_interval == 0 && report.steps > 0 && now.contacts + now.wall_contacts > 0 &&
-        worst < options.stress_tolerance * pressure &&
+    if (!ramp && report.steps % check_interval == 0 && report.steps > 0 &&
+        now.contacts + now.wall_contacts > 0 && worst < options.stress_tolerance * pressure &&
         engine.unbalanced_force_ratio() < options.force_tolerance) {
       report.outcome = Outcome::converged;
       break;
@@ -101,16 +117,12 @@ QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_st
   require_valid(options);
   const double pressure = std::max(trace(engine.figures().stress) / 3, 1e-300);
   const double to_inertial = rates(engine, pressure, engine.diameter(), options).to_inertial;
-  double strain_squared = 0;
-  for (const auto& row : strain.m)
-    for (const double value : row)
-      strain_squared += square(value);
   QuasistaticReport report;
   for (; report.steps < ramp_steps; ++report.steps) {
     // The time step may change on the way, so the rate is set from the strain of each step.
     const double rate = 1 / (static_cast<double>(ramp_steps) * engine.time_step());
     report.largest_inertial_number =
-        std::max(report.largest_inertial_number, std::sqrt(strain_squared) * rate * to_inertial);
+        std::max(report.largest_inertial_number, std::sqrt(squared_norm(strain)) * rate * to_inertial);
     engine.set_velocity_gradient(rate * strain);
     engine.step();
   }

@@ -12,8 +12,48 @@
 #include <granum/dem/neighbours.hpp>
 
 #include "verlet_list.hpp"
+#include "wall_contacts.hpp"
 
 namespace granum::dem {
+
+namespace {
+
+/// At the Coulomb limit up to the rounding of the return to it.
+bool at_limit(const Vec3& tangential_force, double limit) {
+  return norm(tangential_force) >= (1 - 1e-9) * limit;
+}
+
+std::vector<Contact> wall_contacts(const State& state, const Material& material) {
+  const std::array<WallPlane, wall_count> planes = wall_planes(state.cell);
+  const contact::NormalKernel kernel = material.law.kernel();
+  const bool rough = state.walls->friction_coefficient > 0;
+  std::vector<Contact> contacts;
+  auto memory = state.walls->history.begin();
+  for (std::uint32_t g = 0; g < state.grain_count(); ++g)
+    for (std::uint32_t w = 0; w < wall_count; ++w) {
+      const double distance = wall_distance(planes[w], state.position[g]);
+      Contact c{.i = g, .j = w, .overlap = state.radius - distance, .tangential_force = {}};
+      if (!(c.overlap > 0))
+        continue;
+      const contact::NormalResponse response =
+          std::visit([&](const auto& law) { return wall_response(law, c.overlap); }, kernel);
+      c.branch = -distance * planes[w].normal;
+      c.normal_force = response.force;
+      c.normal_stiffness = response.stiffness;
+      c.tangential_stiffness = rough ? material.tangential_stiffness_ratio * response.stiffness : 0;
+      while (memory != state.walls->history.end() && std::tie(memory->grain, memory->wall) < std::tie(g, w))
+        ++memory;
+      if (memory != state.walls->history.end() && memory->grain == g && memory->wall == w) {
+        c.tangential_force = -memory->tangential_force;
+        c.sliding = rough && material.tangential() &&
+                    at_limit(c.tangential_force, state.walls->friction_coefficient * c.normal_force);
+      }
+      contacts.push_back(c);
+    }
+  return contacts;
+}
+
+} // namespace
 
 void require_valid(const Material& material) {
   require_non_negative("tangential_stiffness_ratio", material.tangential_stiffness_ratio);
@@ -33,8 +73,6 @@ double void_ratio(const State& state) {
 }
 
 Assembly freeze(const State& state, const Material& material) {
-  // At the Coulomb limit up to the rounding of the return to it.
-  constexpr double at_limit = 1 - 1e-9;
   Assembly assembly;
   assembly.cell = state.cell;
   assembly.position = state.position;
@@ -60,11 +98,13 @@ Assembly freeze(const State& state, const Material& material) {
       ++memory;
     if (memory != state.history.end() && memory->i == c.i && memory->j == c.j) {
       c.tangential_force = memory->tangential_force;
-      const double limit = material.friction_coefficient * c.normal_force;
-      c.sliding = material.tangential() && norm(c.tangential_force) >= at_limit * limit;
+      c.sliding = material.tangential() &&
+                  at_limit(c.tangential_force, material.friction_coefficient * c.normal_force);
     }
     assembly.contacts.push_back(c);
   }
+  if (state.walls)
+    assembly.wall_contacts = wall_contacts(state, material);
   return assembly;
 }
 

@@ -7,6 +7,8 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 
+#include "cut_sphere.hpp"
+
 namespace granum::dem {
 
 std::array<WallPlane, wall_count> wall_planes(const Mat3& cell) {
@@ -31,12 +33,11 @@ Vec3 wall_stress(const WallForces& forces, const std::array<WallPlane, wall_coun
   return stress;
 }
 
-Interior::Interior(const Mat3& cell, double layer) : to_fraction_(inverse(cell)) {
+Interior::Interior(const Mat3& cell, double layer) : to_fraction_(inverse(cell)), widths_(cell_widths(cell)) {
   require_non_negative("layer", layer, "m");
-  const Vec3 widths = cell_widths(cell);
   double share = 1;
   for (int k = 0; k < 3; ++k) {
-    margin_[k] = layer / widths[k];
+    margin_[k] = layer / widths_[k];
     share *= 1 - 2 * margin_[k];
     if (!(2 * margin_[k] < 1))
       throw InvalidArgument("layer at the walls", layer, "m", "[0, half of the box)");
@@ -50,6 +51,17 @@ bool Interior::holds(const Vec3& x) const {
     if (s[k] < margin_[k] || s[k] > 1 - margin_[k])
       return false;
   return true;
+}
+
+double Interior::part_of_sphere(const Vec3& x, double radius) const {
+  require_positive("radius", radius, "m");
+  const Vec3 s = to_fraction_ * x;
+  Vec3 low, high;
+  for (int k = 0; k < 3; ++k) {
+    low[k] = widths_[k] / radius * (margin_[k] - s[k]);
+    high[k] = widths_[k] / radius * (1 - margin_[k] - s[k]);
+  }
+  return radius * radius * radius * unit_sphere_in_box(low, high);
 }
 
 double Interior::share(const Vec3& x, const Vec3& branch) const {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <granum/core/error.hpp>
+#include <granum/elastic/eigen_system.hpp>
 
 namespace granum::elastic {
 
@@ -80,9 +80,9 @@ double relative_smallest_eigenvalue(const MandelStiffness& stiffness) {
     return 0;
   const Matrix6 scaled = stiffness.matrix / scale;
   const Matrix6 symmetric = (scaled + scaled.transpose()) / 2;
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(symmetric, Eigen::EigenvaluesOnly);
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  return largest > 0 ? solver.eigenvalues().minCoeff() / largest : 0;
+  const Vector6 values = eigen_system(symmetric).values;
+  const double largest = values.cwiseAbs().maxCoeff();
+  return largest > 0 ? values[0] / largest : 0;
 }
 
 bool positive_definite(const MandelStiffness& stiffness, double tolerance) {

@@ -7,17 +7,15 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/svg_text.hpp>
 
 #include "chart_parts.hpp"
-#include "svg_text.hpp"
 #include "ticks.hpp"
 
 namespace granum::io {
 
 namespace {
 
-constexpr double plot_width = 520;
-constexpr double plot_height = 380;
 constexpr double left = 96;
 constexpr double top = 48;
 constexpr double bottom = 66;
@@ -25,7 +23,8 @@ constexpr double right_without_legend = 28;
 constexpr double font_size = 14;
 constexpr double glyph_width = 0.62 * font_size; // a wide estimate of a letter, for the legend's width
 constexpr double legend_line = 22;
-constexpr double marker_size = 4;
+constexpr double legend_margin = 14; // of one below the plot, and between its names
+constexpr double legend_sample = 42; // line and marker in front of a name
 
 /// Colours that people with colour blindness tell apart, after Okabe and Ito.
 constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
@@ -40,10 +39,44 @@ struct Point {
 
 std::string pair(const Point& p) { return svg_number(p.x) + "," + svg_number(p.y); }
 
+/// How a series looks.
+class Look {
+ public:
+  Look(const Series& series, std::size_t place) : index_(series.style.value_or(place)), tone_(series.tone) {}
+
+  [[nodiscard]] double marker_size() const { return tone_ == Tone::faint ? 2.5 : 4; }
+  [[nodiscard]] const char* colour() const { return tone_ == Tone::grey ? grey : series_colour(index_); }
+  [[nodiscard]] std::size_t shape() const { return index_ % shape_count; }
+
+  [[nodiscard]] SvgAttributes stroke() const {
+    const bool thin = tone_ == Tone::faint || tone_ == Tone::grey;
+    SvgAttributes attributes = {{"fill", "none"}, {"stroke", colour()}, {"stroke-width", thin ? "1.3" : "2"}};
+    const char* dash = dashes[index_ % dash_count];
+    if (*dash != '\0')
+      attributes.emplace_back("stroke-dasharray", dash);
+    return attributes;
+  }
+  [[nodiscard]] SvgAttributes filling() const {
+    if (tone_ == Tone::hollow)
+      return {{"fill", "white"}, {"stroke", colour()}, {"stroke-width", "1.5"}};
+    return {{"fill", colour()}};
+  }
+  [[nodiscard]] SvgAttributes group() const {
+    SvgAttributes attributes = {{"class", "series"}};
+    if (tone_ == Tone::faint)
+      attributes.emplace_back("opacity", "0.55");
+    return attributes;
+  }
+
+ private:
+  std::size_t index_;
+  Tone tone_;
+};
+
 /// A circle, square, diamond or triangle.
-std::string marker(std::size_t index, const Point& p) {
-  const double s = marker_size;
-  switch (index % shape_count) {
+std::string marker(const Look& look, const Point& p) {
+  const double s = look.marker_size();
+  switch (look.shape()) {
   case 0:
     return svg_element("circle", {{"cx", svg_number(p.x)}, {"cy", svg_number(p.y)}, {"r", svg_number(s)}});
   case 1:
@@ -60,14 +93,6 @@ std::string marker(std::size_t index, const Point& p) {
                        {{"d", "M" + pair({p.x, p.y - 1.3 * s}) + "L" + pair({p.x + 1.2 * s, p.y + 0.9 * s}) +
                                   "L" + pair({p.x - 1.2 * s, p.y + 0.9 * s}) + "Z"}});
   }
-}
-
-SvgAttributes stroke(std::size_t index) {
-  SvgAttributes attributes = {{"fill", "none"}, {"stroke", series_colour(index)}, {"stroke-width", "2"}};
-  const char* dash = dashes[index % dash_count];
-  if (*dash != '\0')
-    attributes.emplace_back("stroke-dasharray", dash);
-  return attributes;
 }
 
 std::string label_content(const Tick& tick) {
@@ -110,8 +135,8 @@ class Picture {
         y_(chart.y.scale, values(chart.y.scale, true)) {}
 
   [[nodiscard]] std::string text() const {
-    const std::string width = svg_number(left + plot_width + right());
-    const std::string height = svg_number(top + plot_height + bottom);
+    const std::string width = svg_number(left + chart_.width + right());
+    const std::string height = svg_number(top + chart_.height + bottom + legend_height());
     std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
                       width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
@@ -119,7 +144,7 @@ class Picture {
                       "\">\n";
     svg += svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
     svg += svg_text("title",
-                    {{"x", svg_number(left + plot_width / 2)},
+                    {{"x", svg_number(left + chart_.width / 2)},
                      {"y", svg_number(top - 18)},
                      {"text-anchor", "middle"},
                      {"font-size", "16"}},
@@ -152,25 +177,26 @@ class Picture {
     return found;
   }
 
-  [[nodiscard]] double at_x(double x) const { return left + plot_width * x_.fraction(x); }
-  [[nodiscard]] double at_y(double y) const { return top + plot_height * (1 - y_.fraction(y)); }
+  [[nodiscard]] double at_x(double x) const { return left + chart_.width * x_.fraction(x); }
+  [[nodiscard]] double at_y(double y) const { return top + chart_.height * (1 - y_.fraction(y)); }
   [[nodiscard]] Point place(const Point& p) const { return {at_x(p.x), at_y(p.y)}; }
 
   [[nodiscard]] std::string x_axis() const {
     std::string svg;
     for (const Tick& tick : x_.ticks()) {
       const double x = at_x(tick.value);
-      svg += grid_line({x, top}, {x, top + plot_height}, tick);
-      svg += svg_line({x, top + plot_height}, {x, top + plot_height + (tick.labelled() ? 6 : 3)}, "black");
+      svg += grid_line({x, top}, {x, top + chart_.height}, tick);
+      svg +=
+          svg_line({x, top + chart_.height}, {x, top + chart_.height + (tick.labelled() ? 6 : 3)}, "black");
       if (tick.labelled())
         svg += svg_text(
             "x-label",
-            {{"x", svg_number(x)}, {"y", svg_number(top + plot_height + 22)}, {"text-anchor", "middle"}},
+            {{"x", svg_number(x)}, {"y", svg_number(top + chart_.height + 22)}, {"text-anchor", "middle"}},
             label_content(tick));
     }
     return svg + svg_text("x-title",
-                          {{"x", svg_number(left + plot_width / 2)},
-                           {"y", svg_number(top + plot_height + 50)},
+                          {{"x", svg_number(left + chart_.width / 2)},
+                           {"y", svg_number(top + chart_.height + 50)},
                            {"text-anchor", "middle"}},
                           svg_escaped(chart_.x.title));
   }
@@ -179,14 +205,14 @@ class Picture {
     std::string svg;
     for (const Tick& tick : y_.ticks()) {
       const double y = at_y(tick.value);
-      svg += grid_line({left, y}, {left + plot_width, y}, tick);
+      svg += grid_line({left, y}, {left + chart_.width, y}, tick);
       svg += svg_line({left - (tick.labelled() ? 6 : 3), y}, {left, y}, "black");
       if (tick.labelled())
         svg += svg_text("y-label",
                         {{"x", svg_number(left - 10)}, {"y", svg_number(y + 5)}, {"text-anchor", "end"}},
                         label_content(tick));
     }
-    const std::string middle = svg_number(top + plot_height / 2);
+    const std::string middle = svg_number(top + chart_.height / 2);
     return svg + svg_text("y-title",
                           {{"x", "24"},
                            {"y", middle},
@@ -207,23 +233,22 @@ class Picture {
     return tick.labelled() ? svg_line(from, to, "#e3e3e3") : "";
   }
 
-  [[nodiscard]] static std::string frame() {
+  [[nodiscard]] std::string frame() const {
     return svg_element("rect", {{"x", svg_number(left)},
                                 {"y", svg_number(top)},
-                                {"width", svg_number(plot_width)},
-                                {"height", svg_number(plot_height)},
+                                {"width", svg_number(chart_.width)},
+                                {"height", svg_number(chart_.height)},
                                 {"fill", "none"},
                                 {"stroke", "black"}});
   }
 
-  [[nodiscard]] std::string error_bar(const Point& p, double error) const {
+  [[nodiscard]] std::string error_bar(const Point& p, double error, double cap) const {
     const double x = at_x(p.x);
     const auto end = [this](double y, double edge) {
       return AxisRange::drawable(chart_.y.scale, y) ? at_y(y) : edge;
     };
     const double high = end(p.y + error, top);
-    const double low = end(p.y - error, top + plot_height);
-    const double cap = marker_size;
+    const double low = end(p.y - error, top + chart_.height);
     return svg_element(
         "path", {{"class", "error"},
                  {"d", "M" + pair({x - cap, high}) + "H" + svg_number(x + cap) + "M" + pair({x, high}) + "V" +
@@ -233,57 +258,91 @@ class Picture {
   [[nodiscard]] std::string curve(std::size_t index) const {
     const DrawnSeries& series = drawn_[index];
     const Mark mark = chart_.series[index].mark;
+    const Look look(chart_.series[index], index);
     std::string path;
     std::string dots;
     std::string bars;
     for (std::size_t k = 0; k < series.points.size(); ++k) {
       const Point p = place(series.points[k]);
       path += (series.joined[k] ? "L" : "M") + pair(p);
-      dots += marker(index, p);
+      dots += marker(look, p);
       if (series.errors[k] > 0)
-        bars += error_bar(series.points[k], series.errors[k]);
+        bars += error_bar(series.points[k], series.errors[k], look.marker_size());
     }
     std::string svg;
     if (mark != Mark::marker && !path.empty()) {
-      SvgAttributes attributes = stroke(index);
+      SvgAttributes attributes = look.stroke();
       attributes.emplace_back("d", path);
       svg += svg_element("path", attributes);
     }
-    const std::string colour = series_colour(index);
-    svg += svg_group({{"fill", "none"}, {"stroke", colour}}, bars);
+    svg += svg_group({{"fill", "none"}, {"stroke", look.colour()}}, bars);
     if (mark != Mark::line)
-      svg += svg_group({{"fill", colour}}, dots);
-    return svg_group({{"class", "series"}}, svg);
+      svg += svg_group(look.filling(), dots);
+    return svg_group(look.group(), svg);
   }
 
-  /// Right of the plot, one line a series.
   [[nodiscard]] std::string legend() const {
+    const std::vector<Point> places = legend_places();
     std::string svg;
-    double y = top + 12;
-    const double x = left + plot_width + 20;
-    for (std::size_t k = 0; k < chart_.series.size(); ++k) {
-      const Series& series = chart_.series[k];
-      if (series.name.empty())
-        continue;
-      if (series.mark != Mark::marker) {
-        SvgAttributes attributes = stroke(k);
-        attributes.emplace_back("d", "M" + pair({x, y}) + "H" + svg_number(x + 34));
-        svg += svg_element("path", attributes);
-      }
-      if (series.mark != Mark::line)
-        svg += svg_group({{"fill", series_colour(k)}}, marker(k, {x + 17, y}));
-      svg +=
-          svg_text("legend", {{"x", svg_number(x + 42)}, {"y", svg_number(y + 5)}}, svg_escaped(series.name));
-      y += legend_line;
-    }
+    for (std::size_t k = 0; k < chart_.series.size(); ++k)
+      if (!chart_.series[k].name.empty())
+        svg += legend_entry(k, places[k]);
     return svg;
   }
 
+  [[nodiscard]] std::string legend_entry(std::size_t k, const Point& at) const {
+    const Series& series = chart_.series[k];
+    const Look look(series, k);
+    std::string svg;
+    if (series.mark != Mark::marker) {
+      SvgAttributes attributes = look.stroke();
+      attributes.emplace_back("d", "M" + pair(at) + "H" + svg_number(at.x + 34));
+      svg += svg_element("path", attributes);
+    }
+    if (series.mark != Mark::line)
+      svg += svg_group(look.filling(), marker(look, {at.x + 17, at.y}));
+    return svg + svg_text("legend", {{"x", svg_number(at.x + legend_sample)}, {"y", svg_number(at.y + 5)}},
+                          svg_escaped(series.name));
+  }
+
+  /// Of every series, also of those that are not listed: right of the plot one below the other, or under it
+  /// from left to right, as many in a row as there is room for.
+  [[nodiscard]] std::vector<Point> legend_places() const {
+    std::vector<Point> places;
+    Point next = chart_.legend_below ? Point{legend_margin, top + chart_.height + bottom + 4}
+                                     : Point{left + chart_.width + 20, top + 12};
+    const double end = left + chart_.width + right_without_legend - legend_margin;
+    for (const Series& series : chart_.series) {
+      const double length = legend_sample + name_width(series);
+      if (chart_.legend_below && next.x > legend_margin && next.x + length > end)
+        next = {legend_margin, next.y + legend_line};
+      places.push_back(next);
+      if (series.name.empty())
+        continue;
+      if (chart_.legend_below)
+        next.x += length + legend_margin;
+      else
+        next.y += legend_line;
+    }
+    return places;
+  }
+
+  [[nodiscard]] static double name_width(const Series& series) {
+    return glyph_width * static_cast<double>(series.name.size());
+  }
+
+  [[nodiscard]] double legend_height() const {
+    double lowest = 0;
+    if (chart_.legend_below && !chart_.series.empty())
+      lowest = legend_places().back().y - (top + chart_.height + bottom) + legend_line - 8;
+    return lowest;
+  }
+
   [[nodiscard]] double right() const {
-    std::size_t longest = 0;
+    double longest = 0;
     for (const Series& series : chart_.series)
-      longest = std::max(longest, series.name.size());
-    return longest == 0 ? right_without_legend : 76 + glyph_width * static_cast<double>(longest);
+      longest = std::max(longest, name_width(series));
+    return longest == 0 || chart_.legend_below ? right_without_legend : 76 + longest;
   }
 
   const Chart& chart_;
@@ -299,6 +358,8 @@ const char* series_colour(std::size_t index) { return colours[index % std::size(
 void require_valid(const Chart& chart) {
   require_positive("unit of the x axis", chart.x.unit);
   require_positive("unit of the y axis", chart.y.unit);
+  require_positive("width of a plot", chart.width);
+  require_positive("height of a plot", chart.height);
   for (const Series& series : chart.series)
     if (series.y.size() != series.x.size() ||
         (!series.y_error.empty() && series.y_error.size() != series.x.size()))

@@ -11,7 +11,9 @@ namespace granum::io {
 /// \throws   InvalidArgument if a chart contradicts itself, as svg says
 void require_valid(const Chart& chart);
 
-/// "#rrggbb" of the series of that index.
+/// Of series without a colour of their own.
+inline constexpr const char* grey = "#7a7a7a";
+/// "#rrggbb" of the style of that index.
 [[nodiscard]] const char* series_colour(std::size_t index);
 
 } // namespace granum::io

@@ -25,11 +25,16 @@ std::string quoted(std::string text) {
 constexpr int point_types[] = {7, 5, 13, 9}; // filled circle, square, diamond, triangle
 constexpr std::size_t dash_types = 4;
 
-/// Colour, dash and mark of the series of that index, as in the SVG.
-std::string line_style(std::size_t index) {
-  return "set style line " + std::to_string(index + 1) + " linewidth 2 pointsize 0.6 linecolor rgb '" +
-         series_colour(index) + "' dashtype " + std::to_string(index % dash_types + 1) + " pointtype " +
-         std::to_string(point_types[index % std::size(point_types)]) + "\n";
+/// Colour, dash and mark of the series at that place, as in the SVG.
+std::string line_style(const Series& series, std::size_t place) {
+  const std::size_t index = series.style.value_or(place);
+  const bool thin = series.tone == Tone::faint || series.tone == Tone::grey;
+  const int hollow = series.tone == Tone::hollow ? 1 : 0; // the type before each filled one
+  return "set style line " + std::to_string(place + 1) + " linewidth " + (thin ? "1" : "2") + " pointsize " +
+         (thin ? "0.4" : "0.6") + " linecolor rgb '" +
+         (series.tone == Tone::grey ? grey : series_colour(index)) + "' dashtype " +
+         std::to_string(index % dash_types + 1) + " pointtype " +
+         std::to_string(point_types[index % std::size(point_types)] - hollow) + "\n";
 }
 
 std::string column(const std::string& heading, double unit) {
@@ -66,7 +71,8 @@ std::string plots(const Chart& chart, const std::string& csv, const std::vector<
                     (series.name.empty() ? " notitle" : " title " + quoted(series.name)));
     if (!c.y_error.empty())
       parts.push_back(quoted(csv) + " using " + xy + ":" + column(c.y_error, chart.y.unit) +
-                      " with yerrorbars linestyle " + number + " notitle");
+                      " with yerrorbars linestyle " + number + " dashtype 1" +
+                      (series.mark == Mark::line ? " pointtype 0" : "") + " notitle");
   }
   std::string text;
   for (const std::string& part : parts)
@@ -95,7 +101,7 @@ std::string gnuplot_script(const Chart& chart, const std::string& csv, const std
                      "set grid\n";
   text += "set title " + quoted(chart.title) + "\n" + axis("x", chart.x) + axis("y", chart.y);
   for (std::size_t k = 0; k < chart.series.size(); ++k)
-    text += line_style(k);
+    text += line_style(chart.series[k], k);
   return text + (columns.empty() ? "" : plots(chart, csv, columns));
 }
 

@@ -7,8 +7,7 @@
 #include <granum/assembly/coordination.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-
-#include "svg_text.hpp"
+#include <granum/io/svg_text.hpp>
 
 namespace granum::io {
 

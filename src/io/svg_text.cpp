@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "svg_text.hpp"
+#include <granum/io/svg_text.hpp>
 
 #include <charconv>
 

@@ -62,48 +62,63 @@ std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vect
   return number;
 }
 
+/// With the units of the contact.
+Link link(const Contact& c, std::uint32_t i, std::uint32_t j, double radii, const Options& options) {
+  const double length = norm(c.branch);
+  return {.a = std::min(i, j),
+          .b = std::max(i, j),
+          .normal = i <= j ? normal(c) : -normal(c),
+          .length = length,
+          .lever = length / radii,
+          .normal_stiffness = c.normal_stiffness,
+          .tangential_stiffness = effective_tangential_stiffness(c, options.sliding),
+          .prestress = options.prestress ? c.normal_force / length : 0};
+}
+
+void remove_units(Backbone& backbone) {
+  double stiffness_sum = 0, length_sum = 0;
+  for (const auto* links : {&backbone.links, &backbone.wall_links})
+    for (const Link& l : *links) {
+      stiffness_sum += l.normal_stiffness;
+      length_sum += l.length;
+    }
+  const auto count = static_cast<double>(backbone.links.size() + backbone.wall_links.size());
+  backbone.length_scale = length_sum / count;
+  if (stiffness_sum > 0)
+    backbone.stiffness_scale = stiffness_sum / count;
+  for (auto* links : {&backbone.links, &backbone.wall_links})
+    for (Link& l : *links) {
+      l.length /= backbone.length_scale;
+      l.normal_stiffness /= backbone.stiffness_scale;
+      l.tangential_stiffness /= backbone.stiffness_scale;
+      l.prestress /= backbone.stiffness_scale;
+    }
+}
+
 } // namespace
 
 Backbone load_bearing_network(const Assembly& assembly, const Options& options) {
   Backbone backbone;
-  for (const Contact& c : assembly.contacts)
-    backbone.rotations |= effective_tangential_stiffness(c, options.sliding) > 0;
+  for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (const Contact& c : *contacts)
+      backbone.rotations |= effective_tangential_stiffness(c, options.sliding) > 0;
   const auto mechanics = mechanical_coordination(assembly, backbone.rotations ? ContactKind::frictional
                                                                               : ContactKind::frictionless);
   const auto number = renumbering(assembly, mechanics.rattler);
   backbone.grain_count = assembly.grain_count() - mechanics.rattler_count;
-  if (mechanics.contact_count == 0)
+  if (mechanics.contact_count + mechanics.wall_contact_count == 0)
     return backbone;
 
-  double stiffness_sum = 0, length_sum = 0;
-  for (const Contact& c : assembly.contacts) {
-    const bool bears_load = number[c.i] != unset && number[c.j] != unset;
-    if (!bears_load)
-      continue;
-    const bool keep = number[c.i] < number[c.j];
-    const double length = norm(c.branch);
-    backbone.links.push_back({.a = std::min(number[c.i], number[c.j]),
-                              .b = std::max(number[c.i], number[c.j]),
-                              .normal = keep ? normal(c) : -normal(c),
-                              .length = length,
-                              .lever = length / (assembly.radius[c.i] + assembly.radius[c.j]),
-                              .normal_stiffness = c.normal_stiffness,
-                              .tangential_stiffness = effective_tangential_stiffness(c, options.sliding),
-                              .prestress = options.prestress ? c.normal_force / length : 0});
-    stiffness_sum += c.normal_stiffness;
-    length_sum += length;
-  }
-  const auto count = static_cast<double>(backbone.links.size());
-  backbone.length_scale = length_sum / count;
-  if (stiffness_sum > 0)
-    backbone.stiffness_scale = stiffness_sum / count;
-  for (Link& link : backbone.links) {
-    link.length /= backbone.length_scale;
-    link.normal_stiffness /= backbone.stiffness_scale;
-    link.tangential_stiffness /= backbone.stiffness_scale;
-    link.prestress /= backbone.stiffness_scale;
-  }
+  for (const Contact& c : assembly.contacts)
+    if (number[c.i] != unset && number[c.j] != unset)
+      backbone.links.push_back(
+          link(c, number[c.i], number[c.j], assembly.radius[c.i] + assembly.radius[c.j], options));
+  for (const Contact& c : assembly.wall_contacts)
+    if (number[c.i] != unset)
+      backbone.wall_links.push_back(link(c, number[c.i], number[c.i], assembly.radius[c.i], options));
+  remove_units(backbone);
   std::ranges::stable_sort(backbone.links, {}, [](const Link& l) { return std::pair(l.a, l.b); });
+  std::ranges::stable_sort(backbone.wall_links, {}, &Link::a);
   return backbone;
 }
 

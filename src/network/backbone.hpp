@@ -10,13 +10,15 @@
 
 namespace granum::network {
 
-/// One contact of the load-bearing network, made dimensionless by Backbone's two scales; a < b.
+/// One contact of the load-bearing network, made dimensionless by Backbone's two scales; a < b. At a wall b
+/// is the wall, which has no displacement beyond the uniform strain, and no place among the unknowns.
 struct Link {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   Vec3 normal;       ///< from a to b
   double length = 0; ///< of the branch
-  double lever = 0;  ///< |branch| / (R_a + R_b): the contact point divides the branch as the radii do
+  double lever = 0;  ///< |branch| / (R_a + R_b): the contact point divides the branch as the radii do; at a
+                     ///< wall |branch| / R_a
   double normal_stiffness = 0;
   double tangential_stiffness = 0;
   double prestress = 0; ///< f_n / |branch|, or 0 when the prestress term is left out
@@ -25,10 +27,11 @@ struct Link {
 /// The grains that carry load, renumbered so that neighbours are close in memory (reverse Cuthill-McKee).
 struct Backbone {
   std::size_t grain_count = 0;
-  bool rotations = false;     ///< some contact has tangential stiffness
-  double stiffness_scale = 1; ///< mean k_n [N/m]
-  double length_scale = 1;    ///< mean branch length [m]
-  std::vector<Link> links;    ///< sorted by (a, b)
+  bool rotations = false;       ///< some contact has tangential stiffness
+  double stiffness_scale = 1;   ///< mean k_n [N/m]
+  double length_scale = 1;      ///< mean branch length [m]
+  std::vector<Link> links;      ///< sorted by (a, b)
+  std::vector<Link> wall_links; ///< sorted by a; b is a's number too
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include <granum/elastic/eigen_system.hpp>
 
 #include "contact_operator.hpp"
 
@@ -111,13 +111,13 @@ Whitening whitening(const Matrix6& m) {
     return {Matrix6::Zero(), false};
   const Vector6 scale = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
   const Matrix6 scaled = scale.asDiagonal() * ((m + m.transpose()) / 2) * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(scaled);
-  const double largest = eigen.eigenvalues()[5];
-  if (eigen.eigenvalues()[0] < -indefinite * largest)
+  const elastic::EigenSystem eigen = elastic::eigen_system(scaled);
+  const double largest = eigen.values[5];
+  if (eigen.values[0] < -indefinite * largest)
     return {Matrix6::Zero(), false};
-  const Vector6 inverse_root = eigen.eigenvalues().unaryExpr(
-      [&](double v) { return v > dependent * largest ? 1 / std::sqrt(v) : 0.0; });
-  return {scale.asDiagonal() * eigen.eigenvectors() * inverse_root.asDiagonal()};
+  const Vector6 inverse_root =
+      eigen.values.unaryExpr([&](double v) { return v > dependent * largest ? 1 / std::sqrt(v) : 0.0; });
+  return {scale.asDiagonal() * eigen.vectors * inverse_root.asDiagonal()};
 }
 
 template <int Dof>

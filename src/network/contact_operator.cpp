@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notation: delta = u_b - u_a + s n x (t_a + t_b), t = R w, s the lever; f = k_n (n.delta) n + k_t (1 - n n)
 // delta. The prestress term acts on v = u_b - u_a alone: -g (1 - n n) v.
+//
+// A contact with a wall has u_b = t_b = 0. Its normal turns with the wall, against the sense in which a line
+// of grains would turn, and never with the grain: with h' = n'.(F (x - p) + u) for the distance from a plane
+// of points p, n' ~ F^-T n, F = 1 + E, the second order of U(h') holds +3 g where two grains have -g in E b,
+// E b, the opposite sign in E b, u, and nothing in u, u.
 #include "contact_operator.hpp"
 
 #include <array>
@@ -21,38 +26,53 @@ using Vec = std::array<Lanes, 3>;
   return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
 }
 
+/// Adds what a contact answers to the displacements of its two sides.
+template <int Dof>
+[[gnu::always_inline]] inline void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb,
+                                          Rows<Dof>& ya, Rows<Dof>& yb) {
+  const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
+  Vec delta = v;
+  if constexpr (Dof == 6) {
+    const Vec spin =
+        cross(link.normal, {xa.row[3] + xb.row[3], xa.row[4] + xb.row[4], xa.row[5] + xb.row[5]});
+    for (unsigned k = 0; k < 3; ++k)
+      delta[k] += link.lever * spin[k];
+  }
+  Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
+  if constexpr (Dof == 6) {
+    const Vec turn = cross(link.normal, force);
+    for (unsigned k = 0; k < 3; ++k) {
+      const Lanes moment = link.lever * turn[k];
+      ya.row[3 + k] -= moment;
+      yb.row[3 + k] -= moment;
+    }
+  }
+  if (link.prestress != 0) {
+    const Vec geometric = anisotropic(0, -link.prestress, link.normal, v);
+    for (unsigned k = 0; k < 3; ++k)
+      force[k] += geometric[k];
+  }
+  for (unsigned k = 0; k < 3; ++k) {
+    ya.row[k] -= force[k];
+    yb.row[k] += force[k];
+  }
+}
+
 template <int Dof>
 GRANUM_VECTOR_LEVELS void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
+  for (std::size_t c = 0; c < count; ++c)
+    answer<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
+}
+
+template <int Dof>
+GRANUM_VECTOR_LEVELS void sweep_walls(const Link* links, std::size_t count, const Rows<Dof>* x,
+                                      Rows<Dof>* y) {
   for (std::size_t c = 0; c < count; ++c) {
-    const Link& link = links[c];
-    const Rows<Dof>&xa = x[link.a], &xb = x[link.b];
-    Rows<Dof>&ya = y[link.a], &yb = y[link.b];
-    const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
-    Vec delta = v;
-    if constexpr (Dof == 6) {
-      const Vec spin =
-          cross(link.normal, {xa.row[3] + xb.row[3], xa.row[4] + xb.row[4], xa.row[5] + xb.row[5]});
-      for (unsigned k = 0; k < 3; ++k)
-        delta[k] += link.lever * spin[k];
-    }
-    Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
-    if constexpr (Dof == 6) {
-      const Vec turn = cross(link.normal, force);
-      for (unsigned k = 0; k < 3; ++k) {
-        const Lanes moment = link.lever * turn[k];
-        ya.row[3 + k] -= moment;
-        yb.row[3 + k] -= moment;
-      }
-    }
-    if (link.prestress != 0) {
-      const Vec geometric = anisotropic(0, -link.prestress, link.normal, v);
-      for (unsigned k = 0; k < 3; ++k)
-        force[k] += geometric[k];
-    }
-    for (unsigned k = 0; k < 3; ++k) {
-      ya.row[k] -= force[k];
-      yb.row[k] += force[k];
-    }
+    Link elastic = links[c];
+    elastic.prestress = 0;
+    const Rows<Dof> at_rest = {};
+    Rows<Dof> reaction = {};
+    answer<Dof>(elastic, x[elastic.a], at_rest, y[elastic.a], reaction);
   }
 }
 
@@ -123,6 +143,7 @@ template <int Dof>
 void apply_stiffness(const Backbone& backbone, const Field<Dof>& x, Field<Dof>& y) {
   y.assign(x.size(), {});
   sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
+  sweep_walls<Dof>(backbone.wall_links.data(), backbone.wall_links.size(), x.data(), y.data());
 }
 
 template <int Dof>
@@ -140,13 +161,22 @@ Field<Dof> affine_forces(const Backbone& backbone) {
     add(Strain(-prestress_force), w[l.a]);
     add(prestress_force, w[l.b]);
   }
+  for (const Link& l : backbone.wall_links) {
+    const Strain strain = branch_strain(l);
+    const Strain contact_force = elastic_stiffness(l) * strain;
+    using Forces = Eigen::Matrix<double, Dof, load_cases>;
+    const Forces on_a = kinematics<Dof>(l, -1).transpose() * contact_force;
+    add(on_a, w[l.a]);
+    add(Strain(prestress_stiffness(l) * strain), w[l.a]);
+  }
   return w;
 }
 
 PerCase affine_force_scale(const Backbone& backbone) {
   Eigen::Matrix<double, 1, load_cases> squares = Eigen::Matrix<double, 1, load_cases>::Zero();
-  for (const Link& l : backbone.links)
-    squares += (elastic_stiffness(l) * branch_strain(l)).colwise().squaredNorm();
+  for (const auto* links : {&backbone.links, &backbone.wall_links})
+    for (const Link& l : *links)
+      squares += (elastic_stiffness(l) * branch_strain(l)).colwise().squaredNorm();
   PerCase scale{};
   for (std::size_t c = 0; c < scale.size(); ++c)
     scale[c] = std::sqrt(squares[static_cast<Eigen::Index>(c)]);
@@ -158,6 +188,10 @@ elastic::Matrix6 affine_energy(const Backbone& backbone) {
   for (const Link& l : backbone.links) {
     const Strain strain = branch_strain(l);
     energy += strain.transpose() * (elastic_stiffness(l) + prestress_stiffness(l)) * strain;
+  }
+  for (const Link& l : backbone.wall_links) {
+    const Strain strain = branch_strain(l);
+    energy += strain.transpose() * (elastic_stiffness(l) - 3 * prestress_stiffness(l)) * strain;
   }
   return energy;
 }
@@ -174,11 +208,20 @@ LinkBlocks<Dof> link_blocks(const Link& link) {
   return {block<Dof>(aa), block<Dof>(bb), block<Dof>(ba)};
 }
 
+template <int Dof>
+Block<Dof> wall_block(const Link& link) {
+  const Kinematics<Dof> at_a = kinematics<Dof>(link, -1);
+  using Square = Eigen::Matrix<double, Dof, Dof>;
+  return block<Dof>(Square(at_a.transpose() * elastic_stiffness(link) * at_a));
+}
+
 template void apply_stiffness<3>(const Backbone&, const Field<3>&, Field<3>&);
 template void apply_stiffness<6>(const Backbone&, const Field<6>&, Field<6>&);
 template Field<3> affine_forces<3>(const Backbone&);
 template Field<6> affine_forces<6>(const Backbone&);
 template LinkBlocks<3> link_blocks<3>(const Link&);
 template LinkBlocks<6> link_blocks<6>(const Link&);
+template Block<3> wall_block<3>(const Link&);
+template Block<6> wall_block<6>(const Link&);
 
 } // namespace granum::network

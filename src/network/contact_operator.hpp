@@ -34,4 +34,8 @@ struct LinkBlocks {
 template <int Dof>
 [[nodiscard]] LinkBlocks<Dof> link_blocks(const Link& link);
 
+/// What a contact with a wall adds to the diagonal of its grain.
+template <int Dof>
+[[nodiscard]] Block<Dof> wall_block(const Link& link);
+
 } // namespace granum::network

@@ -152,6 +152,8 @@ void IncompleteFactor<Dof>::assemble(const Backbone& backbone) {
     const auto entry = std::lower_bound(row, column_.begin() + row_start_[l.b + 1], l.a);
     add(transposed(blocks.coupling_ba), lower_[static_cast<std::size_t>(entry - column_.begin())]);
   }
+  for (const Link& l : backbone.wall_links)
+    add(wall_block<Dof>(l), inverse_pivot_[l.a]);
 }
 
 template <int Dof>

@@ -55,8 +55,9 @@ Response linear_response(const Assembly& assembly, const Options& options) {
   const Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,
                           .contacts = backbone.links.size(),
+                          .wall_contacts = backbone.wall_links.size(),
                           .unknowns_per_grain = backbone.rotations ? 6 : 3};
-  if (backbone.links.empty())
+  if (backbone.links.empty() && backbone.wall_links.empty())
     return {{}, {}, report};
 
   const double unit =

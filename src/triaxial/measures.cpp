@@ -35,26 +35,33 @@ InteriorMeasures interior_measures(const dem::State& state, const dem::Material&
   InteriorMeasures out;
   std::vector<bool> inside(assembly.grain_count());
   std::size_t rattlers = 0;
+  double solid = 0;
   for (std::size_t g = 0; g < inside.size(); ++g) {
+    solid += interior.part_of_sphere(assembly.position[g], assembly.radius[g]);
     inside[g] = interior.holds(assembly.position[g]);
     out.grains += inside[g];
     rattlers += inside[g] && mechanical.rattler[g];
   }
   if (out.grains == rattlers)
     throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
+  out.void_ratio = interior.volume() / solid - 1;
+  const auto add_stress = [&](const Contact& c) {
+    out.stress +=
+        interior.share(assembly.position[c.i], c.branch) / interior.volume() * outer(force(c), c.branch);
+  };
   std::size_t ends = 0, bearing_ends = 0, sliding = 0;
   std::vector<Vec3> normals;
   for (const Contact& c : assembly.contacts) {
     const std::size_t here = static_cast<std::size_t>(inside[c.i]) + static_cast<std::size_t>(inside[c.j]);
     ends += here;
     bearing_ends += mechanical.rattler[c.i] || mechanical.rattler[c.j] ? 0 : here;
-    out.stress +=
-        interior.share(assembly.position[c.i], c.branch) / interior.volume() * outer(force(c), c.branch);
+    add_stress(c);
     if (interior.holds(assembly.position[c.i] + 0.5 * c.branch)) {
       normals.push_back(normal(c));
       sliding += c.sliding;
     }
   }
+  std::ranges::for_each(assembly.wall_contacts, add_stress);
   const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(normals);
   const auto share = [](std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(whole);
@@ -68,13 +75,10 @@ InteriorMeasures interior_measures(const dem::State& state, const dem::Material&
   return out;
 }
 
-FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material) {
+FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material, double force_tolerance) {
   constexpr double rest = 1e-6;
-  if (state.walls)
-    throw InvalidArgument(
-        "frozen_moduli: the network of a specimen between walls is not closed; use probe()");
-  const FrozenState frozen = freeze_in_place(state, material);
-  if (!(frozen.report.unbalanced_force_ratio < rest))
+  const FrozenState frozen = freeze_in_place(state, material, force_tolerance);
+  if (!(frozen.report.unbalanced_force_ratio < std::max(rest, force_tolerance)))
     throw NotConverged("frozen state: unbalanced force ratio " +
                        std::to_string(frozen.report.unbalanced_force_ratio) + " after " +
                        std::to_string(frozen.report.steps) + " steps");

@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <functional>
 
-#include <Eigen/Dense>
-
 #include <granum/hardin/fit.hpp>
+#include <granum/hardin/polynomial.hpp>
+#include <granum/verify/paper.hpp>
+
+#include "seed_mean.hpp"
 
 namespace granum::verify {
 
@@ -17,20 +19,10 @@ namespace {
 using triaxial::Density;
 using ModulusOf = std::function<std::optional<double>(const StateResult&)>;
 
-/// s of G_hv in the paper's Table 5.                                                              [Chung2014]
+/// s of G_hv in the paper's Table 5.
 std::optional<double> paper_exponent(Shape contact, Density density) {
-  const bool dense = density == Density::dense;
-  switch (contact) {
-  case Shape::cone:
-    return dense ? 0.510 : 0.677;
-  case Shape::sphere:
-    return dense ? 0.349 : 0.533;
-  case Shape::flat:
-    return dense ? 0.025 : 0.245;
-  case Shape::power_law:
-    break;
-  }
-  return std::nullopt;
+  const std::optional<PrintedSpecimen> paper = printed(contact, density);
+  return paper ? std::optional(paper->hv.s) : std::nullopt;
 }
 
 std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
@@ -50,29 +42,16 @@ std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const Modulu
   return Exponent{s.value, s.standard_error};
 }
 
-std::optional<Exponent> mean_of(const std::vector<Exponent>& each) {
-  if (each.empty())
-    return std::nullopt;
-  const double count = static_cast<double>(each.size());
-  Exponent mean;
-  double regression = 0, scatter = 0;
-  for (const Exponent& one : each) {
-    mean.value += one.value / count;
-    regression += one.standard_error * one.standard_error / count;
-  }
-  for (const Exponent& one : each)
-    scatter += (one.value - mean.value) * (one.value - mean.value) / std::max(1.0, count - 1);
-  mean.standard_error = std::sqrt(std::max(regression, scatter) / count);
-  return mean;
-}
-
 std::optional<Exponent> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
                                             const ModulusOf& modulus_of, hardin::VoidRatioFunction function) {
-  std::vector<Exponent> each;
+  std::vector<Measured> each;
   for (const SpecimenResult* specimen : group)
     if (const std::optional<Exponent> one = exponent_of(*specimen, modulus_of, function))
-      each.push_back(*one);
-  return mean_of(each);
+      each.push_back({one->value, one->standard_error});
+  const std::optional<Measured> mean = mean_over_seeds(each);
+  if (!mean)
+    return std::nullopt;
+  return Exponent{mean->value, mean->standard_error.value_or(0)};
 }
 
 std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens, Shape contact,
@@ -174,23 +153,15 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
 }
 
 std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens) {
-  std::vector<std::pair<double, double>> points;
+  std::vector<double> z, ratio;
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& state : specimen.states)
-      points.emplace_back(state.mechanical_coordination_number - 5, state.G_network / state.G_uniform_strain);
-  if (points.size() < 8)
+    for (const StateResult& state : specimen.states) {
+      z.push_back(state.mechanical_coordination_number - 5);
+      ratio.push_back(state.G_network / state.G_uniform_strain);
+    }
+  if (z.size() < 8)
     return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd powers(count, 4);
-  Eigen::VectorXd ratio(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto& [z, g] = points[static_cast<std::size_t>(k)];
-    powers.row(k) << 1, z, z * z, z * z * z;
-    ratio(k) = g;
-  }
-  const Eigen::VectorXd curve = powers.colPivHouseholderQr().solve(ratio);
-  return RelaxationCurve{points.size(),
-                         (powers * curve - ratio).norm() / std::sqrt(static_cast<double>(count))};
+  return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
 }
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {

@@ -7,6 +7,7 @@
 #include <granum/contact/friction.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/triaxial/shear_test.hpp>
 
 namespace granum::verify {
 
@@ -61,6 +62,7 @@ triaxial::SpecimenRecipe recipe(const Scene& scene, Shape shape, std::uint64_t s
       .radius = scene.radius,
       .grains = scene.grains,
       .seed = seed,
+      .wall_friction = scene.walls ? std::optional(scene.wall_friction) : std::nullopt,
       .expansion_void_ratio = scene.expansion_void_ratio,
       .first_pressure = scene.pressures.front(),
       .unjamming_strain = scene.unjamming_strain,
@@ -102,6 +104,14 @@ void require_valid(const Scene& scene) {
     throw InvalidArgument("seeds", static_cast<double>(scene.seeds), "", "[1, 1000]");
   if (scene.threads > 1024)
     throw InvalidArgument("threads", static_cast<double>(scene.threads), "", "[0, 1024]");
+  require_distinct("paths", scene.paths);
+  require_closed("probe_eta_step", scene.probe_eta_step, 0, 3);
+  require_closed("loop_strain", scene.loop_strain, 0, 0.01);
+  triaxial::require_valid({.mean_stress = scene.pressures.back(),
+                           .inertial_number = scene.inertial_number,
+                           .eta_step = scene.eta_step,
+                           .strain_step = scene.strain_step,
+                           .largest_strain = scene.largest_strain});
   for (const Shape shape : scene.contacts)
     triaxial::require_valid(recipe(scene, shape, scene.first_seed));
 }

@@ -2,11 +2,7 @@
 #include <granum/verify/study.hpp>
 
 #include <algorithm>
-#include <exception>
-#include <map>
-#include <mutex>
 #include <numeric>
-#include <thread>
 
 #include <granum/assembly/cell_work.hpp>
 #include <granum/assembly/force_moments.hpp>
@@ -20,6 +16,10 @@
 #include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/verify/plan.hpp>
+
+#include "endings.hpp"
+#include "frozen_point.hpp"
+#include "work_sharing.hpp"
 
 namespace granum::verify {
 
@@ -65,81 +65,6 @@ void solve_network(const Assembly& assembly, StateResult& out) {
   out.K_upper = bounds.upper;
   out.network_iterations = response.report().iterations;
   out.network_residual = response.report().residual;
-}
-
-/// Rest that is good enough for moduli: an escaping rattler may keep a specimen above the tolerance that is
-/// aimed at.
-void require_rest(double unbalanced_force_ratio, const std::string& what) {
-  constexpr double limit = 1e-6;
-  if (!(unbalanced_force_ratio < limit))
-    throw NotConverged(what + " did not come to rest: unbalanced force ratio " +
-                       short_text(unbalanced_force_ratio));
-}
-
-double probe_modulus(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
-                     double* amplitude) {
-  const triaxial::ProbeResult result = triaxial::probe(state, material, mode);
-  require_rest(result.unbalanced_force_ratio, "a probe");
-  if (amplitude != nullptr)
-    *amplitude = result.amplitude;
-  return result.shear_modulus;
-}
-
-Probes run_probes(const dem::State& state, const dem::Material& material) {
-  Probes probes;
-  probes.G_hh = probe_modulus(state, material, triaxial::ShearMode::hh, &probes.amplitude);
-  probes.G_hv = probe_modulus(state, material, triaxial::ShearMode::hv, nullptr);
-  probes.G_vh = probe_modulus(state, material, triaxial::ShearMode::vh, nullptr);
-  return probes;
-}
-
-std::string words(dem::Outcome outcome) {
-  switch (outcome) {
-  case dem::Outcome::converged:
-    return "converged";
-  case dem::Outcome::step_limit:
-    return "did not come to rest within the allowed steps";
-  case dem::Outcome::unstable:
-    return "became unstable";
-  case dem::Outcome::stopped:
-    return "stopped on request";
-  }
-  return "ended";
-}
-
-/// Shares the predicted work among the finished pieces and passes it on.
-class Meter {
- public:
-  Meter(const RunControl& control, double total) : control_(control), total_(total) {}
-
-  void add(double work, const std::string& what) {
-    const std::lock_guard lock(mutex_);
-    done_ += work;
-    if (control_.report)
-      control_.report({std::min(1.0, done_ / total_), what});
-  }
-  [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
-
- private:
-  const RunControl& control_;
-  double total_;
-  double done_ = 0;
-  std::mutex mutex_;
-};
-
-/// Calls work(0) .. work(count - 1), each once, on several threads.
-void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto worker = [&] {
-    for (std::size_t k = next++; k < count; k = next++)
-      work(k);
-  };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < std::min(threads, count); ++t)
-    others.emplace_back(worker);
-  worker();
-  for (std::thread& other : others)
-    other.join();
 }
 
 struct Packing {
@@ -194,23 +119,13 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
               title(out.contact, out.density, out.seed));
     if (meter.stopped() && out.states.size() < scene.pressures.size())
-      out.failure = "stopped on request";
+      out.failure = stopped_on_request;
     return out.failure.empty();
   };
   if (!triaxial::isotropic_path(triaxial::start_of_compression(packing.state, out.density, specimen),
                                 specimen.material, scene.pressures, options, visit) &&
       out.failure.empty())
     out.failure = "the path ended early";
-}
-
-/// Runs work and turns an error of granum's into the text of a failure.
-std::string failure_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
 }
 
 std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
@@ -222,7 +137,7 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
     Packing& packing = packings[k];
     packing.failure = failure_of([&] {
       if (meter.stopped())
-        throw NotConverged("stopped on request");
+        throw NotConverged(stopped_on_request);
       packing.state = triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed)).state;
     });
     meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");

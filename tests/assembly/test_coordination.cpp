@@ -43,6 +43,24 @@ TEST_CASE("a lattice has its own coordination and no rattlers") {
   CHECK(m.contact_count == a.contacts.size());
 }
 
+TEST_CASE("contacts with walls hold grains, but are no contacts between grains") {
+  Assembly a = clique_with_tail(5, 3);
+  a.wall_contacts = {{.i = 7, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}, .normal_stiffness = 1},
+                     {.i = 6, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}, .normal_stiffness = 1}};
+  CHECK(coordination_number(a) == 2 * 13 / 8.0);
+  // With friction two contacts hold the end of the tail, and so the rest of it.
+  const auto held = mechanical_coordination(a, ContactKind::frictional);
+  CHECK(held.rattler_count == 0);
+  CHECK(held.contact_count == 13);
+  CHECK(held.wall_contact_count == 2);
+  CHECK(held.coordination_number == 2 * 13 / 8.0);
+  const auto loose = mechanical_coordination(a, ContactKind::frictionless);
+  CHECK(loose.rattler_count == 3);
+  CHECK(loose.wall_contact_count == 0);
+  a.wall_contacts[0].i = 8;
+  CHECK_THROWS_AS((void)mechanical_coordination(a, ContactKind::frictional), InvalidArgument);
+}
+
 TEST_CASE("rattlers go one after the other") {
   const Assembly a = clique_with_tail(5, 3); // 10 contacts in the clique, 3 in the tail
   CHECK(coordination_number(a) == 2 * 13 / 8.0);

@@ -64,6 +64,29 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   CHECK(modulus(shear, 0, 2) == relative(c11 / 2, 1e-3));
 }
 
+TEST_CASE(
+    "a shear at held stress: the closed-form shear stress, and the normal stresses that were asked for") {
+  const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
+  Engine engine(test::fcc(radius, 3, 2e-7), material);
+  const double start = trace(engine.figures().stress) / 3;
+  // Normal stresses are to move on the way: unequally, and by more than the shear stress.
+  const Vec3 target{1.0002 * start, 1.0004 * start, 0.9999 * start};
+  Mat3 shear;
+  shear(0, 2) = 1e-8;
+  const QuasistaticOptions options{.force_tolerance = 1e-8, .stress_tolerance = 1e-8};
+  const QuasistaticReport report = shear_at_stress(engine, shear, 50, target, options);
+  REQUIRE(report.converged());
+  for (int axis = 0; axis < 3; ++axis)
+    CHECK(report.stress(axis, axis) == relative(target[axis], 2e-8));
+  const double k_n = material.law.stiffness_at_overlap(2e-7);
+  const double c44 =
+      (1 + material.tangential_stiffness_ratio) * k_n / (2 * std::numbers::sqrt2 * (radius - 1e-7));
+  // Terms of order overlap/R, and stiffnesses that change with the normal stress.
+  CHECK(-report.stress(0, 2) == relative(c44 * shear(0, 2), 1e-3));
+  CHECK(engine.cell()(0, 2) == relative(shear(0, 2) * engine.cell()(2, 2), 1e-3));
+  CHECK_THROWS_AS((void)shear_at_stress(engine, shear, 50, {1e5, 0, 1e5}), InvalidArgument);
+}
+
 TEST_CASE("runs that cannot arrive say so") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(test::fcc(radius, 3, 1e-8), material);

@@ -7,6 +7,8 @@
 #include <thread>
 
 #include <doctest/doctest.h>
+#include <granum/assembly/cell_work.hpp>
+#include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
@@ -253,12 +255,27 @@ TEST_CASE(
     REQUIRE(report.converged());
     const StepFigures& figures = engine.figures();
     const Vec3 by_friction = stress_by_wall_friction(engine.state());
+    const Assembly frozen = freeze(engine.state(), material);
+    const ContactStress by_contacts = contact_stress(frozen);
     for (int axis = 0; axis < 3; ++axis) {
       CHECK(figures.boundary_stress[axis] == relative(target[axis], 2e-6));
       // Exact at equilibrium; the residual forces are 1e-7 of the mean one.
       CHECK(figures.stress(axis, axis) == relative(figures.boundary_stress[axis] + by_friction[axis], 1e-5));
       CHECK((by_friction[axis] == 0) == (wall_friction == 0));
+      CHECK(by_contacts.tensor(axis, axis) == relative(figures.stress(axis, axis), 1e-11));
     }
+    // The frozen contacts are the engine's, those of the walls with them.
+    CHECK(frozen.wall_contacts.size() == figures.wall_contacts);
+    CHECK(unbalance(frozen).force_ratio < 1e-6);
+    CHECK(unbalance(frozen).moment_ratio < 1e-6);
+    for (const Contact& c : frozen.wall_contacts) {
+      CHECK(c.overlap == relative(radius - norm(c.branch), 1e-9));
+      CHECK((c.tangential_stiffness == 0) == (wall_friction == 0));
+      CHECK(norm(c.tangential_force) <= wall_friction * c.normal_force * (1 + 1e-12));
+      CHECK((norm(c.tangential_force) > 0.99 * wall_friction * c.normal_force || !c.sliding));
+    }
+    // Tangential forces stand across the branches: the work of the cell knows nothing of them.
+    CHECK(pressure_by_cell_work(frozen, material.law) == relative(by_contacts.mean(), 1e-7));
     // Opposite walls balance, and the frictionless state of the minimiser stood at its pressure too.
     const WallForces walls = engine.wall_forces();
     CHECK(norm(walls.force[0] + walls.force[1] + walls.force[2] + walls.force[3] + walls.force[4] +

@@ -18,7 +18,7 @@ namespace granum::samples {
 inline constexpr double force_ab = 0.0235294118; // [N], as the codes print it
 inline constexpr double force_bc = 0.0665512265; // [N]
 
-inline std::string data_path(const std::string& name) { return std::string(GRANUM_IO_DATA) + "/" + name; }
+inline std::string data_path(const std::string& name) { return GRANUM_IO_DATA "/" + name; }
 
 inline std::string data_text(const std::string& name) {
   std::ostringstream text;

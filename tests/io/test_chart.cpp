@@ -6,11 +6,14 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+
+#include "well_formed.hpp"
 
 using namespace granum;
 using namespace granum::io;
@@ -19,43 +22,6 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();
-
-/// Whether each tag is closed by its own name, there is one root, and every '&' begins a known entity.
-bool well_formed(std::string_view xml) {
-  std::vector<std::string> open;
-  int roots = 0;
-  for (std::size_t k = 0; k < xml.size(); ++k) {
-    if (xml[k] == '&') {
-      const std::string_view rest = xml.substr(k);
-      if (!rest.starts_with("&amp;") && !rest.starts_with("&lt;") && !rest.starts_with("&gt;") &&
-          !rest.starts_with("&quot;"))
-        return false;
-    }
-    if (xml[k] == '>')
-      return false; // one that closes no tag
-    if (xml[k] != '<')
-      continue;
-    const std::size_t end = xml.find('>', k);
-    if (end == std::string_view::npos)
-      return false;
-    const std::string_view tag = xml.substr(k + 1, end - k - 1);
-    k = end;
-    if (tag.starts_with('?'))
-      continue;
-    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0 || tag.find('<') != std::string_view::npos)
-      return false;
-    if (tag.starts_with('/')) {
-      if (open.empty() || open.back() != tag.substr(1))
-        return false;
-      open.pop_back();
-    } else {
-      roots += open.empty();
-      if (!tag.ends_with('/'))
-        open.emplace_back(tag.substr(0, tag.find(' ')));
-    }
-  }
-  return open.empty() && roots == 1;
-}
 
 /// Contents of all texts of a class; a power of ten is written 10^n.
 std::vector<std::string> texts(const std::string& svg, const std::string& text_class) {
@@ -299,4 +265,67 @@ TEST_CASE("the gnuplot script names file, columns, units, scales and errors, quo
   }
   CHECK(script.find("set logscale y") == std::string::npos);
   CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
+}
+
+TEST_CASE("series of one style look alike, and tones differ from the full one") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.series[0].style = 3;
+  chart.series.push_back(chart.series[0]);
+  const auto colours = [&] { return count(svg(chart), "#cc79a7"); };
+  const std::string alike = svg(chart);
+  CHECK(count(alike, "stroke=\"#cc79a7\" stroke-width=\"2\" stroke-dasharray=\"10 3 2 3\"") == 2);
+  CHECK(count(alike, "#0072b2") == 0);
+  const auto all = colours();
+  chart.series[1].tone = Tone::grey;
+  CHECK(colours() == all / 2);
+  CHECK(count(svg(chart), "stroke=\"#7a7a7a\" stroke-width=\"1.3\"") == 1);
+  chart.series[1].tone = Tone::hollow;
+  CHECK(count(svg(chart), "fill=\"white\" stroke=\"#cc79a7\"") == 1);
+  chart.series[1].tone = Tone::faint;
+  CHECK(count(svg(chart), "opacity=\"0.55\"") == 1);
+  CHECK(well_formed(svg(chart)));
+  const std::string script = gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg");
+  CHECK(count(script, "linecolor rgb '#cc79a7'") == 2);
+  CHECK(count(script, "linewidth 1 ") == 1);
+  // Error bars of a line have no marker, and no bar is dashed.
+  chart.series[0].mark = Mark::line;
+  const std::string bars = gnuplot_script(chart, "a.csv", {{"x", "y", "e"}, {"x", "y", "e"}}, "a.svg");
+  CHECK(count(bars, "with yerrorbars linestyle 1 dashtype 1 pointtype 0") == 1);
+  CHECK(count(bars, "with yerrorbars linestyle 2 dashtype 1 notitle") == 1);
+}
+
+TEST_CASE("a legend below the plot makes the picture higher and not wider") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.width = 300;
+  chart.height = 200;
+  chart.legend_below = true;
+  chart.series[0].name = "";
+  CHECK(svg(chart).find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  for (int k = 0; k < 6; ++k) {
+    chart.series.push_back(chart.series[0]);
+    chart.series.back().name = "a series of number " + std::to_string(k);
+  }
+  const std::string picture = svg(chart);
+  CHECK(picture.find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  CHECK(texts(picture, "legend").size() == 6);
+  // Each row of the legend lies inside the picture, under the title of the x axis.
+  const std::string box = picture.substr(picture.find("viewBox=\"0 0 424.00 ") + 20);
+  const double height = std::stod(box);
+  std::vector<std::pair<double, double>> places;
+  for (std::size_t at = picture.find("<text class=\"legend\""); at != std::string::npos;
+       at = picture.find("<text class=\"legend\"", at + 1)) {
+    const double x = std::stod(picture.substr(picture.find("x=\"", at) + 3));
+    const double y = std::stod(picture.substr(picture.find("y=\"", at) + 3));
+    CHECK(x > 0);
+    CHECK(x < 424);
+    CHECK(y > 48 + 200 + 50);
+    CHECK(y < height);
+    places.emplace_back(y, x);
+  }
+  REQUIRE(places.size() == 6);
+  CHECK(std::is_sorted(places.begin(), places.end())); // row by row, from left to right
+  CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+  CHECK(places.front().first < places.back().first);
+  chart.height = 0;
+  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
 }

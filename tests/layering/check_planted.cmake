@@ -55,8 +55,11 @@ foreach(call "std::cout << 1" "std::cerr << 1" "std::printf(text)" "std::fprintf
   planted(src/dem/p.cpp "void f() { ${call}; }" "uses ")
 endforeach()
 planted(include/granum/core/p.hpp "inline void f() { puts(text); }" "uses puts(")
+planted(src/core/bytes.cpp "#include <vector>\n#include <granum/core/bytes.hpp>" "does not include <granum/core/bytes.hpp> first")
+planted(src/core/bytes.cpp "" "does not include <granum/core/bytes.hpp> first")
 
 # What is allowed stays allowed.
+planted(src/core/bytes.cpp "#include <granum/core/bytes.hpp>\n#include <vector>" "")
 planted(src/hardin/p.cpp "#include <gsl/gsl_vector.h>" "")
 planted(src/contact/p.cpp "#include <Eigen/Core>" "")
 planted(include/granum/network/p.hpp "#include <Eigen/Core>" "")

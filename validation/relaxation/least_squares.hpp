@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -91,7 +92,10 @@ Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, co
   Eigen::Matrix<double, n, n> scatter = Eigen::Matrix<double, n, n>::Zero();
   for (const auto& [name, share] : shares)
     scatter += share * share.transpose();
-  const Eigen::Matrix<double, n, n> inverse = normal.inverse();
+  Eigen::Matrix<double, n, n> inverse = normal;
+  gsl_matrix_view view = gsl_matrix_view_array(inverse.data(), n, n); // by GSL: Eigen's takes long to compile
+  gsl_linalg_cholesky_decomp1(&view.matrix);
+  gsl_linalg_cholesky_invert(&view.matrix);
   const double groups = static_cast<double>(shares.size());
   return groups / (groups - 1) * inverse * scatter * inverse;
 }

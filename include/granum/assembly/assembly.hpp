@@ -29,12 +29,16 @@ struct Contact {
 /// Whole force exerted by i on j [N].
 [[nodiscard]] inline Vec3 force(const Contact& c) { return c.normal_force * normal(c) + c.tangential_force; }
 
-/// Grains, contacts and the periodic cell that holds them. Contacts are sorted by (i, j).
+/// Grains, contacts and the cell that holds them, periodic or bounded by rigid walls. Contacts are sorted by
+/// (i, j).
 struct Assembly {
-  Mat3 cell;                  ///< columns are the three periodic edge vectors [m]
-  std::vector<Vec3> position; ///< centres [m]
-  std::vector<double> radius; ///< [m], one for each centre
-  std::vector<Contact> contacts;
+  Mat3 cell;                     ///< columns are the three edge vectors [m]
+  std::vector<Vec3> position;    ///< centres [m]
+  std::vector<double> radius;    ///< [m], one for each centre
+  std::vector<Contact> contacts; ///< between grains: those of coordination numbers, fabric and forces
+  /// Of grain i with wall j; everything points from the centre to the wall, the branch ends at the foot of
+  /// the perpendicular, the overlap is R_i - |branch|. They bear stress and stiffness and hold grains.
+  std::vector<Contact> wall_contacts = {};
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
   /// Volume of the cell [m^3].
@@ -44,7 +48,7 @@ struct Assembly {
 };
 
 /// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0,
-/// indices in range and i < j, branches and stiffnesses finite, forces finite.
+/// indices in range and i < j (of walls i alone), branches and stiffnesses finite, forces finite.
 /// \throws   InvalidArgument naming the first grain or contact that is not.
 void require_valid(const Assembly& assembly);
 

@@ -9,13 +9,13 @@
 namespace granum {
 
 /// C_n = 2 N_c/N over all grains, rattlers included.                                        [Chung2014]
-/// Assumes   every listed contact counts, whatever force it carries.
+/// Assumes   every listed contact between grains counts, whatever force it carries; those with walls do not.
 /// \return   C_n [1]; 0 for grains without contacts
 /// \throws   InvalidArgument for an assembly without grains: the ratio has no value
 /// Checked by tests/assembly/test_coordination.cpp
 [[nodiscard]] double coordination_number(const Assembly& assembly);
 
-/// What a contact can transmit decides how few of them can hold a grain in place.
+/// What a contact can transmit decides how few of them, walls included, can hold a grain in place.
 enum class ContactKind {
   frictional,  ///< normal and tangential force: a grain needs 2 contacts
   frictionless ///< normal force only: a grain needs 4 contacts
@@ -25,9 +25,10 @@ enum class ContactKind {
 struct MechanicalCoordination {
   std::vector<bool> rattler; ///< one flag for each grain
   std::size_t rattler_count = 0;
-  std::size_t contact_count = 0;  ///< N_c*, contacts between grains that are not rattlers
-  double rattler_fraction = 0;    ///< x_0 = rattlers / grains [1]; 0 without grains
-  double coordination_number = 0; ///< z* = 2 N_c*/N* [1]; 0 when every grain is a rattler
+  std::size_t contact_count = 0;      ///< N_c*, contacts between grains that are not rattlers
+  std::size_t wall_contact_count = 0; ///< of such grains with walls
+  double rattler_fraction = 0;        ///< x_0 = rattlers / grains [1]; 0 without grains
+  double coordination_number = 0;     ///< z* = 2 N_c*/N* [1]; 0 when every grain is a rattler
 };
 
 /// z* and rattlers: grains with too few contacts are taken out, again and again, until none is left.

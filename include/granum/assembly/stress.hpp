@@ -18,8 +18,8 @@ struct ContactStress {
   [[nodiscard]] double mean() const { return trace(symmetric) / 3; }
 };
 
-/// Love-Weber stress, sigma_ij = (1/V) sum over contacts of f_i l_j, f exerted by i on j, l from i to j.
-/// [Love1927]
+/// Love-Weber stress, sigma_ij = (1/V) sum over contacts of f_i l_j, f exerted by i on j, l from i to j, or
+/// from the centre to the wall.                                                                    [Love1927]
 /// Assumes   quasi-static state: no momentum flux. Grains in moment equilibrium give asymmetry 0.
 /// \return   zero for an assembly without contacts
 /// \throws   InvalidArgument for an assembly that require_valid rejects

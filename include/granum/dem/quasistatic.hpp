@@ -45,6 +45,15 @@ struct [[nodiscard]] QuasistaticReport {
 /// Checked by tests/dem/test_quasistatic.cpp
 QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options = {});
 
+/// Shears the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps while the servos hold the
+/// normal stresses at the boundaries, and goes on until these have their targets and the grains rest.
+/// Assumes   a strain without diagonal: lengths are the servos' business.
+/// \param    target  normal stresses [Pa], each > 0
+/// \throws   InvalidArgument for a target or option that is not positive
+/// Checked by tests/dem/test_quasistatic.cpp
+QuasistaticReport shear_at_stress(Engine& engine, const Mat3& strain, std::size_t ramp_steps,
+                                  const Vec3& target, const QuasistaticOptions& options = {});
+
 /// Deforms the cell by a small strain (x becomes (1 + strain) x) in ramp_steps steps, and lets the grains
 /// come to rest at fixed cell. Strain is here the displacement gradient, extension positive.
 QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_steps,

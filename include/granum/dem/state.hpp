@@ -73,8 +73,8 @@ void require_valid(const Walls& walls);
 /// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
 [[nodiscard]] double void_ratio(const State& state);
 
-/// The contacts between the grains of a state, with forces and tangent stiffnesses from the material's law.
-/// Contacts with walls are not among them.
+/// The contacts of the grains of a state, with each other and with its walls, with forces and tangent
+/// stiffnesses from the material's law. Smooth walls have no tangential stiffness.
 [[nodiscard]] Assembly freeze(const State& state, const Material& material);
 
 } // namespace granum::dem

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct Axis {
 
 enum class Mark { line, marker, both };
 
+enum class Tone {
+  full,
+  faint, ///< thin, half transparent, with small markers: what stands behind the others
+  grey,  ///< thin and without a colour of its own
+  hollow ///< markers without filling
+};
+
 /// One curve. A point with a coordinate that cannot be drawn (NaN, infinite, or below 1e-290 on a logarithmic
 /// axis) is left out, and the line has a gap there.
 struct Series {
@@ -27,6 +36,9 @@ struct Series {
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> y_error = {}; ///< half lengths of error bars, one a point, or empty; NaN or 0: no bar
+  /// Colour, dashes and marker; without: the place in the chart. Series of one style look alike.
+  std::optional<std::size_t> style = {};
+  Tone tone = Tone::full;
 };
 
 struct Chart {
@@ -34,12 +46,15 @@ struct Chart {
   Axis x;
   Axis y;
   std::vector<Series> series;
+  double width = 520; ///< of the plot itself, without titles and legend; the letters are 14 high
+  double height = 380;
+  bool legend_below = false; ///< under the plot; else right of it, one name a line
 };
 
 /// The picture as an SVG file of its own: same chart, same bytes. Ranges follow from the points; without any
 /// the axes are drawn alone.
-/// \throws   InvalidArgument if a series has other numbers of x, y and (unless empty) y_error, or a unit is
-///           not positive
+/// \throws   InvalidArgument if a series has other numbers of x, y and (unless empty) y_error, or a unit,
+///           the width or the height is not positive
 [[nodiscard]] std::string svg(const Chart& chart);
 
 /// Where the numbers of a series stand: columns of a CSV file, by their whole headings.

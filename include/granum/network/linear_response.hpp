@@ -17,7 +17,8 @@ enum class SlidingContacts {
 
 struct Options {
   SlidingContacts sliding = SlidingContacts::stick;
-  bool prestress = false; ///< adds -(f_n/l)(1 - n n) on the relative displacement of the two centres
+  /// Adds -(f_n/l)(1 - n n) on the relative displacement of two centres, and the turning forces of walls.
+  bool prestress = false;
   double tolerance =
       1e-10; ///< in (0, 1): residual force over affine force, for the worst of the six load cases
   int iteration_limit = 20000; ///< >= 1
@@ -34,8 +35,9 @@ class [[nodiscard]] Response {
  public:
   struct Report {
     Status status = Status::converged;
-    std::size_t grains = 0;     ///< that carry load (rattlers left out)
-    std::size_t contacts = 0;   ///< between them
+    std::size_t grains = 0;   ///< that carry load (rattlers left out)
+    std::size_t contacts = 0; ///< between them
+    std::size_t wall_contacts = 0;
     int unknowns_per_grain = 0; ///< 6, or 3 where no contact has tangential stiffness and spins do not matter
     int iterations = 0;
     double residual = 0; ///< residual force over affine force, worst load case, recomputed at the end
@@ -71,6 +73,10 @@ class [[nodiscard]] Response {
 /// Contact kinematics: delta = u_j - u_i - (a_i w_i + a_j w_j) x n, f = k_n (n.delta) n + k_t (1-nn) delta.
 /// The contact point divides the branch as the radii do, a_i = |branch| R_i/(R_i + R_j), so that a rigid
 /// rotation of the grains costs nothing and the moments balance with the branch vectors of the stress.
+/// Walls move with the uniform strain: at a contact with one delta = -u_i - |branch| w_i x n beyond it. Exact
+/// for smooth rigid walls, planes that turn with their faces: the distance of a grain from such a plane
+/// changes as the length of a branch does. Rough walls are taken to stretch and shear along themselves with
+/// the strain; against stiff plates grains would slip the more the farther they are from the middle.
 /// Assumes   contacts neither open nor form; k_n, k_t those of the present state; rattlers (fewer than 2
 ///           contacts, fewer than 4 where no contact has tangential stiffness) left out one after the other,
 ///           from A as well. Grains or clusters that still move freely do so at no cost and take no part.

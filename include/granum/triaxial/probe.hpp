@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/state.hpp>
 
@@ -22,9 +25,20 @@ struct ProbeOptions {
   /// false: no contact may slide during the probe, the response of the frozen network; true: the material's
   /// friction.
   bool sliding = false;
+  /// false: the cell only shears; true: servos hold the normal stresses at its faces where they stood.
+  bool hold_normal_stress = false;
+  /// States at rest that are kept of each quarter of the cycle, 0: none. The cycle then goes on to its first
+  /// end once more, where a loop that repeats itself closes.
+  std::size_t loop_points = 0;
   std::size_t ramp_steps = 100;
   double force_tolerance = 1e-8; ///< unbalanced force ratio after each leg [1]; G is then within about 0.2 %
   std::size_t max_steps = 40000; ///< of each leg
+};
+
+/// A state at rest on the cycle, from its start.
+struct LoopPoint {
+  double shear_strain = 0; ///< [1]
+  double shear_stress = 0; ///< beyond that of the start [Pa]
 };
 
 struct [[nodiscard]] ProbeResult {
@@ -37,11 +51,12 @@ struct [[nodiscard]] ProbeResult {
   /// squeezed out of its cage keeps a specimen from coming to rest, but bears no load.
   double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
+  std::vector<LoopPoint> loop; ///< the start and 5 quarters, if options.loop_points ask for them
 };
 
-/// The state at rest at fixed cell with no contact sliding: what freezing a specimen on its path means here.
-/// Creep left over from the path ends, so that the network of the frozen state is the one that a probe
-/// shears.
+/// The state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
+/// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
+/// one that a probe shears.
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
@@ -51,6 +66,7 @@ FrozenState freeze_in_place(const dem::State& state, const dem::Material& materi
 
 /// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.
+/// \throws   InvalidArgument for a negative amplitude, or a normal stress to hold that is not positive
 /// Accuracy  as the amplitude goes to zero the network's answer with its prestress term. At the chosen
 /// amplitude flat           contacts that barely touch are open for half of the cycle: up to 1 % of G in
 /// small, loose specimens.

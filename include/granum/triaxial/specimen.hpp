@@ -49,7 +49,9 @@ struct Preparation {
 
 /// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a
 /// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
-/// the enthalpy is minimised at 100, 10 and 1 times the first pressure.
+/// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-6.
+/// Thousands of grains may not come that far: they are left at 1e-3 (Preparation::last tells), and come to
+/// rest once friction is on.
 /// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive
 [[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe);

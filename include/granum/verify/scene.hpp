@@ -10,6 +10,7 @@
 
 #include <granum/contact/power_law.hpp>
 #include <granum/triaxial/specimen.hpp>
+#include <granum/triaxial/stress_path.hpp>
 
 namespace granum::verify {
 
@@ -19,9 +20,9 @@ enum class Shape { cone, sphere, flat, power_law };
 [[nodiscard]] std::string_view name(Shape shape);
 [[nodiscard]] std::string_view name(triaxial::Density density);
 
-/// What `granum verify` runs. The defaults are the paper's grains (Table 1) with the two lengths that the
-/// paper does not print: the cone's slope and the punch radius that agree with its Table 5.
-///         [Chung2014]
+/// What `granum verify` and `granum reproduce` run. The defaults are the paper's grains (Table 1) with the
+/// two lengths that the paper does not print: the cone's slope and the punch radius that agree with its
+/// Table 5.                                                                                    [Chung2014]
 struct Scene {
   double radius = 0.5e-3;                                  ///< R [m]
   double grain_shear_modulus = 30e9;                       ///< G_g [Pa]
@@ -46,6 +47,18 @@ struct Scene {
 
   std::vector<double> pressures{10e3, 20e3, 30e3, 40e3, 50e3, 60e3, 70e3, 80e3, 90e3, 100e3}; ///< rising [Pa]
   std::vector<double> probe_pressures{10e3, 30e3, 100e3}; ///< some of the pressures [Pa]
+
+  // What the paper's experiment adds; the isotropic study leaves it out.
+  bool walls = false;       ///< six rigid walls in place of the periodic cell
+  double wall_friction = 0; ///< mu >= 0 between grains and walls [1]
+  std::vector<triaxial::ShearPath> paths{triaxial::all_shear_paths.begin(), triaxial::all_shear_paths.end()};
+  double inertial_number = 2e-4; ///< of shearing [1]
+  double eta_step = 0.05;        ///< the specimen is frozen at multiples of this eta ...
+  double strain_step = 0.0025;   ///< ... and of this axial strain
+  double largest_strain = 0.03;  ///< axial, where a path ends [1]
+  double probe_eta_step = 0.25;  ///< cyclic shear by DEM at multiples of this eta; 0: nowhere
+  double loop_strain = 1e-5;     ///< of the cycles of shear with friction; 0: none
+
   /// Specimens that run side by side; 0: as many as the machine has cores. The results do not depend on it.
   std::size_t threads = 0;
 };

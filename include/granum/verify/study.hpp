@@ -71,6 +71,7 @@ struct SpecimenResult {
 struct Progress {
   double done = 0; ///< share of the predicted work, 0..1
   std::string what;
+  double done_before = 0; ///< share that checkpoints of an earlier run held
 };
 
 struct RunControl {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of SVG text.
 #pragma once
 
 #include <string>
@@ -7,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+/// Pieces of SVG text.  Checked by tests/io/test_chart.cpp
 namespace granum::io {
 
 /// Names and values; values are escaped when they are written.

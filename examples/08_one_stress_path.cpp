@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Example 08: what happens to a dense specimen on the way to failure?
+//
+// Triaxial compression (TXC) of 400 spheres from 100 kPa to past the peak, by discrete elements. On the way
+// the specimen is frozen again and again and its contact network solved. Up to about two thirds of failure it
+// keeps its contacts, and the modulus follows the stress alone, as the closed form says; then contacts are
+// lost, the rest turns towards the larger stress, and G falls although the stress still grows. Takes seconds.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <granum/contact/friction.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+using namespace granum;
+
+int main() {
+  // 1. The grains of Chung et al. (2014), in a periodic cell.
+  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double radius = 0.5e-3, degree = std::numbers::pi / 180;
+  const dem::Material material{
+      .law = contact::PowerLaw::sphere(grain, radius),
+      .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+      .friction_coefficient = contact::Friction::from_angle(26.5 * degree).coefficient()};
+  const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 400};
+
+  // 2. Dense: no friction until the first pressure is reached. Then with friction to 100 kPa.
+  dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                    triaxial::Density::dense, recipe);
+  const bool compressed =
+      triaxial::isotropic_path(state, material, {30e3, 100e3}, triaxial::compression_options(),
+                               [&](const triaxial::Snapshot& snapshot) {
+                                 state = snapshot.state;
+                                 return snapshot.report.converged();
+                               });
+  if (!compressed)
+    return 1;
+
+  // 3. Shear: constant inertial number; a snapshot at each multiple of 0.1 of eta = q/p', and of the strain.
+  triaxial::ShearTest test(state, material,
+                           {.path = triaxial::ShearPath::txc,
+                            .mean_stress = 100e3,
+                            .eta_step = 0.1,
+                            .strain_step = 0.005,
+                            .largest_strain = 0.01});
+  std::printf("  eta   strain    C_n      a     G_vh network   uniform strain [MPa]   ratio\n");
+  double first_ratio = 0, smallest_early = 1e9, largest_early = 0, last_G = 0, largest_G = 0;
+  while (test.advance() == triaxial::ShearEvent::snapshot) {
+    // 4. A frozen copy: its network, and the closed form with what was counted on it.
+    const dem::State now = test.engine().state();
+    const triaxial::FrozenModuli moduli = triaxial::frozen_moduli(now, material);
+    const triaxial::Microstructure micro = triaxial::microstructure(dem::freeze(now, material));
+    const double closed =
+        effective::uniform_strain({.law = material.law,
+                                   .tangential_ratio = material.tangential_stiffness_ratio,
+                                   .radius = radius,
+                                   .void_ratio = dem::void_ratio(now),
+                                   .coordination_number = micro.coordination_number,
+                                   .fabric_anisotropy = micro.fabric_anisotropy,
+                                   .stress_v = moduli.stress(2, 2),
+                                   .stress_h = (moduli.stress(0, 0) + moduli.stress(1, 1)) / 2})
+            .stiffness.G_vh();
+    const double ratio = moduli.G_vh() / closed, eta = test.now().stress.ratio();
+    std::printf("%5.2f  %.5f  %5.2f  %6.3f     %8.1f        %8.1f            %.3f\n", eta,
+                test.now().axial_strain, micro.coordination_number, micro.fabric_anisotropy,
+                moduli.G_vh() / 1e6, closed / 1e6, ratio);
+    if (first_ratio == 0)
+      first_ratio = ratio;
+    if (std::abs(test.now().axial_strain) < 0.002 && eta < 0.65) {
+      smallest_early = std::min(smallest_early, ratio);
+      largest_early = std::max(largest_early, ratio);
+    }
+    largest_G = std::max(largest_G, moduli.G_vh());
+    last_G = moduli.G_vh();
+  }
+  const double angle = triaxial::mobilised_friction_angle(test.peak().stress) / degree;
+  std::printf("peak: eta = %.3f, friction angle %.1f degrees (26.0 in the paper)\n",
+              test.peak().stress.ratio(), angle);
+
+  // 5. What holds: relaxation takes the same share of G up to two thirds of failure, and then more; the
+  //    friction angle is that of a dense packing.
+  const bool same_share = largest_early / smallest_early < 1.05;
+  const bool falls = last_G < 0.8 * largest_G;
+  return same_share && falls && angle > 22 && angle < 32 ? 0 : 1;
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Example 09: is the modulus that a simulated cyclic shear test finds that of the contact network?
+//
+// A specimen under 50 kPa is frozen and sheared by a hundred-millionth in three ways: horizontally, and in a
+// vertical plane by moving either pair of faces. The contact network's linear response gives the same moduli
+// without any time stepping, and an upper bound: uniform strain. Takes seconds.
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <granum/contact/friction.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+using namespace granum;
+
+int main() {
+  // 1. 300 spheres, prepared without friction, then compressed with it to 50 kPa.
+  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double radius = 0.5e-3;
+  const dem::Material material{
+      .law = contact::PowerLaw::sphere(grain, radius),
+      .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+      .friction_coefficient = contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()};
+  const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 300};
+  dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                    triaxial::Density::dense, recipe);
+  if (!triaxial::isotropic_path(state, material, {50e3}, triaxial::compression_options(),
+                                [&](const triaxial::Snapshot& snapshot) {
+                                  state = snapshot.state;
+                                  return snapshot.report.converged();
+                                }))
+    return 1;
+
+  // 2. Freeze: rest at fixed cell, no contact sliding. What the network and the probe see is one state then.
+  const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
+  std::printf("frozen after %zu steps, unbalanced force ratio %.1e\n", frozen.report.steps,
+              frozen.report.unbalanced_force_ratio);
+
+  // 3. The network: two stiffness matrices by linear algebra.
+  const network::Response response = network::linear_response(dem::freeze(frozen.state, material));
+
+  // 4. The probe: discrete elements, three shear modes.
+  struct Mode {
+    const char* name;
+    triaxial::ShearMode mode;
+    int index; // of the Voigt matrix: 23, 13, 12 are 3, 4, 5
+  };
+  double worst = 0;
+  std::printf("         probe   network   uniform strain [MPa]\n");
+  for (const Mode& m : {Mode{"G_hh", triaxial::ShearMode::hh, 5}, Mode{"G_hv", triaxial::ShearMode::hv, 4},
+                        Mode{"G_vh", triaxial::ShearMode::vh, 4}}) {
+    const triaxial::ProbeResult probe = triaxial::probe(frozen.state, material, m.mode);
+    const double network = response.relaxed().matrix(m.index, m.index);
+    std::printf("%s   %7.2f   %7.2f   %7.2f     shear strain %.1e, %zu steps\n", m.name,
+                probe.shear_modulus / 1e6, network / 1e6, response.affine().matrix(m.index, m.index) / 1e6,
+                probe.amplitude, probe.steps);
+    worst = std::max(worst, std::abs(probe.shear_modulus / network - 1));
+  }
+
+  // 5. They agree.
+  std::printf("largest difference of probe and network: %.2f %%\n", 100 * worst);
+  return worst < 0.01 ? 0 : 1;
+}

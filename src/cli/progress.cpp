@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.hpp"
+
+#include <cstdio>
+
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+namespace granum::cli {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(fileno(stderr)) != 0) {}
+
+void ProgressLine::show(const verify::Progress& progress) {
+  if (!shown_)
+    return;
+  const double elapsed = seconds_since(start_);
+  const double own = progress.done - progress.done_before;
+  const double left = own > 0 ? elapsed * (1 - progress.done) / own : 0;
+  fmt::print(stderr, "\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
+             progress.what);
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (shown_)
+    fmt::print(stderr, "\r\033[K");
+}
+
+} // namespace granum::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stop_signal.hpp"
+
+#include <csignal>
+#include <ctime>
+
+#include <unistd.h>
+
+namespace granum::cli {
+
+namespace {
+
+std::atomic<bool> stop_requested = false;
+std::atomic<std::time_t> first_signal = 0;
+
+extern "C" void granum_stop(int) {
+  const std::time_t now = std::time(nullptr);
+  if (!stop_requested) {
+    stop_requested = true;
+    first_signal = now;
+  } else if (now - first_signal >= 2) {
+    _exit(130);
+  }
+}
+
+} // namespace
+
+const std::atomic<bool>& listen_for_stop() {
+  struct sigaction action = {};
+  action.sa_handler = granum_stop;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return stop_requested;
+}
+
+} // namespace granum::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endings.hpp"
+
+#include <exception>
+
+#include <granum/core/error.hpp>
+
+namespace granum::verify {
+
+std::string words(dem::Outcome outcome) {
+  switch (outcome) {
+  case dem::Outcome::converged:
+    return "converged";
+  case dem::Outcome::step_limit:
+    return "did not come to rest within the allowed steps";
+  case dem::Outcome::unstable:
+    return "became unstable";
+  case dem::Outcome::stopped:
+    return stopped_on_request;
+  }
+  return "ended";
+}
+
+std::string failure_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+} // namespace granum::verify

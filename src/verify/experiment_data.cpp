@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace granum::verify {
+
+const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<triaxial::ShearPath>& path) {
+  const auto found = std::find_if(specimen.runs.begin(), specimen.runs.end(),
+                                  [&](const PathRun& run) { return run.path == path; });
+  return found == specimen.runs.end() ? nullptr : &*found;
+}
+
+std::vector<const FrozenPoint*> early_points(const ExperimentSpecimen& specimen) {
+  // A snapshot at a multiple of eta is taken just behind it.
+  constexpr double margin = 0.01;
+  std::vector<const FrozenPoint*> out;
+  for (const PathRun& run : specimen.runs)
+    for (const FrozenPoint& point : run.points) {
+      // Past the peak eta may fall below the limit again: the path has left the range for good.
+      if (!run.path || std::abs(point.at.stress.ratio()) > early_eta + margin)
+        break;
+      out.push_back(&point);
+    }
+  return out;
+}
+
+std::vector<const FrozenPoint*> fit_points(const ExperimentSpecimen& specimen) {
+  std::vector<const FrozenPoint*> out = early_points(specimen);
+  for (const FrozenPoint& point : specimen.runs.front().points)
+    out.push_back(&point);
+  return out;
+}
+
+std::optional<double> network_G_hh(const FrozenPoint& point) { return point.G_hh(); }
+std::optional<double> network_G_vh(const FrozenPoint& point) { return point.G_vh(); }
+
+std::optional<double> probe_G_hh(const FrozenPoint& point) {
+  return point.probes ? std::optional(point.probes->G_hh) : std::nullopt;
+}
+std::optional<double> probe_G_hv(const FrozenPoint& point) {
+  return point.probes ? std::optional(point.probes->G_hv) : std::nullopt;
+}
+std::optional<double> probe_G_vh(const FrozenPoint& point) {
+  return point.probes ? std::optional(point.probes->G_vh) : std::nullopt;
+}
+
+} // namespace granum::verify

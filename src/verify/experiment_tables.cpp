@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/verify/experiment_tables.hpp>
+
+#include <cstdio>
+#include <limits>
+
+#include <granum/io/csv.hpp>
+#include <granum/verify/version.hpp>
+
+namespace granum::verify {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
+
+std::string words(std::string_view view) { return std::string(view); }
+
+/// Number of cells of one row that belong together, or their headings.
+using Cells = std::vector<io::CsvCell>;
+
+io::CsvContent headed(const Experiment& experiment, std::vector<std::string> headings) {
+  io::CsvContent csv;
+  csv.notes = {{"program", "granum " + words(version()) + " reproduce"},
+               {"grains", std::to_string(experiment.scene.grains)},
+               {"boundary", experiment.scene.walls ? "six rigid walls" : "periodic"},
+               {"signs", "compression positive; z is the vertical axis v; eta = (s_v - s_h)/p'"}};
+  csv.headings = {"contact", "density", "seed", "path"};
+  csv.headings.insert(csv.headings.end(), headings.begin(), headings.end());
+  return csv;
+}
+
+Cells place(const ExperimentSpecimen& specimen, const PathRun& run) {
+  return {words(name(specimen.contact)), words(name(specimen.density)), static_cast<double>(specimen.seed),
+          words(name(run.path))};
+}
+
+void append(Cells& cells, std::initializer_list<double> numbers) {
+  cells.insert(cells.end(), numbers.begin(), numbers.end());
+}
+
+/// Rows of a CSV file, one for each `item` of each run.
+template <class Items, class Row>
+std::string rows_of(const Experiment& experiment, io::CsvContent csv, Items items, const Row& row) {
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    for (const PathRun& run : specimen.runs)
+      for (const auto& item : run.*items)
+        row(csv, place(specimen, run), item);
+  return io::csv_text(csv);
+}
+
+std::vector<std::string> voigt_headings(const std::string& prefix) {
+  std::vector<std::string> out;
+  for (int i = 1; i <= 6; ++i)
+    for (int j = i; j <= 6; ++j)
+      out.push_back(prefix + std::to_string(i) + std::to_string(j) + "_Pa");
+  return out;
+}
+
+void append_voigt(Cells& cells, const std::array<double, 36>& matrix) {
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = i; j < 6; ++j)
+      cells.emplace_back(matrix[6 * i + j]);
+}
+
+std::string number(double value, int digits) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
+  return buffer;
+}
+
+/// Digits behind the point that a quantity of this size is shown with.
+int digits_of(double value) { return value >= 10 ? 1 : 3; }
+
+std::string shown(const Cell& cell) {
+  const int digits = digits_of(cell.ours.value);
+  std::string text = number(cell.ours.value, digits);
+  if (cell.ours.standard_error)
+    text += " +- " + number(*cell.ours.standard_error, digits);
+  if (cell.printed)
+    text += " (" + number(*cell.printed, digits_of(*cell.printed)) + ")";
+  return text + (cell.holds() ? "" : " !");
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+} // namespace
+
+std::string frozen_states_csv(const Experiment& experiment) {
+  std::vector<std::string> headings = {"eta",
+                                       "p_Pa",
+                                       "s_v_Pa",
+                                       "s_h_Pa",
+                                       "axial_strain",
+                                       "volumetric_strain",
+                                       "frozen_s_v_Pa",
+                                       "frozen_s_h_Pa",
+                                       "e",
+                                       "e_interior",
+                                       "C_n",
+                                       "C_n_all_grains",
+                                       "C_n_all_grains_error",
+                                       "z_star",
+                                       "rattler_fraction",
+                                       "a",
+                                       "a_error",
+                                       "sliding_fraction",
+                                       "F11",
+                                       "F22",
+                                       "F33",
+                                       "F23",
+                                       "F13",
+                                       "F12",
+                                       "contacts",
+                                       "G_hh_Pa",
+                                       "G_vh_Pa",
+                                       "G_hh_uniform_strain_Pa",
+                                       "G_vh_uniform_strain_Pa",
+                                       "G_hh_uniform_stress_Pa",
+                                       "G_vh_uniform_stress_Pa",
+                                       "G_hh_relaxed_Pa",
+                                       "G_hh_relaxed_error_Pa",
+                                       "G_vh_relaxed_Pa",
+                                       "G_vh_relaxed_error_Pa",
+                                       "G_hh_probe_Pa",
+                                       "G_hv_probe_Pa",
+                                       "G_vh_probe_Pa",
+                                       "probe_strain",
+                                       "unbalanced_force_ratio",
+                                       "rest_steps"};
+  for (const std::string& prefix : {std::string("network_C"), std::string("affine_C")}) {
+    const std::vector<std::string> more = voigt_headings(prefix);
+    headings.insert(headings.end(), more.begin(), more.end());
+  }
+  return rows_of(experiment, headed(experiment, headings), &PathRun::points,
+                 [](io::CsvContent& csv, Cells cells, const FrozenPoint& p) {
+                   append(cells, {p.at.stress.ratio(),
+                                  p.at.stress.mean(),
+                                  p.at.stress.v,
+                                  p.at.stress.h,
+                                  p.at.axial_strain,
+                                  p.at.volumetric_strain,
+                                  p.stress.v,
+                                  p.stress.h,
+                                  p.void_ratio,
+                                  p.interior_void_ratio,
+                                  p.micro.coordination_number,
+                                  p.coordination_number_all,
+                                  p.coordination_error,
+                                  p.micro.mechanical_coordination_number,
+                                  p.micro.rattler_fraction,
+                                  p.micro.fabric_anisotropy,
+                                  p.micro.fabric_anisotropy_error,
+                                  p.micro.sliding_fraction,
+                                  p.fabric(0, 0),
+                                  p.fabric(1, 1),
+                                  p.fabric(2, 2),
+                                  p.fabric(1, 2),
+                                  p.fabric(0, 2),
+                                  p.fabric(0, 1),
+                                  static_cast<double>(p.contacts),
+                                  p.G_hh(),
+                                  p.G_vh()});
+                   if (const std::optional<ClosedForms>& c = p.closed)
+                     append(cells,
+                            {c->uniform_strain.G_hh(), c->uniform_strain.G_vh(), c->uniform_stress.G_hh(),
+                             c->uniform_stress.G_vh(), c->relaxed.G_hh(), c->G_hh_error * c->relaxed.G_hh(),
+                             c->relaxed.G_vh(), c->G_vh_error * c->relaxed.G_vh()});
+                   else
+                     cells.insert(cells.end(), 8, nothing);
+                   if (const std::optional<Probes>& probes = p.probes)
+                     append(cells, {probes->G_hh, probes->G_hv, probes->G_vh, probes->amplitude});
+                   else
+                     cells.insert(cells.end(), 4, nothing);
+                   append(cells, {p.unbalanced_force_ratio, static_cast<double>(p.rest_steps)});
+                   append_voigt(cells, p.network);
+                   append_voigt(cells, p.affine);
+                   csv.rows.push_back(std::move(cells));
+                 });
+}
+
+std::string curves_csv(const Experiment& experiment) {
+  return rows_of(experiment,
+                 headed(experiment, {"eta", "p_Pa", "s_v_Pa", "s_h_Pa", "axial_strain", "volumetric_strain",
+                                     "work_J_per_m3", "step"}),
+                 &PathRun::curve, [](io::CsvContent& csv, Cells cells, const triaxial::PathPoint& p) {
+                   append(cells, {p.stress.ratio(), p.stress.mean(), p.stress.v, p.stress.h, p.axial_strain,
+                                  p.volumetric_strain, p.work, static_cast<double>(p.step)});
+                   csv.rows.push_back(std::move(cells));
+                 });
+}
+
+std::string loops_csv(const Experiment& experiment) {
+  return rows_of(experiment, headed(experiment, {"eta", "shear_strain", "shear_stress_Pa"}), &PathRun::loops,
+                 [](io::CsvContent& csv, const Cells& cells, const ShearLoop& loop) {
+                   for (const triaxial::LoopPoint& point : loop.points) {
+                     Cells row = cells;
+                     append(row, {loop.eta, point.shear_strain, point.shear_stress});
+                     csv.rows.push_back(std::move(row));
+                   }
+                 });
+}
+
+std::string histograms_csv(const Experiment& experiment) {
+  return rows_of(experiment,
+                 headed(experiment, {"eta", "axial_strain", "of", "bin_low", "bin_high", "contacts"}),
+                 &PathRun::points, [](io::CsvContent& csv, const Cells& cells, const FrozenPoint& p) {
+                   const auto add = [&](const char* of, const auto& counts, double width) {
+                     for (std::size_t k = 0; k < counts.size(); ++k) {
+                       Cells row = cells;
+                       append(row, {p.at.stress.ratio(), p.at.axial_strain});
+                       row.emplace_back(std::string(of));
+                       const double low = static_cast<double>(k) * width;
+                       append(row, {low, low + width, static_cast<double>(counts[k])});
+                       csv.rows.push_back(std::move(row));
+                     }
+                   };
+                   add("polar angle [deg]", p.polar_counts, 90.0 / static_cast<double>(polar_bins));
+                   add("f_n/<f_n>", p.force_counts, 8.0 / static_cast<double>(force_bins));
+                 });
+}
+
+std::string table_csv(const std::vector<TableRow>& rows) {
+  io::CsvContent csv;
+  csv.headings = {"contact", "density",    "quantity", "granum", "standard_error",
+                  "paper",   "difference", "reach",    "within"};
+  for (const TableRow& row : rows)
+    for (const Cell& cell : row.cells)
+      csv.rows.push_back({words(name(row.contact)), words(name(row.density)), cell.quantity, cell.ours.value,
+                          cell.ours.standard_error.value_or(nothing), cell.printed.value_or(nothing),
+                          cell.printed ? cell.ours.value - *cell.printed : nothing,
+                          cell.reach.value_or(nothing),
+                          std::string(!cell.printed  ? ""
+                                      : cell.holds() ? "yes"
+                                                     : "no")});
+  return io::csv_text(csv);
+}
+
+std::string verdicts_csv(const std::vector<Verdict>& verdicts) {
+  io::CsvContent csv;
+  csv.headings = {"claim", "holds", "measured"};
+  for (const Verdict& verdict : verdicts)
+    csv.rows.push_back({verdict.claim, std::string(verdict.holds ? "yes" : "no"), verdict.measured});
+  return io::csv_text(csv);
+}
+
+std::string table_text(const std::string& title, const std::vector<TableRow>& rows) {
+  std::string out = title + "\n";
+  const TableRow* widest = nullptr;
+  for (const TableRow& row : rows)
+    if (widest == nullptr || row.cells.size() > widest->cells.size())
+      widest = &row;
+  if (widest == nullptr || widest->cells.empty())
+    return out + "  nothing was measured\n";
+  std::vector<std::size_t> widths;
+  std::string head = "  " + padded("contact", 10) + padded("density", 8);
+  for (std::size_t k = 0; k < widest->cells.size(); ++k) {
+    std::size_t width = widest->cells[k].quantity.size();
+    for (const TableRow& row : rows)
+      if (k < row.cells.size())
+        width = std::max(width, shown(row.cells[k]).size());
+    widths.push_back(width + 2);
+    head += padded(widest->cells[k].quantity, widths.back());
+  }
+  out += head + "\n";
+  for (const TableRow& row : rows) {
+    out += "  " + padded(words(name(row.contact)), 10) + padded(words(name(row.density)), 8);
+    for (std::size_t k = 0; k < row.cells.size(); ++k)
+      out += padded(shown(row.cells[k]), widths[k]);
+    out += "\n";
+  }
+  return out;
+}
+
+} // namespace granum::verify

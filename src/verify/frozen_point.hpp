@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/dem/state.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/verify/experiment.hpp>
+
+namespace granum::verify {
+
+/// Brings a copy of the state to rest at fixed cell and measures all that the experiment wants of it.
+/// \param    at       where on its path the state was taken
+/// \param    probed   whether to shear it by DEM as well
+/// \throws   NotConverged if it does not come to rest, or its network is not solved
+[[nodiscard]] FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
+                                       const triaxial::PathPoint& at, bool probed);
+
+/// Shear moduli of a frozen state by DEM.
+/// \throws   NotConverged if a probe does not come to rest
+[[nodiscard]] Probes run_probes(const dem::State& state, const dem::Material& material);
+
+/// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest.
+[[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
+                                   double amplitude);
+
+/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for moduli: an escaping
+///           rattler may keep a specimen above the tolerance that is aimed at.
+void require_rest(double unbalanced_force_ratio, const std::string& what, double limit = 1e-6);
+
+} // namespace granum::verify

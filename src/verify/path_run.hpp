@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <granum/verify/experiment.hpp>
+
+#include "work_sharing.hpp"
+
+/// The pieces of the experiment, each the work of one thread. Each goes on from its checkpoint if there is
+/// one.
+namespace granum::verify {
+
+/// What every piece needs beside its own state.
+struct Piece {
+  const Scene& scene;
+  const CheckpointFolder& checkpoints;
+  Meter& meter;
+  Shape contact;
+  triaxial::Density density;
+  std::uint64_t seed;
+};
+
+/// The frictionless packing; dense and loose specimens share it.
+[[nodiscard]] dem::State packing(const Piece& piece);
+
+/// Isotropic compression of a frictionless packing.
+struct IsoRun {
+  PathRun run;
+  dem::State state; ///< at the last pressure
+};
+[[nodiscard]] IsoRun isotropic_run(const Piece& piece, const dem::State& packing);
+
+/// A stress path from the end of isotropic compression.
+[[nodiscard]] PathRun shear_run(const Piece& piece, const dem::State& start, triaxial::ShearPath path);
+
+/// Predicted work of the pieces and of all of them, in steps of the engine with friction.
+[[nodiscard]] double packing_steps(const Scene& scene);
+[[nodiscard]] double isotropic_steps(const Scene& scene, Shape contact, triaxial::Density density);
+[[nodiscard]] double shear_steps(const Scene& scene, Shape contact);
+[[nodiscard]] double experiment_steps(const Scene& scene);
+
+} // namespace granum::verify

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <granum/verify/experiment_findings.hpp>
+
+namespace granum::verify {
+
+/// Mean of what several specimens gave. Its error is the larger of their scatter and their mean own error,
+/// over the root of their number; one specimen without an error of its own has none. Nothing from none.
+[[nodiscard]] std::optional<Measured> mean_over_seeds(const std::vector<Measured>& each);
+
+} // namespace granum::verify

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A run that is killed (SIGKILL) again and again, and resumed each time, ends with the same bytes as one that nothing
+# interrupted:
+#   cmake -DPROGRAM=... -DFOLDER=... -P check_reproduce_resume.cmake
+cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/reproduce_runs.cmake")
+find_program(TIMEOUT timeout REQUIRED)
+
+run_whole("${FOLDER}/whole")
+
+set(resumed "${FOLDER}/resumed")
+file(REMOVE_RECURSE "${resumed}")
+set(start reproduce ${scene} --out "${resumed}")
+set(kills 0)
+# Each round lives longer, so that any machine gets to the end.
+foreach(round RANGE 1 40)
+  math(EXPR seconds "(${round} + 1) / 10")
+  math(EXPR tenths "(${round} + 1) % 10")
+  execute_process(COMMAND "${TIMEOUT}" --signal=KILL "${seconds}.${tenths}" "${PROGRAM}" ${start}
+    RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(code MATCHES "^[01]$")
+    break()
+  endif()
+  if(NOT code MATCHES "^(137|Subprocess killed)$")
+    fail("killed or done is all that may happen in round ${round}")
+  endif()
+  math(EXPR kills "${kills} + 1")
+  if(EXISTS "${resumed}/scene.toml")
+    set(start reproduce --resume "${resumed}")
+  endif()
+endforeach()
+if(kills EQUAL 0)
+  fail("the run was never killed")
+endif()
+require_same_results("${FOLDER}/whole" "${resumed}")
+
+# A finished run writes its tables again.
+file(REMOVE "${resumed}/states.csv")
+execute_process(COMMAND "${PROGRAM}" reproduce --resume "${resumed}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+require_same_results("${FOLDER}/whole" "${resumed}")
+
+# New results do not replace old ones unasked.
+execute_process(COMMAND "${PROGRAM}" reproduce ${scene} --out "${resumed}"
+  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 3 OR NOT err MATCHES "exists already and is kept; --force replaces it")
+  fail("existing results must be kept")
+endif()
+
+# A checkpoint that was damaged is named, not run on.
+file(APPEND "${resumed}/checkpoints/sphere-dense-1-txc.checkpoint" "x")
+execute_process(COMMAND "${PROGRAM}" reproduce --resume "${resumed}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 3 OR NOT err MATCHES "sphere-dense-1-txc\\.checkpoint: ")
+  fail("a damaged checkpoint must be named")
+endif()

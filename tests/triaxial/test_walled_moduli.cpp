@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moduli of specimens between walls by two independent routes: linear algebra and moving the walls.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+#include <doctest/doctest.h>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "dem/lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::triaxial;
+using elastic::Matrix6;
+
+namespace {
+
+constexpr double pressure = 100e3;
+constexpr double radius = 0.5e-3;
+const dem::Material material = test::quartz(radius, 0.4986);
+
+/// Loose specimens take long to come to rest: fewer grains.
+SpecimenRecipe recipe(Density density) {
+  SpecimenRecipe recipe{.material = material, .radius = radius};
+  recipe.grains = density == Density::dense ? 300 : 150;
+  recipe.seed = 4;
+  recipe.wall_friction = 0;
+  return recipe;
+}
+
+dem::State made(Density density) {
+  dem::State state =
+      start_of_compression(frictionless_specimen(recipe(density)).state, density, recipe(density));
+  REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
+    state = snapshot.state;
+    return true;
+  }));
+  return freeze_in_place(state, material).state;
+}
+
+/// Specimens between smooth walls, frozen, each made once and when it is asked for.
+const dem::State& specimen(Density density) {
+  if (density == Density::dense) {
+    static const dem::State dense = made(Density::dense);
+    return dense;
+  }
+  static const dem::State loose = made(Density::loose);
+  return loose;
+}
+
+/// Stress swing of moving the walls by a strain to and fro, over the strain, with every contact sticking.
+Mat3 swing(const dem::State& state, const Mat3& direction, double strain) {
+  dem::Material sticking = material;
+  sticking.friction_coefficient = std::numeric_limits<double>::infinity();
+  Mat3 sum;
+  for (const double sign : {1.0, -1.0}) {
+    dem::Engine engine(state, sticking);
+    const auto report = dem::deform(engine, (sign * strain) * direction, 100,
+                                    {.force_tolerance = 1e-10, .max_steps = 100000});
+    sum += (-sign / (2 * strain)) * report.stress;
+  }
+  return sum;
+}
+
+/// Shear modulus of a specimen whose three normal stresses are held: their changes are zero in the inverse.
+double held_modulus(const Matrix6& c, int k) {
+  Eigen::Matrix4d part;
+  const std::array<int, 4> of{0, 1, 2, k};
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      part(row, column) = c(of[static_cast<std::size_t>(row)], of[static_cast<std::size_t>(column)]);
+  return 1 / part.inverse()(3, 3);
+}
+
+/// Work that a closed loop leaves in the specimen, per volume, from its first end on.
+double dissipation(const ProbeResult& result, std::size_t loop_points) {
+  double sum = 0;
+  for (std::size_t k = loop_points; k + 1 < result.loop.size(); ++k)
+    sum += (result.loop[k].shear_stress + result.loop[k + 1].shear_stress) / 2 *
+           (result.loop[k + 1].shear_strain - result.loop[k].shear_strain);
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("between walls: network and moved walls agree on normal and shear moduli") {
+  for (const Density density : {Density::dense, Density::loose}) {
+    CAPTURE(density == Density::dense);
+    const dem::State& state = specimen(density);
+    const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+    for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
+      const ProbeResult result = probe(state, material, mode);
+      const int k = mode == ShearMode::hh ? 5 : 4;
+      CHECK(result.converged);
+      CHECK(result.shear_modulus == relative(c(k, k), 0.01));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      Mat3 strain;
+      strain(axis, axis) = 1;
+      const Mat3 stress = swing(state, strain, 1e-8);
+      for (int other = 0; other < 3; ++other)
+        CHECK(std::abs(stress(other, other) - c(axis, other)) < 0.01 * c(axis, axis));
+    }
+  }
+}
+
+TEST_CASE("between walls without tangential forces: the same but for the prestress, which is known") {
+  // Compressed without friction, no contact carries a tangential force that the engine would scale down with
+  // its stiffness: what the walls measure is the change of Cauchy stress of a stressed elastic body,
+  // -ds = C e + s tr(e) - s e, with the C of the network under its prestress.
+  SpecimenRecipe at_pressure = recipe(Density::dense);
+  at_pressure.first_pressure = pressure;
+  const dem::State state = freeze_in_place(frictionless_specimen(at_pressure).state, material, 1e-10).state;
+  Assembly assembly = dem::freeze(state, material);
+  // Loose grains that just touch others would buckle under whatever force they bear.
+  for (Contact& c : assembly.contacts)
+    if (c.normal_force < 1e-2 * pressure * radius * radius)
+      c.normal_force = 0;
+  const Matrix6 c = network::linear_response(assembly, {.prestress = true}).relaxed().matrix;
+  const ProbeOptions fine{.amplitude = 1e-8, .force_tolerance = 1e-10, .max_steps = 100000};
+  for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
+    const ProbeResult result = probe(state, material, mode, fine);
+    const int k = mode == ShearMode::hh ? 5 : 4;
+    CHECK(result.shear_modulus == relative(c(k, k) - pressure / 2, 2e-4));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    Mat3 strain;
+    strain(axis, axis) = 1;
+    const Mat3 stress = swing(state, strain, 1e-8);
+    for (int other = 0; other < 3; ++other)
+      CHECK(std::abs(stress(other, other) - c(axis, other) - (other == axis ? 0 : pressure)) <
+            2e-4 * c(axis, axis));
+  }
+}
+
+TEST_CASE("normal stresses held by servos while walls tilt: the network's modulus at held stress") {
+  for (const Density density : {Density::dense, Density::loose}) {
+    CAPTURE(density == Density::dense);
+    const dem::State& state = specimen(density);
+    const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+    for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
+      const int k = mode == ShearMode::hh ? 5 : 4;
+      const ProbeResult held = probe(state, material, mode, {.hold_normal_stress = true});
+      CHECK(held.converged);
+      CHECK(held.shear_modulus == relative(held_modulus(c, k), 0.01));
+      CHECK(held_modulus(c, k) <= c(k, k));
+    }
+  }
+}
+
+TEST_CASE("a loop: from the network's tangent, closed and elastic while it is tiny, wider as it grows") {
+  const dem::State& state = specimen(Density::dense);
+  const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+  constexpr std::size_t points = 3;
+  const auto loop = [&](double amplitude) {
+    return probe(state, material, ShearMode::hv,
+                 {.amplitude = amplitude, .sliding = true, .loop_points = points, .force_tolerance = 1e-7});
+  };
+  const ProbeResult tiny = loop(0);
+  REQUIRE(tiny.loop.size() == 5 * points + 1);
+  CHECK(tiny.loop.front().shear_strain == 0);
+  CHECK(tiny.loop.front().shear_stress == 0);
+  CHECK(tiny.loop[1].shear_stress / tiny.loop[1].shear_strain == relative(c(4, 4), 0.02));
+  CHECK(tiny.loop[3 * points].shear_strain == relative(-tiny.amplitude, 1e-12));
+  CHECK(std::abs(tiny.loop[4 * points].shear_strain) < 1e-12 * tiny.amplitude);
+  const auto swing_of = [&](const ProbeResult& r) {
+    return r.loop[points].shear_stress - r.loop[3 * points].shear_stress;
+  };
+  CHECK(std::abs(tiny.loop.back().shear_stress - tiny.loop[points].shear_stress) < 0.01 * swing_of(tiny));
+  double last = 0;
+  for (const double factor : {30.0, 300.0, 3000.0}) {
+    const ProbeResult wide = loop(factor * tiny.amplitude);
+    const double share = dissipation(wide, points) / (wide.amplitude * swing_of(wide));
+    CHECK(share > last);
+    last = share;
+  }
+  // Without loop points the same cycle, and none are kept.
+  const ProbeResult plain = probe(state, material, ShearMode::hv, {.sliding = true, .force_tolerance = 1e-7});
+  CHECK(plain.loop.empty());
+  CHECK(plain.shear_modulus == relative(tiny.shear_modulus, 0.01));
+}

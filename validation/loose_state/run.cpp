@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the state of a loose specimen answers to its recipe: C_n, z*, rattlers and void ratio at 10 kPa against
+// the random move (agitation) and the linear strain (unjamming_strain) between jamming and compression with
+// friction.
+//
+//     loose_state table.csv [grains] [seeds]
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <granum/contact/friction.hpp>
+#include <granum/io/csv.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+namespace {
+
+using namespace granum;
+
+constexpr double radius = 0.5e-3; // R [m]
+constexpr double pressure = 10e3; // [Pa]
+
+triaxial::SpecimenRecipe recipe(std::size_t grains, std::uint64_t seed) {
+  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  return {.material = {.law = contact::PowerLaw::sphere(grain, radius),
+                       .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                       .friction_coefficient =
+                           contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()},
+          .radius = radius,
+          .grains = grains,
+          .seed = seed,
+          .first_pressure = pressure};
+}
+
+/// One specimen at 10 kPa.
+struct Sample {
+  triaxial::Microstructure micro;
+  double void_ratio = 0;
+  std::size_t steps = 0;
+};
+
+Sample compressed(const dem::State& packing, const triaxial::SpecimenRecipe& recipe) {
+  Sample sample;
+  const bool arrived = triaxial::isotropic_path(
+      triaxial::start_of_compression(packing, triaxial::Density::loose, recipe), recipe.material, {pressure},
+      triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
+        sample = {.micro = triaxial::microstructure(dem::freeze(snapshot.state, recipe.material)),
+                  .void_ratio = dem::void_ratio(snapshot.state),
+                  .steps = snapshot.report.steps};
+        return snapshot.report.converged();
+      });
+  if (!arrived)
+    throw std::runtime_error("a specimen did not come to rest");
+  return sample;
+}
+
+/// Mean and its standard error over the seeds.
+struct Mean {
+  double value = 0;
+  double error = 0;
+};
+
+template <class Of>
+Mean mean(const std::vector<Sample>& samples, const Of& of) {
+  const double count = static_cast<double>(samples.size());
+  Mean out;
+  for (const Sample& sample : samples)
+    out.value += of(sample) / count;
+  for (const Sample& sample : samples)
+    out.error += (of(sample) - out.value) * (of(sample) - out.value);
+  out.error = samples.size() > 1 ? std::sqrt(out.error / (count - 1) / count) : 0;
+  return out;
+}
+
+int run(const std::string& path, std::size_t grains, std::size_t seeds) {
+  std::vector<dem::State> packings;
+  for (std::size_t k = 0; k < seeds; ++k)
+    packings.push_back(triaxial::frictionless_specimen(recipe(grains, k + 1)).state);
+  io::CsvContent csv;
+  csv.notes = {{"grains", std::to_string(grains)}, {"seeds", std::to_string(seeds)}};
+  csv.headings = {"unjamming_strain", "agitation", "C_n", "C_n_error", "z_star",
+                  "z_star_error",     "rattlers",  "e",   "e_error",   "steps"};
+  const std::pair<double, double> recipes[] = {{0.003, 0},    {0.003, 0.001}, {0.003, 0.003}, {0.003, 0.006},
+                                               {0.003, 0.01}, {0.003, 0.03},  {0.003, 0.1},   {0.003, 0.3},
+                                               {0.001, 0.03}, {0.01, 0.03}};
+  std::printf("unjamming  agitation    C_n             z*     rattlers  e\n");
+  for (const auto& [strain, agitation] : recipes) {
+    std::vector<Sample> samples;
+    for (std::size_t k = 0; k < seeds; ++k) {
+      triaxial::SpecimenRecipe one = recipe(grains, k + 1);
+      one.unjamming_strain = strain;
+      one.agitation = agitation;
+      samples.push_back(compressed(packings[k], one));
+    }
+    const Mean c = mean(samples, [](const Sample& s) { return s.micro.coordination_number; });
+    const Mean z = mean(samples, [](const Sample& s) { return s.micro.mechanical_coordination_number; });
+    const Mean rattlers = mean(samples, [](const Sample& s) { return s.micro.rattler_fraction; });
+    const Mean e = mean(samples, [](const Sample& s) { return s.void_ratio; });
+    const Mean steps = mean(samples, [](const Sample& s) { return static_cast<double>(s.steps); });
+    csv.rows.push_back({strain, agitation, c.value, c.error, z.value, z.error, rattlers.value, e.value,
+                        e.error, std::round(steps.value)});
+    std::printf("%9.3f  %9.3f  %.3f +- %.3f  %.3f  %.3f     %.4f +- %.4f\n", strain, agitation, c.value,
+                c.error, z.value, rattlers.value, e.value, e.error);
+    std::fflush(stdout);
+    io::write_file(path, io::csv_text(csv), io::Existing::replace);
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 4) {
+    std::fprintf(stderr, "usage: loose_state table.csv [grains] [seeds]\n");
+    return 2;
+  }
+  const auto number = [&](int k, unsigned long usual) {
+    return argc > k ? std::strtoul(argv[k], nullptr, 10) : usual;
+  };
+  try {
+    return run(argv[1], number(2, 1000), number(3, 3));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "loose_state: %s\n", error.what());
+    return 1;
+  }
+}
