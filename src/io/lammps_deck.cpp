@@ -144,7 +144,9 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("first_solid_fraction", solid_fraction, "of grains.data [1]");
   n.add("gathered_solid_fraction", "0.5", "up to which scattered grains are moved together [1]");
   n.add("gather_steps", "20000", "in that many steps [1]");
-  n.add("gather_inertial_number", "0.005", "of the servo while scattered grains jam [1]");
+  n.add("gather_inertial_number", "0.005 0.001 0.0003",
+        "of the box until scattered grains jam, one after the other [1]");
+  n.add("gather_tolerance", "0.02", "as below, of the servo that packs them without drag [1]");
   n.add("restitution", "0.5", "of the contacts' damping [1]");
   n.add("tangential_damping", "0.5", "over the normal one [1]");
   n.add("time_step_share", "0.1", "of sqrt(m/k_n); LAMMPS does not tell when it is unstable, near 0.18 [1]");

@@ -106,7 +106,8 @@ variable stiffness equal 1.5*v_mean_force/v_overlap # k_n = df/d(overlap) [N/m]
 variable time_step equal v_time_step_share*sqrt(v_mass/v_stiffness) # [s]
 variable bulk equal v_coordination*v_solid_fraction*v_stiffness/(6*PI*v_radius) # uniform strain [Pa]
 variable wave_speed equal sqrt(v_relaxed_share*v_bulk/(v_solid_fraction*v_density)) # of shear [m/s]
-variable drag equal 4*PI*v_mass*v_wave_speed/lx # critical for the longest shear wave [kg/s]
+variable drag_share equal 1 # of the drag that is critical for the longest shear wave [1]
+variable drag equal v_drag_share*4*PI*v_mass*v_wave_speed/lx # [kg/s]
 variable fastest_rate equal v_inertial_number/(2*v_radius)*sqrt(v_pressure/v_density) # [1/s]
 variable time_by_rate equal v_pressure/(3*v_bulk*v_fastest_rate) # [s]
 variable time_by_wave equal 2*lx/v_wave_speed # [s]
@@ -138,23 +139,31 @@ thermo_modify norm no format float %.9g
 )deck";
 
 constexpr std::string_view gather =
-    R"deck(# Scattered grains are moved together by the box: quickly while they hardly touch, then slowly until half the
-# pressure is there. The servo alone would take many times as many steps.
-variable inertial_number equal ${gather_inertial_number} # [1]
+    R"deck(# Scattered grains are moved together by the box: quickly while they hardly touch, then at falling rates, each
+# until half the pressure is there for a moment; then the servo works to a first tolerance. All this without drag:
+# it would hold grains back that are pushed aside, and pass for the pressure long before they jam.
 variable smaller equal (v_first_solid_fraction/v_gathered_solid_fraction)^(1/3) # of each edge [1]
 variable jammed equal "c_stress > 0.5*v_pressure" # [1]
-fix drag all viscous ${drag}
 fix box all deform 1 x scale ${smaller} y scale ${smaller} z scale ${smaller} remap x
 run ${gather_steps}
 unfix box
-run $(v_gather_steps/2) # grains that were pushed into each other part
+label next_rate
+variable inertial_number equal ${gather_inertial_number} # [1]
+run $(v_gather_steps/10) # grains that were pushed into each other part
 fix box all deform 1 x trate $(-v_fastest_rate:%.17g) y trate $(-v_fastest_rate:%.17g) &
   z trate $(-v_fastest_rate:%.17g) remap x
 fix halt all halt 10 v_jammed > 0.5 error continue message no # asked every 10 steps
 run ${servo_steps}
 unfix halt
 unfix box
-unfix drag
+next gather_inertial_number
+jump SELF next_rate
+variable inertial_number equal ${iso_inertial_number} # [1]
+variable tolerance equal ${gather_tolerance} # [1]
+variable drag_share equal 0 # [1]
+include servo.lmp
+variable drag_share equal 1 # [1]
+variable tolerance equal ${prepare_tolerance} # [1]
 )deck";
 
 constexpr std::string_view servo =

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lets YADE or LIGGGHTS make a packing and holds what `granum analyse` reads against what the code says and was told:
+#   cmake -DPROGRAM=granum -DCODE=YADE -DRUN=yade -DSHARE=share/yade -DFOLDER=... -P check_packing.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: exit code ${code}\n${out}\n${err}")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
+endfunction()
+
+# value(<where in the JSON> FROM <low> TO <high>)
+function(value)
+  cmake_parse_arguments(PARSE_ARGV 0 it "" "FROM;TO" "")
+  string(JSON number GET "${json}" frames 0 ${it_UNPARSED_ARGUMENTS})
+  message(STATUS "${it_UNPARSED_ARGUMENTS}: ${number}, from ${it_FROM} to ${it_TO}")
+  if(NOT (number GREATER_EQUAL it_FROM AND number LESS_EQUAL it_TO))
+    message(SEND_ERROR "${it_UNPARSED_ARGUMENTS}: ${number} is not in [${it_FROM}, ${it_TO}]")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+if(CODE STREQUAL YADE)
+  run("${RUN}" -j1 -n -x "${CMAKE_CURRENT_LIST_DIR}/yade/make_packing.py" packing "${SHARE}")
+  set(files packing.grains packing.contacts)
+  file(STRINGS "${FOLDER}/packing.own" own)
+  list(GET own 0 stress)
+  list(GET own 1 contacts_of_a_grain)
+else()
+  run("${RUN}" -in "${CMAKE_CURRENT_LIST_DIR}/liggghts/in.packing")
+  set(files atoms.dump contacts.dump)
+  file(STRINGS "${FOLDER}/own.txt" stress)
+endif()
+
+run("${PROGRAM}" analyse ${files} --stress "${stress}" --json)
+set(json "${out}")
+foreach(component xx yy zz xy xz yz) # twelve digits or more; what rounding of sums leaves of them
+  value(stress relative_difference ${component} FROM -1e-10 TO 1e-10)
+endforeach()
+if(CODE STREQUAL YADE)
+  value(counts coordination_number FROM ${contacts_of_a_grain} TO ${contacts_of_a_grain})
+endif()
+# Both were told E = 69 GPa and nu = 0.15 of spheres, and have come to rest.
+value(contact_law alpha value FROM 1.999999 TO 2.000001)
+value(grain shear_modulus FROM 29999.9e6 TO 30000.1e6)
+value(forces unbalanced_force_ratio FROM 0 TO 1e-3)
+value(counts mechanical_coordination_number FROM 4 TO 6)
