@@ -144,8 +144,7 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("first_solid_fraction", solid_fraction, "of grains.data [1]");
   n.add("gathered_solid_fraction", "0.5", "up to which scattered grains are moved together [1]");
   n.add("gather_steps", "20000", "in that many steps [1]");
-  n.add("gather_inertial_number", "0.005 0.001 0.0003",
-        "of the box until scattered grains jam, one after the other [1]");
+  n.add("gather_inertial_number", "0.005 0.001 0.0003", "of the box until scattered grains jam, in turn [1]");
   n.add("gather_tolerance", "0.02", "as below, of the servo that packs them without drag [1]");
   n.add("restitution", "0.5", "of the contacts' damping [1]");
   n.add("tangential_damping", "0.5", "over the normal one [1]");
@@ -154,7 +153,7 @@ std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
   n.add("relaxed_share", e.friction_while_prepared ? "0.1" : "0.3",
         "of the shear modulus under uniform strain that grains at rest have [1]");
   n.add("prepare_tolerance", "0.001",
-        "of stresses, and of unbalanced over mean force, up to the first pressure [1]");
+        "of stresses and unbalanced over mean force, up to the first pressure [1]");
   n.add("iso_tolerance", "0.0001", "the same while the servo works from there on [1]");
   n.add("rest_tolerance", "1e-08", "of unbalanced over mean force in states at rest [1]");
   n.add("servo_steps", "400000", "at most for each pressure [1]");
