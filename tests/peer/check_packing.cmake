@@ -3,23 +3,7 @@
 #   cmake -DPROGRAM=granum -DCODE=YADE -DRUN=yade -DSHARE=share/yade -DFOLDER=... -P check_packing.cmake
 cmake_minimum_required(VERSION 3.25)
 
-function(run)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "${ARGN}: exit code ${code}\n${out}\n${err}")
-  endif()
-  set(out "${out}" PARENT_SCOPE)
-endfunction()
-
-# value(<where in the JSON> FROM <low> TO <high>)
-function(value)
-  cmake_parse_arguments(PARSE_ARGV 0 it "" "FROM;TO" "")
-  string(JSON number GET "${json}" frames 0 ${it_UNPARSED_ARGUMENTS})
-  message(STATUS "${it_UNPARSED_ARGUMENTS}: ${number}, from ${it_FROM} to ${it_TO}")
-  if(NOT (number GREATER_EQUAL it_FROM AND number LESS_EQUAL it_TO))
-    message(SEND_ERROR "${it_UNPARSED_ARGUMENTS}: ${number} is not in [${it_FROM}, ${it_TO}]")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/analysis.cmake")
 
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")
@@ -36,7 +20,6 @@ else()
 endif()
 
 run("${PROGRAM}" analyse ${files} --stress "${stress}" --json)
-set(json "${out}")
 foreach(component xx yy zz xy xz yz) # twelve digits or more; what rounding of sums leaves of them
   value(stress relative_difference ${component} FROM -1e-10 TO 1e-10)
 endforeach()
