@@ -18,6 +18,8 @@ if ! command -v lmp >/dev/null || ! command -v mpirun >/dev/null; then
   exit 3
 fi
 scratch=${2:-$(mktemp -d)}
+runs=${GROWTH_RUNS:-3}
+work=${GROWTH_WORK:-8000000}
 mkdir -p -- "$scratch"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # Open MPI in a machine that only has root
 
@@ -62,10 +64,10 @@ loops() {
 echo "grains,ranks,steps,cpu_us_per_grain_step,memory_rank_MB" >"$results"
 for copies in 1 2 4; do
   grains=$((1000 * copies ** 3))
-  steps=$((8000000 / grains))
+  steps=$((work / grains))
   for ranks in 1 2; do
     : >loops.txt
-    for _ in 1 2 3; do
+    for ((run = 0; run < runs; ++run)); do
       mpirun --oversubscribe --mca mpi_yield_when_idle 1 -np $ranks lmp -in grows.lmp -var copies $copies \
         -var steps $steps >grows.out
       loops grows.out >>loops.txt
