@@ -2,12 +2,12 @@
 //
 // Example 12: how is a packing of YADE brought over, and what is it worth there?
 //
-// YADE's own text exports print six digits, too few for overlaps. share/yade/granum_export.py, run inside YADE,
-// writes all of them:
+// YADE's own text exports print six digits, too few for overlaps. share/yade/granum_export.py, run inside
+// YADE, writes all of them:
 //   import sys; sys.path.append("<granum>/share/yade"); import granum_export
 //   granum_export.write("packing", O)
-// It also writes the stiffnesses that YADE gives the contacts, so nothing about the material need be known. Other
-// packings are named on the command line:
+// It also writes the stiffnesses that YADE gives the contacts, so nothing about the material need be known.
+// Other packings are named on the command line:
 //   12_analyse_yade_output packing.grains packing.contacts
 #include <algorithm>
 #include <cmath>
@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
   std::printf("G = %.1f MPa, %.3f of what uniform strain makes of the same contacts\n", measured / 1e6,
               measured / affine);
 
-  // 4. Check: stress and C_n are those that YADE printed for this state, and its stiffnesses are those of Hertz
-  //    and Mindlin for the grains that it was told, E = 69 GPa and nu = 0.15.
+  // 4. Check: stress and C_n are those that YADE printed for this state, and its stiffnesses are those of
+  //    Hertz and Mindlin for the grains that it was told, E = 69 GPa and nu = 0.15.
   if (!shipped)
     return 0;
   const double code[6] = {982321.63895271579, 983329.91514042427, 980526.88611746742,

@@ -110,7 +110,7 @@ std::vector<io::DeckFile> deck_of(const verify::Scene& scene, const Specimen& sp
   return files;
 }
 
-/// Makes the folders. The files of a deck have the same names for every specimen: a small one is made at once.
+/// Makes the folders. The files of a deck have the same names for every specimen: a small one tells them.
 void prepare_folders(verify::Scene scene, const Options& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
   Options small = options;

@@ -6,7 +6,7 @@ namespace granum::io::lammps_scripts {
 namespace {
 
 constexpr std::string_view path =
-    R"deck(# A stress path from a state of in.iso: one stress is driven at constant inertial number, one is held.
+    R"deck(# A stress path from a state of in.iso: one stress is driven at constant inertial number, one held.
 include scene.lmp
 if "x${path} == xnone" then "jump SELF end"
 include state.${path_start}.lmp
@@ -42,7 +42,7 @@ label end
 )deck";
 
 constexpr std::string_view path_measures =
-    R"deck(# Where a path stands, and its servos. Strains are logarithmic, from the path's start, compression positive.
+    R"deck(# Where a path stands, and its servos. Strains: logarithmic, from its start, compression positive.
 variable start_height equal $(lz:%.17g) # [m]
 variable start_volume equal $(vol:%.17g) # [m^3]
 variable axial_strain equal -ln(lz/v_start_height) # [1]
@@ -96,7 +96,7 @@ variable rate_z equal v_driven # [1/s]
 )deck";
 
 constexpr std::string_view path_lateral =
-    R"deck(# Both widths are driven by half the rate; the vertical stress is held, the horizontal ones are kept equal.
+    R"deck(# Both widths are driven by half the rate; the vertical stress is held, the other two kept equal.
 variable gap_a equal v_held-c_stress[3] # [Pa]
 variable gap_b equal (c_stress[2]-c_stress[1])/2 # [Pa]
 variable rate_x equal v_driven/2+v_servo_b # [1/s]
@@ -105,8 +105,8 @@ variable rate_z equal v_servo_a # [1/s]
 )deck";
 
 constexpr std::string_view path_segment =
-    R"deck(# Rates of strain for the stresses of the moment, for some steps. The change of the rates goes to the box and,
-# as a field of velocities, to the grains at once (remap v), so that contacts feel all of the motion.
+    R"deck(# Rates of strain for the stresses of the moment, for some steps. Their change goes to the
+# box and, as a field of velocities, to the grains at once (remap v): contacts feel all of the motion.
 variable pressure string $(c_stress:%.17g) # [Pa]
 timestep ${time_step}
 velocity all set v_kick_x v_kick_y v_kick_z sum yes

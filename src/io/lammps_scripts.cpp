@@ -6,7 +6,7 @@ namespace granum::io::lammps_scripts {
 namespace {
 
 constexpr std::string_view readme =
-    R"deck(LAMMPS deck of granum: equal spheres, periodic; isotropic compression, a stress path, small-strain probes.
+    R"deck(LAMMPS deck of granum: equal spheres, periodic; isotropic compression, stress path, small strains.
 
   lmp -in in.all                 one core
   mpirun -np 16 lmp -in in.all   any number of them; the files are the same
@@ -34,7 +34,7 @@ growing as the edge of the box), 300 core-hours; for each state 11 GB of dumps a
 )deck";
 
 constexpr std::string_view all =
-    R"deck(# The whole experiment: prepare, compress, probe; then the stress path and its probes, if there is one.
+    R"deck(# The whole experiment: prepare, compress, probe; then the stress path and its probes, if any.
 include in.prepare
 clear
 include in.iso
@@ -139,9 +139,9 @@ thermo_modify norm no format float %.9g
 )deck";
 
 constexpr std::string_view gather =
-    R"deck(# Scattered grains are moved together by the box: quickly while they hardly touch, then at falling rates, each
-# until half the pressure is there for a moment; then the servo works to a first tolerance. All this without drag:
-# it would hold grains back that are pushed aside, and pass for the pressure long before they jam.
+    R"deck(# Scattered grains are moved together by the box: quickly while they hardly touch, then at falling
+# rates, each until half the pressure is there for a moment; then the servo works to a first tolerance. All
+# this without drag: it would hold back grains that are pushed aside, and pass for pressure before they jam.
 variable smaller equal (v_first_solid_fraction/v_gathered_solid_fraction)^(1/3) # of each edge [1]
 variable jammed equal "c_stress > 0.5*v_pressure" # [1]
 fix box all deform 1 x scale ${smaller} y scale ${smaller} z scale ${smaller} remap x
@@ -202,7 +202,7 @@ run 0
 )deck";
 
 constexpr std::string_view snapshot =
-    R"deck(# Grains and contacts with all digits, the stress as LAMMPS has it, and what a later part goes on from. [m, N]
+    R"deck(# Grains and contacts with all digits, the stress by LAMMPS, what later parts start from. [m, N]
 dump atoms all custom 1 atoms.${name}.dump id type radius x y z fx fy fz
 dump_modify atoms sort id format float %.17g
 dump contacts all local 1 contacts.${name}.dump index c_ids[*] c_forces[*]
@@ -219,7 +219,7 @@ print "variable pressure string $(v_pressure:%.17g) # [Pa]" append state.${name}
 )deck";
 
 constexpr std::string_view probes =
-    R"deck(# Small-strain moduli of the states in probe_state: without sliding, at rest, each probe from that state.
+    R"deck(# Small-strain moduli of the states in probe_state: no sliding, at rest, each from that state.
 label next_state
 include state.${probe_state}.lmp
 variable name string ${probe_state}.frozen

@@ -18,7 +18,7 @@ enum class LammpsStart {
   scattered ///< far from each other: the box is first made smaller
 };
 
-/// A triaxial test from the last pressure on: one stress is driven at constant inertial number, the other held.
+/// A triaxial test from the last pressure on: one stress is driven at constant inertial number, one is held.
 struct LammpsPath {
   std::string name;              ///< of its states, letters and digits: TXC
   bool drives_vertical = true;   ///< else both horizontal stresses
