@@ -30,7 +30,7 @@ with the package GRANULAR. z is vertical; G_vh: layers stacked along z move alon
 
 What a run takes, estimated from small ones of LAMMPS 29 Sep 2021: 10^7 grains about 8 GB of memory over all
 ranks and 30 MB for each rank; for each doubling of the pressure some 1.5e5 steps (8,700 with 2,000 grains,
-growing as the edge of the box), 300 core-hours; for each state 11 GB of dumps and 3.4 GB of restart.
+growing as the edge of the box), 250 core-hours; for each state 11 GB of dumps and 3.4 GB of restart.
 )deck";
 
 constexpr std::string_view all =
