@@ -38,6 +38,7 @@ struct Command {
 
 Command add_analyse(CLI::App& program);
 Command add_estimate(CLI::App& program);
+Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_plan(CLI::App& program);
 Command add_reproduce(CLI::App& program);

@@ -30,9 +30,9 @@ ExitCode parse_and_run(int argc, char** argv) {
   program.footer(
       "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file, 4 not converged, or\n"
       "outside validity under --strict. Quantities carry their unit: 100kPa, 0.5mm, 30GPa, 26.5deg.");
-  const std::vector<Command> commands{add_analyse(program), add_estimate(program),  add_fit(program),
-                                      add_plan(program),    add_reproduce(program), add_sweep(program),
-                                      add_trade(program),   add_verify(program)};
+  const std::vector<Command> commands{add_analyse(program), add_estimate(program), add_export(program),
+                                      add_fit(program),     add_plan(program),     add_reproduce(program),
+                                      add_sweep(program),   add_trade(program),    add_verify(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) { // --help, --version

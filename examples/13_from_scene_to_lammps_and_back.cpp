@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Example 13: a packing for LAMMPS, and what LAMMPS made of it.
+//
+// granum makes a small dense specimen and writes a deck for it; LAMMPS compresses and shears it, on one core
+// here and on any number of them elsewhere; granum reads what it left and solves the contact network of that
+// state, which must give the same moduli. Without LAMMPS the deck is all there is.
+//   13_from_scene_to_lammps_and_back [FOLDER]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/io/csv.hpp>
+#include <granum/io/lammps_deck.hpp>
+#include <granum/io/lammps_dump.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/io/stiffness.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+using namespace granum;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+constexpr double radius = 0.5e-3; // [m]
+constexpr double friction = 0.5;
+
+/// The deck of 300 spheres, jammed without friction at 50 kPa, that LAMMPS compresses with friction.
+std::vector<io::DeckFile> deck() {
+  const auto law = contact::PowerLaw::sphere(quartz, radius);
+  const double ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio);
+  const dem::Material material{
+      .law = law, .tangential_stiffness_ratio = ratio, .friction_coefficient = friction};
+  triaxial::SpecimenRecipe recipe{.material = material, .radius = radius};
+  recipe.grains = 300;
+  recipe.first_pressure = 50e3;
+  const Assembly start = dem::freeze(triaxial::frictionless_specimen(recipe).state, material);
+  return io::lammps_deck(start, {.law = law,
+                                 .radius = radius,
+                                 .tangential_ratio = ratio,
+                                 .friction_coefficient = friction,
+                                 .pressures = {50e3, 100e3},
+                                 .probe_pressures = {100e3}});
+}
+
+bool shell(const std::string& command) { return std::system(command.c_str()) == 0; }
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const fs::path folder = argc > 1 ? argv[1] : "lammps_deck";
+
+  // 1. The deck: plain text, with every number commented in scene.lmp.
+  fs::create_directories(folder);
+  for (const io::DeckFile& file : deck())
+    io::write_file(folder / file.name, file.text, io::Existing::replace);
+  std::printf("deck written to %s\n", folder.c_str());
+
+  // 2. LAMMPS, if it is there; on a cluster: mpirun -np 64 lmp -in in.all
+  if (!shell("command -v lmp > /dev/null 2>&1")) {
+    std::printf("no program lmp is found here: run it there yourself,  lmp -in in.all\n");
+    return 0;
+  }
+  if (!shell("cd '" + folder.string() + "' && lmp -in in.all > lammps.out 2>&1")) {
+    std::printf("LAMMPS failed; lammps.out says why\n");
+    return 1;
+  }
+
+  // 3. Back again: grains and contacts of the state that was probed. The material does not stand in dumps.
+  io::LammpsDump dump(io::TextSource(folder / "atoms.100kPa.frozen.dump"),
+                      io::TextSource(folder / "contacts.100kPa.frozen.dump"));
+  Assembly packing = dump.next().value().assembly;
+  io::assign_hertz_stiffness(packing, quartz, contact::mindlin_stiffness_ratio(quartz.poisson_ratio));
+  std::printf("%zu grains, C_n %.3f, p = %.3f kPa\n", packing.grain_count(), coordination_number(packing),
+              contact_stress(packing).mean() / 1e3);
+
+  // 4. Check: what LAMMPS measured by straining the box, and what the network of contacts says.
+  const auto& stiffness = network::linear_response(packing).relaxed().matrix;
+  const double network[] = {stiffness(4, 4), stiffness(5, 5), stiffness.topLeftCorner<3, 3>().sum() / 9};
+  const std::vector<double> probed =
+      io::read_csv(folder / "moduli.csv").numbers("value", Dimension::pressure);
+  const char* const names[] = {"G_vh", "G_hh", "K"}; // as in moduli.csv
+  double worst = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::printf("%-5s LAMMPS %7.2f MPa   network %7.2f MPa\n", names[k], probed.at(k) / 1e6,
+                network[k] / 1e6);
+    worst = std::max(worst, std::abs(probed[k] / network[k] - 1));
+  }
+  return worst < 0.02 ? 0 : 1;
+}

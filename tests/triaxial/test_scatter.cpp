@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/triaxial/scatter.hpp>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/dem/neighbours.hpp>
+
+#include "dem/lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::triaxial;
+
+namespace {
+
+SpecimenRecipe recipe_of(std::size_t grains) {
+  SpecimenRecipe recipe{.material = {.law = test::quartz_sphere(0.5e-3)}, .radius = 0.5e-3};
+  recipe.grains = grains;
+  return recipe;
+}
+
+} // namespace
+
+TEST_CASE("scattered grains are all there, in the cell, and touch none") {
+  for (const double fraction : {0.02, 0.2, 0.3}) {
+    const SpecimenRecipe recipe = recipe_of(400);
+    const dem::State state = scattered_specimen(recipe, fraction);
+    CHECK(state.grain_count() == 400);
+    CHECK(1 / (1 + dem::void_ratio(state)) == relative(fraction, 1e-12));
+    CHECK(dem::neighbour_pairs(state.cell, state.position, 2 * recipe.radius).empty());
+    // Not by chance: the same places with larger grains do touch.
+    CHECK_FALSE(dem::neighbour_pairs(state.cell, state.position, 3 * recipe.radius).empty());
+    for (const Vec3& x : state.position)
+      for (int axis = 0; axis < 3; ++axis)
+        CHECK((x[axis] >= 0 && x[axis] <= state.cell(axis, axis)));
+  }
+}
+
+TEST_CASE("scattered grains: the seed decides, to the bit") {
+  SpecimenRecipe recipe = recipe_of(100);
+  const dem::State first = scattered_specimen(recipe);
+  CHECK(first == scattered_specimen(recipe));
+  recipe.seed = 2;
+  CHECK_FALSE(first == scattered_specimen(recipe));
+}
+
+TEST_CASE("scattered grains: solid fractions that no search ends at are refused") {
+  for (const double fraction : {0.0, -0.1, 0.31, 0.5})
+    CHECK_THROWS_AS((void)scattered_specimen(recipe_of(100), fraction), InvalidArgument);
+  CHECK_THROWS_AS((void)scattered_specimen(recipe_of(10)), InvalidArgument);
+}
