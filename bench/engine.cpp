@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long a step of the DEM engine takes, per grain, for specimens that the library prepares. Alone it takes the
+// How long a step of the DEM engine takes, per grain, for specimens that the library prepares. It takes the
 // options of Google Benchmark; the counter ns_per_grain_step is wall-clock time.
 #include <benchmark/benchmark.h>
 
