@@ -59,7 +59,7 @@ dem::State repeated(const dem::State& one, int nx, int ny, int nz) {
   return all;
 }
 
-/// Walls one radius outside the cell: the servos press them onto the grains, which come looser than they were.
+/// Walls one radius outside the cell: servos press them onto the grains, which come looser than they were.
 dem::State walled(dem::State state) {
   const Vec3 margin{radius, radius, radius};
   for (Vec3& x : state.position)
