@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: b branch from i to j, l its length, u relative velocity of the centres j - i, w sum of both angular
-// velocities, s tangential force on j. A block holds one number of each of its pairs per array; pairs that do
+// Notation: b branch from i to j, u relative velocity of the centres j - i, w sum of both angular velocities,
+// s tangential force on j. A block holds one number of each of its pairs per array; pairs that do
 // not touch, and the padding of the last block, carry zeros through every formula.
 //
 // This file is compiled without math errno and trapping (CMakeLists.txt), which lets the loops below become

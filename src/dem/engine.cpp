@@ -45,6 +45,9 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
   for (const ContactHistory& contact : cold.history)
     if (contact.i >= count || contact.j >= count)
       throw InvalidArgument("engine: the state remembers a contact of a grain that it does not have");
+  for (std::size_t k = 0; cold.walls && k < cold.walls->history.size(); ++k)
+    if (cold.walls->history[k].grain >= count)
+      throw InvalidArgument("engine: the state remembers a wall contact of a grain that it does not have");
   if (order.empty())
     order = near_order(cold);
   cold = reordered(cold, order);

@@ -37,8 +37,8 @@ struct Engine::Data {
   bool tangential;
   double friction;                  ///< finite stand-in for an infinite coefficient
   std::vector<std::uint32_t> order; ///< place of each grain of the outer state
-  State
-      cold; ///< in the engine's order; cell and radius are current; the rest only between steps of rebuild and in state()
+  /// In the engine's order; cell and radius are current, the rest only between steps of rebuild.
+  State cold;
   double mass = 0;
   double inertia = 0;
   VerletList list;

@@ -9,7 +9,7 @@ namespace granum::dem {
 
 namespace {
 
-/// Sum of v f + t w from its parts by place in the rows: x, y, z of f v, x of t w; -, -, -, z of t w; y of it.
+/// Sum of v f + t w from its parts by their places in the rows, and the part of y of w, which has none.
 double sum_of(const Four& push, const Four& turn, double turn_y) {
   return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. The order in which an engine holds its grains: neighbours near each other, so that what a
-// pair needs is in the caches. An order gives the new place of each grain.
+// Private to src/dem. The order in which an engine holds its grains: neighbours near each other, so that what
+// a pair needs is in the caches. An order gives the new place of each grain.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. What the sweep reads and writes of a grain, each in one cache line: a pair takes the rows
-// of its two grains whole, and four rows at a time are turned into columns. Angular velocity and torque stand
+// Private to src/dem. What the sweep reads and writes of a grain, each in one cache line: a pair takes whole
+// rows of its two grains, and four rows at a time are turned into columns. Angular velocity and torque stand
 // at the same places of their rows, in the gaps that three numbers leave in rows of four.
 #pragma once
 
