@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <granum/core/number.hpp>
@@ -15,7 +14,6 @@ namespace granum::cli {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
 constexpr double degrees = 180 / std::numbers::pi;
 
 std::vector<std::pair<std::string, std::string>> notes(const AnalyseAnswer& answer) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ class Option;
 /// What the subcommands share: exit codes, options that all of them take, and the way results leave the
 /// program.
 namespace granum::cli {
+
+/// What a table shows as an empty cell.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 enum class ExitCode : int {
   ok = 0,

@@ -45,7 +45,7 @@ verify::Scene paper_scene() {
   scene.grains = 10000;
   scene.walls = true;
   scene.probe_pressures = {30e3, 60e3, 100e3}; // at 10 kPa loose specimens of this size are hardly at rest
-  scene.probe_eta_step = 0.5;
+  scene.probe_eta_step = 0.6;
   return scene;
 }
 

@@ -3,7 +3,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
@@ -24,7 +23,6 @@ using triaxial::AxialStress;
 using triaxial::ShearPath;
 namespace fs = std::filesystem;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A state of stress on the path.
 struct PathPoint {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -16,7 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
 
 std::optional<double> exponent(const FieldAnswer& answer, double (*of)(const effective::StressExponents&)) {
   return answer.exponents ? std::optional(of(*answer.exponents)) : std::nullopt;

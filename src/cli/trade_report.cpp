@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <granum/core/number.hpp>
@@ -24,7 +23,6 @@ using verify::TradeRow;
 using verify::TradeSample;
 using verify::TradeScene;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
 
 /// What a block of the table is about.
 std::string title(const TradeScene& trade, Knob knob) {

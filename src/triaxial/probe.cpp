@@ -42,11 +42,6 @@ dem::State sticking(dem::State state) {
   return state;
 }
 
-/// The stress counts as settled when its changes in two spells differ by less than this part of what the strain
-/// would bring about in a network that does not relax: 1e-3 of the swing in weakly coordinated specimens, 2e-4
-/// in dense ones.
-constexpr double settled_share = 1e-4;
-
 double edge(const dem::Engine& engine) { return std::cbrt(determinant(engine.cell())); }
 
 /// Drag that damps the slowest shear wave [1/s], as long as the cell or, between walls, twice as long.
@@ -60,9 +55,9 @@ double drag(const dem::Engine& engine, const dem::State& state) {
   return 4 * std::numbers::pi * speed / ((state.walls ? 2 : 1) * edge(engine));
 }
 
-/// Steps in which that wave changes by much.
+/// Steps in which that wave passes several times, and slower, softer modes show that they still move.
 std::size_t spell(const dem::Engine& engine) {
-  return static_cast<std::size_t>(5 * std::ceil(edge(engine) / engine.diameter()));
+  return static_cast<std::size_t>(20 * std::ceil(edge(engine) / engine.diameter()));
 }
 
 double chosen_amplitude(const dem::Engine& engine) {
@@ -84,12 +79,13 @@ Probed at_rest(const dem::State& state, const dem::Material& material, const Pro
       options.sliding ? dem::Engine(state, material) : dem::Engine(sticking(state), sticking(material));
   if (!options.sliding)
     engine.set_damping(drag(engine, state));
+  require_non_negative("settled_share", options.settled_share);
   dem::QuasistaticOptions relax;
   relax.force_tolerance = options.force_tolerance;
   relax.stress_tolerance = options.force_tolerance;
   relax.max_steps = options.max_steps;
   const double amplitude = options.amplitude > 0 ? options.amplitude : chosen_amplitude(engine);
-  relax.settled_stress = settled_share * amplitude * engine.figures().p_wave_modulus;
+  relax.settled_stress = options.settled_share * amplitude * engine.figures().p_wave_modulus;
   relax.settle_steps = spell(engine);
   dem::QuasistaticReport start = dem::deform(engine, Mat3{}, 0, relax);
   return {std::move(engine), std::move(relax), start, amplitude};

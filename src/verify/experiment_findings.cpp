@@ -20,12 +20,12 @@ namespace {
 using triaxial::Density;
 
 /// A quantity of one specimen; nothing where it was not measured.
-using Quantity = std::function<std::optional<Measured>(const ExperimentSpecimen&)>;
+using Reading = std::function<std::optional<Measured>(const ExperimentSpecimen&)>;
 
 /// One column of a table: how it is measured, what the paper prints, and how near it should come.
 struct Column {
   std::string quantity;
-  Quantity measure;
+  Reading measure;
   std::function<std::optional<double>(const PrintedSpecimen&)> print;
   double reach_dense = 0;
   double reach_loose = 0;
@@ -72,7 +72,7 @@ std::optional<Measured> initial_void_ratio(const ExperimentSpecimen& specimen) {
   return Measured{points.front().void_ratio, {}};
 }
 
-Quantity peak_angle(triaxial::ShearPath path) {
+Reading peak_angle(triaxial::ShearPath path) {
   return [path](const ExperimentSpecimen& specimen) -> std::optional<Measured> {
     const PathRun* run = find_run(specimen, path);
     if (run == nullptr || !run->failure.empty())
@@ -106,7 +106,7 @@ std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitO
 
 using PartOf = std::function<hardin::Estimate(const hardin::Fit&)>;
 
-Quantity part(FitOf what, PartOf pick) {
+Reading part(FitOf what, PartOf pick) {
   return [what = std::move(what),
           pick = std::move(pick)](const ExperimentSpecimen& specimen) -> std::optional<Measured> {
     const std::optional<hardin::Fit> fit = fitted(specimen, what);

@@ -49,8 +49,7 @@ std::string element(const std::string& tag, const std::string& content, const st
   return "<" + tag + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + content + "</" + tag + ">\n";
 }
 
-std::string escaped(const std::string& text) { return io::svg_escaped(text); }
-std::string words(std::string_view text) { return io::svg_escaped(text); }
+std::string escaped(std::string_view text) { return io::svg_escaped(text); }
 std::string paragraph(const std::string& text) { return element("p", escaped(text)); }
 
 std::string row(const std::vector<std::string>& cells, const std::string& kind = "") {
@@ -147,7 +146,7 @@ std::string shown(const Measured& measured) {
 
 std::string cell_row(const TableRow& specimen, const Cell& cell, bool first) {
   std::string content =
-      element("td", first ? words(name(specimen.contact)) + ", " + words(name(specimen.density)) : "") +
+      element("td", first ? escaped(name(specimen.contact)) + ", " + escaped(name(specimen.density)) : "") +
       element("td", escaped(cell.quantity)) + element("td", shown(cell.ours), "number");
   content += element("td", cell.printed ? short_text(*cell.printed) : "", "number");
   content += element("td", cell.printed ? short_text(cell.ours.value - *cell.printed, 3) : "", "number");

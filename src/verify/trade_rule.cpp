@@ -12,7 +12,7 @@ namespace granum::verify {
 namespace {
 
 using triaxial::Density;
-using Figure = std::optional<Deviation> TradeRow::*;
+using Column = std::optional<Deviation> TradeRow::*;
 
 std::vector<TradeRow> select(const std::vector<TradeRow>& rows, Knob knob, Density density) {
   std::vector<TradeRow> chosen;
@@ -29,7 +29,7 @@ struct Slope {
 
 /// Bias against x(value), zero at the reference, weighted by the standard errors.
 template <class X>
-Slope slope_of(const std::vector<TradeRow>& rows, Figure figure, const X& x) {
+Slope slope_of(const std::vector<TradeRow>& rows, Column figure, const X& x) {
   const auto reference =
       std::find_if(rows.begin(), rows.end(), [](const TradeRow& row) { return row.reference; });
   double xx = 0, xy = 0;
@@ -45,7 +45,7 @@ Slope slope_of(const std::vector<TradeRow>& rows, Figure figure, const X& x) {
   return xx > 0 ? Slope{xy / xx, 1 / std::sqrt(xx)} : Slope{};
 }
 
-double scatter_of(const std::vector<TradeRow>& rows, Figure figure) {
+double scatter_of(const std::vector<TradeRow>& rows, Column figure) {
   double sum = 0, freedom = 0;
   for (const TradeRow& row : rows)
     if (const std::optional<Deviation>& d = row.*figure) {
@@ -56,7 +56,7 @@ double scatter_of(const std::vector<TradeRow>& rows, Figure figure) {
   return freedom > 0 ? std::sqrt(sum / freedom) : 0;
 }
 
-ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Figure figure, Knob rate_knob) {
+ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Column figure, Knob rate_knob) {
   const std::vector<TradeRow> sizes = select(rows, Knob::grains, density);
   const std::vector<TradeRow> rates = select(rows, rate_knob, density);
   const Slope size = slope_of(sizes, figure, [](double grains) { return 1 / grains; });
@@ -74,7 +74,7 @@ std::size_t rounded_up(double value) {
 } // namespace
 
 TradeLaws laws_of(const std::vector<TradeRow>& rows) {
-  const auto law = [&](Density density, Figure figure, Knob rate) {
+  const auto law = [&](Density density, Column figure, Knob rate) {
     return law_of(rows, density, figure, rate);
   };
   return {.dense_modulus = law(Density::dense, &TradeRow::shear_modulus, Knob::compression),

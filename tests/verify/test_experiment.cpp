@@ -102,7 +102,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
       CHECK(point.at.stress.h == relative(100e3, 0.02)); // both paths hold the horizontal stress
       // The frozen state is that of the path, at rest.
       CHECK(std::abs(point.stress.v - point.at.stress.v) < 0.02 * point.at.stress.mean());
-      CHECK(point.unbalanced_force_ratio <= 1e-5);
+      CHECK(point.unbalanced_force_ratio <= 1e-4);
       CHECK(point.closed.has_value());
       // The network is softer than uniform strain.
       CHECK(point.G_vh() < (point.affine[21] + point.affine[28]) / 2);

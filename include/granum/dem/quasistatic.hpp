@@ -16,9 +16,9 @@ struct QuasistaticOptions {
   double force_tolerance = 1e-6;  ///< mean residual force on a grain / mean contact force [1]
   double stress_tolerance = 1e-6; ///< of each servo-controlled normal stress, relative to the mean target [1]
   std::size_t max_steps = 400000;
-  /// Only of deform. Stress that no longer matters [Pa]: a run ends as `settled` once no component of the stress
-  /// changes by more than this beyond what it changed by in the spell of settle_steps before, twice in turn.
-  /// What is left is rest, or a steady creep. 0: only forces are asked.
+  /// Only of deform. Stress that no longer matters [Pa]: a run ends as `settled` once no component of the
+  /// stress changes by more than this beyond what it changed by in the spell of settle_steps before, twice in
+  /// turn. What is left is rest, or a steady creep. 0: only forces are asked.
   double settled_stress = 0;
   std::size_t settle_steps = 1000;
   double time_step_fraction = default_time_step_fraction; ///< of the stability limit, in (0, 1]

@@ -32,10 +32,12 @@ struct ProbeOptions {
   /// end once more, where a loop that repeats itself closes.
   std::size_t loop_points = 0;
   std::size_t ramp_steps = 100;
-  /// Unbalanced force ratio after each leg [1]; G is then within about 0.2 %. A leg also ends when its stress
-  /// is steady, to 1e-3 of the swing at worst: among many grains some rattler always moves. The steady creep
-  /// that this leaves is taken off, unless contacts may slide.
+  /// Unbalanced force ratio after each leg [1]; G is then within about 0.2 %.
   double force_tolerance = 1e-8;
+  /// A leg also ends when its stress is steady to this part of what the strain would bring about in a network
+  /// that does not relax [1]: among many grains some rattler always moves. The steady creep that this leaves
+  /// is taken off, unless contacts may slide. G of dense specimens is then within 3e-4. 0: only forces count.
+  double settled_share = 1e-5;
   std::size_t max_steps = 10000; ///< of each leg
 };
 
