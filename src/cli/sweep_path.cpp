@@ -23,7 +23,6 @@ using triaxial::AxialStress;
 using triaxial::ShearPath;
 namespace fs = std::filesystem;
 
-
 /// A state of stress on the path.
 struct PathPoint {
   AxialStress stress;

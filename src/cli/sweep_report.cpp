@@ -15,7 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-
 std::optional<double> exponent(const FieldAnswer& answer, double (*of)(const effective::StressExponents&)) {
   return answer.exponents ? std::optional(of(*answer.exponents)) : std::nullopt;
 }

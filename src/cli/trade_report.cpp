@@ -23,7 +23,6 @@ using verify::TradeRow;
 using verify::TradeSample;
 using verify::TradeScene;
 
-
 /// What a block of the table is about.
 std::string title(const TradeScene& trade, Knob knob) {
   switch (knob) {
