@@ -27,6 +27,8 @@ struct Rule {
   double modulus_error;
   double exponent_error;
   verify::Recipe recipe;
+  double smallest; ///< grains that the laws were measured with
+  double largest;
 };
 
 Rule rule_of(const verify::Scene& scene, triaxial::Density density, double error) {
@@ -37,17 +39,19 @@ Rule rule_of(const verify::Scene& scene, triaxial::Density density, double error
   const double inertial_number = triaxial::compression_options().inertial_number;
   return {verify::expected_error(modulus, scene.grains, scene.seeds, inertial_number),
           verify::expected_error(exponent, scene.grains, scene.seeds, inertial_number),
-          verify::recipe_for(modulus, error, scene.seeds)};
+          verify::recipe_for(modulus, error, scene.seeds), modulus.size.smallest, modulus.size.largest};
 }
 
 std::string rule_lines(const Options& options, const verify::Scene& scene) {
   std::string text = "errors that size, seeds and rate leave, by the laws of validation/trade (spheres):\n";
   for (const triaxial::Density density : scene.densities) {
     const Rule rule = rule_of(scene, density, options.error);
-    text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {}\n",
+    text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {} (measured "
+                        "with {} to {})\n",
                         verify::name(density), percent_text(rule.modulus_error), rule.exponent_error,
                         percent_text(options.error), rule.recipe.grains,
-                        short_text(rule.recipe.inertial_number, 2));
+                        short_text(rule.recipe.inertial_number, 2), short_text(rule.smallest),
+                        short_text(rule.largest));
   }
   return text;
 }
@@ -72,7 +76,9 @@ ExitCode run(const Options& options) {
         {"s", rule.exponent_error},
         {"wanted_G", options.error},
         {"grains_for_wanted", rule.recipe.grains},
-        {"inertial_number_for_wanted", rule.recipe.inertial_number}};
+        {"inertial_number_for_wanted", rule.recipe.inertial_number},
+        {"smallest_grains_measured", rule.smallest},
+        {"largest_grains_measured", rule.largest}};
   }
   const std::string table = fmt::format(
       "granum verify would run\n"

@@ -7,6 +7,9 @@
 
 namespace granum::effective::kernel {
 
+/// k_t/k_n beyond which no estimate is given.
+inline constexpr double largest_tangential_ratio = 100;
+
 /// A state that has passed require_valid, and what every estimate needs of it.
 struct CheckedState {
   Geometry<double> geometry;

@@ -16,11 +16,10 @@ namespace granum::effective {
 namespace {
 
 constexpr double largest_force_ratio = 1e4;
-constexpr double largest_tangential_ratio = 100;
 constexpr double largest_contact_radius = 0.1; // of the grain radius
 
 void require_members(const State& s) {
-  require_closed("tangential_ratio", s.tangential_ratio, 0, largest_tangential_ratio);
+  require_closed("tangential_ratio", s.tangential_ratio, 0, kernel::largest_tangential_ratio);
   require_positive("radius", s.radius, "m");
   require_positive("void_ratio", s.void_ratio);
   require_non_negative("coordination_number", s.coordination_number);

@@ -16,8 +16,6 @@ using elastic::TransverselyIsotropic;
 using kernel::AxialMoments;
 using kernel::Spin;
 
-constexpr double largest_tangential_ratio = 100;
-
 TransverselyIsotropic transversely_isotropic(const kernel::Constants<double>& c) {
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
 }
@@ -60,7 +58,7 @@ CheckedContacts checked(const UniformContacts& c) {
   require_positive("prefactor", c.prefactor, "1/m");
   require_non_negative("normal_stiffness", c.normal_stiffness, "N/m");
   require_closed("tangential_stiffness", c.tangential_stiffness, 0,
-                 largest_tangential_ratio * c.normal_stiffness, "N/m");
+                 kernel::largest_tangential_ratio * c.normal_stiffness, "N/m");
   require_open("fabric_anisotropy", c.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
   if (c.normal_stiffness == 0)
     return {0, 0};

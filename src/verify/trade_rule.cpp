@@ -32,6 +32,8 @@ template <class X>
 Slope slope_of(const std::vector<TradeRow>& rows, Column figure, const X& x) {
   const auto reference =
       std::find_if(rows.begin(), rows.end(), [](const TradeRow& row) { return row.reference; });
+  if (reference == rows.end())
+    return {};
   double xx = 0, xy = 0;
   for (const TradeRow& row : rows) {
     const std::optional<Deviation>& d = row.*figure;
@@ -61,7 +63,13 @@ ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Column figur
   const std::vector<TradeRow> rates = select(rows, rate_knob, density);
   const Slope size = slope_of(sizes, figure, [](double grains) { return 1 / grains; });
   const Slope rate = slope_of(rates, figure, [](double inertial_number) { return inertial_number; });
-  return {.size = {scatter_of(sizes, figure), size.value, size.standard_error},
+  const auto [smallest, largest] = std::minmax_element(
+      sizes.begin(), sizes.end(), [](const TradeRow& a, const TradeRow& b) { return a.value < b.value; });
+  return {.size = {.scatter = scatter_of(sizes, figure),
+                   .bias = size.value,
+                   .bias_error = size.standard_error,
+                   .smallest = sizes.empty() ? 0 : smallest->value,
+                   .largest = sizes.empty() ? 0 : largest->value},
           .rate = {rate.value, rate.standard_error}};
 }
 
@@ -86,11 +94,11 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
 
 const TradeLaws& recorded_laws() {
   static const TradeLaws laws{
-      .dense_modulus = {.size = {0.3106, -6.063, 2.197}, .rate = {0.003125, 0.001935}},
-      .dense_exponent = {.size = {0.07172, 1.456, 0.5071}, .rate = {0.005414, 0.0003892}},
-      .loose_modulus = {.size = {0.9557, -11.3, 6.97}, .rate = {19.54, 19.75}},
-      .loose_exponent = {.size = {0.7248, 3.217, 5.286}, .rate = {26.73, 21.37}},
-      .dense_peak = {.size = {1.236, -6.204, 8.742}, .rate = {50.51, 2.302}},
+      .dense_modulus = {.size = {0.3106, -6.063, 2.197, 125, 500}, .rate = {0.003125, 0.001935}},
+      .dense_exponent = {.size = {0.07172, 1.456, 0.5071, 125, 500}, .rate = {0.005414, 0.0003892}},
+      .loose_modulus = {.size = {0.9557, -11.3, 6.97, 125, 500}, .rate = {19.54, 19.75}},
+      .loose_exponent = {.size = {0.7248, 3.217, 5.286, 125, 500}, .rate = {26.73, 21.37}},
+      .dense_peak = {.size = {1.236, -6.204, 8.742, 125, 500}, .rate = {50.51, 2.302}},
   };
   return laws;
 }

@@ -34,7 +34,7 @@ TradeScene small_trade() {
   return trade;
 }
 
-/// Run once, for all cases that only look at it.
+/// Run once: it takes longest.
 const std::vector<TradeSample>& small_study() {
   static const std::vector<TradeSample> samples = run_trade(small_trade());
   return samples;
@@ -48,12 +48,12 @@ std::vector<TradeSample> of(Knob knob, double value, Boundary boundary = Boundar
   return found;
 }
 
-} // namespace
+/// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three knobs; probe
+/// and network; 100 grains between smooth and rough walls and without.
+constexpr std::size_t samples_in_all = 5 + 4 + 4 + 4 + 4 + 3 * 2;
 
-TEST_CASE("a trade study has every value of every knob, whole, and knows what each cost") {
-  // 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three knobs; probe
-  // and network; 100 grains between smooth and rough walls and without.
-  CHECK(small_study().size() == 5 + 4 + 4 + 4 + 4 + 3 * 2);
+void check_that_it_is_whole() {
+  CHECK(small_study().size() == samples_in_all);
   for (const TradeSample& sample : small_study()) {
     CAPTURE(name(sample.knob));
     CAPTURE(sample.value);
@@ -69,7 +69,7 @@ TEST_CASE("a trade study has every value of every knob, whole, and knows what ea
   }
 }
 
-TEST_CASE("a default specimen of a trade study is that of granum verify, to the bit") {
+void check_against_verify() {
   const std::vector<SpecimenResult> study = run_study(small_trade().scene);
   const std::vector<ExponentRow> rows = exponents(small_trade().scene, {study.front()});
   const std::vector<TradeSample> samples = of(Knob::grains, 100);
@@ -82,7 +82,7 @@ TEST_CASE("a default specimen of a trade study is that of granum verify, to the 
   CHECK(*samples[0].exponent == rows.front().network->value);
 }
 
-TEST_CASE("the default value of every knob is the same specimen") {
+void check_defaults() {
   const TradeSample specimen = of(Knob::grains, 100).front();
   const TradeSample compression = of(Knob::compression, 5e-4).front();
   const TradeSample time_step = of(Knob::time_step, 0.8).front();
@@ -99,7 +99,7 @@ TEST_CASE("the default value of every knob is the same specimen") {
   CHECK(of(Knob::time_step, 0.5).front().steps > time_step.steps);
 }
 
-TEST_CASE("probe and network agree, walls are softer") {
+void check_probes_and_walls() {
   const std::vector<TradeSample> probes = of(Knob::probe, 1e-4), networks = of(Knob::probe, 0);
   REQUIRE(probes.size() == 2);
   for (std::size_t k = 0; k < probes.size(); ++k)
@@ -114,6 +114,17 @@ TEST_CASE("probe and network agree, walls are softer") {
   // Of 100 grains most stand at a wall, and smooth ones bear no shear; specimens scatter by a few per cent.
   CHECK(mean(Boundary::smooth_walls) < 0.8 * mean(Boundary::periodic));
   CHECK(mean(Boundary::rough_walls) > mean(Boundary::smooth_walls));
+}
+
+} // namespace
+
+TEST_CASE("a trade study has every value of every knob, whole, and knows what each cost") {
+  check_that_it_is_whole();
+  // A default specimen is that of granum verify, to the bit, and the same at the default of every knob.
+  check_against_verify();
+  check_defaults();
+  // Probe and network agree; walls are softer.
+  check_probes_and_walls();
 }
 
 TEST_CASE("a trade study gives the same bits with any number of threads") {
@@ -144,7 +155,7 @@ TEST_CASE("a stop keeps what is finished and marks the rest") {
     stop = progress.what == "compressions";
   };
   const std::vector<TradeSample> samples = run_trade(trade, {.report = report, .stop = &stop});
-  CHECK(samples.size() == small_study().size());
+  CHECK(samples.size() == samples_in_all);
   CHECK(last == relative(1.0, 1e-12));
   std::size_t whole = 0;
   for (const TradeSample& sample : samples) {

@@ -51,7 +51,10 @@ TEST_CASE("laws give back the scatter, the bias by size and the bias by rate tha
   // 1/sqrt(sum of (x/SE)^2), x = 1/N - 1/2000
   const double x1 = 1 / 250.0 - 1 / 2000.0, x2 = 1 / 500.0 - 1 / 2000.0, error = 0.4 / std::sqrt(4000);
   CHECK(laws.dense_modulus.size.bias_error == relative(error / std::hypot(x1, x2), 1e-12));
+  CHECK(laws.dense_modulus.size.smallest == 250);
+  CHECK(laws.dense_modulus.size.largest == 2000);
   CHECK(laws.loose_modulus.size.scatter == 0);
+  CHECK(laws.loose_modulus.size.largest == 0);
   CHECK(laws.dense_peak.rate.bias == 0);
 }
 
@@ -94,6 +97,8 @@ TEST_CASE("the recorded laws are those of validation/trade") {
     CHECK(std::abs(recorded.size.bias - found.size.bias) <=
           5e-3 * std::abs(found.size.bias) + 1e-3 * found.size.bias_error);
     CHECK(recorded.size.bias_error == relative(found.size.bias_error, 5e-3));
+    CHECK(recorded.size.smallest == found.size.smallest);
+    CHECK(recorded.size.largest == found.size.largest);
     CHECK(std::abs(recorded.rate.bias - found.rate.bias) <=
           5e-3 * std::abs(found.rate.bias) + 1e-3 * found.rate.bias_error);
     CHECK(recorded.rate.bias_error == relative(found.rate.bias_error, 5e-3));

@@ -17,6 +17,8 @@ struct SizeLaw {
   double scatter = 0;    ///< c
   double bias = 0;       ///< b
   double bias_error = 0; ///< standard error of b
+  double smallest = 0;   ///< N that was measured; beyond smallest and largest the law is drawn out
+  double largest = 0;
 };
 
 /// Bias k I of runs at inertial number I.
