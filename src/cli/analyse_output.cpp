@@ -9,6 +9,7 @@
 #include <granum/verify/version.hpp>
 
 #include "analyse.hpp"
+#include "frame.hpp"
 
 namespace granum::cli {
 

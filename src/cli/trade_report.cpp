@@ -10,6 +10,7 @@
 #include <granum/io/csv.hpp>
 #include <granum/verify/version.hpp>
 
+#include "frame.hpp"
 #include "scene_file.hpp"
 
 namespace granum::cli {
