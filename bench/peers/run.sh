@@ -55,7 +55,7 @@ while [ "$#" -gt 0 ]; do
 done
 [[ $rounds =~ ^[1-9][0-9]{0,2}$ ]] || usage "--rounds $rounds"
 [[ $sizes =~ ^[1-9][0-9]{1,7}(,[1-9][0-9]{1,7})*$ ]] || usage "--sizes $sizes"
-[[ $cores =~ ^[1-9][0-9]?(,[1-9][0-9]?)*$ ]] || usage "--cores $cores"
+[[ $cores =~ ^1(,[1-9][0-9]?)*$ ]] || usage "--cores $cores: a list that begins with 1"
 [[ $work =~ ^[1-9][0-9.]*(e[0-9]+)?$ ]] || usage "--work $work"
 for size in ${sizes//,/ }; do
   [ "$size" -le $cell ] || [ $((size % cell)) = 0 ] || usage "--sizes: $size is above $cell and no multiple of it"
