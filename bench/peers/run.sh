@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Grain-steps a second of granum, LAMMPS, LIGGGHTS and YADE on the same packed grains, side by side in every round:
 #   bench/peers/run.sh [--sizes 1000,10000,100000,1000000] [--rounds 5] [--cores 1,2] [--work 2e7]
-#                      [--out bench/results] [--scratch FOLDER] [--engine PROGRAM] [--force]
+#                      [--out bench/results] [--packings FOLDER] [--engine PROGRAM] [--force]
 # Writes peers.csv and peers.md into the folder --out; --force replaces them. --work: grain-steps of a run, of
-# YADE a tenth. --scratch keeps the packings for the next time. --engine: bench_peer_engine, built already.
+# YADE a tenth. --packings keeps them for the next time. --engine: bench_peer_engine, built already.
 # README.md says what is compared. Installs nothing (Debian: lammps, liggghts, yade, openmpi-bin); what is
 # missing is named and left out.
 # Exit codes: 0 done, 1 a run failed or the codes disagree on the state, 2 usage, 3 none of the others is here.
@@ -19,7 +19,7 @@ rounds=5
 cores=1,2
 work=2e7
 out=$root/bench/results
-scratch=
+packings=
 engine=
 force=no
 largest_of_peers=100000
@@ -47,7 +47,7 @@ while [ "$#" -gt 0 ]; do
     --cores) cores=$2 ;;
     --work) work=$2 ;;
     --out) out=$2 ;;
-    --scratch) scratch=$2 ;;
+    --packings) packings=$2 ;;
     --engine) engine=$2 ;;
     *) usage "no option $1" ;;
   esac
@@ -103,22 +103,22 @@ fi
 engine=$(realpath -- "$engine")
 mkdir -p -- "$out"
 out=$(cd -- "$out" && pwd)
-if [ -z "$scratch" ]; then
-  scratch=$(mktemp -d)
-  trap 'rm -rf -- "$scratch"' EXIT
-fi
-mkdir -p -- "$scratch"
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+packings=${packings:-$scratch}
+mkdir -p -- "$packings"
+packings=$(cd -- "$packings" && pwd)
 cd -- "$scratch"
 
-# $1.data and $1.scene: the grains, and the numbers that the other codes need.
+# $packings/$1.data and $1.scene: the grains, and the numbers that the other codes need.
 specimen() {
   local size=$1 x y
-  if ! [ -e "$size.data" ]; then
+  if ! [ -e "$packings/$size.data" ]; then
     echo "packing $size grains" >&2
     if [ "$size" -le $cell ]; then
-      "$engine" pack "$size" "$size.data"
+      "$engine" pack "$size" "$packings/$size.data"
     else
-      [ -e $cell.data ] || "$engine" pack $cell $cell.data
+      [ -e "$packings/$cell.data" ] || "$engine" pack $cell "$packings/$cell.data"
       # As cubic as three whole factors allow, the largest first.
       read -r x y < <(awk -v n=$((size / cell)) 'BEGIN {
         best = n + 2; x = n; y = 1
@@ -129,10 +129,10 @@ specimen() {
             }
         print x, y
       }')
-      "$engine" repeat $cell.data "$x" "$y" $((size / cell / x / y)) "$size.data"
+      "$engine" repeat "$packings/$cell.data" "$x" "$y" $((size / cell / x / y)) "$packings/$size.data"
     fi
   fi
-  "$engine" scene "$size.data" >"$size.scene"
+  "$engine" scene "$packings/$size.data" >"$size.scene"
   printf '%s\n' "skin=$skin" "restitution=$restitution" >>"$size.scene"
 }
 
@@ -150,16 +150,16 @@ row() { # ROUND CODE STYLE CORES GRAINS
       ;;
   esac
   case $code in
-    granum) set -- "$engine" run "$size.data" "$steps" $strain "$on" ;;
+    granum) set -- "$engine" run "$packings/$size.data" "$steps" $strain "$on" ;;
     LAMMPS)
-      set -- "${mpi[@]}" lmp -in "$here/in.lammps" -log none -var law "$style" -var data "$size.data" \
+      set -- "${mpi[@]}" lmp -in "$here/in.lammps" -log none -var law "$style" -var data "$packings/$size.data" \
         -var steps "$steps" -var strain $strain
       ;;
     LIGGGHTS)
-      set -- "${mpi[@]}" liggghts -in "$here/in.liggghts" -log none -var data "$size.data" -var steps "$steps" \
+      set -- "${mpi[@]}" liggghts -in "$here/in.liggghts" -log none -var data "$packings/$size.data" -var steps "$steps" \
         -var strain $strain
       ;;
-    YADE) set -- yade "-j$on" -n -x "$here/yade_run.py" "$size.scene" "$size.data" "$steps" $strain ;;
+    YADE) set -- yade "-j$on" -n -x "$here/yade_run.py" "$size.scene" "$packings/$size.data" "$steps" $strain ;;
   esac
   if ! "$@" >run.out 2>run.err </dev/null; then
     tail -n 20 run.out run.err >&2
