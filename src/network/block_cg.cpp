@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <granum/elastic/eigen_system.hpp>
 
@@ -26,6 +27,11 @@ constexpr double indefinite = 1e-8;
 constexpr double noise = 1e-13;
 // The recursive residual drifts from the true one; starting again from the true one mends it.
 constexpr int restarts = 5;
+// Loose networks have modes without any stiffness, and others with 1e-13 of it. No load is on the former, but
+// rounding is, and now and then it grows until nothing else is left: a residual that has grown so much,
+constexpr double runaway = 1e6;
+// is the sign to start again with springs that hold every grain, over the mean k_n.
+constexpr double holding_spring = 1e-14;
 
 template <int Dof>
 GRANUM_VECTOR_LEVELS void accumulate_products(std::size_t n, const Rows<Dof>* x, const Rows<Dof>* y,
@@ -135,13 +141,15 @@ class Relaxation {
     PerCase size = true_residual();
     for (int start = 0; start < restarts && !arrived(size) && solution.status == Status::converged; ++start) {
       solution.status = iterate(solution.iterations);
+      if (ran_away_ && hold_ == 0) {
+        hold_ = holding_spring;
+        q_.assign(q_.size(), {});
+      }
       size = true_residual();
     }
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
-    for (std::size_t c = 0; c < size.size(); ++c)
-      if (size_[c] > 0)
-        solution.residual = std::max(solution.residual, size[c] / size_[c]);
+    solution.residual = worst_of(size);
     solution.work = products<Dof>(load_, q_);
     return solution;
   }
@@ -172,9 +180,18 @@ class Relaxation {
     return true;
   }
 
+  /// Over the load, of the worst load case.
+  [[nodiscard]] double worst_of(const PerCase& size) const {
+    double worst = 0;
+    for (std::size_t c = 0; c < size.size(); ++c)
+      if (size_[c] > 0)
+        worst = std::max(worst, size[c] / size_[c]);
+    return worst;
+  }
+
   /// w = -load - H q; returns its size.
   PerCase true_residual() {
-    apply_stiffness<Dof>(backbone_, q_, s_);
+    apply_stiffness<Dof>(backbone_, hold_, q_, s_);
     for (std::size_t g = 0; g < w_.size(); ++g)
       for (int d = 0; d < Dof; ++d)
         w_[g].row[d] = -load_[g].row[d] - s_[g].row[d];
@@ -203,17 +220,25 @@ class Relaxation {
   Status iterate(int& iterations) {
     Matrix6 sigma = orthonormalise();
     p_ = z_;
+    double least = std::numeric_limits<double>::infinity();
+    ran_away_ = false;
     while (iterations < options_.iteration_limit) {
       ++iterations;
-      apply_stiffness<Dof>(backbone_, p_, s_);
+      apply_stiffness<Dof>(backbone_, hold_, p_, s_);
       const Whitening energy = whitening(products<Dof>(p_, s_));
       if (!energy.positive)
         return Status::not_positive_definite;
       const Matrix6 zeta = energy.matrix * energy.matrix.transpose();
       combine<Dof>(q_, p_, zeta * sigma, q_);
       combine<Dof>(w_, s_, -zeta, w_);
-      if (arrived(residual_size(sigma)))
+      const PerCase size = residual_size(sigma);
+      if (arrived(size))
         return Status::converged;
+      const double worst = worst_of(size);
+      least = std::min(least, worst);
+      ran_away_ = worst > runaway * least;
+      if (ran_away_)
+        return Status::converged; // as far as it goes: the true residual tells
       const Matrix6 tau = orthonormalise();
       sigma = tau * sigma;
       combine<Dof>(z_, p_, tau.transpose(), p_);
@@ -226,6 +251,8 @@ class Relaxation {
   const Options& options_;
   Field<Dof> load_, q_, w_, z_, p_, s_;
   PerCase size_{}; ///< of load_
+  double hold_ = 0;
+  bool ran_away_ = false; ///< in the last iterations
 };
 
 } // namespace

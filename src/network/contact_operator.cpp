@@ -140,8 +140,11 @@ void add(const Eigen::Matrix<double, Rows_, load_cases>& m, Rows<Dof>& target) {
 } // namespace
 
 template <int Dof>
-void apply_stiffness(const Backbone& backbone, const Field<Dof>& x, Field<Dof>& y) {
-  y.assign(x.size(), {});
+void apply_stiffness(const Backbone& backbone, double hold, const Field<Dof>& x, Field<Dof>& y) {
+  y.resize(x.size());
+  for (std::size_t g = 0; g < x.size(); ++g)
+    for (int d = 0; d < Dof; ++d)
+      y[g].row[d] = hold * x[g].row[d];
   sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
   sweep_walls<Dof>(backbone.wall_links.data(), backbone.wall_links.size(), x.data(), y.data());
 }
@@ -215,8 +218,8 @@ Block<Dof> wall_block(const Link& link) {
   return block<Dof>(Square(at_a.transpose() * elastic_stiffness(link) * at_a));
 }
 
-template void apply_stiffness<3>(const Backbone&, const Field<3>&, Field<3>&);
-template void apply_stiffness<6>(const Backbone&, const Field<6>&, Field<6>&);
+template void apply_stiffness<3>(const Backbone&, double, const Field<3>&, Field<3>&);
+template void apply_stiffness<6>(const Backbone&, double, const Field<6>&, Field<6>&);
 template Field<3> affine_forces<3>(const Backbone&);
 template Field<6> affine_forces<6>(const Backbone&);
 template LinkBlocks<3> link_blocks<3>(const Link&);
