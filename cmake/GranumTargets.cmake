@@ -31,6 +31,11 @@ function(granum_precompile target)
   endif()
 endfunction()
 
+# granum_unity_build(<target> <number>): compiles so many sources in one go where GRANUM_UNITY_BUILD asks for it.
+function(granum_unity_build target number)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD "${GRANUM_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE ${number})
+endfunction()
+
 # granum_library(<name>): compiled library granum_<name>, exported as granum::<name>. Headers without a source of their own
 # are the file set lone_headers, which alone is compiled by itself where headers are checked: the others are the first
 # include of their source (tests/layering demands it), which shows as well that they include what they use.
@@ -65,6 +70,7 @@ function(granum_tests module)
   foreach(concept IN LISTS ARGN)
     list(APPEND sources "${PROJECT_SOURCE_DIR}/tests/${module}/test_${concept}.cpp")
   endforeach()
+  list(SORT sources)
   add_executable(test_${module} ${sources})
   granum_compile_settings(test_${module})
   target_link_libraries(test_${module} PRIVATE granum::granum granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
@@ -77,6 +83,9 @@ function(granum_tests module)
   endif()
   if(GRANUM_PRECOMPILED_HEADERS)
     target_precompile_headers(test_${module} REUSE_FROM ${headers})
+  endif()
+  if(module STREQUAL "verify")
+    granum_unity_build(test_${module} 4)
   endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()

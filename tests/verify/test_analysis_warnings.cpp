@@ -15,10 +15,10 @@ using verify::AnalysisOptions;
 
 namespace {
 
-const AnalysisOptions known{.grain_shear_modulus = specimen_grain.shear_modulus, .solve_network = false};
+const AnalysisOptions without_network{.grain_shear_modulus = specimen_grain.shear_modulus, .solve_network = false};
 
 bool warns(const io::ImportedPacking& packing, const std::string& words,
-           const AnalysisOptions& options = known) {
+           const AnalysisOptions& options = without_network) {
   for (const std::string& warning : verify::analyse(packing, options).warnings)
     if (warning.find(words) != std::string::npos)
       return true;
@@ -43,7 +43,7 @@ io::ImportedPacking from_dump(const std::string& grains, const std::string& cont
 
 TEST_CASE("analysis warnings: a specimen at rest has none") {
   CHECK(verify::analyse(through_dump(specimen())).warnings.empty());
-  CHECK(verify::analyse(through_csv(specimen()), known).warnings.empty());
+  CHECK(verify::analyse(through_csv(specimen()), without_network).warnings.empty());
 }
 
 TEST_CASE("analysis warnings: six digits") {
@@ -78,10 +78,10 @@ TEST_CASE("analysis warnings: viscous parts show as tension, as scatter and as u
 }
 
 TEST_CASE("analysis warnings: another law, another material") {
-  AnalysisOptions cone = known;
+  AnalysisOptions cone = without_network;
   cone.law = [](const contact::GrainMaterial& grain, double) { return contact::PowerLaw::cone(grain, 0.4); };
   CHECK(warns(through_dump(specimen()), "forces are no function of the overlap", cone));
-  AnalysisOptions soft = known;
+  AnalysisOptions soft = without_network;
   soft.grain_shear_modulus = 20e9;
   CHECK(warns(through_dump(specimen()), "forces are 1.5 times those of the given law", soft));
 }
@@ -136,7 +136,7 @@ TEST_CASE("analysis warnings: contacts with walls") {
   CHECK_FALSE(warns(read(pair), "with walls"));
   const io::ImportedPacking walled = read(pair + wall);
   CHECK(warns(walled, "1 contacts with walls"));
-  const verify::CountAnalysis counts = verify::analyse(walled, known).counts;
+  const verify::CountAnalysis counts = verify::analyse(walled, without_network).counts;
   CHECK(counts.wall_contacts == 1);
   CHECK(counts.coordination_number == 1);
   CHECK(counts.coordination_number_with_walls == 1.5);
@@ -164,7 +164,7 @@ TEST_CASE("analysis warnings: directions that no E(gamma; a) has") {
 }
 
 TEST_CASE("analysis warnings: a network that was given too few iterations") {
-  AnalysisOptions hasty = known;
+  AnalysisOptions hasty = without_network;
   hasty.solve_network = true;
   CHECK_FALSE(warns(through_csv(specimen()), "did not converge", hasty));
   hasty.network.iteration_limit = 1;
