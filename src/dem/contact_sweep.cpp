@@ -11,11 +11,11 @@
 #include <cmath>
 #include <variant>
 
+#include "vector_level.hpp"
+
 namespace granum::dem {
 
 namespace {
-
-#define GRANUM_INLINE [[gnu::always_inline]] inline
 
 struct PairBlock {
   Block bx, by, bz;
@@ -278,13 +278,6 @@ GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
     sweep_all<false>(law, work);
 }
 
-GRANUM_VECTOR_LEVELS void sweep(const contact::ConeKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::SphereKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::FlatKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::GeneralKernel& law, const Work& work) {
-  sweep_with(law, work);
-}
-
 } // namespace
 
 void ContactMemory::reset(std::size_t pairs) {
@@ -303,7 +296,11 @@ SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& inpu
   SumBlock sums;
   std::fill(load.begin(), load.end(), LoadRow{});
   const Work work{input, shifts, memory, load.data(), sums};
-  std::visit([&](const auto& kernel) { sweep(kernel, work); }, law);
+  std::visit(
+      [&](const auto& kernel) {
+        at_vector_level([&]() __attribute__((always_inline)) { sweep_with(kernel, work); });
+      },
+      law);
   return totals(sums);
 }
 

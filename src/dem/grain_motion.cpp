@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "vector_level.hpp"
+
 namespace granum::dem {
 
 namespace {
 
 /// Sum of v f + t w from its parts by their places in the rows, and the part of y of w, which has none.
-double sum_of(const Four& push, const Four& turn, double turn_y) {
+GRANUM_INLINE double sum_of(const Four& push, const Four& turn, double turn_y) {
   return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
 }
 
-} // namespace
-
-GRANUM_VECTOR_LEVELS void move_grains(Grains& grains, const Mat3& stretch, double dt) {
+GRANUM_INLINE void move_at_level(Grains& grains, const Mat3& stretch, double dt) {
   const Mat3& a = stretch;
   const Four x{a(0, 0), a(1, 0), a(2, 0), 0}, y{a(0, 1), a(1, 1), a(2, 1), 0},
       z{a(0, 2), a(1, 2), a(2, 2), 0};
@@ -27,7 +27,7 @@ GRANUM_VECTOR_LEVELS void move_grains(Grains& grains, const Mat3& stretch, doubl
   }
 }
 
-GRANUM_VECTOR_LEVELS double power(const Grains& grains, const std::vector<LoadRow>& load) {
+GRANUM_INLINE double power_at_level(const Grains& grains, const std::vector<LoadRow>& load) {
   Four push{}, turn{};
   double turn_y = 0;
   for (std::size_t g = 0; g < grains.size(); ++g) {
@@ -38,8 +38,8 @@ GRANUM_VECTOR_LEVELS double power(const Grains& grains, const std::vector<LoadRo
   return sum_of(push, turn, turn_y);
 }
 
-GRANUM_VECTOR_LEVELS MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load,
-                                            const Kick& kick, double mass, double inertia) {
+GRANUM_INLINE MotionSums kick_at_level(Grains& grains, const std::vector<LoadRow>& load, const Kick& kick,
+                                       double mass, double inertia) {
   const Four keep{kick.keep, kick.keep, kick.keep, kick.keep}, keep_spin{1, 1, 1, kick.keep};
   const Four push{kick.push, kick.push, kick.push, kick.turn}, turn{0, 0, 0, kick.turn};
   Four squares{}, spin_squares{}, push_power{}, turn_power{};
@@ -66,6 +66,27 @@ GRANUM_VECTOR_LEVELS MotionSums kick_grains(Grains& grains, const std::vector<Lo
                      inertia * (squares[3] + squares_y + spin_squares[3]),
           .power = sum_of(push_power, turn_power, power_y),
           .speed_squared = fastest};
+}
+
+} // namespace
+
+void move_grains(Grains& grains, const Mat3& stretch, double dt) {
+  at_vector_level([&]() __attribute__((always_inline)) { move_at_level(grains, stretch, dt); });
+}
+
+double power(const Grains& grains, const std::vector<LoadRow>& load) {
+  double sum = 0;
+  at_vector_level([&]() __attribute__((always_inline)) { sum = power_at_level(grains, load); });
+  return sum;
+}
+
+MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load, const Kick& kick, double mass,
+                       double inertia) {
+  MotionSums sums;
+  at_vector_level([&]() __attribute__((always_inline)) {
+    sums = kick_at_level(grains, load, kick, mass, inertia);
+  });
+  return sums;
 }
 
 } // namespace granum::dem
