@@ -11,7 +11,7 @@
 #include <cmath>
 #include <variant>
 
-#include "vector_level.hpp"
+#include "inverse_root.hpp"
 
 namespace granum::dem {
 
@@ -21,15 +21,16 @@ struct PairBlock {
   Block bx, by, bz;
   Block ux, uy, uz;
   Block wx, wy, wz;
-  Block squared, inverse_length, overlap, force, stiffness;
+  Block squared, inverse_length, overlap, force, stiffness, shear_squared;
   Block fx, fy, fz; ///< whole force on j
   Block tx, ty, tz; ///< torque on either grain
 };
 
-/// Running sums, one for each place in a block.
-struct SumBlock {
-  std::array<Block, 9> stress{};
-  Block normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
+/// Running sums, one for each place in a vector of eight.
+using Eight = double __attribute__((vector_size(8 * sizeof(double))));
+struct SumRows {
+  std::array<Eight, 9> stress{};
+  Eight normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
 };
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
@@ -59,6 +60,10 @@ GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
 }
 
 using FourDoubles __attribute__((may_alias)) = Four;
+using EightDoubles __attribute__((may_alias)) = Eight;
+GRANUM_INLINE const EightDoubles& eight(const Block& block, std::size_t k) {
+  return *reinterpret_cast<const EightDoubles*>(&block[k]);
+}
 GRANUM_INLINE FourDoubles& four(Block& block, std::size_t k) {
   return *reinterpret_cast<FourDoubles*>(&block[k]);
 }
@@ -105,19 +110,28 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
   }
 }
 
+template <class Law>
+GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap) {
+  return law(overlap);
+}
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap) {
+  const double root = law.coefficient * (overlap * inverse_root(overlap));
+  return {root * overlap, 1.5 * root};
+}
+
 /// In two loops: in one, the compiler would branch where a pair does not touch.
 template <class Law>
 GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
     const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
-    const double length = std::sqrt(squared);
-    const double overlap = diameter - length;
+    const double inverse_length = inverse_root(squared);
+    const double overlap = diameter - squared * inverse_length;
     p.squared[k] = squared;
-    p.inverse_length[k] = 1 / length;
+    p.inverse_length[k] = inverse_length;
     p.overlap[k] = overlap > 0 ? overlap : 0.0;
   }
   for (std::size_t k = 0; k < block_size; ++k) {
-    const contact::NormalResponse response = law(p.overlap[k]);
+    const contact::NormalResponse response = normal_response(law, p.overlap[k]);
     p.force[k] = response.force;
     p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
     const double per_length = response.force * p.inverse_length[k];
@@ -127,12 +141,27 @@ GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __r
   }
 }
 
+/// Brings tangential forces down to Coulomb's limit; few blocks need it.
+GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, Eight& __restrict sliding,
+                               double* __restrict mx, double* __restrict my, double* __restrict mz) {
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double limit = friction * p.force[k];
+    const bool slides = p.shear_squared[k] > limit * limit;
+    const double scale = slides ? limit / std::sqrt(p.shear_squared[k]) : 1.0;
+    mx[k] *= scale;
+    my[k] *= scale;
+    mz[k] *= scale;
+    sliding[k % 8] += slides ? 1.0 : 0.0;
+  }
+}
+
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
 /// .. mk: this block's memory.
-GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Block& __restrict sliding,
+GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Eight& __restrict sliding,
                                      double* __restrict mx, double* __restrict my, double* __restrict mz,
                                      double* __restrict mk) {
   const double ratio = in.tangential_ratio, friction = in.friction, elapsed = in.elapsed;
+  std::int64_t any_slides = 0;
   const Mat3 gradient = in.gradient;
   for (std::size_t k = 0; k < block_size; ++k) {
     const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
@@ -154,41 +183,48 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict
     sz -= along * bz;
     const double limit = friction * p.force[k];
     const double shear_squared = sx * sx + sy * sy + sz * sz;
-    const bool slides = shear_squared > limit * limit;
-    const double scale = slides ? limit / std::sqrt(shear_squared) : 1.0;
-    sx *= scale;
-    sy *= scale;
-    sz *= scale;
+    any_slides |= static_cast<std::int64_t>(shear_squared > limit * limit);
+    p.shear_squared[k] = shear_squared;
     mx[k] = sx;
     my[k] = sy;
     mz[k] = sz;
     mk[k] = stiffness;
+  }
+  if (any_slides != 0)
+    limit_block(friction, p, sliding, mx, my, mz);
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
+    const double sx = mx[k], sy = my[k], sz = mz[k];
     p.fx[k] += sx;
     p.fy[k] += sy;
     p.fz[k] += sz;
     p.tx[k] = -0.5 * (by * sz - bz * sy);
     p.ty[k] = -0.5 * (bz * sx - bx * sz);
     p.tz[k] = -0.5 * (bx * sy - by * sx);
-    sliding[k] += slides ? 1.0 : 0.0;
   }
 }
 
-GRANUM_INLINE void add_up(const PairBlock& __restrict p, SumBlock& __restrict sums) {
-  for (std::size_t k = 0; k < block_size; ++k) {
-    sums.stress[0][k] += p.fx[k] * p.bx[k];
-    sums.stress[1][k] += p.fx[k] * p.by[k];
-    sums.stress[2][k] += p.fx[k] * p.bz[k];
-    sums.stress[3][k] += p.fy[k] * p.bx[k];
-    sums.stress[4][k] += p.fy[k] * p.by[k];
-    sums.stress[5][k] += p.fy[k] * p.bz[k];
-    sums.stress[6][k] += p.fz[k] * p.bx[k];
-    sums.stress[7][k] += p.fz[k] * p.by[k];
-    sums.stress[8][k] += p.fz[k] * p.bz[k];
-    sums.normal_force[k] += p.force[k];
-    sums.stiffness[k] += p.stiffness[k] * p.squared[k];
-    sums.stiffest[k] = std::max(sums.stiffest[k], p.stiffness[k]);
-    sums.contacts[k] += p.force[k] > 0 ? 1.0 : 0.0;
+GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
+  SumRows s = sums;
+  for (std::size_t k = 0; k < block_size; k += 8) {
+    const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
+    const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
+    const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k);
+    s.stress[0] += fx * bx;
+    s.stress[1] += fx * by;
+    s.stress[2] += fx * bz;
+    s.stress[3] += fy * bx;
+    s.stress[4] += fy * by;
+    s.stress[5] += fy * bz;
+    s.stress[6] += fz * bx;
+    s.stress[7] += fz * by;
+    s.stress[8] += fz * bz;
+    s.normal_force += force;
+    s.stiffness += stiffness * eight(p.squared, k);
+    s.stiffest = s.stiffest > stiffness ? s.stiffest : stiffness;
+    s.contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
   }
+  sums = s;
 }
 
 /// Adds the forces of a block to its grains, pair by pair in the order of the list.
@@ -218,21 +254,22 @@ GRANUM_INLINE void unload_block(const Pair* pairs, const PairBlock& p, LoadRow* 
   }
 }
 
-double total(const Block& block) {
+double total(const Eight& row) {
   double sum = 0;
-  for (const double value : block)
-    sum += value;
+  for (std::size_t k = 0; k < 8; ++k)
+    sum += row[k];
   return sum;
 }
 
-SweepSums totals(const SumBlock& sums) {
+SweepSums totals(const SumRows& sums) {
   SweepSums out;
   for (int row = 0; row < 3; ++row)
     for (int col = 0; col < 3; ++col)
       out.stress(row, col) = total(sums.stress[static_cast<std::size_t>(3 * row + col)]);
   out.normal_force = total(sums.normal_force);
   out.stiffness = total(sums.stiffness);
-  out.stiffest = *std::max_element(sums.stiffest.begin(), sums.stiffest.end());
+  for (std::size_t k = 0; k < 8; ++k)
+    out.stiffest = std::max(out.stiffest, sums.stiffest[k]);
   out.contacts = static_cast<std::size_t>(total(sums.contacts));
   out.sliding = static_cast<std::size_t>(total(sums.sliding));
   return out;
@@ -243,7 +280,7 @@ struct Work {
   const Shifts& shifts;
   ContactMemory* memory; ///< null: frictionless
   LoadRow* load;
-  SumBlock& sums;
+  SumRows& sums;
 };
 
 template <bool tangential, class Law>
@@ -293,7 +330,7 @@ std::vector<Pair> padded(std::vector<Pair> pairs) {
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
                         std::vector<LoadRow>& load) {
   const Shifts shifts = shift_rows(input.cell, input.diameter);
-  SumBlock sums;
+  SumRows sums;
   std::fill(load.begin(), load.end(), LoadRow{});
   const Work work{input, shifts, memory, load.data(), sums};
   std::visit(
