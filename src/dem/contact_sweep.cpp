@@ -11,7 +11,10 @@
 #include <cmath>
 #include <variant>
 
+#include <granum/dem/neighbours.hpp>
+
 #include "inverse_root.hpp"
+#include "vector_rows.hpp"
 
 namespace granum::dem {
 
@@ -27,7 +30,6 @@ struct PairBlock {
 };
 
 /// Running sums, one for each place in a vector of eight.
-using Eight = double __attribute__((vector_size(8 * sizeof(double))));
 struct SumRows {
   std::array<Eight, 9> stress{};
   Eight normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
@@ -35,7 +37,6 @@ struct SumRows {
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
 /// padding far out of reach.
-constexpr std::uint32_t far_image = 27;
 using Shifts = std::array<Four, far_image + 1>;
 
 Shifts shift_rows(const Mat3& cell, double diameter) {
@@ -47,66 +48,57 @@ Shifts shift_rows(const Mat3& cell, double diameter) {
   return rows;
 }
 
-/// Four rows become four columns, and back.
-GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Four cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
-}
-
-using FourDoubles __attribute__((may_alias)) = Four;
-using EightDoubles __attribute__((may_alias)) = Eight;
-GRANUM_INLINE const EightDoubles& eight(const Block& block, std::size_t k) {
-  return *reinterpret_cast<const EightDoubles*>(&block[k]);
-}
-GRANUM_INLINE FourDoubles& four(Block& block, std::size_t k) {
-  return *reinterpret_cast<FourDoubles*>(&block[k]);
-}
-GRANUM_INLINE const FourDoubles& four(const Block& block, std::size_t k) {
-  return *reinterpret_cast<const FourDoubles*>(&block[k]);
+GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
+  return *reinterpret_cast<const EightInMemory*>(&block[k]);
 }
 
 /// Brings the rows of a block's grains near, while the block before it is worked off.
-GRANUM_INLINE void prefetch(const Pair* pairs, const MotionRow* rows, const LoadRow* load) {
+GRANUM_INLINE void prefetch(const ListedPair* pairs, const MotionRow* rows, const LoadRow* load) {
   for (std::size_t k = 0; k < block_size; ++k) {
     __builtin_prefetch(&rows[pairs[k].j]);
-    __builtin_prefetch(&load[pairs[k].j], 1);
+    __builtin_prefetch(&load[pairs[k].row], 1);
+  }
+}
+
+/// Branches alone, for pairs without friction.
+GRANUM_INLINE void load_branches(const SweepInput& in, const Shifts& shifts, const ListedPair* pairs,
+                                 PairBlock& p) {
+  const MotionRow* const rows = in.grains.row.data();
+  for (std::size_t k = 0; k < block_size; k += 4) {
+    Four place[4];
+    for (std::size_t n = 0; n < 4; ++n) {
+      const ListedPair& pair = pairs[k + n];
+      place[n] = rows[pair.j].place - rows[pair.i].place + shifts[pair.image];
+    }
+    transpose(place[0], place[1], place[2], place[3]);
+    Rows<VectorLevel::avx2>::put_column(&p.bx[k], place[0]);
+    Rows<VectorLevel::avx2>::put_column(&p.by[k], place[1]);
+    Rows<VectorLevel::avx2>::put_column(&p.bz[k], place[2]);
   }
 }
 
 /// Branches, relative velocities and sums of angular velocities.
-template <bool tangential>
-GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const Pair* pairs, PairBlock& p) {
+template <class Level>
+GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const ListedPair* pairs,
+                              PairBlock& p) {
   const MotionRow* const rows = in.grains.row.data();
   const double* const spin_y = in.grains.spin_y.data();
-  const Four sign{-1, -1, -1, 1}; // centres and velocities subtract, angular velocities add
-  for (std::size_t k = 0; k < block_size; k += 4) {
-    Four place[4], rate[4];
-    for (std::size_t n = 0; n < 4; ++n) {
-      const Pair& pair = pairs[k + n];
-      place[n] = rows[pair.j].place + sign * rows[pair.i].place + shifts[pair.image];
-      if constexpr (tangential) {
-        rate[n] = rows[pair.j].rate + sign * rows[pair.i].rate;
-        p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
-      }
+  // Centres and velocities subtract, angular velocities add; -0 leaves the velocities to the bit.
+  const auto sign = Level::row(Four{-1, -1, -1, 1}, Four{-1, -1, -1, 1});
+  const Four nothing{-0.0, -0.0, -0.0, -0.0};
+  for (std::size_t k = 0; k < block_size; k += Level::lanes) {
+    typename Level::Row row[Level::lanes];
+    typename Level::Column column[8];
+    for (std::size_t n = 0; n < Level::lanes; ++n) {
+      const ListedPair& pair = pairs[k + n];
+      row[n] = Level::get(&rows[pair.j]) + sign * Level::get(&rows[pair.i]) +
+               Level::row(shifts[pair.image], nothing);
+      p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
     }
-    transpose(place[0], place[1], place[2], place[3]);
-    four(p.bx, k) = place[0];
-    four(p.by, k) = place[1];
-    four(p.bz, k) = place[2];
-    if constexpr (tangential) {
-      four(p.wz, k) = place[3];
-      transpose(rate[0], rate[1], rate[2], rate[3]);
-      four(p.ux, k) = rate[0];
-      four(p.uy, k) = rate[1];
-      four(p.uz, k) = rate[2];
-      four(p.wx, k) = rate[3];
-    }
+    to_columns(row, column);
+    Block* const blocks[8] = {&p.bx, &p.by, &p.bz, &p.wz, &p.ux, &p.uy, &p.uz, &p.wx};
+    for (std::size_t c = 0; c < 8; ++c)
+      Level::put_column(&(*blocks[c])[k], column[c]);
   }
 }
 
@@ -227,29 +219,40 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
   sums = s;
 }
 
-/// Adds the forces of a block to its grains, pair by pair in the order of the list.
-template <bool tangential>
-GRANUM_INLINE void unload_block(const Pair* pairs, const PairBlock& p, LoadRow* load) {
-  const Four sign{-1, -1, -1, 1}; // forces are opposite, torques equal
+/// Adds the forces of a block to its rows, pair by pair in the order of the list.
+GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
+  using Level = Rows<VectorLevel::avx2>;
   for (std::size_t k = 0; k < block_size; k += 4) {
-    Four push[4] = {four(p.fx, k), four(p.fy, k), four(p.fz, k), Four{}};
-    Four turn[4] = {};
-    if constexpr (tangential) {
-      push[3] = four(p.tx, k);
-      turn[0] = four(p.ty, k);
-      turn[3] = four(p.tz, k);
-      transpose(turn[0], turn[1], turn[2], turn[3]);
-    }
+    Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
+                    Four{}};
     transpose(push[0], push[1], push[2], push[3]);
     for (std::size_t n = 0; n < 4; ++n) {
+      load[pairs[k + n].i].push -= push[n];
+      load[pairs[k + n].row].push += push[n];
+    }
+  }
+}
+
+template <class Level>
+GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
+  const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
+  const typename Level::Column zero{};
+  for (std::size_t k = 0; k < block_size; k += Level::lanes) {
+    typename Level::Row row[Level::lanes];
+    typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
+                                        zero,
+                                        zero,
+                                        Level::get_column(&p.tz[k]),
+                                        Level::get_column(&p.fx[k]),
+                                        Level::get_column(&p.fy[k]),
+                                        Level::get_column(&p.fz[k]),
+                                        Level::get_column(&p.tx[k])};
+    to_rows(column, row);
+    for (std::size_t n = 0; n < Level::lanes; ++n) {
       LoadRow& on_i = load[pairs[k + n].i];
-      LoadRow& on_j = load[pairs[k + n].j];
-      on_i.push += sign * push[n];
-      on_j.push += push[n];
-      if constexpr (tangential) {
-        on_i.turn += turn[n];
-        on_j.turn += turn[n];
-      }
+      Level::put(&on_i, Level::get(&on_i) + sign * row[n]);
+      LoadRow& on_j = load[pairs[k + n].row];
+      Level::put(&on_j, Level::get(&on_j) + row[n]);
     }
   }
 }
@@ -278,64 +281,74 @@ SweepSums totals(const SumRows& sums) {
 struct Work {
   const SweepInput& in;
   const Shifts& shifts;
-  ContactMemory* memory; ///< null: frictionless
+  Range pairs;
+  MemoryBlock* memory; ///< null: frictionless
   LoadRow* load;
   SumRows& sums;
 };
 
-template <bool tangential, class Law>
-GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const Pair* pairs, std::size_t first,
-                               const Pair* next, PairBlock& p) {
-  prefetch(next, work.in.grains.row.data(), work.load);
-  load_block<tangential>(work.in, work.shifts, pairs, p);
+template <bool tangential, class Level, class Law>
+GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPair* pairs, MemoryBlock* memory,
+                               PairBlock& p) {
+  if constexpr (tangential)
+    load_block<Level>(work.in, work.shifts, pairs, p);
+  else
+    load_branches(work.in, work.shifts, pairs, p);
   normal_forces(law, work.in.diameter, p);
   if constexpr (tangential)
-    frictional_forces(work.in, p, work.sums.sliding, work.memory->x.data() + first,
-                      work.memory->y.data() + first, work.memory->z.data() + first,
-                      work.memory->stiffness.data() + first);
+    frictional_forces(work.in, p, work.sums.sliding, memory->x.data(), memory->y.data(), memory->z.data(),
+                      memory->stiffness.data());
   add_up(p, work.sums);
-  unload_block<tangential>(pairs, p, work.load);
+  if constexpr (tangential)
+    unload_block<Level>(pairs, p, work.load);
+  else
+    unload_forces(pairs, p, work.load);
 }
 
-template <bool tangential, class Law>
+template <bool tangential, class Level, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
-  const std::vector<Pair>& pairs = work.in.pairs;
-  for (std::size_t first = 0; first < pairs.size(); first += block_size) {
-    const std::size_t next = std::min(first + block_size, pairs.size() - block_size);
-    sweep_block<tangential>(law, work, pairs.data() + first, first, pairs.data() + next, p);
+  const ListedPair* const pairs = work.in.pairs.data();
+  for (std::size_t first = work.pairs.begin; first < work.pairs.end; first += block_size) {
+    const std::size_t next = std::min(first + block_size, work.pairs.end - block_size);
+    prefetch(pairs + next, work.in.grains.row.data(), work.load);
+    sweep_block<tangential, Level>(law, work, pairs + first,
+                                   tangential ? work.memory + first / block_size : nullptr, p);
   }
 }
 
-template <class Law>
+template <class Level, class Law>
 GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
   if (work.memory != nullptr)
-    sweep_all<true>(law, work);
+    sweep_all<true, Level>(law, work);
   else
-    sweep_all<false>(law, work);
+    sweep_all<false, Level>(law, work);
 }
 
 } // namespace
 
-void ContactMemory::reset(std::size_t pairs) {
-  for (std::vector<double>* array : {&x, &y, &z, &stiffness})
-    array->assign(pairs, 0.0);
+SweepSums& SweepSums::operator+=(const SweepSums& other) {
+  stress += other.stress;
+  normal_force += other.normal_force;
+  stiffness += other.stiffness;
+  stiffest = std::max(stiffest, other.stiffest);
+  contacts += other.contacts;
+  sliding += other.sliding;
+  return *this;
 }
 
-std::vector<Pair> padded(std::vector<Pair> pairs) {
-  pairs.resize((pairs.size() + block_size - 1) / block_size * block_size, Pair{0, 0, far_image});
-  return pairs;
-}
-
-SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
-                        std::vector<LoadRow>& load) {
+SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
+                        MemoryBlock* memory, std::vector<LoadRow>& load) {
   const Shifts shifts = shift_rows(input.cell, input.diameter);
   SumRows sums;
-  std::fill(load.begin(), load.end(), LoadRow{});
-  const Work work{input, shifts, memory, load.data(), sums};
+  for (const Range& rows : {chunk.grains, chunk.spare_rows})
+    std::fill(load.begin() + static_cast<std::ptrdiff_t>(rows.begin),
+              load.begin() + static_cast<std::ptrdiff_t>(rows.end), LoadRow{});
+  const Work work{input, shifts, chunk.pairs, memory, load.data(), sums};
   std::visit(
       [&](const auto& kernel) {
-        at_vector_level([&]() __attribute__((always_inline)) { sweep_with(kernel, work); });
+        at_vector_level([&]<VectorLevel level>(AtLevel<level>)
+                            __attribute__((always_inline)) { sweep_with<Rows<level>>(kernel, work); });
       },
       law);
   return totals(sums);

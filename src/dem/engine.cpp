@@ -23,6 +23,13 @@ namespace {
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 50;
 
+void add(WallForces& forces, const WallForces& other) {
+  for (std::size_t w = 0; w < wall_count; ++w)
+    forces.force[w] += other.force[w];
+  forces.contacts += other.contacts;
+  forces.sliding += other.sliding;
+}
+
 } // namespace
 
 Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> given_order)
@@ -52,7 +59,6 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
     order = near_order(cold);
   cold = reordered(cold, order);
   grains.resize(count);
-  load.resize(count);
   for (std::size_t g = 0; g < count; ++g) {
     grains.set_velocity(g, cold.velocity[g]);
     if (tangential)
@@ -61,19 +67,45 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
   rebuild();
   sweep(0);
   // A kick that changes nothing: the sums over the velocities as they are.
-  motion = kick_grains(grains, load, {.keep = 1, .push = 0, .turn = 0}, mass, inertia);
+  kick({.keep = 1, .push = 0, .turn = 0});
   choose_time_step();
 }
 
 std::vector<ContactHistory> Engine::Data::history() const {
   std::vector<ContactHistory> out;
-  for (std::size_t k = 0; tangential && k < list.pairs().size(); ++k)
-    if (memory.stiffness[k] > 0)
-      out.push_back({list.pairs()[k].i,
-                     list.pairs()[k].j,
-                     {memory.x[k], memory.y[k], memory.z[k]},
-                     memory.stiffness[k]});
+  for (std::size_t b = 0; b < memory.size(); ++b)
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const MemoryBlock& of = memory[b];
+      const ListedPair& pair = parts.pairs[b * block_size + k];
+      if (of.stiffness[k] > 0)
+        out.push_back({pair.i, pair.j, {of.x[k], of.y[k], of.z[k]}, of.stiffness[k]});
+    }
   return out;
+}
+
+/// Spreads the list over chunks, and the chunks over the threads by their pairs.
+void Engine::Data::lay_out() {
+  parts = partition(list.pairs(), grains.size());
+  load.resize(parts.rows);
+  sums.resize(parts.chunks.size());
+  const std::size_t threads = team ? team->size() : 1;
+  share.assign(threads + 1, parts.chunks.size());
+  share[0] = 0;
+  std::size_t member = 1;
+  for (std::size_t c = 0; c < parts.chunks.size(); ++c)
+    while (member < threads && threads * parts.chunks[c].pairs.end > member * parts.pairs.size())
+      share[member++] = c;
+}
+
+/// More threads than chunks would stand idle.
+void Engine::Data::set_threads(std::size_t count) {
+  const std::size_t used = std::min(count, parts.chunks.size());
+  if (used == (team ? team->size() : 1))
+    return;
+  team.reset();
+  if (used > 1)
+    team = std::make_unique<Team>(used);
+  lay_out();
 }
 
 /// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
@@ -87,21 +119,24 @@ void Engine::Data::rebuild() {
   for (std::size_t g = 0; running && g < grains.size(); ++g)
     cold.position[g] = grains.centre(g);
   list.build(cold.cell, cold.position);
-  pairs = padded(list.pairs());
+  lay_out();
   for (std::size_t g = 0; g < grains.size(); ++g)
     grains.set_centre(g, cold.position[g]);
   if (tangential) {
-    memory.reset(pairs.size());
+    memory.assign(parts.pairs.size() / block_size, MemoryBlock{});
     auto past = cold.history.begin();
-    for (std::size_t k = 0; k < list.pairs().size(); ++k) {
-      const Pair& pair = list.pairs()[k];
+    for (std::size_t k = 0; k < parts.pairs.size(); ++k) {
+      const ListedPair& pair = parts.pairs[k];
+      if (pair.image == far_image)
+        continue;
       while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(pair.i, pair.j))
         ++past;
       if (past != cold.history.end() && past->i == pair.i && past->j == pair.j) {
-        memory.x[k] = past->tangential_force.x;
-        memory.y[k] = past->tangential_force.y;
-        memory.z[k] = past->tangential_force.z;
-        memory.stiffness[k] = past->tangential_stiffness;
+        MemoryBlock& block = memory[k / block_size];
+        block.x[k % block_size] = past->tangential_force.x;
+        block.y[k % block_size] = past->tangential_force.y;
+        block.z[k % block_size] = past->tangential_force.z;
+        block.stiffness[k % block_size] = past->tangential_stiffness;
       }
     }
   }
@@ -112,7 +147,7 @@ void Engine::Data::rebuild() {
 }
 
 void Engine::Data::sweep(double elapsed) {
-  const SweepInput input{.pairs = pairs,
+  const SweepInput input{.pairs = parts.pairs,
                          .grains = grains,
                          .cell = cold.cell,
                          .gradient = gradient,
@@ -120,18 +155,37 @@ void Engine::Data::sweep(double elapsed) {
                          .elapsed = elapsed,
                          .tangential_ratio = material.tangential_stiffness_ratio,
                          .friction = friction};
-  SweepSums sums = contact_sweep(law, input, tangential ? &memory : nullptr, load);
+  each_chunk([&](std::size_t c) {
+    const Chunk& chunk = parts.chunks[c];
+    sums[c].contacts = contact_sweep(law, input, chunk, tangential ? memory.data() : nullptr, load);
+    if (walls)
+      sums[c].walls = walls->sweep(law, input, chunk.grains, tangential, load, sums[c].contacts);
+  });
+  each_chunk([&](std::size_t c) {
+    const Chunk& chunk = parts.chunks[c];
+    for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k)
+      add(load[parts.loans[k].grain], load[parts.loans[k].row]);
+    sums[c].power = dem::power(grains, chunk.grains, load);
+  });
+  SweepSums total;
+  WallForces on_walls;
+  power = 0;
+  for (const ChunkSums& chunk : sums) {
+    total += chunk.contacts;
+    power += chunk.power;
+    add(on_walls, chunk.walls);
+  }
   if (walls)
-    walls->sweep(law, input, tangential, load, sums);
-  take_figures(sums);
+    walls->set_forces(on_walls);
+  take_figures(total);
 }
 
-void Engine::Data::take_figures(const SweepSums& sums) {
+void Engine::Data::take_figures(const SweepSums& total) {
   const double volume = determinant(cold.cell);
-  stiffest = sums.stiffest;
-  figures.stress = (1 / volume) * sums.stress;
-  figures.contacts = sums.contacts;
-  figures.sliding = sums.sliding;
+  stiffest = total.stiffest;
+  figures.stress = (1 / volume) * total.stress;
+  figures.contacts = total.contacts;
+  figures.sliding = total.sliding;
   figures.boundary_stress = {figures.stress(0, 0), figures.stress(1, 1), figures.stress(2, 2)};
   if (walls) {
     figures.boundary_stress = wall_stress(walls->forces(), wall_planes(cold.cell));
@@ -139,10 +193,10 @@ void Engine::Data::take_figures(const SweepSums& sums) {
     figures.wall_sliding = walls->forces().sliding;
   }
   const std::size_t all = figures.contacts + figures.wall_contacts;
-  figures.mean_normal_force = all > 0 ? sums.normal_force / static_cast<double>(all) : 0;
+  figures.mean_normal_force = all > 0 ? total.normal_force / static_cast<double>(all) : 0;
   // <n1^4> = 1/5, <n1^2 (1 - n1^2)> = 2/15 for isotropic normals.
   const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
-  figures.p_wave_modulus = sums.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
+  figures.p_wave_modulus = total.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
 }
 
 /// Now and then, and at once when contacts have become stiffer or more by a tenth.
@@ -223,7 +277,7 @@ void Engine::Data::choose_time_step() {
 /// Cell and grains move; the pair list is renewed before a pair outside it could touch.
 void Engine::Data::move() {
   const Mat3 stretch = Mat3::identity() + dt * gradient;
-  move_grains(grains, stretch, dt);
+  each_chunk([&](std::size_t c) { move_grains(grains, parts.chunks[c].grains, stretch, dt); });
   cold.cell = stretch * cold.cell;
   double rate = 0;
   for (const auto& row : gradient.m)
@@ -241,14 +295,22 @@ void Engine::Data::integrate() {
   if (fixed_damping >= 0) {
     damping = fixed_damping;
   } else if (motion.kinetic > 0) {
-    const double work = motion.power - power(grains, load);
+    const double work = motion.power - power;
     damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * motion.kinetic))), 0.0002 / dt, 0.5 / dt);
   }
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
-  motion =
-      kick_grains(grains, load, {.keep = keep, .push = push / mass, .turn = push / inertia}, mass, inertia);
+  kick({.keep = keep, .push = push / mass, .turn = push / inertia});
+}
+
+void Engine::Data::kick(const Kick& of_step) {
+  each_chunk([&](std::size_t c) {
+    sums[c].motion = kick_grains(grains, parts.chunks[c].grains, load, of_step, mass, inertia);
+  });
+  motion = {};
+  for (const ChunkSums& chunk : sums)
+    motion += chunk.motion;
 }
 
 Engine::Engine(State state, const Material& material)
@@ -273,6 +335,14 @@ void Engine::set_time_step_fraction(double fraction) {
   d.time_step_fraction = fraction;
 }
 
+void Engine::set_threads(std::size_t count) {
+  if (count < 1)
+    throw InvalidArgument("threads", 0.0, "", "1 or more");
+  data_->set_threads(count);
+}
+
+std::size_t Engine::threads() const { return data_->team ? data_->team->size() : 1; }
+
 void Engine::step() {
   Data& d = *data_;
   ++d.steps;
@@ -289,7 +359,8 @@ double Engine::unbalanced_force_ratio() const {
   const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
   double sum = 0;
   std::size_t touching = 0;
-  for (const LoadRow& on : data_->load) {
+  for (std::size_t g = 0; g < data_->grains.size(); ++g) {
+    const LoadRow& on = data_->load[g];
     const Vec3 f = force(on), t = torque(on);
     const double squared = dot(f, f) + per_radius_squared * dot(t, t);
     if (squared > 0) {

@@ -21,12 +21,12 @@ constexpr double radius = 0.5e-3;
 constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
 
 /// Sets a level, and the one that stood before at its end.
-class AtLevel {
+class LevelSet {
  public:
-  explicit AtLevel(VectorLevel level) : before_(vector_level()) { set_vector_level(level); }
-  ~AtLevel() { set_vector_level(before_); }
-  AtLevel(const AtLevel&) = delete;
-  AtLevel& operator=(const AtLevel&) = delete;
+  explicit LevelSet(VectorLevel level) : before_(vector_level()) { set_vector_level(level); }
+  ~LevelSet() { set_vector_level(before_); }
+  LevelSet(const LevelSet&) = delete;
+  LevelSet& operator=(const LevelSet&) = delete;
 
  private:
   VectorLevel before_;
@@ -78,7 +78,7 @@ TEST_CASE("all vector levels of the engine give the same bits") {
   std::size_t compared = 0;
   for (const Scene& scene : scenes()) {
     CAPTURE(scene.name);
-    const AtLevel plain(VectorLevel::baseline);
+    const LevelSet plain(VectorLevel::baseline);
     std::size_t slid = 0;
     const Engine reference = run(scene, slid);
     CHECK(reference.figures().contacts > 0);
@@ -87,7 +87,7 @@ TEST_CASE("all vector levels of the engine give the same bits") {
       if (!runs_here(level))
         continue;
       CAPTURE(static_cast<int>(level));
-      const AtLevel wide(level);
+      const LevelSet wide(level);
       const Engine engine = run(scene, slid);
       CHECK(engine.state() == reference.state());
       CHECK(engine.figures().stress == reference.figures().stress);
