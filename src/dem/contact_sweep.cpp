@@ -37,20 +37,25 @@ struct SumRows {
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
 /// padding far out of reach.
-using Shifts = std::array<Four, far_image + 1>;
+using Shifts = std::array<MotionRow, far_image + 1>;
 
+/// In the shape of rows of motion; -0 leaves velocities as they are, to the bit.
 Shifts shift_rows(const Mat3& cell, double diameter) {
   const std::array<Vec3, far_image> vectors = shift_vectors(cell);
   Shifts rows;
+  rows.fill(MotionRow{.place = Four{0, 0, 0, -0.0}, .rate = Four{-0.0, -0.0, -0.0, -0.0}});
   for (std::size_t k = 0; k < far_image; ++k)
-    rows[k] = Four{vectors[k].x, vectors[k].y, vectors[k].z, 0};
-  rows[far_image] = Four{2 * diameter, 0, 0, 0};
+    rows[k].place = Four{vectors[k].x, vectors[k].y, vectors[k].z, -0.0};
+  rows[far_image].place[0] = 2 * diameter;
   return rows;
 }
 
 GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
   return *reinterpret_cast<const EightInMemory*>(&block[k]);
 }
+
+/// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
+constexpr std::size_t grains_nearby = 16384;
 
 /// Brings the rows of a block's grains near, while the block before it is worked off.
 GRANUM_INLINE void prefetch(const ListedPair* pairs, const MotionRow* rows, const LoadRow* load) {
@@ -68,7 +73,7 @@ GRANUM_INLINE void load_branches(const SweepInput& in, const Shifts& shifts, con
     Four place[4];
     for (std::size_t n = 0; n < 4; ++n) {
       const ListedPair& pair = pairs[k + n];
-      place[n] = rows[pair.j].place - rows[pair.i].place + shifts[pair.image];
+      place[n] = rows[pair.j].place - rows[pair.i].place + shifts[pair.image].place;
     }
     transpose(place[0], place[1], place[2], place[3]);
     Rows<VectorLevel::avx2>::put_column(&p.bx[k], place[0]);
@@ -83,16 +88,14 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
                               PairBlock& p) {
   const MotionRow* const rows = in.grains.row.data();
   const double* const spin_y = in.grains.spin_y.data();
-  // Centres and velocities subtract, angular velocities add; -0 leaves the velocities to the bit.
+  // Centres and velocities subtract, angular velocities add.
   const auto sign = Level::row(Four{-1, -1, -1, 1}, Four{-1, -1, -1, 1});
-  const Four nothing{-0.0, -0.0, -0.0, -0.0};
   for (std::size_t k = 0; k < block_size; k += Level::lanes) {
     typename Level::Row row[Level::lanes];
     typename Level::Column column[8];
     for (std::size_t n = 0; n < Level::lanes; ++n) {
       const ListedPair& pair = pairs[k + n];
-      row[n] = Level::get(&rows[pair.j]) + sign * Level::get(&rows[pair.i]) +
-               Level::row(shifts[pair.image], nothing);
+      row[n] = Level::get(&rows[pair.j]) + sign * Level::get(&rows[pair.i]) + Level::get(&shifts[pair.image]);
       p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
     }
     to_columns(row, column);
@@ -281,7 +284,7 @@ SweepSums totals(const SumRows& sums) {
 struct Work {
   const SweepInput& in;
   const Shifts& shifts;
-  Range pairs;
+  const Chunk& chunk;
   MemoryBlock* memory; ///< null: frictionless
   LoadRow* load;
   SumRows& sums;
@@ -308,10 +311,15 @@ GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPai
 template <bool tangential, class Level, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
+  for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
+    for (std::size_t row = rows.begin; row < rows.end; ++row)
+      Level::put(&work.load[row], Level::row(Four{}, Four{}));
   const ListedPair* const pairs = work.in.pairs.data();
-  for (std::size_t first = work.pairs.begin; first < work.pairs.end; first += block_size) {
-    const std::size_t next = std::min(first + block_size, work.pairs.end - block_size);
-    prefetch(pairs + next, work.in.grains.row.data(), work.load);
+  const bool far = work.in.grains.size() > grains_nearby;
+  for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {
+    const std::size_t next = std::min(first + block_size, work.chunk.pairs.end - block_size);
+    if (far)
+      prefetch(pairs + next, work.in.grains.row.data(), work.load);
     sweep_block<tangential, Level>(law, work, pairs + first,
                                    tangential ? work.memory + first / block_size : nullptr, p);
   }
@@ -341,10 +349,7 @@ SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& inpu
                         MemoryBlock* memory, std::vector<LoadRow>& load) {
   const Shifts shifts = shift_rows(input.cell, input.diameter);
   SumRows sums;
-  for (const Range& rows : {chunk.grains, chunk.spare_rows})
-    std::fill(load.begin() + static_cast<std::ptrdiff_t>(rows.begin),
-              load.begin() + static_cast<std::ptrdiff_t>(rows.end), LoadRow{});
-  const Work work{input, shifts, chunk.pairs, memory, load.data(), sums};
+  const Work work{input, shifts, chunk, memory, load.data(), sums};
   std::visit(
       [&](const auto& kernel) {
         at_vector_level([&]<VectorLevel level>(AtLevel<level>)

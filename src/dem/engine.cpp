@@ -155,18 +155,25 @@ void Engine::Data::sweep(double elapsed) {
                          .elapsed = elapsed,
                          .tangential_ratio = material.tangential_stiffness_ratio,
                          .friction = friction};
-  each_chunk([&](std::size_t c) {
+  const auto contacts_of = [&](std::size_t c) {
     const Chunk& chunk = parts.chunks[c];
     sums[c].contacts = contact_sweep(law, input, chunk, tangential ? memory.data() : nullptr, load);
     if (walls)
       sums[c].walls = walls->sweep(law, input, chunk.grains, tangential, load, sums[c].contacts);
-  });
-  each_chunk([&](std::size_t c) {
-    const Chunk& chunk = parts.chunks[c];
-    for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k)
-      add(load[parts.loans[k].grain], load[parts.loans[k].row]);
-    sums[c].power = dem::power(grains, chunk.grains, load);
-  });
+  };
+  const auto settle = [&](std::size_t c) {
+    sums[c].power = settle_loads(grains, parts.chunks[c], parts.loans, load);
+  };
+  if (team) {
+    each_chunk(contacts_of);
+    each_chunk(settle);
+  } else {
+    // Loans come from earlier chunks alone, as j > i: what a chunk needs is there, and still near.
+    each_chunk([&](std::size_t c) {
+      contacts_of(c);
+      settle(c);
+    });
+  }
   SweepSums total;
   WallForces on_walls;
   power = 0;

@@ -31,10 +31,15 @@ GRANUM_INLINE void move_at_level(Grains& grains, Range range, const Mat3& stretc
 }
 
 template <class Level>
-GRANUM_INLINE double power_at_level(const Grains& grains, Range range, const std::vector<LoadRow>& load) {
+GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                                     std::vector<LoadRow>& load) {
+  for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k) {
+    LoadRow& on = load[loans[k].grain];
+    Level::put(&on, Level::get(&on) + Level::get(&load[loans[k].row]));
+  }
   auto sum = Level::row(Four{}, Four{});
   double turn_y = 0;
-  for (std::size_t g = range.begin; g < range.end; ++g) {
+  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
     sum = sum + Level::get(&grains.row[g]) * Level::get(&load[g]);
     turn_y += grains.spin_y[g] * load[g].turn[0];
   }
@@ -83,12 +88,13 @@ void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt) {
   at_vector_level([&](auto) __attribute__((always_inline)) { move_at_level(grains, range, stretch, dt); });
 }
 
-double power(const Grains& grains, Range range, const std::vector<LoadRow>& load) {
-  double sum = 0;
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                    std::vector<LoadRow>& load) {
+  double power = 0;
   at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    sum = power_at_level<Rows<level>>(grains, range, load);
+    power = settle_at_level<Rows<level>>(grains, chunk, loans, load);
   });
-  return sum;
+  return power;
 }
 
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,

@@ -28,8 +28,10 @@ struct Kick {
 
 /// Centres follow the cell, x becomes stretch x, and move with their own velocity.
 void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
-/// Sum of f v + t w, with the loads of this moment and the velocities before their kick [W].
-[[nodiscard]] double power(const Grains& grains, Range range, const std::vector<LoadRow>& load);
+/// Adds the spare rows that hold loads for a chunk, then sums f v + t w over it, with the velocities before
+/// their kick [W].
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                    std::vector<LoadRow>& load);
 /// New velocities, and the sums over them.
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
                        double mass, double inertia);

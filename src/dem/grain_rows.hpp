@@ -54,10 +54,6 @@ struct Grains {
 
 inline Vec3 force(const LoadRow& load) { return {load.push[0], load.push[1], load.push[2]}; }
 inline Vec3 torque(const LoadRow& load) { return {load.push[3], load.turn[0], load.turn[3]}; }
-inline void add(LoadRow& load, const LoadRow& other) {
-  load.turn += other.turn;
-  load.push += other.push;
-}
 inline void add_force(LoadRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
 inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;

@@ -9,7 +9,7 @@ namespace granum::dem {
 namespace {
 
 /// Fewer grains in a chunk would have more of their pairs across its boundary.
-constexpr std::size_t smallest_chunk = 512;
+constexpr std::size_t smallest_chunk = 1024;
 
 /// Gives the pairs of one chunk their rows: spare ones where j is past the chunk.
 class SpareRows {
