@@ -15,6 +15,7 @@
 #include <granum/core/error.hpp>
 
 #include "engine_data.hpp"
+#include "frequency_bound.hpp"
 
 namespace granum::dem {
 
@@ -212,66 +213,17 @@ bool Engine::Data::time_step_is_due() const {
          10 * (figures.contacts + figures.wall_contacts) > 11 * contacts_chosen;
 }
 
-/// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most
-/// twice its block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n
-/// (translation, or k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3
-/// blocks. A wall does not move with its grain: its contacts count half.
-void Engine::Data::add_wall_stiffness(std::vector<Mat3>& translation, std::vector<Mat3>& rotation) const {
-  const std::array<WallPlane, wall_count> planes = wall_planes(cold.cell);
-  const double ratio = tangential && walls->friction() > 0 ? material.tangential_stiffness_ratio : 0;
-  for (const WallHistory& contact : walls->candidates()) {
-    const WallPlane& plane = planes[contact.wall];
-    const double distance = wall_distance(plane, grains.centre(contact.grain));
-    if (distance >= cold.radius)
-      continue;
-    const double k_n = std::visit(
-        [&](const auto& kernel) { return wall_response(kernel, cold.radius - distance).stiffness; }, law);
-    const Mat3 nn = outer(plane.normal, plane.normal);
-    const Mat3 across = Mat3::identity() + -1.0 * nn;
-    translation[contact.grain] += (0.5 * k_n) * nn + (0.5 * ratio * k_n) * across;
-    if (tangential)
-      rotation[contact.grain] += (0.5 * ratio * k_n * distance * distance) * across;
-  }
-}
-
 void Engine::Data::choose_time_step() {
-  std::vector<Mat3> translation(grains.size()), rotation(tangential ? grains.size() : 0);
-  const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);
-  const double diameter = 2 * cold.radius;
-  const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
-  for (const Pair& pair : list.pairs()) {
-    const Vec3 branch = grains.centre(pair.j) + shifts[pair.image] - grains.centre(pair.i);
-    const double squared = dot(branch, branch);
-    if (squared >= diameter * diameter)
-      continue;
-    const double length = std::sqrt(squared);
-    const double k_n =
-        std::visit([&](const auto& kernel) { return kernel(diameter - length).stiffness; }, law);
-    const Mat3 nn = (1 / squared) * outer(branch, branch);
-    const Mat3 plane = Mat3::identity() + -1.0 * nn;
-    const Mat3 block = k_n * nn + (ratio * k_n) * plane;
-    translation[pair.i] += block;
-    translation[pair.j] += block;
-    if (tangential) {
-      const Mat3 turn = (ratio * k_n * squared / 4) * plane;
-      rotation[pair.i] += turn;
-      rotation[pair.j] += turn;
-    }
-  }
-  if (walls)
-    add_wall_stiffness(translation, rotation);
-  const auto row_sum = [](const Mat3& m) {
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-      largest = std::max(largest, std::abs(m(i, 0)) + std::abs(m(i, 1)) + std::abs(m(i, 2)));
-    return largest;
-  };
   stiffest_chosen = stiffest;
   contacts_chosen = figures.contacts + figures.wall_contacts;
-  double omega_squared = 0;
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
-                                                 (tangential ? row_sum(rotation[g]) / inertia : 0)));
+  const FrequencyInput input{.pairs = list.pairs(),
+                             .grains = grains,
+                             .cell = cold.cell,
+                             .radius = cold.radius,
+                             .tangential_ratio = tangential ? material.tangential_stiffness_ratio : 0,
+                             .mass = mass,
+                             .inertia = inertia};
+  const double omega_squared = highest_frequency_squared(law, input, walls ? &*walls : nullptr);
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(omega_squared);
   } else if (dt == 0) {

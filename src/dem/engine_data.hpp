@@ -41,7 +41,6 @@ struct Engine::Data {
   void each_chunk(const Job& job);
   void sweep(double dt);
   void choose_time_step();
-  void add_wall_stiffness(std::vector<Mat3>& translation, std::vector<Mat3>& rotation) const;
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
   void kick(const Kick& of_step);

@@ -6,7 +6,7 @@ namespace granum::dem {
 namespace {
 
 /// A few microseconds of looking, then as many turns given to others.
-constexpr int looks = 2000;
+constexpr int looks = 300;
 constexpr int turns = 200;
 
 void pause() {
