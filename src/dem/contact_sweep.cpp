@@ -14,6 +14,7 @@
 #include <granum/dem/neighbours.hpp>
 
 #include "inverse_root.hpp"
+#include "vector_power.hpp"
 #include "vector_rows.hpp"
 
 namespace granum::dem {
@@ -112,6 +113,12 @@ GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double ove
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap) {
   const double root = law.coefficient * (overlap * inverse_root(overlap));
   return {root * overlap, 1.5 * root};
+}
+
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
+  const effective::vector_math::Exponent exponent = effective::vector_math::exponent(law.inverse_alpha);
+  const double root = law.coefficient * vector_power(overlap, exponent);
+  return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
 /// In two loops: in one, the compiler would branch where a pair does not touch.
