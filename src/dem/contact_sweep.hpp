@@ -43,8 +43,8 @@ struct SweepInput {
   double friction;         ///< finite
 };
 
-/// Forces of all pairs of a chunk, added up per row of load in the order of the list, from zero on. With memory
-/// (of all blocks) a null pointer contacts are frictionless: torques stay zero and nothing is remembered.
+/// Forces of all pairs of a chunk, added up per row of load in the order of the list, from zero on. With
+/// memory (of all blocks) null, contacts are frictionless: torques stay zero and nothing is remembered.
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load);
 

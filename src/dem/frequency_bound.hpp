@@ -24,9 +24,9 @@ struct FrequencyInput {
 };
 
 /// Strict bound on omega^2 of the highest frequency [1/s^2]; 0 where nothing touches. A contact couples two
-/// grains, so the stiffness matrix is at most twice its block diagonal; the block of a grain is at most the sum
-/// over its contacts of k_n nn + k_t (1 - nn) (translation) and k_t R^2 (1 - nn) (rotation, whose lever is R at
-/// most), bounded here by row sums of these 3 x 3 matrices. A wall does not move with its grain: its contacts
+/// grains, so the stiffness matrix is at most twice its block diagonal; the block of a grain is at most the
+/// sum over its contacts of k_n nn + k_t (1 - nn) (translation) and k_t R^2 (1 - nn) (rotation: its lever is
+/// R at most), bounded here by row sums of these matrices. A wall does not move with its grain: its contacts
 /// count half.
 /// \param    walls   null: none
 [[nodiscard]] double highest_frequency_squared(const contact::NormalKernel& law, const FrequencyInput& input,

@@ -9,7 +9,7 @@
 
 namespace granum::dem {
 
-/// x^(-1/2) of a normal positive number within 2 ulp, without the root and the quotient, which take longer than
+/// x^(-1/2) of a normal positive number within 2 ulp, without root and quotient, which take longer than
 /// all the rest of a contact law. The same bits at every vector level. For 0 a finite number.
 /// Checked by tests/dem/test_inverse_root.cpp
 GRANUM_INLINE double inverse_root(double x) {

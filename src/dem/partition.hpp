@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Grains and pairs in chunks that threads can work off side by side. The chunks follow from
-// the number of grains alone, each adds up in its own order, and what chunks give is added in their order: any
+// Private to src/dem. Grains and pairs in chunks that threads can work off side by side. Chunks follow from
+// the number of grains alone, each adds up in its own order, and what they give is added in their order: any
 // number of threads gives the same bits.
 #pragma once
 
@@ -19,7 +19,7 @@ inline constexpr std::size_t block_size = 32;
 /// Image of the pairs that fill up the last block of a chunk: far out of reach.
 inline constexpr std::uint32_t far_image = 27;
 
-/// A pair, and the row of loads that the force on j is added to: that of j, or, where j is in another chunk, a
+/// A pair, and the row of loads that takes the force on j: that of j, or, where j is in another chunk, a
 /// spare row after those of all grains.
 struct ListedPair {
   std::uint32_t i, j;

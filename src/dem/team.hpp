@@ -12,8 +12,8 @@
 namespace granum::dem {
 
 /// Threads that stand ready to work off the same job side by side: a step of an engine has some microseconds
-/// for each of its jobs, too few to start threads or to wake them. They spin for a while, then let others run,
-/// and sleep where no job comes.
+/// for each of its jobs, too few to start threads or to wake them. They spin for a while, then let others
+/// run, and sleep where no job comes.
 class Team {
  public:
   /// \param    members   threads, that of the caller among them, at least 1

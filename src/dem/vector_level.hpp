@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Loops over grains and pairs are compiled for several vector levels, of which the machine
+// Private to src/dem. Loops over grains and pairs are compiled for some vector levels, of which the machine
 // takes the widest that it has. No level contracts or reorders: all give the same bits
 // (tests/dem/test_vector_levels.cpp).
 #pragma once

@@ -34,8 +34,8 @@ GRANUM_INLINE double plain_exp2_near_zero(double r) {
   return sum;
 }
 
-/// x^b of a normal positive number within 2.5 ulp, for 0 <= b <= 1, as vector code with the same bits at every
-/// level. For 0 a small number.
+/// x^b of a normal positive number within 2.5 ulp, for 0 <= b <= 1, as vector code with the same bits at
+/// every level. For 0 a small number.
 /// Checked by tests/dem/test_vector_power.cpp
 GRANUM_INLINE double vector_power(double x, const effective::vector_math::Exponent& b) {
   namespace vm = effective::vector_math;
