@@ -5,9 +5,10 @@ namespace granum::dem {
 
 namespace {
 
-/// A few microseconds of looking, then as many turns given to others.
+/// Some ten microseconds of looking, then a few turns given to others. On a busy machine the other members may
+/// have lost their processors for much longer: who spins on would lose his as well.
 constexpr int looks = 300;
-constexpr int turns = 200;
+constexpr int turns = 10;
 
 void pause() {
 #if defined(__x86_64__)
@@ -43,15 +44,16 @@ Team::~Team() { start(nullptr, nullptr); }
 void Team::start(Call call, const void* job) {
   call_ = call;
   job_ = job;
-  busy_.store(threads_.size(), std::memory_order_relaxed);
+  busy_.store(static_cast<std::uint32_t>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
 }
 
 void Team::wait() const {
-  const auto done = [this] { return busy_.load(std::memory_order_acquire) == 0; };
-  while (!came_true(done)) {
-  }
+  if (came_true([this] { return busy_.load(std::memory_order_acquire) == 0; }))
+    return;
+  for (std::uint32_t busy = 0; (busy = busy_.load(std::memory_order_acquire)) != 0;)
+    busy_.wait(busy, std::memory_order_acquire);
 }
 
 void Team::work(std::size_t member) {
@@ -62,7 +64,8 @@ void Team::work(std::size_t member) {
     if (call_ == nullptr)
       return;
     call_(job_, member);
-    busy_.fetch_sub(1, std::memory_order_release);
+    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1)
+      busy_.notify_one();
   }
 }
 

@@ -43,7 +43,7 @@ class Team {
   Call call_ = nullptr; ///< null: no more jobs
   const void* job_ = nullptr;
   alignas(64) std::atomic<std::uint32_t> round_{0};
-  alignas(64) std::atomic<std::size_t> busy_{0};
+  alignas(64) std::atomic<std::uint32_t> busy_{0};
   std::vector<std::jthread> threads_;
 };
 
