@@ -62,8 +62,8 @@ class Engine {
   void set_time_step_fraction(double fraction);
 
   /// How many threads share each step from now on, that of the caller among them; 1 before the first call.
-  /// The bits are the same with any number. Small specimens take fewer: a thread has 512 grains or more.
-  /// Many engines side by side, one thread each, are faster than one after the other with many.
+  /// The bits are the same with any number. Small specimens take fewer: a thread has 1,024 grains or more.
+  /// For processors that are idle; many engines are better run side by side, with one thread each.
   /// \throws   InvalidArgument for 0
   /// Checked by tests/dem/test_threads.cpp
   void set_threads(std::size_t count);
