@@ -5,8 +5,8 @@ namespace granum::dem {
 
 namespace {
 
-/// Some ten microseconds of looking, then a few turns given to others. On a busy machine the other members may
-/// have lost their processors for much longer: who spins on would lose his as well.
+/// Some ten microseconds of looking, then a few turns given to others. On a busy machine the other members
+/// may have lost their processors for much longer: who spins on would lose his as well.
 constexpr int looks = 300;
 constexpr int turns = 10;
 
