@@ -116,8 +116,7 @@ GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKerne
 }
 
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
-  const effective::vector_math::Exponent exponent = effective::vector_math::exponent(law.inverse_alpha);
-  const double root = law.coefficient * vector_power(overlap, exponent);
+  const double root = law.coefficient * vector_power(overlap, SplitExponent(law.inverse_alpha));
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
