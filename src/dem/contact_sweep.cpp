@@ -11,98 +11,113 @@
 #include <cmath>
 #include <variant>
 
+#include <granum/dem/neighbours.hpp>
+
+#include "inverse_root.hpp"
+#include "vector_power.hpp"
+#include "vector_rows.hpp"
+
 namespace granum::dem {
 
 namespace {
-
-#define GRANUM_INLINE [[gnu::always_inline]] inline
 
 struct PairBlock {
   Block bx, by, bz;
   Block ux, uy, uz;
   Block wx, wy, wz;
-  Block squared, inverse_length, overlap, force, stiffness;
+  Block squared, inverse_length, overlap, force, stiffness, shear_squared;
   Block fx, fy, fz; ///< whole force on j
   Block tx, ty, tz; ///< torque on either grain
 };
 
-/// Running sums, one for each place in a block.
-struct SumBlock {
-  std::array<Block, 9> stress{};
-  Block normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
+/// Running sums, one for each place in a vector of eight.
+struct SumRows {
+  std::array<Eight, 9> stress{};
+  Eight normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
 };
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
 /// padding far out of reach.
-constexpr std::uint32_t far_image = 27;
-using Shifts = std::array<Four, far_image + 1>;
+using Shifts = std::array<MotionRow, far_image + 1>;
 
+/// In the shape of rows of motion; -0 leaves velocities as they are, to the bit.
 Shifts shift_rows(const Mat3& cell, double diameter) {
   const std::array<Vec3, far_image> vectors = shift_vectors(cell);
   Shifts rows;
+  rows.fill(MotionRow{.place = Four{0, 0, 0, -0.0}, .rate = Four{-0.0, -0.0, -0.0, -0.0}});
   for (std::size_t k = 0; k < far_image; ++k)
-    rows[k] = Four{vectors[k].x, vectors[k].y, vectors[k].z, 0};
-  rows[far_image] = Four{2 * diameter, 0, 0, 0};
+    rows[k].place = Four{vectors[k].x, vectors[k].y, vectors[k].z, -0.0};
+  rows[far_image].place[0] = 2 * diameter;
   return rows;
 }
 
-/// Four rows become four columns, and back.
-GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Four cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
+  return *reinterpret_cast<const EightInMemory*>(&block[k]);
 }
 
-using FourDoubles __attribute__((may_alias)) = Four;
-GRANUM_INLINE FourDoubles& four(Block& block, std::size_t k) {
-  return *reinterpret_cast<FourDoubles*>(&block[k]);
-}
-GRANUM_INLINE const FourDoubles& four(const Block& block, std::size_t k) {
-  return *reinterpret_cast<const FourDoubles*>(&block[k]);
-}
+/// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
+constexpr std::size_t grains_nearby = 16384;
 
 /// Brings the rows of a block's grains near, while the block before it is worked off.
-GRANUM_INLINE void prefetch(const Pair* pairs, const MotionRow* rows, const LoadRow* load) {
+GRANUM_INLINE void prefetch(const ListedPair* pairs, const MotionRow* rows, const LoadRow* load) {
   for (std::size_t k = 0; k < block_size; ++k) {
     __builtin_prefetch(&rows[pairs[k].j]);
-    __builtin_prefetch(&load[pairs[k].j], 1);
+    __builtin_prefetch(&load[pairs[k].row], 1);
+  }
+}
+
+/// Branches alone, for pairs without friction.
+GRANUM_INLINE void load_branches(const SweepInput& in, const Shifts& shifts, const ListedPair* pairs,
+                                 PairBlock& p) {
+  const MotionRow* const rows = in.grains.row.data();
+  for (std::size_t k = 0; k < block_size; k += 4) {
+    Four place[4];
+    for (std::size_t n = 0; n < 4; ++n) {
+      const ListedPair& pair = pairs[k + n];
+      place[n] = rows[pair.j].place - rows[pair.i].place + shifts[pair.image].place;
+    }
+    transpose(place[0], place[1], place[2], place[3]);
+    Rows<VectorLevel::avx2>::put_column(&p.bx[k], place[0]);
+    Rows<VectorLevel::avx2>::put_column(&p.by[k], place[1]);
+    Rows<VectorLevel::avx2>::put_column(&p.bz[k], place[2]);
   }
 }
 
 /// Branches, relative velocities and sums of angular velocities.
-template <bool tangential>
-GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const Pair* pairs, PairBlock& p) {
+template <class Level>
+GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const ListedPair* pairs,
+                              PairBlock& p) {
   const MotionRow* const rows = in.grains.row.data();
   const double* const spin_y = in.grains.spin_y.data();
-  const Four sign{-1, -1, -1, 1}; // centres and velocities subtract, angular velocities add
-  for (std::size_t k = 0; k < block_size; k += 4) {
-    Four place[4], rate[4];
-    for (std::size_t n = 0; n < 4; ++n) {
-      const Pair& pair = pairs[k + n];
-      place[n] = rows[pair.j].place + sign * rows[pair.i].place + shifts[pair.image];
-      if constexpr (tangential) {
-        rate[n] = rows[pair.j].rate + sign * rows[pair.i].rate;
-        p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
-      }
+  // Centres and velocities subtract, angular velocities add.
+  const auto sign = Level::row(Four{-1, -1, -1, 1}, Four{-1, -1, -1, 1});
+  for (std::size_t k = 0; k < block_size; k += Level::lanes) {
+    typename Level::Row row[Level::lanes];
+    typename Level::Column column[8];
+    for (std::size_t n = 0; n < Level::lanes; ++n) {
+      const ListedPair& pair = pairs[k + n];
+      row[n] = Level::get(&rows[pair.j]) + sign * Level::get(&rows[pair.i]) + Level::get(&shifts[pair.image]);
+      p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
     }
-    transpose(place[0], place[1], place[2], place[3]);
-    four(p.bx, k) = place[0];
-    four(p.by, k) = place[1];
-    four(p.bz, k) = place[2];
-    if constexpr (tangential) {
-      four(p.wz, k) = place[3];
-      transpose(rate[0], rate[1], rate[2], rate[3]);
-      four(p.ux, k) = rate[0];
-      four(p.uy, k) = rate[1];
-      four(p.uz, k) = rate[2];
-      four(p.wx, k) = rate[3];
-    }
+    to_columns(row, column);
+    Block* const blocks[8] = {&p.bx, &p.by, &p.bz, &p.wz, &p.ux, &p.uy, &p.uz, &p.wx};
+    for (std::size_t c = 0; c < 8; ++c)
+      Level::put_column(&(*blocks[c])[k], column[c]);
   }
+}
+
+template <class Law>
+GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap) {
+  return law(overlap);
+}
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap) {
+  const double root = law.coefficient * (overlap * inverse_root(overlap));
+  return {root * overlap, 1.5 * root};
+}
+
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
+  const double root = law.coefficient * vector_power(overlap, SplitExponent(law.inverse_alpha));
+  return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
 /// In two loops: in one, the compiler would branch where a pair does not touch.
@@ -110,14 +125,14 @@ template <class Law>
 GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
     const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
-    const double length = std::sqrt(squared);
-    const double overlap = diameter - length;
+    const double inverse_length = inverse_root(squared);
+    const double overlap = diameter - squared * inverse_length;
     p.squared[k] = squared;
-    p.inverse_length[k] = 1 / length;
+    p.inverse_length[k] = inverse_length;
     p.overlap[k] = overlap > 0 ? overlap : 0.0;
   }
   for (std::size_t k = 0; k < block_size; ++k) {
-    const contact::NormalResponse response = law(p.overlap[k]);
+    const contact::NormalResponse response = normal_response(law, p.overlap[k]);
     p.force[k] = response.force;
     p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
     const double per_length = response.force * p.inverse_length[k];
@@ -127,12 +142,27 @@ GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __r
   }
 }
 
+/// Brings tangential forces down to Coulomb's limit; few blocks need it.
+GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, Eight& __restrict sliding,
+                               double* __restrict mx, double* __restrict my, double* __restrict mz) {
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double limit = friction * p.force[k];
+    const bool slides = p.shear_squared[k] > limit * limit;
+    const double scale = slides ? limit / std::sqrt(p.shear_squared[k]) : 1.0;
+    mx[k] *= scale;
+    my[k] *= scale;
+    mz[k] *= scale;
+    sliding[k % 8] += slides ? 1.0 : 0.0;
+  }
+}
+
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
 /// .. mk: this block's memory.
-GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Block& __restrict sliding,
+GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Eight& __restrict sliding,
                                      double* __restrict mx, double* __restrict my, double* __restrict mz,
                                      double* __restrict mk) {
   const double ratio = in.tangential_ratio, friction = in.friction, elapsed = in.elapsed;
+  std::int64_t any_slides = 0;
   const Mat3 gradient = in.gradient;
   for (std::size_t k = 0; k < block_size; ++k) {
     const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
@@ -154,85 +184,104 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict
     sz -= along * bz;
     const double limit = friction * p.force[k];
     const double shear_squared = sx * sx + sy * sy + sz * sz;
-    const bool slides = shear_squared > limit * limit;
-    const double scale = slides ? limit / std::sqrt(shear_squared) : 1.0;
-    sx *= scale;
-    sy *= scale;
-    sz *= scale;
+    any_slides |= static_cast<std::int64_t>(shear_squared > limit * limit);
+    p.shear_squared[k] = shear_squared;
     mx[k] = sx;
     my[k] = sy;
     mz[k] = sz;
     mk[k] = stiffness;
+  }
+  if (any_slides != 0)
+    limit_block(friction, p, sliding, mx, my, mz);
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
+    const double sx = mx[k], sy = my[k], sz = mz[k];
     p.fx[k] += sx;
     p.fy[k] += sy;
     p.fz[k] += sz;
     p.tx[k] = -0.5 * (by * sz - bz * sy);
     p.ty[k] = -0.5 * (bz * sx - bx * sz);
     p.tz[k] = -0.5 * (bx * sy - by * sx);
-    sliding[k] += slides ? 1.0 : 0.0;
   }
 }
 
-GRANUM_INLINE void add_up(const PairBlock& __restrict p, SumBlock& __restrict sums) {
-  for (std::size_t k = 0; k < block_size; ++k) {
-    sums.stress[0][k] += p.fx[k] * p.bx[k];
-    sums.stress[1][k] += p.fx[k] * p.by[k];
-    sums.stress[2][k] += p.fx[k] * p.bz[k];
-    sums.stress[3][k] += p.fy[k] * p.bx[k];
-    sums.stress[4][k] += p.fy[k] * p.by[k];
-    sums.stress[5][k] += p.fy[k] * p.bz[k];
-    sums.stress[6][k] += p.fz[k] * p.bx[k];
-    sums.stress[7][k] += p.fz[k] * p.by[k];
-    sums.stress[8][k] += p.fz[k] * p.bz[k];
-    sums.normal_force[k] += p.force[k];
-    sums.stiffness[k] += p.stiffness[k] * p.squared[k];
-    sums.stiffest[k] = std::max(sums.stiffest[k], p.stiffness[k]);
-    sums.contacts[k] += p.force[k] > 0 ? 1.0 : 0.0;
+GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
+  SumRows s = sums;
+  for (std::size_t k = 0; k < block_size; k += 8) {
+    const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
+    const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
+    const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k);
+    s.stress[0] += fx * bx;
+    s.stress[1] += fx * by;
+    s.stress[2] += fx * bz;
+    s.stress[3] += fy * bx;
+    s.stress[4] += fy * by;
+    s.stress[5] += fy * bz;
+    s.stress[6] += fz * bx;
+    s.stress[7] += fz * by;
+    s.stress[8] += fz * bz;
+    s.normal_force += force;
+    s.stiffness += stiffness * eight(p.squared, k);
+    s.stiffest = s.stiffest > stiffness ? s.stiffest : stiffness;
+    s.contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
   }
+  sums = s;
 }
 
-/// Adds the forces of a block to its grains, pair by pair in the order of the list.
-template <bool tangential>
-GRANUM_INLINE void unload_block(const Pair* pairs, const PairBlock& p, LoadRow* load) {
-  const Four sign{-1, -1, -1, 1}; // forces are opposite, torques equal
+/// Adds the forces of a block to its rows, pair by pair in the order of the list.
+GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
+  using Level = Rows<VectorLevel::avx2>;
   for (std::size_t k = 0; k < block_size; k += 4) {
-    Four push[4] = {four(p.fx, k), four(p.fy, k), four(p.fz, k), Four{}};
-    Four turn[4] = {};
-    if constexpr (tangential) {
-      push[3] = four(p.tx, k);
-      turn[0] = four(p.ty, k);
-      turn[3] = four(p.tz, k);
-      transpose(turn[0], turn[1], turn[2], turn[3]);
-    }
+    Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
+                    Four{}};
     transpose(push[0], push[1], push[2], push[3]);
     for (std::size_t n = 0; n < 4; ++n) {
-      LoadRow& on_i = load[pairs[k + n].i];
-      LoadRow& on_j = load[pairs[k + n].j];
-      on_i.push += sign * push[n];
-      on_j.push += push[n];
-      if constexpr (tangential) {
-        on_i.turn += turn[n];
-        on_j.turn += turn[n];
-      }
+      load[pairs[k + n].i].push -= push[n];
+      load[pairs[k + n].row].push += push[n];
     }
   }
 }
 
-double total(const Block& block) {
+template <class Level>
+GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
+  const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
+  const typename Level::Column zero{};
+  for (std::size_t k = 0; k < block_size; k += Level::lanes) {
+    typename Level::Row row[Level::lanes];
+    typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
+                                        zero,
+                                        zero,
+                                        Level::get_column(&p.tz[k]),
+                                        Level::get_column(&p.fx[k]),
+                                        Level::get_column(&p.fy[k]),
+                                        Level::get_column(&p.fz[k]),
+                                        Level::get_column(&p.tx[k])};
+    to_rows(column, row);
+    for (std::size_t n = 0; n < Level::lanes; ++n) {
+      LoadRow& on_i = load[pairs[k + n].i];
+      Level::put(&on_i, Level::get(&on_i) + sign * row[n]);
+      LoadRow& on_j = load[pairs[k + n].row];
+      Level::put(&on_j, Level::get(&on_j) + row[n]);
+    }
+  }
+}
+
+double total(const Eight& row) {
   double sum = 0;
-  for (const double value : block)
-    sum += value;
+  for (std::size_t k = 0; k < 8; ++k)
+    sum += row[k];
   return sum;
 }
 
-SweepSums totals(const SumBlock& sums) {
+SweepSums totals(const SumRows& sums) {
   SweepSums out;
   for (int row = 0; row < 3; ++row)
     for (int col = 0; col < 3; ++col)
       out.stress(row, col) = total(sums.stress[static_cast<std::size_t>(3 * row + col)]);
   out.normal_force = total(sums.normal_force);
   out.stiffness = total(sums.stiffness);
-  out.stiffest = *std::max_element(sums.stiffest.begin(), sums.stiffest.end());
+  for (std::size_t k = 0; k < 8; ++k)
+    out.stiffest = std::max(out.stiffest, sums.stiffest[k]);
   out.contacts = static_cast<std::size_t>(total(sums.contacts));
   out.sliding = static_cast<std::size_t>(total(sums.sliding));
   return out;
@@ -241,69 +290,78 @@ SweepSums totals(const SumBlock& sums) {
 struct Work {
   const SweepInput& in;
   const Shifts& shifts;
-  ContactMemory* memory; ///< null: frictionless
+  const Chunk& chunk;
+  MemoryBlock* memory; ///< null: frictionless
   LoadRow* load;
-  SumBlock& sums;
+  SumRows& sums;
 };
 
-template <bool tangential, class Law>
-GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const Pair* pairs, std::size_t first,
-                               const Pair* next, PairBlock& p) {
-  prefetch(next, work.in.grains.row.data(), work.load);
-  load_block<tangential>(work.in, work.shifts, pairs, p);
+template <bool tangential, class Level, class Law>
+GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPair* pairs, MemoryBlock* memory,
+                               PairBlock& p) {
+  if constexpr (tangential)
+    load_block<Level>(work.in, work.shifts, pairs, p);
+  else
+    load_branches(work.in, work.shifts, pairs, p);
   normal_forces(law, work.in.diameter, p);
   if constexpr (tangential)
-    frictional_forces(work.in, p, work.sums.sliding, work.memory->x.data() + first,
-                      work.memory->y.data() + first, work.memory->z.data() + first,
-                      work.memory->stiffness.data() + first);
+    frictional_forces(work.in, p, work.sums.sliding, memory->x.data(), memory->y.data(), memory->z.data(),
+                      memory->stiffness.data());
   add_up(p, work.sums);
-  unload_block<tangential>(pairs, p, work.load);
+  if constexpr (tangential)
+    unload_block<Level>(pairs, p, work.load);
+  else
+    unload_forces(pairs, p, work.load);
 }
 
-template <bool tangential, class Law>
+template <bool tangential, class Level, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
-  const std::vector<Pair>& pairs = work.in.pairs;
-  for (std::size_t first = 0; first < pairs.size(); first += block_size) {
-    const std::size_t next = std::min(first + block_size, pairs.size() - block_size);
-    sweep_block<tangential>(law, work, pairs.data() + first, first, pairs.data() + next, p);
+  for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
+    for (std::size_t row = rows.begin; row < rows.end; ++row)
+      Level::put(&work.load[row], Level::row(Four{}, Four{}));
+  const ListedPair* const pairs = work.in.pairs.data();
+  const bool far = work.in.grains.size() > grains_nearby;
+  for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {
+    const std::size_t next = std::min(first + block_size, work.chunk.pairs.end - block_size);
+    if (far)
+      prefetch(pairs + next, work.in.grains.row.data(), work.load);
+    sweep_block<tangential, Level>(law, work, pairs + first,
+                                   tangential ? work.memory + first / block_size : nullptr, p);
   }
 }
 
-template <class Law>
+template <class Level, class Law>
 GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
   if (work.memory != nullptr)
-    sweep_all<true>(law, work);
+    sweep_all<true, Level>(law, work);
   else
-    sweep_all<false>(law, work);
-}
-
-GRANUM_VECTOR_LEVELS void sweep(const contact::ConeKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::SphereKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::FlatKernel& law, const Work& work) { sweep_with(law, work); }
-GRANUM_VECTOR_LEVELS void sweep(const contact::GeneralKernel& law, const Work& work) {
-  sweep_with(law, work);
+    sweep_all<false, Level>(law, work);
 }
 
 } // namespace
 
-void ContactMemory::reset(std::size_t pairs) {
-  for (std::vector<double>* array : {&x, &y, &z, &stiffness})
-    array->assign(pairs, 0.0);
+SweepSums& SweepSums::operator+=(const SweepSums& other) {
+  stress += other.stress;
+  normal_force += other.normal_force;
+  stiffness += other.stiffness;
+  stiffest = std::max(stiffest, other.stiffest);
+  contacts += other.contacts;
+  sliding += other.sliding;
+  return *this;
 }
 
-std::vector<Pair> padded(std::vector<Pair> pairs) {
-  pairs.resize((pairs.size() + block_size - 1) / block_size * block_size, Pair{0, 0, far_image});
-  return pairs;
-}
-
-SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, ContactMemory* memory,
-                        std::vector<LoadRow>& load) {
+SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
+                        MemoryBlock* memory, std::vector<LoadRow>& load) {
   const Shifts shifts = shift_rows(input.cell, input.diameter);
-  SumBlock sums;
-  std::fill(load.begin(), load.end(), LoadRow{});
-  const Work work{input, shifts, memory, load.data(), sums};
-  std::visit([&](const auto& kernel) { sweep(kernel, work); }, law);
+  SumRows sums;
+  const Work work{input, shifts, chunk, memory, load.data(), sums};
+  std::visit(
+      [&](const auto& kernel) {
+        at_vector_level([&]<VectorLevel level>(AtLevel<level>)
+                            __attribute__((always_inline)) { sweep_with<Rows<level>>(kernel, work); });
+      },
+      law);
   return totals(sums);
 }
 

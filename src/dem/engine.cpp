@@ -15,6 +15,7 @@
 #include <granum/core/error.hpp>
 
 #include "engine_data.hpp"
+#include "frequency_bound.hpp"
 
 namespace granum::dem {
 
@@ -22,6 +23,13 @@ namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 50;
+
+void add(WallForces& forces, const WallForces& other) {
+  for (std::size_t w = 0; w < wall_count; ++w)
+    forces.force[w] += other.force[w];
+  forces.contacts += other.contacts;
+  forces.sliding += other.sliding;
+}
 
 } // namespace
 
@@ -52,7 +60,6 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
     order = near_order(cold);
   cold = reordered(cold, order);
   grains.resize(count);
-  load.resize(count);
   for (std::size_t g = 0; g < count; ++g) {
     grains.set_velocity(g, cold.velocity[g]);
     if (tangential)
@@ -61,19 +68,45 @@ Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> 
   rebuild();
   sweep(0);
   // A kick that changes nothing: the sums over the velocities as they are.
-  motion = kick_grains(grains, load, {.keep = 1, .push = 0, .turn = 0}, mass, inertia);
+  kick({.keep = 1, .push = 0, .turn = 0});
   choose_time_step();
 }
 
 std::vector<ContactHistory> Engine::Data::history() const {
   std::vector<ContactHistory> out;
-  for (std::size_t k = 0; tangential && k < list.pairs().size(); ++k)
-    if (memory.stiffness[k] > 0)
-      out.push_back({list.pairs()[k].i,
-                     list.pairs()[k].j,
-                     {memory.x[k], memory.y[k], memory.z[k]},
-                     memory.stiffness[k]});
+  for (std::size_t b = 0; b < memory.size(); ++b)
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const MemoryBlock& of = memory[b];
+      const ListedPair& pair = parts.pairs[b * block_size + k];
+      if (of.stiffness[k] > 0)
+        out.push_back({pair.i, pair.j, {of.x[k], of.y[k], of.z[k]}, of.stiffness[k]});
+    }
   return out;
+}
+
+/// Spreads the list over chunks, and the chunks over the threads by their pairs.
+void Engine::Data::lay_out() {
+  parts = partition(list.pairs(), grains.size());
+  load.resize(parts.rows);
+  sums.resize(parts.chunks.size());
+  const std::size_t threads = team ? team->size() : 1;
+  share.assign(threads + 1, parts.chunks.size());
+  share[0] = 0;
+  std::size_t member = 1;
+  for (std::size_t c = 0; c < parts.chunks.size(); ++c)
+    while (member < threads && threads * parts.chunks[c].pairs.end > member * parts.pairs.size())
+      share[member++] = c;
+}
+
+/// More threads than chunks would stand idle.
+void Engine::Data::set_threads(std::size_t count) {
+  const std::size_t used = std::min(count, parts.chunks.size());
+  if (used == (team ? team->size() : 1))
+    return;
+  team.reset();
+  if (used > 1)
+    team = std::make_unique<Team>(used);
+  lay_out();
 }
 
 /// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
@@ -87,21 +120,24 @@ void Engine::Data::rebuild() {
   for (std::size_t g = 0; running && g < grains.size(); ++g)
     cold.position[g] = grains.centre(g);
   list.build(cold.cell, cold.position);
-  pairs = padded(list.pairs());
+  lay_out();
   for (std::size_t g = 0; g < grains.size(); ++g)
     grains.set_centre(g, cold.position[g]);
   if (tangential) {
-    memory.reset(pairs.size());
+    memory.assign(parts.pairs.size() / block_size, MemoryBlock{});
     auto past = cold.history.begin();
-    for (std::size_t k = 0; k < list.pairs().size(); ++k) {
-      const Pair& pair = list.pairs()[k];
+    for (std::size_t k = 0; k < parts.pairs.size(); ++k) {
+      const ListedPair& pair = parts.pairs[k];
+      if (pair.image == far_image)
+        continue;
       while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(pair.i, pair.j))
         ++past;
       if (past != cold.history.end() && past->i == pair.i && past->j == pair.j) {
-        memory.x[k] = past->tangential_force.x;
-        memory.y[k] = past->tangential_force.y;
-        memory.z[k] = past->tangential_force.z;
-        memory.stiffness[k] = past->tangential_stiffness;
+        MemoryBlock& block = memory[k / block_size];
+        block.x[k % block_size] = past->tangential_force.x;
+        block.y[k % block_size] = past->tangential_force.y;
+        block.z[k % block_size] = past->tangential_force.z;
+        block.stiffness[k % block_size] = past->tangential_stiffness;
       }
     }
   }
@@ -112,7 +148,7 @@ void Engine::Data::rebuild() {
 }
 
 void Engine::Data::sweep(double elapsed) {
-  const SweepInput input{.pairs = pairs,
+  const SweepInput input{.pairs = parts.pairs,
                          .grains = grains,
                          .cell = cold.cell,
                          .gradient = gradient,
@@ -120,18 +156,44 @@ void Engine::Data::sweep(double elapsed) {
                          .elapsed = elapsed,
                          .tangential_ratio = material.tangential_stiffness_ratio,
                          .friction = friction};
-  SweepSums sums = contact_sweep(law, input, tangential ? &memory : nullptr, load);
+  const auto contacts_of = [&](std::size_t c) {
+    const Chunk& chunk = parts.chunks[c];
+    sums[c].contacts = contact_sweep(law, input, chunk, tangential ? memory.data() : nullptr, load);
+    if (walls)
+      sums[c].walls = walls->sweep(law, input, chunk.grains, tangential, load, sums[c].contacts);
+  };
+  const auto settle = [&](std::size_t c) {
+    sums[c].power = settle_loads(grains, parts.chunks[c], parts.loans, load);
+  };
+  if (team) {
+    each_chunk(contacts_of);
+    each_chunk(settle);
+  } else {
+    // Loans come from earlier chunks alone, as j > i: what a chunk needs is there, and still near.
+    each_chunk([&](std::size_t c) {
+      contacts_of(c);
+      settle(c);
+    });
+  }
+  SweepSums total;
+  WallForces on_walls;
+  power = 0;
+  for (const ChunkSums& chunk : sums) {
+    total += chunk.contacts;
+    power += chunk.power;
+    add(on_walls, chunk.walls);
+  }
   if (walls)
-    walls->sweep(law, input, tangential, load, sums);
-  take_figures(sums);
+    walls->set_forces(on_walls);
+  take_figures(total);
 }
 
-void Engine::Data::take_figures(const SweepSums& sums) {
+void Engine::Data::take_figures(const SweepSums& total) {
   const double volume = determinant(cold.cell);
-  stiffest = sums.stiffest;
-  figures.stress = (1 / volume) * sums.stress;
-  figures.contacts = sums.contacts;
-  figures.sliding = sums.sliding;
+  stiffest = total.stiffest;
+  figures.stress = (1 / volume) * total.stress;
+  figures.contacts = total.contacts;
+  figures.sliding = total.sliding;
   figures.boundary_stress = {figures.stress(0, 0), figures.stress(1, 1), figures.stress(2, 2)};
   if (walls) {
     figures.boundary_stress = wall_stress(walls->forces(), wall_planes(cold.cell));
@@ -139,10 +201,10 @@ void Engine::Data::take_figures(const SweepSums& sums) {
     figures.wall_sliding = walls->forces().sliding;
   }
   const std::size_t all = figures.contacts + figures.wall_contacts;
-  figures.mean_normal_force = all > 0 ? sums.normal_force / static_cast<double>(all) : 0;
+  figures.mean_normal_force = all > 0 ? total.normal_force / static_cast<double>(all) : 0;
   // <n1^4> = 1/5, <n1^2 (1 - n1^2)> = 2/15 for isotropic normals.
   const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
-  figures.p_wave_modulus = sums.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
+  figures.p_wave_modulus = total.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
 }
 
 /// Now and then, and at once when contacts have become stiffer or more by a tenth.
@@ -151,66 +213,17 @@ bool Engine::Data::time_step_is_due() const {
          10 * (figures.contacts + figures.wall_contacts) > 11 * contacts_chosen;
 }
 
-/// Strict bound on the highest frequency: a contact couples two grains, so the stiffness matrix is at most
-/// twice its block diagonal; the block of a grain is at most the sum over its contacts of the norms k_n
-/// (translation, or k_t if that is larger) and k_t l^2/4 (rotation) - bounded here by row sums of the 3 x 3
-/// blocks. A wall does not move with its grain: its contacts count half.
-void Engine::Data::add_wall_stiffness(std::vector<Mat3>& translation, std::vector<Mat3>& rotation) const {
-  const std::array<WallPlane, wall_count> planes = wall_planes(cold.cell);
-  const double ratio = tangential && walls->friction() > 0 ? material.tangential_stiffness_ratio : 0;
-  for (const WallHistory& contact : walls->candidates()) {
-    const WallPlane& plane = planes[contact.wall];
-    const double distance = wall_distance(plane, grains.centre(contact.grain));
-    if (distance >= cold.radius)
-      continue;
-    const double k_n = std::visit(
-        [&](const auto& kernel) { return wall_response(kernel, cold.radius - distance).stiffness; }, law);
-    const Mat3 nn = outer(plane.normal, plane.normal);
-    const Mat3 across = Mat3::identity() + -1.0 * nn;
-    translation[contact.grain] += (0.5 * k_n) * nn + (0.5 * ratio * k_n) * across;
-    if (tangential)
-      rotation[contact.grain] += (0.5 * ratio * k_n * distance * distance) * across;
-  }
-}
-
 void Engine::Data::choose_time_step() {
-  std::vector<Mat3> translation(grains.size()), rotation(tangential ? grains.size() : 0);
-  const std::array<Vec3, 27> shifts = shift_vectors(cold.cell);
-  const double diameter = 2 * cold.radius;
-  const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
-  for (const Pair& pair : list.pairs()) {
-    const Vec3 branch = grains.centre(pair.j) + shifts[pair.image] - grains.centre(pair.i);
-    const double squared = dot(branch, branch);
-    if (squared >= diameter * diameter)
-      continue;
-    const double length = std::sqrt(squared);
-    const double k_n =
-        std::visit([&](const auto& kernel) { return kernel(diameter - length).stiffness; }, law);
-    const Mat3 nn = (1 / squared) * outer(branch, branch);
-    const Mat3 plane = Mat3::identity() + -1.0 * nn;
-    const Mat3 block = k_n * nn + (ratio * k_n) * plane;
-    translation[pair.i] += block;
-    translation[pair.j] += block;
-    if (tangential) {
-      const Mat3 turn = (ratio * k_n * squared / 4) * plane;
-      rotation[pair.i] += turn;
-      rotation[pair.j] += turn;
-    }
-  }
-  if (walls)
-    add_wall_stiffness(translation, rotation);
-  const auto row_sum = [](const Mat3& m) {
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-      largest = std::max(largest, std::abs(m(i, 0)) + std::abs(m(i, 1)) + std::abs(m(i, 2)));
-    return largest;
-  };
   stiffest_chosen = stiffest;
   contacts_chosen = figures.contacts + figures.wall_contacts;
-  double omega_squared = 0;
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    omega_squared = std::max(omega_squared, 2 * (row_sum(translation[g]) / mass +
-                                                 (tangential ? row_sum(rotation[g]) / inertia : 0)));
+  const FrequencyInput input{.pairs = list.pairs(),
+                             .grains = grains,
+                             .cell = cold.cell,
+                             .radius = cold.radius,
+                             .tangential_ratio = tangential ? material.tangential_stiffness_ratio : 0,
+                             .mass = mass,
+                             .inertia = inertia};
+  const double omega_squared = highest_frequency_squared(law, input, walls ? &*walls : nullptr);
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(omega_squared);
   } else if (dt == 0) {
@@ -223,7 +236,7 @@ void Engine::Data::choose_time_step() {
 /// Cell and grains move; the pair list is renewed before a pair outside it could touch.
 void Engine::Data::move() {
   const Mat3 stretch = Mat3::identity() + dt * gradient;
-  move_grains(grains, stretch, dt);
+  each_chunk([&](std::size_t c) { move_grains(grains, parts.chunks[c].grains, stretch, dt); });
   cold.cell = stretch * cold.cell;
   double rate = 0;
   for (const auto& row : gradient.m)
@@ -241,14 +254,22 @@ void Engine::Data::integrate() {
   if (fixed_damping >= 0) {
     damping = fixed_damping;
   } else if (motion.kinetic > 0) {
-    const double work = motion.power - power(grains, load);
+    const double work = motion.power - power;
     damping = std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * motion.kinetic))), 0.0002 / dt, 0.5 / dt);
   }
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
-  motion =
-      kick_grains(grains, load, {.keep = keep, .push = push / mass, .turn = push / inertia}, mass, inertia);
+  kick({.keep = keep, .push = push / mass, .turn = push / inertia});
+}
+
+void Engine::Data::kick(const Kick& of_step) {
+  each_chunk([&](std::size_t c) {
+    sums[c].motion = kick_grains(grains, parts.chunks[c].grains, load, of_step, mass, inertia);
+  });
+  motion = {};
+  for (const ChunkSums& chunk : sums)
+    motion += chunk.motion;
 }
 
 Engine::Engine(State state, const Material& material)
@@ -273,6 +294,14 @@ void Engine::set_time_step_fraction(double fraction) {
   d.time_step_fraction = fraction;
 }
 
+void Engine::set_threads(std::size_t count) {
+  if (count < 1)
+    throw InvalidArgument("threads", 0.0, "", "1 or more");
+  data_->set_threads(count);
+}
+
+std::size_t Engine::threads() const { return data_->team ? data_->team->size() : 1; }
+
 void Engine::step() {
   Data& d = *data_;
   ++d.steps;
@@ -289,7 +318,8 @@ double Engine::unbalanced_force_ratio() const {
   const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
   double sum = 0;
   std::size_t touching = 0;
-  for (const LoadRow& on : data_->load) {
+  for (std::size_t g = 0; g < data_->grains.size(); ++g) {
+    const LoadRow& on = data_->load[g];
     const Vec3 f = force(on), t = torque(on);
     const double squared = dot(f, f) + per_radius_squared * dot(t, t);
     if (squared > 0) {

@@ -44,8 +44,7 @@ void Engine::save(ByteWriter& to) const {
   to.put_all(d.list.pairs());
   to.put_all(d.grains.row);
   to.put_all(d.grains.spin_y);
-  for (const std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
-    to.put_all(*array);
+  to.put_all(d.memory);
   to.put_all(d.load);
   if (d.walls)
     d.walls->save(to);
@@ -62,11 +61,10 @@ Engine Engine::load(ByteReader& from, const Material& material) {
   Engine engine(std::make_unique<Data>(std::move(state), material, std::move(order)));
   Data& d = *engine.data_;
   d.list.restore(from.get_all<Pair>());
-  d.pairs = padded(d.list.pairs());
+  d.lay_out();
   d.grains.row = from.get_all<MotionRow>();
   d.grains.spin_y = from.get_all<double>();
-  for (std::vector<double>* array : {&d.memory.x, &d.memory.y, &d.memory.z, &d.memory.stiffness})
-    *array = from.get_all<double>();
+  d.memory = from.get_all<MemoryBlock>();
   d.load = from.get_all<LoadRow>();
   if (d.walls)
     d.walls->load(from);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,20 @@
 #include "contact_sweep.hpp"
 #include "grain_motion.hpp"
 #include "grain_order.hpp"
+#include "partition.hpp"
+#include "team.hpp"
 #include "verlet_list.hpp"
 #include "wall_contacts.hpp"
 
 namespace granum::dem {
+
+/// What one chunk adds to the sums of a step; in cache lines of its own, as threads write side by side.
+struct alignas(64) ChunkSums {
+  SweepSums contacts;
+  WallForces walls;
+  double power = 0;
+  MotionSums motion;
+};
 
 /// What an engine holds from step to step. Engine::save writes all of it that does not follow from the
 /// material.
@@ -23,13 +34,18 @@ struct Engine::Data {
   Data(State initial, const Material& m, std::vector<std::uint32_t> order = {});
 
   void rebuild();
+  void lay_out();
+  void set_threads(std::size_t count);
+  /// Calls job(number of the chunk) for each of them, spread over the threads.
+  template <class Job>
+  void each_chunk(const Job& job);
   void sweep(double dt);
   void choose_time_step();
-  void add_wall_stiffness(std::vector<Mat3>& translation, std::vector<Mat3>& rotation) const;
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
+  void kick(const Kick& of_step);
   void move();
-  void take_figures(const SweepSums& sums);
+  void take_figures(const SweepSums& total);
   [[nodiscard]] std::vector<ContactHistory> history() const;
 
   Material material;
@@ -43,10 +59,13 @@ struct Engine::Data {
   double inertia = 0;
   VerletList list;
   std::optional<WallContacts> walls;
-  std::vector<Pair> pairs; ///< those of the list, padded
+  Partition parts; ///< of the grains and the list
+  std::vector<ChunkSums> sums;
+  std::unique_ptr<Team> team;     ///< null: one thread
+  std::vector<std::size_t> share; ///< first chunk of each thread, and their number
   Grains grains;
-  ContactMemory memory;
-  std::vector<LoadRow> load;
+  std::vector<MemoryBlock> memory; ///< of the blocks of pairs; none without friction
+  std::vector<LoadRow> load;       ///< of the grains, then the spare rows
   Mat3 gradient;
   double dt = 0;
   double time_step_fraction = default_time_step_fraction;
@@ -55,11 +74,25 @@ struct Engine::Data {
   double travelled = 0;       ///< upper bound of own displacement since the list was checked [m]
   double strained = 0;        ///< upper bound of the cell's strain since then [1]
   MotionSums motion;          ///< over the velocities of this moment and the last forces
+  double power = 0;           ///< of the last forces over the velocities before their kick [W]
   double stiffest = 0;        ///< k_n in the last sweep [N/m]
   double stiffest_chosen = 0; ///< the same when the time step was chosen
   std::size_t contacts_chosen = 0;
   StepFigures figures;
   std::size_t steps = 0;
 };
+
+template <class Job>
+void Engine::Data::each_chunk(const Job& job) {
+  if (team) {
+    team->run([&](std::size_t member) {
+      for (std::size_t c = share[member]; c < share[member + 1]; ++c)
+        job(c);
+    });
+  } else {
+    for (std::size_t c = 0; c < parts.chunks.size(); ++c)
+      job(c);
+  }
+}
 
 } // namespace granum::dem

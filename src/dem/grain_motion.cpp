@@ -5,67 +5,105 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "vector_rows.hpp"
+
 namespace granum::dem {
 
 namespace {
 
 /// Sum of v f + t w from its parts by their places in the rows, and the part of y of w, which has none.
-double sum_of(const Four& push, const Four& turn, double turn_y) {
+GRANUM_INLINE double sum_of(const Four& turn, const Four& push, double turn_y) {
   return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
 }
 
-} // namespace
+GRANUM_INLINE Four all(double value) { return Four{value, value, value, value}; }
 
-GRANUM_VECTOR_LEVELS void move_grains(Grains& grains, const Mat3& stretch, double dt) {
+GRANUM_INLINE void move_at_level(Grains& grains, Range range, const Mat3& stretch, double dt) {
   const Mat3& a = stretch;
   const Four x{a(0, 0), a(1, 0), a(2, 0), 0}, y{a(0, 1), a(1, 1), a(2, 1), 0},
       z{a(0, 2), a(1, 2), a(2, 2), 0};
   const Four own{dt, dt, dt, 0}, spin{0, 0, 0, 1};
-  for (MotionRow& grain : grains.row) {
+  for (std::size_t g = range.begin; g < range.end; ++g) {
+    MotionRow& grain = grains.row[g];
     const Four place = grain.place;
     grain.place = place[0] * x + place[1] * y + place[2] * z + own * grain.rate + spin * place;
   }
 }
 
-GRANUM_VECTOR_LEVELS double power(const Grains& grains, const std::vector<LoadRow>& load) {
-  Four push{}, turn{};
+template <class Level>
+GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                                     std::vector<LoadRow>& load) {
+  for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k) {
+    LoadRow& on = load[loans[k].grain];
+    Level::put(&on, Level::get(&on) + Level::get(&load[loans[k].row]));
+  }
+  auto sum = Level::row(Four{}, Four{});
   double turn_y = 0;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    push += grains.row[g].rate * load[g].push;
-    turn += grains.row[g].place * load[g].turn;
+  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
+    sum = sum + Level::get(&grains.row[g]) * Level::get(&load[g]);
     turn_y += grains.spin_y[g] * load[g].turn[0];
   }
-  return sum_of(push, turn, turn_y);
+  return sum_of(low(sum), high(sum), turn_y);
 }
 
-GRANUM_VECTOR_LEVELS MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load,
-                                            const Kick& kick, double mass, double inertia) {
-  const Four keep{kick.keep, kick.keep, kick.keep, kick.keep}, keep_spin{1, 1, 1, kick.keep};
-  const Four push{kick.push, kick.push, kick.push, kick.turn}, turn{0, 0, 0, kick.turn};
-  Four squares{}, spin_squares{}, push_power{}, turn_power{};
+template <class Level>
+GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::vector<LoadRow>& load,
+                                       const Kick& kick, double mass, double inertia) {
+  const auto keep = Level::row(Four{1, 1, 1, kick.keep}, all(kick.keep));
+  const auto push = Level::row(Four{0, 0, 0, kick.turn}, Four{kick.push, kick.push, kick.push, kick.turn});
+  auto squares = Level::row(Four{}, Four{}), powers = squares;
   double squares_y = 0, power_y = 0, fastest = 0;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    MotionRow& grain = grains.row[g];
-    const LoadRow on = load[g];
-    const Four rate = keep * grain.rate + push * on.push;
-    const Four place = keep_spin * grain.place + turn * on.turn;
-    const double spin_y = kick.keep * grains.spin_y[g] + kick.turn * on.turn[0];
-    grain.rate = rate;
-    grain.place = place;
+  for (std::size_t g = range.begin; g < range.end; ++g) {
+    const auto on = Level::get(&load[g]);
+    const auto grain = keep * Level::get(&grains.row[g]) + push * on;
+    const double on_y = load[g].turn[0];
+    const double spin_y = kick.keep * grains.spin_y[g] + kick.turn * on_y;
+    Level::put(&grains.row[g], grain);
     grains.spin_y[g] = spin_y;
-    const Four square = rate * rate;
-    squares += square;
-    spin_squares += place * place;
+    const auto square = grain * grain;
+    const Four rate_square = high(square);
+    squares = squares + square;
+    powers = powers + grain * on;
     squares_y += spin_y * spin_y;
-    push_power += rate * on.push;
-    turn_power += place * on.turn;
-    power_y += spin_y * on.turn[0];
-    fastest = std::max(fastest, square[0] + square[1] + square[2]);
+    power_y += spin_y * on_y;
+    fastest = std::max(fastest, rate_square[0] + rate_square[1] + rate_square[2]);
   }
-  return {.kinetic = mass * (squares[0] + squares[1] + squares[2]) +
-                     inertia * (squares[3] + squares_y + spin_squares[3]),
-          .power = sum_of(push_power, turn_power, power_y),
+  const Four spin_squares = low(squares), rate_squares = high(squares);
+  return {.kinetic = mass * (rate_squares[0] + rate_squares[1] + rate_squares[2]) +
+                     inertia * (rate_squares[3] + squares_y + spin_squares[3]),
+          .power = sum_of(low(powers), high(powers), power_y),
           .speed_squared = fastest};
+}
+
+} // namespace
+
+MotionSums& MotionSums::operator+=(const MotionSums& other) {
+  kinetic += other.kinetic;
+  power += other.power;
+  speed_squared = std::max(speed_squared, other.speed_squared);
+  return *this;
+}
+
+void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt) {
+  at_vector_level([&](auto) __attribute__((always_inline)) { move_at_level(grains, range, stretch, dt); });
+}
+
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                    std::vector<LoadRow>& load) {
+  double power = 0;
+  at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
+    power = settle_at_level<Rows<level>>(grains, chunk, loans, load);
+  });
+  return power;
+}
+
+MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
+                       double mass, double inertia) {
+  MotionSums sums;
+  at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
+    sums = kick_at_level<Rows<level>>(grains, range, load, kick, mass, inertia);
+  });
+  return sums;
 }
 
 } // namespace granum::dem

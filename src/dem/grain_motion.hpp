@@ -6,6 +6,7 @@
 #include <granum/core/vec3.hpp>
 
 #include "grain_rows.hpp"
+#include "partition.hpp"
 
 namespace granum::dem {
 
@@ -14,6 +15,8 @@ struct MotionSums {
   double kinetic = 0;       ///< sum of m v^2 + I w^2 [J]
   double power = 0;         ///< sum of f v + t w [W]
   double speed_squared = 0; ///< largest v^2 [m^2/s^2]
+
+  MotionSums& operator+=(const MotionSums& other);
 };
 
 /// What the drag of a step makes of velocities: v becomes keep v + push f, w becomes keep w + turn t.
@@ -24,11 +27,13 @@ struct Kick {
 };
 
 /// Centres follow the cell, x becomes stretch x, and move with their own velocity.
-void move_grains(Grains& grains, const Mat3& stretch, double dt);
-/// Sum of f v + t w, with the loads of this moment and the velocities before their kick [W].
-[[nodiscard]] double power(const Grains& grains, const std::vector<LoadRow>& load);
+void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
+/// Adds the spare rows that hold loads for a chunk, then sums f v + t w over it, with the velocities before
+/// their kick [W].
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                    std::vector<LoadRow>& load);
 /// New velocities, and the sums over them.
-MotionSums kick_grains(Grains& grains, const std::vector<LoadRow>& load, const Kick& kick, double mass,
-                       double inertia);
+MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
+                       double mass, double inertia);
 
 } // namespace granum::dem

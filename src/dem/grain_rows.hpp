@@ -9,15 +9,6 @@
 
 #include <granum/core/vec3.hpp>
 
-// The marked function is compiled for several vector levels and the machine picks one at start. No level
-// contracts or reorders, so that all give the same bits. Sanitized builds take the plain one: their runtime
-// starts after the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define GRANUM_VECTOR_LEVELS __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define GRANUM_VECTOR_LEVELS
-#endif
-
 namespace granum::dem {
 
 using Four = double __attribute__((vector_size(4 * sizeof(double))));

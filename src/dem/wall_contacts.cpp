@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <variant>
 
@@ -45,12 +46,15 @@ void WallContacts::list(const Mat3& cell, const Grains& grains, double reach,
   contacts_ = std::move(listed);
 }
 
-void WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in, bool tangential,
-                         std::vector<LoadRow>& load, SweepSums& sums) {
+WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in, Range of_grains,
+                               bool tangential, std::vector<LoadRow>& load, SweepSums& sums) {
   const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
   const bool rough = tangential && friction_ > 0;
-  forces_ = {};
-  for (WallHistory& contact : contacts_) {
+  WallForces forces;
+  const auto before = [](const WallHistory& contact, std::size_t grain) { return contact.grain < grain; };
+  const auto first = std::lower_bound(contacts_.begin(), contacts_.end(), of_grains.begin, before);
+  const auto last = std::lower_bound(first, contacts_.end(), of_grains.end, before);
+  for (WallHistory& contact : std::span(first, last)) {
     const WallPlane& plane = planes[contact.wall];
     const Vec3 centre = in.grains.centre(contact.grain);
     const double distance = wall_distance(plane, centre);
@@ -69,20 +73,21 @@ void WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in,
       const Vec3 wall = in.gradient * plane.centre;
       const Vec3 surface = in.gradient * centre + in.grains.velocity(contact.grain) +
                            cross(in.grains.spin(contact.grain), arm);
-      forces_.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
-                                        in.tangential_ratio * response.stiffness, friction_ * response.force);
+      forces.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
+                                       in.tangential_ratio * response.stiffness, friction_ * response.force);
       force += contact.tangential_force;
       add_torque(load[contact.grain], cross(arm, force));
     }
     add_force(load[contact.grain], force);
-    forces_.force[contact.wall] += force;
-    ++forces_.contacts;
+    forces.force[contact.wall] += force;
+    ++forces.contacts;
     // The grain bears -force on the wall, over the branch `arm`.
     sums.stress += outer(-force, arm);
     sums.normal_force += response.force;
     sums.stiffness += response.stiffness * distance * distance;
     sums.stiffest = std::max(sums.stiffest, response.stiffness);
   }
+  return forces;
 }
 
 std::vector<WallHistory> WallContacts::history() const {

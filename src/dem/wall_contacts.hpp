@@ -32,10 +32,11 @@ class WallContacts {
 
   /// Lists the grains nearer to a wall than reach; a memory moves to its contact's new place.
   void list(const Mat3& cell, const Grains& grains, double reach, const std::vector<WallHistory>& history);
-  /// Adds forces and torques to load and to the sums. Tangential ones only where `tangential` and the walls
-  /// are rough.
-  void sweep(const contact::NormalKernel& law, const SweepInput& input, bool tangential,
-             std::vector<LoadRow>& load, SweepSums& sums);
+  /// Adds forces and torques on some grains to load and to the sums, and gives those on the walls. Tangential
+  /// ones only where `tangential` and the walls are rough.
+  WallForces sweep(const contact::NormalKernel& law, const SweepInput& input, Range of_grains,
+                   bool tangential, std::vector<LoadRow>& load, SweepSums& sums);
+  void set_forces(const WallForces& forces) { forces_ = forces; }
 
   void save(ByteWriter& to) const {
     to.put_all(contacts_);

@@ -81,7 +81,7 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
   std::string newer = whole;
   newer[8] = static_cast<char>(checkpoint_version + 1);
   overwrite(path, newer);
-  CHECK(complaint(path) == "is a checkpoint of version 3; this granum reads version 2");
+  CHECK(complaint(path) == "is a checkpoint of version 4; this granum reads version 3");
   std::string foreign = whole;
   std::swap(foreign[12], foreign[15]);
   overwrite(path, foreign);

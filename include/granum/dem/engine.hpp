@@ -61,6 +61,15 @@ class Engine {
   /// \throws InvalidArgument unless 0 < fraction <= 1
   void set_time_step_fraction(double fraction);
 
+  /// How many threads share each step from now on, that of the caller among them; 1 before the first call.
+  /// The bits are the same with any number. Small specimens take fewer: a thread has 1,024 grains or more.
+  /// For processors that are idle; many engines are better run side by side, with one thread each.
+  /// \throws   InvalidArgument for 0
+  /// Checked by tests/dem/test_threads.cpp
+  void set_threads(std::size_t count);
+  /// The threads that share a step.
+  [[nodiscard]] std::size_t threads() const;
+
   /// One step: move, contact forces, velocities.
   void step();
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "partition.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace granum::dem {
+
+namespace {
+
+/// Fewer grains in a chunk would have more of their pairs across its boundary.
+constexpr std::size_t smallest_chunk = 1024;
+
+/// Gives the pairs of one chunk their rows: spare ones where j is past the chunk.
+class SpareRows {
+ public:
+  explicit SpareRows(std::size_t grains) : row_(grains, 0) {}
+
+  std::uint32_t row(std::uint32_t j, const Chunk& chunk, std::size_t& rows) {
+    if (j < chunk.grains.end)
+      return j;
+    if (row_[j] < chunk.spare_rows.begin) {
+      row_[j] = static_cast<std::uint32_t>(rows++);
+      borrowed_.push_back({row_[j], j});
+    }
+    return row_[j];
+  }
+  [[nodiscard]] const std::vector<Loan>& borrowed() const { return borrowed_; }
+
+ private:
+  std::vector<std::uint32_t> row_; ///< of each grain, the last one given
+  std::vector<Loan> borrowed_;
+};
+
+/// Loans by the chunk of their grain; those of a chunk stay in the order in which they were taken.
+void sort_loans(const std::vector<Loan>& borrowed, Partition& out) {
+  const auto chunk_of = [&](const Loan& loan) {
+    return std::upper_bound(out.chunks.begin(), out.chunks.end(), loan.grain,
+                            [](std::uint32_t grain, const Chunk& chunk) { return grain < chunk.grains.end; });
+  };
+  for (const Loan& loan : borrowed)
+    ++chunk_of(loan)->loans.end;
+  std::size_t before = 0;
+  for (Chunk& chunk : out.chunks) {
+    const std::size_t count = chunk.loans.end;
+    chunk.loans = {before, before};
+    before += count;
+  }
+  out.loans.resize(borrowed.size());
+  for (const Loan& loan : borrowed)
+    out.loans[chunk_of(loan)->loans.end++] = loan;
+}
+
+} // namespace
+
+Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
+  const std::size_t count = std::bit_floor(std::max<std::size_t>(1, grains / smallest_chunk));
+  Partition out;
+  out.rows = grains;
+  out.pairs.reserve(pairs.size() + count * block_size);
+  SpareRows spare(grains);
+  auto next = pairs.begin();
+  for (std::size_t c = 0; c < count; ++c) {
+    Chunk chunk;
+    chunk.grains = {c * grains / count, (c + 1) * grains / count};
+    chunk.pairs.begin = out.pairs.size();
+    chunk.spare_rows.begin = out.rows;
+    for (; next != pairs.end() && next->i < chunk.grains.end; ++next)
+      out.pairs.push_back({next->i, next->j, next->image, spare.row(next->j, chunk, out.rows)});
+    const auto own = static_cast<std::uint32_t>(chunk.grains.begin);
+    while ((out.pairs.size() - chunk.pairs.begin) % block_size != 0)
+      out.pairs.push_back({own, own, far_image, own});
+    chunk.pairs.end = out.pairs.size();
+    chunk.spare_rows.end = out.rows;
+    out.chunks.push_back(chunk);
+  }
+  sort_loans(spare.borrowed(), out);
+  return out;
+}
+
+} // namespace granum::dem

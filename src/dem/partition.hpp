@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/dem. Grains and pairs in chunks that threads can work off side by side. Chunks follow from
+// the number of grains alone, each adds up in its own order, and what they give is added in their order: any
+// number of threads gives the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <granum/dem/neighbours.hpp>
+
+namespace granum::dem {
+
+/// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block. Sums
+/// run in this order too: every vector width gives the same bits.
+inline constexpr std::size_t block_size = 32;
+
+/// Image of the pairs that fill up the last block of a chunk: far out of reach.
+inline constexpr std::uint32_t far_image = 27;
+
+/// A pair, and the row of loads that takes the force on j: that of j, or, where j is in another chunk, a
+/// spare row after those of all grains.
+struct ListedPair {
+  std::uint32_t i, j;
+  std::uint32_t image;
+  std::uint32_t row;
+};
+
+/// Half-open ranges.
+struct Range {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Some grains that follow each other, the pairs whose i is one of them, in whole blocks, and what other
+/// chunks' spare rows hold for them.
+struct Chunk {
+  Range grains, pairs, spare_rows, loans;
+};
+
+/// A spare row that has to be added to that of a grain.
+struct Loan {
+  std::uint32_t row, grain;
+};
+
+struct Partition {
+  std::vector<Chunk> chunks;
+  std::vector<ListedPair> pairs;
+  std::vector<Loan> loans; ///< by the chunk of their grain
+  std::size_t rows = 0;    ///< of loads: one a grain, and the spare ones
+};
+
+/// \param    pairs   sorted by (i, j), i < j
+[[nodiscard]] Partition partition(const std::vector<Pair>& pairs, std::size_t grains);
+
+} // namespace granum::dem

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vector_level.hpp"
+
+#include <atomic>
+
+#include <granum/core/error.hpp>
+
+namespace granum::dem {
+
+namespace {
+
+VectorLevel widest() {
+  for (const VectorLevel level : {VectorLevel::avx512, VectorLevel::avx2})
+    if (runs_here(level))
+      return level;
+  return VectorLevel::baseline;
+}
+
+std::atomic<VectorLevel>& setting() {
+  static std::atomic<VectorLevel> level{widest()};
+  return level;
+}
+
+} // namespace
+
+bool runs_here(VectorLevel level) {
+#if GRANUM_HAS_VECTOR_LEVELS
+  if (level == VectorLevel::avx512)
+    return __builtin_cpu_supports("x86-64-v4") != 0;
+  if (level == VectorLevel::avx2)
+    return __builtin_cpu_supports("avx2") != 0;
+#endif
+  return level == VectorLevel::baseline;
+}
+
+VectorLevel vector_level() { return setting().load(std::memory_order_relaxed); }
+
+void set_vector_level(VectorLevel level) {
+  if (!runs_here(level))
+    throw InvalidArgument("vector level: this machine does not have it");
+  setting().store(level, std::memory_order_relaxed);
+}
+
+} // namespace granum::dem

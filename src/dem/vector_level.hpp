@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/dem. Loops over grains and pairs are compiled for some vector levels, of which the machine
+// takes the widest that it has. No level contracts or reorders: all give the same bits
+// (tests/dem/test_vector_levels.cpp).
+#pragma once
+
+#include <type_traits>
+
+#define GRANUM_INLINE [[gnu::always_inline]] inline
+
+namespace granum::dem {
+
+enum class VectorLevel { baseline, avx2, avx512 };
+
+/// Whether this build has code for the level and this machine runs it.
+[[nodiscard]] bool runs_here(VectorLevel level);
+/// The level in use: the widest that runs here, unless another was set.
+[[nodiscard]] VectorLevel vector_level();
+/// For tests and measurements; not while an engine steps.
+void set_vector_level(VectorLevel level);
+
+template <VectorLevel level>
+using AtLevel = std::integral_constant<VectorLevel, level>;
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define GRANUM_HAS_VECTOR_LEVELS 1
+template <class Body>
+[[gnu::target("avx2")]] void run_avx2(const Body& body) {
+  body(AtLevel<VectorLevel::avx2>{});
+}
+template <class Body>
+[[gnu::target("arch=x86-64-v4")]] void run_avx512(const Body& body) {
+  body(AtLevel<VectorLevel::avx512>{});
+}
+#else
+#define GRANUM_HAS_VECTOR_LEVELS 0
+#endif
+
+/// Runs a body that takes an AtLevel and is marked always_inline, as all that it calls must be, compiled for
+/// the level in use.
+template <class Body>
+void at_vector_level(const Body& body) {
+#if GRANUM_HAS_VECTOR_LEVELS
+  const VectorLevel level = vector_level();
+  if (level == VectorLevel::avx512)
+    return run_avx512(body);
+  if (level == VectorLevel::avx2)
+    return run_avx2(body);
+#endif
+  body(AtLevel<VectorLevel::baseline>{});
+}
+
+} // namespace granum::dem

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
+
+#include "../../src/dem/partition.hpp"
+#include "../../src/dem/team.hpp"
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3;
+
+/// A lattice of 4 * 11^3 grains in motion: contacts open, close and slide.
+Engine lively(double friction, bool walls) {
+  State state = test::fcc(radius, 11, 2e-7);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double phase = static_cast<double>(g);
+    state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    state.angular_velocity[g] = 2 * Vec3{std::cos(phase), std::sin(7 * phase), std::cos(4 * phase)};
+  }
+  if (walls)
+    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+  return {std::move(state), test::quartz(radius, friction)};
+}
+
+void run(Engine& engine, int steps) {
+  for (int k = 0; k < steps; ++k) {
+    engine.set_velocity_gradient(4e-6 / engine.time_step() * Mat3::diagonal(1, -1.5, 0.2));
+    engine.step();
+  }
+}
+
+void check_same(const Engine& one, const Engine& other) {
+  CHECK(one.state() == other.state());
+  CHECK(one.figures().stress == other.figures().stress);
+  CHECK(one.figures().mean_normal_force == other.figures().mean_normal_force);
+  CHECK(one.figures().p_wave_modulus == other.figures().p_wave_modulus);
+  CHECK(one.wall_forces().force == other.wall_forces().force);
+  CHECK(one.kinetic_energy() == other.kinetic_energy());
+  CHECK(one.unbalanced_force_ratio() == other.unbalanced_force_ratio());
+  CHECK(one.time_step() == other.time_step());
+}
+
+Engine reloaded(const Engine& engine) {
+  ByteWriter bytes;
+  engine.save(bytes);
+  ByteReader reader(bytes.bytes(), "bytes");
+  return Engine::load(reader, engine.material());
+}
+
+} // namespace
+
+TEST_CASE("any number of threads gives the same bits, before and after save and load") {
+  for (const bool walls : {false, true})
+    for (const double friction : {0.2, 0.0}) {
+      CAPTURE(walls);
+      CAPTURE(friction);
+      Engine one = lively(friction, walls);
+      run(one, 120);
+      CHECK(one.figures().contacts > 0);
+      CHECK((one.figures().sliding > 0) == (friction > 0));
+      CHECK((one.figures().wall_contacts > 0) == walls);
+      for (const std::size_t threads : {2u, 3u, 4u}) {
+        CAPTURE(threads);
+        Engine many = lively(friction, walls);
+        many.set_threads(threads);
+        CHECK(many.threads() == threads);
+        run(many, 60);
+        Engine resumed = reloaded(many);
+        CHECK(resumed.threads() == 1);
+        resumed.set_threads(5 - threads);
+        run(many, 60);
+        run(resumed, 60);
+        check_same(one, many);
+        check_same(one, resumed);
+      }
+    }
+}
+
+TEST_CASE("threads come and go while an engine runs, and it may be moved") {
+  Engine one = lively(0.2, false), other = lively(0.2, false);
+  for (const std::size_t threads : {3u, 1u, 2u}) {
+    other.set_threads(threads);
+    run(one, 10);
+    run(other, 10);
+    Engine moved = std::move(other);
+    other = std::move(moved);
+  }
+  check_same(one, other);
+}
+
+TEST_CASE("a small specimen takes one thread, and no engine takes none") {
+  Engine engine(test::fcc(radius, 3, 2e-7), test::quartz(radius, 0.5));
+  engine.set_threads(4);
+  CHECK(engine.threads() == 1);
+  CHECK_THROWS_AS(engine.set_threads(0), InvalidArgument);
+}
+
+TEST_CASE("a team calls its job once for each member, as often as it is asked") {
+  for (const std::size_t members : {1u, 2u, 5u}) {
+    Team team(members);
+    REQUIRE(team.size() == members);
+    std::vector<int> calls(members, 0);
+    for (int round = 1; round <= 1000; ++round) {
+      team.run([&](std::size_t member) { ++calls[member]; });
+      CHECK(std::accumulate(calls.begin(), calls.end(), 0) == round * static_cast<int>(members));
+    }
+    CHECK(calls == std::vector<int>(members, 1000));
+  }
+}
+
+TEST_CASE("a partition holds every pair once, and each chunk writes rows that no other one writes") {
+  const State state = test::fcc(radius, 11, 2e-7);
+  const std::vector<Pair> pairs =
+      neighbour_pairs(state.cell, state.position, 2.02 * radius, Images::periodic);
+  const Partition parts = partition(pairs, state.grain_count());
+  REQUIRE(parts.chunks.size() > 1);
+  std::vector<int> writer(parts.rows, -1);
+  std::vector<std::uint32_t> owner(parts.rows);
+  std::iota(owner.begin(), owner.end(), 0u);
+  for (const Loan& loan : parts.loans)
+    owner[loan.row] = loan.grain;
+  std::size_t next = 0;
+  for (std::size_t c = 0; c < parts.chunks.size(); ++c) {
+    const Chunk& chunk = parts.chunks[c];
+    CHECK((chunk.pairs.end - chunk.pairs.begin) % block_size == 0);
+    for (std::size_t k = chunk.pairs.begin; k < chunk.pairs.end; ++k) {
+      const ListedPair& pair = parts.pairs[k];
+      for (const std::uint32_t row : {pair.i, pair.row}) {
+        REQUIRE((writer[row] == -1 || writer[row] == static_cast<int>(c)));
+        writer[row] = static_cast<int>(c);
+      }
+      REQUIRE(owner[pair.row] == pair.j);
+      if (pair.image == far_image)
+        continue;
+      REQUIRE((pairs[next].i == pair.i && pairs[next].j == pair.j && pairs[next].image == pair.image));
+      ++next;
+    }
+    for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k) {
+      const std::uint32_t grain = parts.loans[k].grain;
+      REQUIRE((grain >= chunk.grains.begin && grain < chunk.grains.end));
+    }
+  }
+  CHECK(next == pairs.size());
+  CHECK(parts.loans.size() == parts.rows - state.grain_count());
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/dem/vector_power.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <doctest/doctest.h>
+
+using namespace granum;
+
+namespace {
+
+double ulps(double value, long double exact) {
+  const double nearest = static_cast<double>(exact);
+  const double place = std::nextafter(nearest, 1e308) - nearest;
+  return static_cast<double>(std::abs(static_cast<long double>(value) - exact) / place);
+}
+
+} // namespace
+
+TEST_CASE("powers with all exponents of contact laws within 2.5 ulp of long double") {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> mantissa(1, 2);
+  for (const double b : {1.0, 0.97, 0.7, 0.5, 1.0 / 3, 0.1, 1.0 / 301, 1e-9}) {
+    double worst = 0;
+    for (int octave = -1020; octave <= 1020; octave += 3)
+      for (int k = 0; k < 100; ++k) {
+        const double x = std::ldexp(mantissa(random), octave);
+        const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(b));
+        worst = std::max(worst, ulps(dem::vector_power(x, dem::SplitExponent(b)), exact));
+      }
+    CAPTURE(b);
+    CHECK(worst < 2.5);
+    CHECK(worst > 0);
+  }
+}
+
+TEST_CASE("powers near the ends of the mantissa, of 1 and of 0") {
+  for (const double b : {1.0, 0.7, 0.5, 0.1}) {
+    CHECK(dem::vector_power(1, dem::SplitExponent(b)) == 1);
+    for (const double x : {std::sqrt(0.5), std::sqrt(2.0), 1 - 0x1p-53, 1 + 0x1p-52}) {
+      const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(b));
+      CHECK(ulps(dem::vector_power(x, dem::SplitExponent(b)), exact) < 2.5);
+    }
+    const double of_nothing = dem::vector_power(0, dem::SplitExponent(b));
+    CHECK(of_nothing >= 0);
+    CHECK(of_nothing < 1e-30);
+  }
+}
