@@ -318,8 +318,8 @@ TEST_CASE("a result that was not reached is not handed out") {
   CHECK(buckled.last_iterate().matrix.allFinite());
 }
 
-// No load is on modes without stiffness, but rounding is: it must not run away where the solver goes on. Springs
-// of 1e-14 then hold the grains, which networks that hardly hold can tell: softest modes of 1e-6 k_n.
+// No load is on modes without stiffness, but rounding is: it must not run away where the solver goes on.
+// Springs of 1e-14 then hold the grains, which networks that hardly hold can tell: softest modes of 1e-6 k_n.
 TEST_CASE("a tolerance at the edge of rounding is reached, among modes without stiffness as well") {
   for (const double kept : {0.3, 0.4, 0.5, 0.6})
     for (std::uint64_t seed = 1; seed <= 4; ++seed)

@@ -15,7 +15,8 @@ using verify::AnalysisOptions;
 
 namespace {
 
-const AnalysisOptions without_network{.grain_shear_modulus = specimen_grain.shear_modulus, .solve_network = false};
+const AnalysisOptions without_network{.grain_shear_modulus = specimen_grain.shear_modulus,
+                                      .solve_network = false};
 
 bool warns(const io::ImportedPacking& packing, const std::string& words,
            const AnalysisOptions& options = without_network) {
