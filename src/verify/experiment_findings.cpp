@@ -65,11 +65,12 @@ std::optional<Measured> initial_coordination(const ExperimentSpecimen& specimen)
   return Measured{points.front().coordination_number_all, points.front().coordination_error};
 }
 
+/// Between walls two diameters inside: layers at the walls raise e of 10,000 grains by 0.06.
 std::optional<Measured> initial_void_ratio(const ExperimentSpecimen& specimen) {
   const std::vector<FrozenPoint>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
-  return Measured{points.front().void_ratio, {}};
+  return Measured{points.front().interior_void_ratio, {}};
 }
 
 Reading peak_angle(triaxial::ShearPath path) {

@@ -96,6 +96,10 @@ TEST_CASE("Table 2 shows the first state, with the error of one specimen or the 
   CHECK(*cell(rows, 0, "C_n").ours.standard_error == relative(0.05, 1e-14));
   CHECK(cell(rows, 0, "C_n").holds());
   CHECK_FALSE(cell(rows, 0, "e").ours.standard_error.has_value());
+  Experiment walled = synthetic_experiment(one_kind());
+  walled.specimens[0].runs[0].points[0].void_ratio =
+      0.62; // of the whole box, its layers at the walls included
+  CHECK(cell(table_2(walled), 0, "e").ours.value == 0.56);
   const auto off = table_2(synthetic_experiment(one_kind(), {.void_ratio = 0.6}));
   CHECK_FALSE(cell(off, 0, "e").holds());
   const auto loose = table_2(synthetic_experiment(one_kind(Shape::sphere, Density::loose)));

@@ -37,8 +37,8 @@ struct TableRow {
   std::vector<Cell> cells;
 };
 
-/// C_n and e at the first pressure. The error of C_n of one specimen is that of the mean number of contacts
-/// of a grain.
+/// C_n of all grains and e at the first pressure, e between walls two diameters inside. The error of C_n of
+/// one specimen is that of the mean number of contacts of a grain.
 [[nodiscard]] std::vector<TableRow> table_2(const Experiment& experiment);
 
 /// Friction angles mobilised at the peak of each path [deg].

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is kept here of the folder that `granum reproduce --paper` writes.
+
+    reduce.py FOLDER OUT     FOLDER of granum reproduce; OUT gets the files
+
+Tables as they are; states and curves in six digits, states without their 6x6 matrices, every fifth point of the
+curves; and angles_by_strain.csv, the mobilised friction angle if each path had ended at a smaller axial strain,
+beside the paper's.
+"""
+import collections
+import csv
+import math
+import pathlib
+import shutil
+import sys
+
+ENDS = (0.0025, 0.005, 0.0075, 0.01, 0.015, 0.02, 0.03)  # axial strain, either sense
+TABLES = ("table2.csv", "table4.csv", "table5.csv", "exponents.csv", "verdicts.csv")
+PICTURES = ("fig06_sphere_dense", "fig06_sphere_loose", "fig08_cone_dense_3", "fig10_sphere_dense_G_hv_eta",
+            "fig13_sphere_loose_G_hv_eta", "fig15_dense", "fig15_loose", "fig16_sphere_dense", "fig18_sphere_dense_C_n",
+            "fig18_sphere_dense_a")
+
+
+def rows_of(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def short(text):
+    try:
+        return f"{float(text):.6g}"
+    except ValueError:
+        return text
+
+
+def write(path, header, rows):
+    with path.open("w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(header)
+        out.writerows(rows)
+
+
+def friction_angle(eta):
+    """Of q/p' [deg]; sin(phi) = 3 eta/(6 + eta), extension negative."""
+    return math.degrees(math.asin(3 * abs(eta) / (6 + eta)))
+
+
+def angles_by_strain(curves, table_4):
+    points = collections.defaultdict(list)
+    for row in curves:
+        points[row["contact"], row["density"], row["path"]].append((abs(float(row["axial_strain"])), float(row["eta"])))
+    for row in table_4:
+        key = row["contact"], row["density"], row["quantity"].split()[0]
+        for end in ENDS:
+            peak = max((eta for strain, eta in points[key] if strain <= end * 1.001), key=abs)
+            angle, printed = friction_angle(peak), float(row["paper"])
+            yield [*key, end, f"{angle:.2f}", printed, f"{angle - printed:.2f}"]
+
+
+def main():
+    if len(sys.argv) != 3:
+        print(__doc__, file=sys.stderr)
+        sys.exit(2)
+    folder, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    for name in TABLES:
+        shutil.copyfile(folder / name, out / name)
+    for name in PICTURES:
+        shutil.copyfile(folder / "figures" / f"{name}.svg", out / f"{name}.svg")
+    curves, states = rows_of(folder / "curves.csv"), rows_of(folder / "states.csv")
+    write(out / "curves.csv", curves[0].keys(), ([short(x) for x in row.values()] for row in curves[::5]))
+    kept = [name for name in states[0] if not name.startswith(("network_C", "affine_C"))]
+    write(out / "states.csv", kept, ([short(row[name]) for name in kept] for row in states))
+    angles = list(angles_by_strain(curves, rows_of(folder / "table4.csv")))
+    write(out / "angles_by_strain.csv",
+          ["contact", "density", "path", "largest_axial_strain", "angle_deg", "paper_deg", "difference_deg"], angles)
+    for end in ENDS:
+        gaps = [abs(float(row[-1])) for row in angles if row[3] == end]
+        print(f"to {100 * end:g} % of axial strain: {sum(g <= 1.5 for g in gaps)} of {len(gaps)} within 1.5 deg, "
+              f"{sum(g <= 2.5 for g in gaps)} within 2.5, worst {max(gaps):.2f}")
+
+
+if __name__ == "__main__":
+    main()
