@@ -66,7 +66,7 @@ TEST_CASE("any number of threads gives the same bits, before and after save and 
       CAPTURE(walls);
       CAPTURE(friction);
       Engine one = lively(friction, walls);
-      run(one, 120);
+      run(one, 50);
       CHECK(one.figures().contacts > 0);
       CHECK((one.figures().sliding > 0) == (friction > 0));
       CHECK((one.figures().wall_contacts > 0) == walls);
@@ -75,12 +75,12 @@ TEST_CASE("any number of threads gives the same bits, before and after save and 
         Engine many = lively(friction, walls);
         many.set_threads(threads);
         CHECK(many.threads() == threads);
-        run(many, 60);
+        run(many, 25);
         Engine resumed = reloaded(many);
         CHECK(resumed.threads() == 1);
         resumed.set_threads(5 - threads);
-        run(many, 60);
-        run(resumed, 60);
+        run(many, 25);
+        run(resumed, 25);
         check_same(one, many);
         check_same(one, resumed);
       }

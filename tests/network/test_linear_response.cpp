@@ -322,19 +322,17 @@ TEST_CASE("a result that was not reached is not handed out") {
 // Springs of 1e-14 then hold the grains, which networks that hardly hold can tell: softest modes of 1e-6 k_n.
 TEST_CASE("a tolerance at the edge of rounding is reached, among modes without stiffness as well") {
   for (const double kept : {0.3, 0.4, 0.5, 0.6})
-    for (std::uint64_t seed = 1; seed <= 4; ++seed)
-      for (const int repeats : {2, 4}) {
-        CAPTURE(kept);
-        CAPTURE(seed);
-        CAPTURE(repeats);
-        const Assembly a = samples::random_network({.seed = seed, .repeats = repeats, .kept = kept});
-        const auto exact = network::linear_response(a, {.tolerance = 1e-12});
-        REQUIRE(exact.converged());
-        const auto pressed = network::linear_response(a, {.tolerance = 1e-15, .iteration_limit = 2000});
-        CHECK(pressed.report().residual < 1e-11);
-        const Matrix6 difference = pressed.last_iterate().matrix - exact.relaxed().matrix;
-        CHECK(difference.cwiseAbs().maxCoeff() < 1e-8 * exact.affine().matrix.cwiseAbs().maxCoeff());
-      }
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      CAPTURE(kept);
+      CAPTURE(seed);
+      const Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
+      const auto exact = network::linear_response(a, {.tolerance = 1e-12});
+      REQUIRE(exact.converged());
+      const auto pressed = network::linear_response(a, {.tolerance = 1e-15, .iteration_limit = 2000});
+      CHECK(pressed.report().residual < 1e-11);
+      const Matrix6 difference = pressed.last_iterate().matrix - exact.relaxed().matrix;
+      CHECK(difference.cwiseAbs().maxCoeff() < 1e-8 * exact.affine().matrix.cwiseAbs().maxCoeff());
+    }
 }
 
 TEST_CASE("bad options and bad assemblies are refused") {
