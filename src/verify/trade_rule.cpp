@@ -94,11 +94,11 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
 
 const TradeLaws& recorded_laws() {
   static const TradeLaws laws{
-      .dense_modulus = {.size = {0.3106, -6.063, 2.197, 125, 500}, .rate = {0.003125, 0.001935}},
-      .dense_exponent = {.size = {0.07172, 1.456, 0.5071, 125, 500}, .rate = {0.005414, 0.0003892}},
-      .loose_modulus = {.size = {0.9557, -11.3, 6.97, 125, 500}, .rate = {19.54, 19.75}},
-      .loose_exponent = {.size = {0.7248, 3.217, 5.286, 125, 500}, .rate = {26.73, 21.37}},
-      .dense_peak = {.size = {1.236, -6.204, 8.742, 125, 500}, .rate = {50.51, 2.302}},
+      .dense_modulus = {.size = {0.3003, -2.953, 0.8318, 250, 16000}, .rate = {0.007037, 0.0003357}},
+      .dense_exponent = {.size = {0.05969, 0.1545, 0.1653, 250, 16000}, .rate = {0.001893, 0.0003272}},
+      .loose_modulus = {.size = {1.255, -2.652, 3.476, 250, 16000}, .rate = {1.094, 0.9838}},
+      .loose_exponent = {.size = {0.5708, -2.773, 1.581, 250, 16000}, .rate = {-0.4037, 0.9873}},
+      .dense_peak = {.size = {1.101, 6.536, 3.049, 250, 16000}, .rate = {34.15, 0.6084}},
   };
   return laws;
 }
