@@ -24,7 +24,6 @@ engine=
 force=no
 largest_of_peers=100000
 cell=10000           # larger specimens are copies of one of this many grains
-granum_threads=" 1 " # numbers of threads that granum's engine can take, between blanks
 strain=2e-5          # of a run, whatever its steps
 skin=5e-5            # of the neighbour lists, a twentieth of a diameter [m]
 restitution=0.5      # of LAMMPS's pair granular and of LIGGGHTS
@@ -191,7 +190,7 @@ done
 for ((round = 1; round <= rounds; ++round)); do
   for size in ${sizes//,/ }; do
     for on in ${cores//,/ }; do
-      case $granum_threads in *" $on "*) row $round granum "hertz + mindlin" "$on" "$size" ;; esac
+      row $round granum "hertz + mindlin" "$on" "$size"
       [ "$size" -le $largest_of_peers ] || continue
       for peer in "${peers[@]}"; do
         if [ "$on" -gt 1 ] && [ $have_mpi = no ] && [ "$peer" != YADE ]; then continue; fi
