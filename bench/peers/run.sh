@@ -90,7 +90,7 @@ if commit=$(git -C "$root" describe --always --dirty 2>/dev/null); then version[
 for peer in "${peers[@]}"; do # LIGGGHTS ends its help with an error
   case $peer in
     LAMMPS) version[LAMMPS]=$(lmp -h | sed -n 's/.*Parallel Simulator - *//p') ;;
-    LIGGGHTS) version[LIGGGHTS]=$({ liggghts -h 2>&1 || true; } | sed -n 's/.*PUBLIC \([^,]*\),.*/\1/p') ;;
+    LIGGGHTS) version[LIGGGHTS]=$({ liggghts -log none -h 2>&1 || true; } | sed -n 's/.*PUBLIC \([^,]*\),.*/\1/p') ;;
     YADE) version[YADE]=$(yade --version 2>&1 | sed -n 's/^Yade version: *\([^ ]*\).*/\1/p') ;;
   esac
 done
