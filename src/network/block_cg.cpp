@@ -28,9 +28,10 @@ constexpr double noise = 1e-13;
 // The recursive residual drifts from the true one; starting again from the true one mends it.
 constexpr int restarts = 5;
 // Loose networks have modes without any stiffness, and others with 1e-13 of it. No load is on the former, but
-// rounding is, and now and then it grows until nothing else is left: a residual that has grown so much,
+// rounding is, and now and then it grows until nothing else is left. Growth of the residual over its least
+// value that no sound solution shows:
 constexpr double runaway = 1e6;
-// is the sign to start again with springs that hold every grain, over the mean k_n.
+// Springs that then hold every grain while the solver starts again, over the mean k_n.
 constexpr double holding_spring = 1e-14;
 
 template <int Dof>
