@@ -49,8 +49,10 @@ struct LoopPoint {
 
 struct [[nodiscard]] ProbeResult {
   bool converged = false;
-  double shear_modulus = 0; ///< secant between the two ends of the cycle [Pa]
-  double amplitude = 0;     ///< shear strain used [1]
+  /// Secant between the two ends of the cycle [Pa]. 0 where the specimen is not sheared: unless contacts may
+  /// slide, a start that neither rests nor settles, 100 times its tolerance out of balance, ends the probe.
+  double shear_modulus = 0;
+  double amplitude = 0; ///< shear strain used [1]
   /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
   double opening = 0;
   /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of
