@@ -106,9 +106,6 @@ Probed at_rest(const dem::State& state, const dem::Material& material, const Pro
   return {std::move(engine), std::move(relax), start, amplitude};
 }
 
-/// A start this many times beyond the tolerance drifts by more than the shear brings about.
-constexpr double restless = 100;
-
 /// The cycle of one mode.
 ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options) {
   dem::Engine& engine = specimen.engine;
@@ -125,8 +122,9 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   };
   const double start = shear_stress(specimen.start);
   const Vec3 held = engine.figures().boundary_stress;
-  if (!options.sliding && !result.converged &&
-      result.unbalanced_force_ratio > restless * options.force_tolerance)
+  // What does not come to rest here drifts by more than the shear brings about, and no leg would end.
+  const auto hopeless = [&] { return !options.sliding && !result.converged; };
+  if (hopeless())
     return result;
   const bool keep = options.loop_points > 0;
   if (keep)
@@ -149,6 +147,8 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   };
   const std::size_t at_start = result.steps;
   const double up = leg(0, 1);
+  if (hopeless())
+    return result;
   const std::size_t at_first_end = result.steps;
   const double down = leg(1, -1);
   const std::size_t at_second_end = result.steps;

@@ -31,12 +31,6 @@ namespace {
 /// specimen creeps on, for a quarter of the steps; 1e-8 takes five times as many again.
 constexpr double rest_tolerance = 1e-4;
 
-double modulus_of(const triaxial::ProbeResult& result) {
-  if (!result.converged)
-    require_rest(result.unbalanced_force_ratio, "a probe");
-  return result.shear_modulus;
-}
-
 std::array<double, 36> rows(const elastic::VoigtStiffness& stiffness) {
   std::array<double, 36> out{};
   for (int i = 0; i < 6; ++i)
@@ -114,6 +108,13 @@ void require_rest(double unbalanced_force_ratio, const std::string& what, double
   if (!(unbalanced_force_ratio <= limit))
     throw NotConverged(what + " did not come to rest: unbalanced force ratio " +
                        short_text(unbalanced_force_ratio));
+}
+
+double modulus_of(const triaxial::ProbeResult& result) {
+  if (!result.converged)
+    throw NotConverged("a probe did not come to rest: unbalanced force ratio " +
+                       short_text(result.unbalanced_force_ratio));
+  return result.shear_modulus;
 }
 
 Probes run_probes(const dem::State& state, const dem::Material& material) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <granum/dem/state.hpp>
+#include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/verify/experiment.hpp>
 
@@ -19,6 +20,9 @@ namespace granum::verify {
                                        const triaxial::PathPoint& at, bool probed,
                                        std::vector<std::string>& notes);
 
+/// \throws   NotConverged if the probe did not come to rest
+[[nodiscard]] double modulus_of(const triaxial::ProbeResult& result);
+
 /// Shear moduli of a frozen state by DEM.
 /// \throws   NotConverged if a probe does not come to rest
 [[nodiscard]] Probes run_probes(const dem::State& state, const dem::Material& material);
@@ -27,7 +31,7 @@ namespace granum::verify {
 [[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
                                    double amplitude);
 
-/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for moduli: an escaping
+/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for networks: an escaping
 ///           rattler may keep a specimen above the tolerance that is aimed at.
 void require_rest(double unbalanced_force_ratio, const std::string& what, double limit = 1e-6);
 

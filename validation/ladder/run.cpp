@@ -178,7 +178,10 @@ Network solve_network(const Specimen& specimen, const Assembly& assembly) {
 /// One modulus a probe; the bulk modulus is not probed.
 Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Material& material) {
   using triaxial::ShearMode;
-  const auto modulus = [&](ShearMode mode) { return triaxial::probe(frozen, material, mode).shear_modulus; };
+  const auto modulus = [&](ShearMode mode) {
+    const triaxial::ProbeResult result = triaxial::probe(frozen, material, mode);
+    return result.converged ? result.shear_modulus : effective::State::unset;
+  };
   return {.specimen = specimen,
           .known = "packing",
           .rung = 5,

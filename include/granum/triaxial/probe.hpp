@@ -36,8 +36,8 @@ struct ProbeOptions {
   double force_tolerance = 1e-8;
   /// A leg also ends when its stress is steady to this part of what the strain would bring about in a network
   /// that does not relax [1]: among many grains some rattler always moves. The steady creep that this leaves
-  /// is taken off, unless contacts may slide. G of dense specimens is then within 3e-4. 0: only forces count.
-  double settled_share = 1e-5;
+  /// is taken off, unless contacts may slide. G is then within 0.5 %. 0: only forces count.
+  double settled_share = 1e-4;
   std::size_t max_steps = 10000; ///< of each leg
 };
 
@@ -49,8 +49,8 @@ struct LoopPoint {
 
 struct [[nodiscard]] ProbeResult {
   bool converged = false;
-  /// Secant between the two ends of the cycle [Pa]. 0 where the specimen is not sheared: unless contacts may
-  /// slide, a start that neither rests nor settles, 100 times its tolerance out of balance, ends the probe.
+  /// Secant between the two ends of the cycle [Pa]. 0 where the cycle is not gone through: unless contacts
+  /// may slide, a start or a first leg that neither rests nor settles ends the probe.
   double shear_modulus = 0;
   double amplitude = 0; ///< shear strain used [1]
   /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
