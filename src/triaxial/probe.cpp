@@ -168,7 +168,8 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen;
-  frozen.report = dem::deform(engine, Mat3{}, 0, {.force_tolerance = force_tolerance, .max_steps = 40000});
+  frozen.report =
+      come_to_rest(engine, drag(engine, state), {.force_tolerance = force_tolerance, .max_steps = 20000});
   engine.rest();
   frozen.state = engine.state();
   if (state.walls)
