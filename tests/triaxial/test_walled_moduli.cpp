@@ -129,14 +129,14 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
     const ProbeResult result = probe(state, material, mode, fine);
     const int k = mode == ShearMode::hh ? 5 : 4;
     CHECK(result.shear_modulus == relative(c(k, k) - pressure / 2, 2e-4));
-    // The error that the options name, and a tenth of the share for a tenth of it.
+    // The error that the options name for the default; a tenth of that share leaves far less.
     const ProbeResult settled = probe(state, material, mode, {.amplitude = 1e-8, .force_tolerance = 1e-300});
     CHECK(settled.converged);
     CHECK(settled.shear_modulus == relative(result.shear_modulus, 5e-3));
     const ProbeResult fully =
         probe(state, material, mode, {.amplitude = 1e-8, .force_tolerance = 1e-300, .settled_share = 1e-5});
     CHECK(fully.converged);
-    CHECK(fully.shear_modulus == relative(result.shear_modulus, 5e-4));
+    CHECK(fully.shear_modulus == relative(result.shear_modulus, 3e-4));
   }
   for (int axis = 0; axis < 3; ++axis) {
     Mat3 strain;

@@ -32,7 +32,8 @@ struct ProbeOptions {
   /// end once more, where a loop that repeats itself closes.
   std::size_t loop_points = 0;
   std::size_t ramp_steps = 100;
-  /// Unbalanced force ratio after each leg [1]; G is then within about 0.2 %.
+  /// Unbalanced force ratio after each leg [1]; G is then within about 0.2 %, but 1 % in the odd loose
+  /// specimen whose softest modes have not relaxed by then.
   double force_tolerance = 1e-8;
   /// A leg also ends when its stress is steady to this part of what the strain would bring about in a network
   /// that does not relax [1]: among many grains some rattler always moves. The steady creep that this leaves
@@ -66,7 +67,7 @@ struct [[nodiscard]] ProbeResult {
 /// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
 /// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; the
-/// report tells what is unbalanced at the end, of which rattlers may keep up to 1e-6.
+/// report tells what is unbalanced at the end: a rattler on its way out may keep it from the tolerance.
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
