@@ -106,33 +106,41 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
   }
 }
 
-template <class Law>
+/// Scalar product of (ax, ay, az) and (bx, by, bz).
+template <VectorLevel level>
+GRANUM_INLINE double product(double ax, double ay, double az, double bx, double by, double bz) {
+  return fused<level>(az, bz, fused<level>(ay, by, ax * bx));
+}
+
+template <VectorLevel, class Law>
 GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap) {
   return law(overlap);
 }
+template <VectorLevel level>
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap) {
-  const double root = law.coefficient * (overlap * inverse_root(overlap));
+  const double root = law.coefficient * (overlap * inverse_root<level>(overlap));
   return {root * overlap, 1.5 * root};
 }
 
+template <VectorLevel level>
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
-  const double root = law.coefficient * vector_power(overlap, SplitExponent(law.inverse_alpha));
+  const double root = law.coefficient * vector_power<level>(overlap, SplitExponent(law.inverse_alpha));
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
 /// In two loops: in one, the compiler would branch where a pair does not touch.
-template <class Law>
+template <VectorLevel level, class Law>
 GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
-    const double squared = p.bx[k] * p.bx[k] + p.by[k] * p.by[k] + p.bz[k] * p.bz[k];
-    const double inverse_length = inverse_root(squared);
-    const double overlap = diameter - squared * inverse_length;
+    const double squared = product<level>(p.bx[k], p.by[k], p.bz[k], p.bx[k], p.by[k], p.bz[k]);
+    const double inverse_length = inverse_root<level>(squared);
+    const double overlap = fused<level>(-squared, inverse_length, diameter);
     p.squared[k] = squared;
     p.inverse_length[k] = inverse_length;
     p.overlap[k] = overlap > 0 ? overlap : 0.0;
   }
   for (std::size_t k = 0; k < block_size; ++k) {
-    const contact::NormalResponse response = normal_response(law, p.overlap[k]);
+    const contact::NormalResponse response = normal_response<level>(law, p.overlap[k]);
     p.force[k] = response.force;
     p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
     const double per_length = response.force * p.inverse_length[k];
@@ -158,6 +166,7 @@ GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, E
 
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
 /// .. mk: this block's memory.
+template <VectorLevel level>
 GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Eight& __restrict sliding,
                                      double* __restrict mx, double* __restrict my, double* __restrict mz,
                                      double* __restrict mk) {
@@ -166,24 +175,25 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict
   const Mat3 gradient = in.gradient;
   for (std::size_t k = 0; k < block_size; ++k) {
     const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
-    const double vx = p.ux[k] + gradient(0, 0) * bx + gradient(0, 1) * by + gradient(0, 2) * bz -
-                      0.5 * (p.wy[k] * bz - p.wz[k] * by);
-    const double vy = p.uy[k] + gradient(1, 0) * bx + gradient(1, 1) * by + gradient(1, 2) * bz -
-                      0.5 * (p.wz[k] * bx - p.wx[k] * bz);
-    const double vz = p.uz[k] + gradient(2, 0) * bx + gradient(2, 1) * by + gradient(2, 2) * bz -
-                      0.5 * (p.wx[k] * by - p.wy[k] * bx);
+    const double wx = 0.5 * p.wx[k], wy = 0.5 * p.wy[k], wz = 0.5 * p.wz[k];
+    const double vx =
+        p.ux[k] + product<level>(gradient(0, 0), gradient(0, 1) + wz, gradient(0, 2) - wy, bx, by, bz);
+    const double vy =
+        p.uy[k] + product<level>(gradient(1, 0) - wz, gradient(1, 1), gradient(1, 2) + wx, bx, by, bz);
+    const double vz =
+        p.uz[k] + product<level>(gradient(2, 0) + wy, gradient(2, 1) - wx, gradient(2, 2), bx, by, bz);
     const double stiffness = ratio * p.stiffness[k];
     const double keep = stiffness < mk[k] ? stiffness / mk[k] : 1.0;
     const double increment = stiffness * elapsed;
-    double sx = keep * mx[k] - increment * vx;
-    double sy = keep * my[k] - increment * vy;
-    double sz = keep * mz[k] - increment * vz;
-    const double along = (sx * bx + sy * by + sz * bz) * (p.inverse_length[k] * p.inverse_length[k]);
-    sx -= along * bx;
-    sy -= along * by;
-    sz -= along * bz;
+    double sx = fused<level>(keep, mx[k], -increment * vx);
+    double sy = fused<level>(keep, my[k], -increment * vy);
+    double sz = fused<level>(keep, mz[k], -increment * vz);
+    const double along = product<level>(sx, sy, sz, bx, by, bz) * (p.inverse_length[k] * p.inverse_length[k]);
+    sx = fused<level>(-along, bx, sx);
+    sy = fused<level>(-along, by, sy);
+    sz = fused<level>(-along, bz, sz);
     const double limit = friction * p.force[k];
-    const double shear_squared = sx * sx + sy * sy + sz * sz;
+    const double shear_squared = product<level>(sx, sy, sz, sx, sy, sz);
     any_slides |= static_cast<std::int64_t>(shear_squared > limit * limit);
     p.shear_squared[k] = shear_squared;
     mx[k] = sx;
@@ -199,9 +209,9 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict
     p.fx[k] += sx;
     p.fy[k] += sy;
     p.fz[k] += sz;
-    p.tx[k] = -0.5 * (by * sz - bz * sy);
-    p.ty[k] = -0.5 * (bz * sx - bx * sz);
-    p.tz[k] = -0.5 * (bx * sy - by * sx);
+    p.tx[k] = -0.5 * fused<level>(by, sz, -bz * sy);
+    p.ty[k] = -0.5 * fused<level>(bz, sx, -bx * sz);
+    p.tz[k] = -0.5 * fused<level>(bx, sy, -by * sx);
   }
 }
 
@@ -303,10 +313,10 @@ GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPai
     load_block<Level>(work.in, work.shifts, pairs, p);
   else
     load_branches(work.in, work.shifts, pairs, p);
-  normal_forces(law, work.in.diameter, p);
+  normal_forces<Level::level>(law, work.in.diameter, p);
   if constexpr (tangential)
-    frictional_forces(work.in, p, work.sums.sliding, memory->x.data(), memory->y.data(), memory->z.data(),
-                      memory->stiffness.data());
+    frictional_forces<Level::level>(work.in, p, work.sums.sliding, memory->x.data(), memory->y.data(),
+                                    memory->z.data(), memory->stiffness.data());
   add_up(p, work.sums);
   if constexpr (tangential)
     unload_block<Level>(pairs, p, work.load);

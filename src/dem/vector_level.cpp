@@ -28,7 +28,7 @@ bool runs_here(VectorLevel level) {
   if (level == VectorLevel::avx512)
     return __builtin_cpu_supports("x86-64-v4") != 0;
   if (level == VectorLevel::avx2)
-    return __builtin_cpu_supports("avx2") != 0;
+    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
 #endif
   return level == VectorLevel::baseline;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/dem. Loops over grains and pairs are compiled for some vector levels, of which the machine
-// takes the widest that it has. No level contracts or reorders: all give the same bits
-// (tests/dem/test_vector_levels.cpp).
+// takes the widest that it has. None reorders. AVX2 with FMA and AVX-512 give the same bits; the baseline has no
+// fused multiply-adds and differs from them by round-off (tests/dem/test_vector_levels.cpp).
 #pragma once
 
 #include <type_traits>
@@ -22,10 +22,19 @@ void set_vector_level(VectorLevel level);
 template <VectorLevel level>
 using AtLevel = std::integral_constant<VectorLevel, level>;
 
+/// a b + c, rounded once where the level has an instruction for it.
+template <VectorLevel level>
+GRANUM_INLINE double fused(double a, double b, double c) {
+  if constexpr (level == VectorLevel::baseline)
+    return a * b + c;
+  else
+    return __builtin_fma(a, b, c);
+}
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define GRANUM_HAS_VECTOR_LEVELS 1
 template <class Body>
-[[gnu::target("avx2")]] void run_avx2(const Body& body) {
+[[gnu::target("avx2,fma")]] void run_avx2(const Body& body) {
   body(AtLevel<VectorLevel::avx2>{});
 }
 template <class Body>

@@ -27,8 +27,9 @@ GRANUM_INLINE Four low(const Eight& row) { return __builtin_shufflevector(row, r
 GRANUM_INLINE Four high(const Eight& row) { return __builtin_shufflevector(row, row, 4, 5, 6, 7); }
 
 /// How a level holds rows: `lanes` of them become eight columns.
-template <VectorLevel level>
+template <VectorLevel of>
 struct Rows {
+  static constexpr VectorLevel level = of;
   static constexpr bool wide = level == VectorLevel::avx512;
   static constexpr std::size_t lanes = wide ? 8 : 4;
   using Row = std::conditional_t<wide, Eight, Halves>;

@@ -10,7 +10,14 @@
 
 using namespace granum::dem;
 
-TEST_CASE("the inverse root is within 2 ulp of that in long double, over all octaves and all mantissas") {
+// How the levels differ is whether products and sums are fused.
+using Plain = AtLevel<VectorLevel::baseline>;
+using Fused = AtLevel<VectorLevel::avx2>;
+
+TEST_CASE_TEMPLATE(
+    "the inverse root is within 2 ulp of that in long double, over all octaves and all mantissas", Level,
+    Plain, Fused) {
+  constexpr VectorLevel level = Level::value;
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> mantissa(1, 4);
   long double worst = 0;
@@ -18,17 +25,19 @@ TEST_CASE("the inverse root is within 2 ulp of that in long double, over all oct
     for (int k = 0; k < 200; ++k) {
       const double x = std::ldexp(mantissa(random), octaves);
       const long double exact = 1 / std::sqrt(static_cast<long double>(x));
-      worst = std::max(worst, std::abs(inverse_root(x) / exact - 1));
+      worst = std::max(worst, std::abs(inverse_root<level>(x) / exact - 1));
     }
   CHECK(worst < 2 * std::numeric_limits<double>::epsilon());
   CHECK(worst > 0);
 }
 
-TEST_CASE("the inverse root near powers of two, where the guess turns over, and of zero") {
+TEST_CASE_TEMPLATE("the inverse root near powers of two, where the guess turns over, and of zero", Level,
+                   Plain, Fused) {
+  constexpr VectorLevel level = Level::value;
   for (const double x : {1.0, 2.0, 4.0})
     for (const double near : {std::nextafter(x, 0.0), x, std::nextafter(x, 8.0)}) {
       const long double exact = 1 / std::sqrt(static_cast<long double>(near));
-      CHECK(std::abs(inverse_root(near) / exact - 1) < 2 * std::numeric_limits<double>::epsilon());
+      CHECK(std::abs(inverse_root<level>(near) / exact - 1) < 2 * std::numeric_limits<double>::epsilon());
     }
-  CHECK(std::isfinite(inverse_root(0.0)));
+  CHECK(std::isfinite(inverse_root<level>(0.0)));
 }
