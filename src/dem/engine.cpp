@@ -22,7 +22,7 @@ namespace granum::dem {
 namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
-constexpr std::size_t time_step_interval = 50;
+constexpr std::size_t time_step_interval = 100;
 
 void add(WallForces& forces, const WallForces& other) {
   for (std::size_t w = 0; w < wall_count; ++w)
@@ -93,9 +93,11 @@ void Engine::Data::lay_out() {
   share.assign(threads + 1, parts.chunks.size());
   share[0] = 0;
   std::size_t member = 1;
-  for (std::size_t c = 0; c < parts.chunks.size(); ++c)
-    while (member < threads && threads * parts.chunks[c].pairs.end > member * parts.pairs.size())
+  for (std::size_t c = 0; c < parts.chunks.size(); ++c) {
+    const std::size_t twice_middle = parts.chunks[c].pairs.begin + parts.chunks[c].pairs.end;
+    while (member < threads && threads * twice_middle > 2 * member * parts.pairs.size())
       share[member++] = c;
+  }
 }
 
 /// More threads than chunks would stand idle.

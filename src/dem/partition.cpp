@@ -32,6 +32,19 @@ class SpareRows {
   std::vector<Loan> borrowed_;
 };
 
+/// Where chunks of like work end: a grain takes about as long as a pair.
+std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t grains, std::size_t count) {
+  std::vector<std::size_t> ends(count, grains);
+  std::size_t c = 0, before = 0; // pairs of the grains up to g
+  for (std::size_t g = 0; g < grains; ++g) {
+    while (before < pairs.size() && pairs[before].i == g)
+      ++before;
+    if (c + 1 < count && count * (before + g + 1) >= (c + 1) * (pairs.size() + grains))
+      ends[c++] = g + 1;
+  }
+  return ends;
+}
+
 /// Loans by the chunk of their grain; those of a chunk stay in the order in which they were taken.
 void sort_loans(const std::vector<Loan>& borrowed, Partition& out) {
   const auto chunk_of = [&](const Loan& loan) {
@@ -55,6 +68,7 @@ void sort_loans(const std::vector<Loan>& borrowed, Partition& out) {
 
 Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
   const std::size_t count = std::bit_floor(std::max<std::size_t>(1, grains / smallest_chunk));
+  const std::vector<std::size_t> ends = chunk_ends(pairs, grains, count);
   Partition out;
   out.rows = grains;
   out.pairs.reserve(pairs.size() + count * block_size);
@@ -62,7 +76,7 @@ Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
   auto next = pairs.begin();
   for (std::size_t c = 0; c < count; ++c) {
     Chunk chunk;
-    chunk.grains = {c * grains / count, (c + 1) * grains / count};
+    chunk.grains = {out.chunks.empty() ? 0 : out.chunks.back().grains.end, ends[c]};
     chunk.pairs.begin = out.pairs.size();
     chunk.spare_rows.begin = out.rows;
     for (; next != pairs.end() && next->i < chunk.grains.end; ++next)

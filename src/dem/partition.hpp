@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/dem. Grains and pairs in chunks that threads can work off side by side. Chunks follow from
-// the number of grains alone, each adds up in its own order, and what they give is added in their order: any
-// number of threads gives the same bits.
+// grains and pairs alone, each adds up in its own order, and what they give is added in their order: any number of
+// threads gives the same bits.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace granum::dem {
 
 /// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block. Sums
-/// run in this order too: every vector width gives the same bits.
+/// run in this order too, whatever the width of vectors.
 inline constexpr std::size_t block_size = 32;
 
 /// Image of the pairs that fill up the last block of a chunk: far out of reach.
