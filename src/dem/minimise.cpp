@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass, q = sqrt(W) ln(size),
-// where W sets how fast the cell answers beside the grains. Time is measured in sqrt(mass/stiffness).
+// where W sets how fast the cell answers beside the grains. Time is measured in sqrt(mass/stiffness). Forces
+// are those of the engine's sweep, without friction.
 #include <granum/dem/minimise.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <variant>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+#include "contact_sweep.hpp"
+#include "grain_motion.hpp"
+#include "grain_order.hpp"
 #include "verlet_list.hpp"
 #include "wall_contacts.hpp"
 
@@ -19,58 +21,16 @@ namespace granum::dem {
 
 namespace {
 
-struct Sweep {
-  double virial = 0;    ///< sum over contacts of f |branch| [J]
-  double force_sum = 0; ///< sum over contacts of f [N]
-  double stiffest = 0;  ///< largest k_n [N/m]
-  double largest_overlap = 0;
-  std::size_t contacts = 0;
+/// Sums over one sweep.
+struct Balance {
+  SweepSums contacts;  ///< those at walls among them
+  std::size_t all = 0; ///< contacts, those at walls among them
+  double power = 0;    ///< sum of f v
+  double pull = 0;     ///< sum of f^2
+  double residual = 0; ///< sum of |f|
+
+  [[nodiscard]] double virial() const { return trace(contacts.stress); }
 };
-
-template <class Law>
-Sweep frictionless_sweep(const Law& law, const State& state, const std::vector<Pair>& pairs,
-                         std::vector<Vec3>& force) {
-  const std::array<Vec3, 27> shifts = shift_vectors(state.cell);
-  const double diameter = 2 * state.radius;
-  std::fill(force.begin(), force.end(), Vec3{});
-  Sweep sweep;
-  for (const Pair& pair : pairs) {
-    const Vec3 branch = state.position[pair.j] + shifts[pair.image] - state.position[pair.i];
-    const double distance_squared = dot(branch, branch);
-    if (distance_squared >= diameter * diameter)
-      continue;
-    const double distance = std::sqrt(distance_squared);
-    const contact::NormalResponse response = law(diameter - distance);
-    const Vec3 on_j = (response.force / distance) * branch;
-    force[pair.j] += on_j;
-    force[pair.i] -= on_j;
-    sweep.virial += response.force * distance;
-    sweep.force_sum += response.force;
-    sweep.stiffest = std::max(sweep.stiffest, response.stiffness);
-    sweep.largest_overlap = std::max(sweep.largest_overlap, diameter - distance);
-    ++sweep.contacts;
-  }
-  return sweep;
-}
-
-/// Adds what smooth walls do to the grains; the branch of a wall contact ends at the wall.
-template <class Law>
-void add_walls(const Law& law, const State& state, std::vector<Vec3>& force, Sweep& sweep) {
-  for (const WallPlane& plane : wall_planes(state.cell))
-    for (std::size_t g = 0; g < force.size(); ++g) {
-      const double distance = wall_distance(plane, state.position[g]);
-      const double overlap = state.radius - distance;
-      if (!(overlap > 0))
-        continue;
-      const contact::NormalResponse response = wall_response(law, overlap);
-      force[g] += response.force * plane.normal;
-      sweep.virial += response.force * distance;
-      sweep.force_sum += response.force;
-      sweep.stiffest = std::max(sweep.stiffest, response.stiffness);
-      sweep.largest_overlap = std::max(sweep.largest_overlap, overlap);
-      ++sweep.contacts;
-    }
-}
 
 /// FIRE's rule for time step and mixing, as published, with the dimensionless time step bounded by stability.
 struct FireRule {
@@ -93,33 +53,43 @@ struct FireRule {
   }
 };
 
+/// Grains in an order in which neighbours are near each other, with the list of their pairs.
 class Minimiser {
  public:
-  Minimiser(State& state, const contact::PowerLaw& law, std::optional<double> pressure,
+  Minimiser(const State& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
-      : state_(state), law_(law.kernel()), pressure_(pressure), options_(options),
-        list_(2 * state.radius, 0.1 * state.radius, images(state)), force_(state.grain_count()),
-        velocity_(state.grain_count()),
+      : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
+        options_(options), list_(2 * state.radius, 0.1 * state.radius, images(state)),
         cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
                       state.radius * state.radius) {
-    list_.build(state_.cell, state_.position);
+    grains_.resize(state_.grain_count());
+    if (state_.walls)
+      walls_.emplace(0.0);
+    list_pairs();
   }
 
   RelaxReport run() {
     RelaxReport report;
     for (; report.steps < options_.max_steps; ++report.steps) {
-      if (!list_.valid(state_.cell, state_.position))
-        list_.build(state_.cell, state_.position);
-      const Sweep sweep = std::visit([&](const auto& law) { return forces(law); }, law_);
-      report.pressure = sweep.virial / (3 * determinant(state_.cell));
-      report.unbalanced_force_ratio = unbalanced(sweep);
-      if (arrived(sweep, report)) {
+      if (may_be_outdated() && !list_.valid(state_.cell, state_.position))
+        list_pairs();
+      const Balance balance = forces();
+      report.pressure = balance.virial() / (3 * determinant(state_.cell));
+      report.unbalanced_force_ratio = unbalanced(balance);
+      if (arrived(balance, report)) {
         report.converged = true;
         return report;
       }
-      advance(sweep);
+      advance(balance);
     }
     return report;
+  }
+
+  /// Cell and centres as they are now.
+  void put_into(State& state) const {
+    state.cell = state_.cell;
+    for (std::size_t g = 0; g < order_.size(); ++g)
+      state.position[g] = state_.position[order_[g]];
   }
 
  private:
@@ -131,93 +101,150 @@ class Minimiser {
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
 
-  template <class Law>
-  Sweep forces(const Law& law) {
-    Sweep sweep = frictionless_sweep(law, state_, list_.pairs(), force_);
-    if (state_.walls)
-      add_walls(law, state_, force_, sweep);
-    return sweep;
+  void list_pairs() {
+    list_.build(state_.cell, state_.position);
+    parts_ = partition(list_.pairs(), grains_.size());
+    load_.resize(parts_.rows);
+    for (std::size_t g = 0; g < grains_.size(); ++g)
+      grains_.set_centre(g, state_.position[g]);
+    if (walls_)
+      walls_->list(state_.cell, grains_, state_.radius + list_.skin(), {});
+    travelled_ = strained_ = 0;
   }
 
-  [[nodiscard]] double unbalanced(const Sweep& sweep) const {
-    if (sweep.contacts == 0)
+  /// From what single steps have moved at most; the list itself then looks at every grain.
+  [[nodiscard]] bool may_be_outdated() const {
+    return 2 * travelled_ + strained_ * (2 * state_.radius + list_.skin()) > 0.9 * list_.skin();
+  }
+
+  Balance forces() {
+    const SweepInput input{.pairs = parts_.pairs,
+                           .grains = grains_,
+                           .cell = state_.cell,
+                           .gradient = {},
+                           .diameter = 2 * state_.radius,
+                           .elapsed = 0,
+                           .tangential_ratio = 0,
+                           .friction = 0};
+    Balance balance;
+    for (const Chunk& chunk : parts_.chunks) {
+      SweepSums sums = contact_sweep(law_, input, chunk, nullptr, load_);
+      if (walls_)
+        balance.all += walls_->sweep(law_, input, chunk.grains, false, load_, sums).contacts;
+      // Spare rows come from earlier chunks alone, as j > i.
+      balance.power += settle_loads(grains_, chunk, parts_.loans, load_);
+      balance.contacts += sums;
+    }
+    balance.all += balance.contacts.contacts;
+    for (std::size_t g = 0; g < grains_.size(); ++g) {
+      const Vec3 f = force(load_[g]);
+      const double squared = dot(f, f);
+      balance.pull += squared;
+      balance.residual += std::sqrt(squared);
+    }
+    return balance;
+  }
+
+  [[nodiscard]] double unbalanced(const Balance& balance) const {
+    if (balance.all == 0)
       return 0;
-    double residual = 0;
-    for (const Vec3& f : force_)
-      residual += norm(f);
-    return residual / static_cast<double>(force_.size()) * static_cast<double>(sweep.contacts) /
-           sweep.force_sum;
+    return balance.residual / static_cast<double>(grains_.size()) * static_cast<double>(balance.all) /
+           balance.contacts.normal_force;
   }
 
-  [[nodiscard]] bool arrived(const Sweep& sweep, const RelaxReport& report) const {
-    const bool balanced = sweep.contacts > 0 && report.unbalanced_force_ratio < options_.force_tolerance;
+  [[nodiscard]] bool arrived(const Balance& balance, const RelaxReport& report) const {
+    const bool balanced = balance.all > 0 && report.unbalanced_force_ratio < options_.force_tolerance;
     if (pressure_)
       return balanced && std::abs(report.pressure / *pressure_ - 1) < options_.pressure_tolerance;
-    return balanced || sweep.largest_overlap < options_.overlap_tolerance * state_.radius;
+    return balanced || parted(balance);
+  }
+
+  /// Whether no overlap beyond its tolerance is left.
+  [[nodiscard]] bool parted(const Balance& balance) const {
+    const double tolerance = options_.overlap_tolerance * state_.radius;
+    // No law has f > k_n d: the mean force over the largest stiffness is an overlap that some contact has.
+    if (balance.contacts.normal_force >
+        tolerance * static_cast<double>(balance.all) * balance.contacts.stiffest)
+      return false;
+    const std::array<Vec3, 27> shifts = shift_vectors(state_.cell);
+    const double near = 2 * state_.radius - tolerance;
+    for (const Pair& pair : list_.pairs())
+      if (norm(state_.position[pair.j] + shifts[pair.image] - state_.position[pair.i]) <= near)
+        return false;
+    const std::array<WallPlane, wall_count> planes = wall_planes(state_.cell);
+    if (walls_)
+      for (const WallHistory& candidate : walls_->candidates())
+        if (wall_distance(planes[candidate.wall], state_.position[candidate.grain]) <=
+            state_.radius - tolerance)
+          return false;
+    return true;
   }
 
   /// One FIRE step: semi-implicit Euler, velocities turned towards the force while the power is positive.
-  void advance(const Sweep& sweep) {
+  void advance(const Balance& balance) {
     const double volume = determinant(state_.cell);
     const double cell_force =
-        pressure_ ? (sweep.virial - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
+        pressure_ ? (balance.virial() - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
     // Unit mass: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen lately.
-    stiffness_scale_ = std::max(sweep.stiffest, 0.98 * stiffness_scale_);
+    stiffness_scale_ = std::max(balance.contacts.stiffest, 0.98 * stiffness_scale_);
     if (!(stiffness_scale_ > 0))
       stiffness_scale_ = pressure_ ? *pressure_ * state_.radius : 1.0;
-    double power = cell_velocity_ * cell_force;
-    for (std::size_t g = 0; g < force_.size(); ++g)
-      power += dot(velocity_[g], force_[g]);
+    double power = balance.power + cell_velocity_ * cell_force;
+    double speed = speed_ + cell_velocity_ * cell_velocity_;
+    double keep = 1;
     if (power > 0) {
       rule_.downhill();
     } else {
       rule_.uphill();
-      std::fill(velocity_.begin(), velocity_.end(), Vec3{});
-      cell_velocity_ = 0;
+      keep = power = speed = 0;
     }
     const double dt = rule_.step / std::sqrt(stiffness_scale_);
-    double speed = 0, pull = 0;
-    cell_velocity_ += dt * cell_force;
-    speed += cell_velocity_ * cell_velocity_;
-    pull += cell_force * cell_force;
-    for (std::size_t g = 0; g < force_.size(); ++g) {
-      velocity_[g] += dt * force_[g];
-      speed += dot(velocity_[g], velocity_[g]);
-      pull += dot(force_[g], force_[g]);
-    }
-    const double turn = pull > 0 ? rule_.mixing * std::sqrt(speed / pull) : 0;
-    move(dt, turn, cell_force);
+    const double pull = balance.pull + cell_force * cell_force;
+    speed += dt * (2 * power + dt * pull); // after the forces have acted
+    const double turn = pull > 0 ? rule_.mixing * std::sqrt(std::max(0.0, speed) / pull) : 0;
+    keep *= 1 - rule_.mixing;
+    move(dt, keep, (1 - rule_.mixing) * dt + turn, cell_force);
   }
 
-  void move(double dt, double turn, double cell_force) {
-    const double keep = 1 - rule_.mixing;
+  /// Velocities become keep v + push f, and all moves with them for dt.
+  void move(double dt, double keep, double push, double cell_force) {
     // No grain moves farther than a tenth of the skin's order in one step, whatever the forces.
     const double largest_move = 0.02 * state_.radius;
-    cell_velocity_ = keep * cell_velocity_ + turn * cell_force;
-    double cell_step = dt * cell_velocity_ / std::sqrt(cell_inertia_);
-    cell_step = std::clamp(cell_step, -largest_cell_step, largest_cell_step);
+    const double cell_rate = (keep * cell_velocity_ + push * cell_force) / std::sqrt(cell_inertia_);
+    const double cell_step = std::clamp(dt * cell_rate, -largest_cell_step, largest_cell_step);
     cell_velocity_ = cell_step * std::sqrt(cell_inertia_) / dt;
     const double growth = 1 + cell_step;
-    for (std::size_t g = 0; g < force_.size(); ++g) {
-      velocity_[g] = keep * velocity_[g] + turn * force_[g];
-      Vec3 displacement = dt * velocity_[g];
-      const double length = norm(displacement);
-      if (length > largest_move) {
-        displacement *= largest_move / length;
-        velocity_[g] *= largest_move / length;
-      }
-      state_.position[g] = growth * (state_.position[g] + displacement);
+    double farthest = 0;
+    speed_ = 0;
+    for (std::size_t g = 0; g < grains_.size(); ++g) {
+      Vec3 velocity = keep * grains_.velocity(g) + push * force(load_[g]);
+      const double length = dt * norm(velocity);
+      if (length > largest_move)
+        velocity *= largest_move / length;
+      farthest = std::max(farthest, length);
+      speed_ += dot(velocity, velocity);
+      grains_.set_velocity(g, velocity);
+      state_.position[g] = growth * (state_.position[g] + dt * velocity);
+      grains_.set_centre(g, state_.position[g]);
     }
     state_.cell = growth * state_.cell;
+    travelled_ += std::min(farthest, largest_move);
+    strained_ += 3 * std::abs(cell_step);
   }
 
-  State& state_;
+  std::vector<std::uint32_t> order_; ///< place of each grain of the outer state
+  State state_;                      ///< cell and centres are current
   contact::NormalKernel law_;
   std::optional<double> pressure_;
   MinimiseOptions options_;
   VerletList list_;
-  std::vector<Vec3> force_;
-  std::vector<Vec3> velocity_;
+  Partition parts_;
+  Grains grains_;
+  std::optional<WallContacts> walls_;
+  std::vector<LoadRow> load_;
+  double travelled_ = 0; ///< upper bound of own displacement since the list was built [m]
+  double strained_ = 0;  ///< upper bound of the cell's strain since then [1]
+  double speed_ = 0;     ///< sum of v^2
   double cell_velocity_ = 0;
   double cell_inertia_;
   double stiffness_scale_ = 0;
@@ -238,7 +265,10 @@ RelaxReport minimise(State& state, const contact::PowerLaw& law, std::optional<d
     throw InvalidArgument("minimise: the state has no grains");
   require_positive("radius", state.radius, "m");
   clear_tangential(state);
-  return Minimiser(state, law, pressure, options).run();
+  Minimiser minimiser(state, law, pressure, options);
+  const RelaxReport report = minimiser.run();
+  minimiser.put_into(state);
+  return report;
 }
 
 } // namespace
