@@ -61,7 +61,7 @@ std::size_t spell(const dem::Engine& engine) {
 
 double chosen_amplitude(const dem::Engine& engine) {
   const double overlap = engine.material().law.overlap(engine.figures().mean_normal_force);
-  return 1e-4 * overlap / engine.diameter();
+  return 3e-5 * overlap / engine.diameter();
 }
 
 /// A specimen at rest at zero strain, about to be sheared.
