@@ -25,77 +25,28 @@
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "stored_packing.hpp"
+
 using namespace granum;
+using namespace granum::bench;
 
 namespace {
 
-constexpr double radius = 5e-4;  // [m]
-constexpr double pressure = 1e5; // [Pa]
-constexpr double damping = 0.2;  // of the contacts of the other codes, of critical [1]
-constexpr double friction = 0.5; // [1]
-constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+constexpr double damping = 0.2; // of the contacts of the other codes, of critical [1]
 // Of granum's stability limit, for all codes. granum itself runs at 0.8: it lends its grains a larger
 // rotational inertia, the others do not, and need shorter steps.
 constexpr double time_step_fraction = 0.2;
 
-dem::Material material() {
-  return {.law = contact::PowerLaw::sphere(quartz, radius),
-          .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
-          .friction_coefficient = friction};
-}
-
-std::size_t count_of(const std::string& text) {
-  const double value = parse_number(text).value_or(0);
-  if (!(value >= 1 && value <= 1e9) || value != std::floor(value))
-    throw std::invalid_argument("'" + text + "' is no positive whole number");
-  return static_cast<std::size_t>(value);
-}
-
-/// Grains at rest, without histories.
-dem::State at_rest(const Mat3& cell, std::vector<Vec3> position) {
-  dem::State state;
-  state.cell = cell;
-  state.radius = radius;
-  state.position = std::move(position);
-  state.velocity.assign(state.position.size(), Vec3{});
-  state.angular_velocity.assign(state.position.size(), Vec3{});
-  return state;
-}
-
-dem::State load(const std::filesystem::path& path) {
-  const Assembly grains = io::read_lammps_data(io::TextSource(path)).assembly;
-  return at_rest(grains.cell, grains.position);
-}
-
-void save(const dem::State& state, const std::filesystem::path& path) {
-  const dem::Material of = material();
-  io::write_file(path, io::lammps_data(dem::freeze(state, of), of.density), io::Existing::replace);
-}
-
 void pack(std::size_t grains, const std::filesystem::path& out) {
-  save(triaxial::frictionless_specimen(
-           {.material = material(), .radius = radius, .grains = grains, .first_pressure = pressure})
-           .state,
-       out);
-}
-
-dem::State repeated(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz) {
-  const auto steps = [](std::size_t x, std::size_t y, std::size_t z) {
-    return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  };
-  std::vector<Vec3> position;
-  for (std::size_t x = 0; x < nx; ++x)
-    for (std::size_t y = 0; y < ny; ++y)
-      for (std::size_t z = 0; z < nz; ++z)
-        for (const Vec3& at : one.position)
-          position.push_back(at + one.cell * steps(x, y, z));
-  const Vec3 copies = steps(nx, ny, nz);
-  return at_rest(one.cell * Mat3::diagonal(copies.x, copies.y, copies.z), std::move(position));
+  save_packing(triaxial::frictionless_specimen(
+                   {.material = sphere_material(), .radius = radius, .grains = grains, .first_pressure = 1e5})
+                   .state,
+               out);
 }
 
 /// Before its first step, which moves nothing: its figures are those of the state that was loaded.
 dem::Engine started(const dem::State& state) {
-  dem::Engine engine(state, material());
+  dem::Engine engine(state, sphere_material());
   engine.set_time_step_fraction(time_step_fraction);
   engine.step();
   return engine;
@@ -106,7 +57,7 @@ void say_state(const dem::Engine& engine) {
 }
 
 void scene(const dem::State& state) {
-  const Assembly frozen = dem::freeze(state, material());
+  const Assembly frozen = dem::freeze(state, sphere_material());
   // The spring of equal stiffness in all contacts that bears the same mean stress, for laws without Hertz.
   double overlap_stress = 0; // of springs of 1 N/m, in their unit [1/m]
   double stiffness = 0;      // k_n of a contact in the mean [N/m]
@@ -119,7 +70,7 @@ void scene(const dem::State& state) {
   const double hertz =
       4 * quartz.shear_modulus / (3 * (1 - quartz.poisson_ratio)); // f = hertz * a * overlap [Pa]
   const double pair_mass =
-      2. / 3 * std::numbers::pi * std::pow(radius, 3) * material().density;           // reduced [kg]
+      2. / 3 * std::numbers::pi * std::pow(radius, 3) * sphere_material().density;    // reduced [kg]
   const auto drag = [=](double k) { return 2 * damping * std::sqrt(k / pair_mass); }; // [1/s]
   const auto say = [](const char* name, double value) { std::printf("%s=%.17g\n", name, value); };
   std::printf("grains=%zu\ncontacts=%zu\n", frozen.grain_count(), frozen.contacts.size());
@@ -128,7 +79,7 @@ void scene(const dem::State& state) {
   say("edge_y", state.cell(1, 1));
   say("edge_z", state.cell(2, 2));
   say("radius", radius);
-  say("density", material().density);
+  say("density", sphere_material().density);
   say("young", 2 * quartz.shear_modulus * (1 + quartz.poisson_ratio));
   say("poisson", quartz.poisson_ratio);
   say("friction", friction);
@@ -137,7 +88,7 @@ void scene(const dem::State& state) {
   say("hertz_drag",
       drag(stiffness) * 1.5 * hertz / stiffness); // per contact radius a = k_n/(1.5 hertz) [1/(s m)]
   say("spring_normal", spring);
-  say("spring_tangential", spring * material().tangential_stiffness_ratio);
+  say("spring_tangential", spring * sphere_material().tangential_stiffness_ratio);
   say("spring_drag", drag(spring));
   say("time_step", started(state).time_step());
 }
@@ -169,11 +120,13 @@ int main(int argc, char** argv) try {
   if (what == "pack" && given.size() == 3)
     pack(count_of(given[1]), given[2]);
   else if (what == "repeat" && given.size() == 6)
-    save(repeated(load(given[1]), count_of(given[2]), count_of(given[3]), count_of(given[4])), given[5]);
+    save_packing(
+        side_by_side(load_packing(given[1]), count_of(given[2]), count_of(given[3]), count_of(given[4])),
+        given[5]);
   else if (what == "scene" && given.size() == 2)
-    scene(load(given[1]));
+    scene(load_packing(given[1]));
   else if (what == "run" && given.size() == 5)
-    run(load(given[1]), count_of(given[2]), parse_number(given[3]).value(), count_of(given[4]));
+    run(load_packing(given[1]), count_of(given[2]), parse_number(given[3]).value(), count_of(given[4]));
   else {
     std::fprintf(stderr, "usage: bench_peer_engine pack GRAINS OUT | repeat IN X Y Z OUT | scene IN | "
                          "run IN STEPS STRAIN THREADS\n");

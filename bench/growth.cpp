@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time and memory of the engine and of the network as specimens grow; bench/growth.sh runs it.
+//   bench_growth pack dense|loose GRAINS OUT.data      at 10 kPa, loose: without its histories
+//   bench_growth network IN.data X Y Z                 of so many copies along the axes
+//   bench_growth engine IN.data X Y Z STEPS THREADS
+// Copies of a network would answer like one: there the stiffness of each contact is multiplied by a random
+// number between 1/2 and 3/2. Memory is the most that the process held beyond what it held before, over the
+// grains.
+// Prints a line of a CSV table. Exit codes: 0 done, 1 something failed, 2 usage.
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <granum/dem/engine.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "stored_packing.hpp"
+
+using namespace granum;
+using namespace granum::bench;
+
+namespace {
+
+/// A line of /proc/self/status in bytes: VmRSS is held now, VmHWM the most since the last reset.
+double memory(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(name + ":"))
+      return 1024 * std::stod(line.substr(name.size() + 1));
+  throw std::runtime_error("no " + name + " in /proc/self/status");
+}
+
+/// What a call takes.
+class Meter {
+ public:
+  Meter() {
+    std::ofstream("/proc/self/clear_refs") << "5\n"; // forgets the most that was held
+    before_ = memory("VmRSS");
+    cpu_ = std::clock();
+    begin_ = std::chrono::steady_clock::now();
+  }
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  [[nodiscard]] double cpu_seconds() const {
+    return static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+  }
+  [[nodiscard]] double bytes() const { return memory("VmHWM") - before_; }
+
+ private:
+  double before_;
+  std::clock_t cpu_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+void pack(const std::string& density, std::size_t grains, const std::string& out) {
+  if (density != "dense" && density != "loose")
+    throw std::invalid_argument("'" + density + "' is neither dense nor loose");
+  const triaxial::Density kind = density == "dense" ? triaxial::Density::dense : triaxial::Density::loose;
+  const triaxial::SpecimenRecipe recipe{.material = sphere_material(), .radius = radius, .grains = grains};
+  const dem::State start =
+      triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, kind, recipe);
+  const bool arrived =
+      triaxial::isotropic_path(start, recipe.material, {1e4}, triaxial::compression_options(),
+                               [&](const triaxial::Snapshot& snapshot) {
+                                 save_packing(snapshot.state, out);
+                                 return true;
+                               });
+  if (!arrived)
+    throw std::runtime_error("the specimen did not come to rest at 10 kPa");
+}
+
+void solve(const dem::State& state, bool copies) {
+  Assembly assembly = dem::freeze(state, sphere_material());
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> factor(0.5, 1.5);
+  if (copies)
+    for (Contact& c : assembly.contacts) {
+      const double by = factor(random);
+      c.normal_stiffness *= by;
+      c.tangential_stiffness *= by;
+    }
+  const Meter meter;
+  const network::Response response = network::linear_response(assembly);
+  const double grains = static_cast<double>(state.grain_count());
+  std::printf("network,%.0f,1,%.4g,%.4g,%.0f,%d,%.2g,%.4f\n", grains, meter.seconds(), meter.cpu_seconds(),
+              meter.bytes() / grains, response.report().iterations, response.report().residual,
+              2 * static_cast<double>(response.report().contacts) /
+                  static_cast<double>(response.report().grains));
+}
+
+void step(dem::State state, std::size_t steps, std::size_t threads) {
+  const double grains = static_cast<double>(state.grain_count());
+  const Meter whole;
+  dem::Engine engine(std::move(state), sphere_material());
+  engine.set_threads(threads);
+  for (int k = 0; k < 10; ++k)
+    engine.step();
+  const double bytes = whole.bytes() / grains;
+  const double rate = 1e-5 / (static_cast<double>(steps) * engine.time_step());
+  engine.set_velocity_gradient(Mat3::diagonal(rate, -rate, 0));
+  const Meter meter;
+  for (std::size_t k = 0; k < steps; ++k)
+    engine.step();
+  const double to_nanoseconds = 1e9 / (static_cast<double>(steps) * grains);
+  std::printf("engine,%.0f,%zu,%.4g,%.4g,%.0f,%zu,,%.4f\n", grains, engine.threads(),
+              to_nanoseconds * meter.seconds(), to_nanoseconds * meter.cpu_seconds(), bytes, steps,
+              2 * static_cast<double>(engine.figures().contacts) / grains);
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> given(argv + 1, argv + argc);
+  const std::string what = given.empty() ? "" : given[0];
+  const auto copies = [&] {
+    return side_by_side(load_packing(given[1]), count_of(given[2]), count_of(given[3]), count_of(given[4]));
+  };
+  if (what == "pack" && given.size() == 4)
+    pack(given[1], count_of(given[2]), given[3]);
+  else if (what == "network" && given.size() == 5)
+    solve(copies(), given[2] + given[3] + given[4] != "111");
+  else if (what == "engine" && given.size() == 7)
+    step(copies(), count_of(given[5]), count_of(given[6]));
+  else {
+    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS OUT | network IN X Y Z | "
+                         "engine IN X Y Z STEPS THREADS\n");
+    return 2;
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "bench_growth: %s\n", error.what());
+  return 1;
+}

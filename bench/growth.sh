@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Time and memory of the engine and of the network, 1e3 to 1e6 grains:
+#   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
+# Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
+# packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
+# Above 1e5 grains one round is run. The network of a million dense grains takes some 5 GB and 4 minutes.
+# Exit codes: 0 done, 1 a run failed, 2 usage.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd -- "$here/.." && pwd)
+
+rounds=5
+largest=1000000
+out=$here/results
+packings=
+program=
+force=no
+usage() {
+  echo "bench/growth.sh: $1" >&2
+  sed -n '4s/^# *//p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+}
+while [ "$#" -gt 0 ]; do
+  if [ "$1" = --force ]; then
+    force=yes
+    shift
+    continue
+  fi
+  [ "$#" -ge 2 ] || usage "$1 is no option, or lacks its value"
+  case $1 in
+    --rounds) rounds=$2 ;;
+    --largest) largest=$2 ;;
+    --out) out=$2 ;;
+    --packings) packings=$2 ;;
+    --program) program=$2 ;;
+    *) usage "no option $1" ;;
+  esac
+  shift 2
+done
+[[ $rounds =~ ^[1-9][0-9]?$ ]] || usage "--rounds $rounds"
+[[ $largest =~ ^1000(0{0,3})$ ]] || usage "--largest $largest: 1000, 10000, 100000 or 1000000"
+for file in growth.csv growth.md; do
+  [ "$force" = yes ] || ! [ -e "$out/$file" ] || usage "$out/$file exists; --force replaces it"
+done
+if [ -z "$program" ]; then
+  (cd -- "$root" && cmake --preset bench && cmake --build build/bench --target bench_growth) >&2
+  program=$root/build/bench/bench/bench_growth
+fi
+program=$(realpath -- "$program")
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+packings=${packings:-$scratch}
+mkdir -p -- "$out" "$packings"
+for density in dense loose; do
+  for size in 1000 10000; do
+    [ -e "$packings/$density-$size.data" ] || {
+      echo "packing $size grains, $density" >&2
+      "$program" pack $density $size "$packings/$density-$size.data"
+    }
+  done
+done
+
+rows=$scratch/growth.csv
+echo density,what,grains,threads,wall,cpu,bytes_a_grain,count,residual,C_n >"$rows"
+row() { # DENSITY ARGUMENTS of bench_growth but for the packing
+  local density=$1 what=$2 size=$3
+  shift 3
+  printf '%s,%s\n' "$density" "$("$program" "$what" "$packings/$density-$size.data" "$@")" | tee -a "$rows" >&2
+}
+for ((round = 1; round <= rounds; ++round)); do
+  for density in dense loose; do
+    row $density network 1000 1 1 1
+    row $density network 10000 1 1 1
+    [ "$largest" -lt 100000 ] || [ $round -gt 1 ] || row $density network 10000 5 2 1
+  done
+  for threads in 1 2; do
+    row dense engine 1000 1 1 1 10000 $threads
+    row dense engine 10000 1 1 1 1000 $threads
+    [ "$largest" -lt 100000 ] || row dense engine 10000 5 2 1 100 $threads
+    [ "$largest" -lt 1000000 ] || row dense engine 10000 5 5 4 20 $threads
+  done
+done
+[ "$largest" -lt 1000000 ] || row dense network 10000 5 5 4
+python3 "$here/growth_table.py" "$rows" "$scratch/growth.md"
+mv -- "$rows" "$out/growth.csv"
+mv -- "$scratch/growth.md" "$out/growth.md"
