@@ -2,10 +2,10 @@
 // The contact sweep of the DEM engine (sphere law, friction, one core) beside what this machine's arithmetic
 // and memory can do, measured in turn in one run. Writes a table to standard output; takes no arguments.
 //
-// Work of a listed pair, counted in src/dem/contact_sweep.cpp: sums, products, quotients and roots, each as one
-// operation, and a product that is fused with a sum as one too, as in what the machine's arithmetic is measured
-// by; whether or not the pair touches. Comparisons, moves and turning rows into columns are not counted, though
-// they take the same ports.
+// Work of a listed pair, counted in src/dem/contact_sweep.cpp: sums, products, quotients and roots, each as
+// one operation, and a product that is fused with a sum as one too, as in what the machine's arithmetic is
+// measured by; whether or not the pair touches. Comparisons, moves and turning rows into columns are not
+// counted, though they take the same ports.
 #include <algorithm>
 #include <array>
 #include <cstdio>

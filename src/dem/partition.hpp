@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/dem. Grains and pairs in chunks that threads can work off side by side. Chunks follow from
-// grains and pairs alone, each adds up in its own order, and what they give is added in their order: any number of
-// threads gives the same bits.
+// grains and pairs alone, each adds up in its own order, and what they give is added in their order: any
+// number of threads gives the same bits.
 #pragma once
 
 #include <cstddef>

@@ -5,10 +5,10 @@ namespace granum::dem {
 
 namespace {
 
-/// Some ten microseconds of looking, then a tenth of a millisecond of turns given to others: longer than members
-/// wait for each other where each has a processor, while waking one that sleeps takes longer than its share of a
-/// step. On a busy machine the others may have lost their processors for much longer: who spins on would lose his
-/// as well.
+/// Some ten microseconds of looking, then a tenth of a millisecond of turns given to others: longer than
+/// members wait for each other where each has a processor, while waking one that sleeps takes longer than
+/// its share of a step. On a busy machine the others may have lost their processors for much longer: who
+/// spins on would lose his as well.
 constexpr int looks = 300;
 constexpr int turns = 500;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/dem. Loops over grains and pairs are compiled for some vector levels, of which the machine
-// takes the widest that it has. None reorders. AVX2 with FMA and AVX-512 give the same bits; the baseline has no
-// fused multiply-adds and differs from them by round-off (tests/dem/test_vector_levels.cpp).
+// takes the widest that it has. None reorders. AVX2 with FMA and AVX-512 give the same bits; the baseline
+// has no fused multiply-adds and differs from them by round-off (tests/dem/test_vector_levels.cpp).
 #pragma once
 
 #include <type_traits>

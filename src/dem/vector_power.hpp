@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. The power of src/effective/vector_math.hpp with fused operations only where the level has
-// them, and for exponents up to 1.
+// Private to src/dem. The power of src/effective/vector_math.hpp with fused operations only where the level
+// has them, and for exponents up to 1.
 #pragma once
 
 #include <bit>

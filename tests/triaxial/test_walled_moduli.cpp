@@ -56,8 +56,8 @@ const dem::State& specimen(Density density) {
   return loose;
 }
 
-/// At rest without friction, and without the grains that bear next to nothing: those that just touch others have
-/// no place from which they could answer linearly.
+/// At rest without friction, and without the grains that bear next to nothing: those that just touch others
+/// have no place from which they could answer linearly.
 dem::State firmly_held(dem::State state) {
   while (true) {
     state = freeze_in_place(state, material, 1e-10).state;
