@@ -7,11 +7,8 @@
 // number between 1/2 and 3/2. Memory is the most that the process held beyond what it held before, over the
 // grains.
 // Prints a line of a CSV table. Exit codes: 0 done, 1 something failed, 2 usage.
-#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <exception>
-#include <fstream>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -22,44 +19,13 @@
 #include <granum/network/linear_response.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "meter.hpp"
 #include "stored_packing.hpp"
 
 using namespace granum;
 using namespace granum::bench;
 
 namespace {
-
-/// A line of /proc/self/status in bytes: VmRSS is held now, VmHWM the most since the last reset.
-double memory(const std::string& name) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with(name + ":"))
-      return 1024 * std::stod(line.substr(name.size() + 1));
-  throw std::runtime_error("no " + name + " in /proc/self/status");
-}
-
-/// What a call takes.
-class Meter {
- public:
-  Meter() {
-    std::ofstream("/proc/self/clear_refs") << "5\n"; // forgets the most that was held
-    before_ = memory("VmRSS");
-    cpu_ = std::clock();
-    begin_ = std::chrono::steady_clock::now();
-  }
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-  [[nodiscard]] double cpu_seconds() const {
-    return static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
-  }
-  [[nodiscard]] double bytes() const { return memory("VmHWM") - before_; }
-
- private:
-  double before_;
-  std::clock_t cpu_;
-  std::chrono::steady_clock::time_point begin_;
-};
 
 void pack(const std::string& density, std::size_t grains, const std::string& out) {
   if (density != "dense" && density != "loose")

@@ -91,8 +91,8 @@ function(granum_tests module)
 endfunction()
 
 # granum_program(<name> <source>): an example or validation program.
-function(granum_program name source)
-  add_executable(${name} ${source})
+function(granum_program name)
+  add_executable(${name} ${ARGN})
   granum_compile_settings(${name})
   target_link_libraries(${name} PRIVATE granum::granum)
 endfunction()

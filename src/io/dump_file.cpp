@@ -105,13 +105,16 @@ void DumpFile::read_units() {
     source_.fail("units " + shown(style) + " have no values in SI here; expected si, cgs, micro or nano");
 }
 
+/// A number that a file states must not cost more memory than its rows would.
+constexpr std::size_t most_room = 1'000'000;
+
 std::size_t DumpFile::read_table(const DumpFrame& frame, const TableSink& sink) {
   TextRow row(source_);
   row.split();
   const std::vector<std::string> columns(row.fields().begin() + 2, row.fields().end());
   if (columns.empty())
     source_.fail("expected the names of the columns behind " + shown(source_.line()));
-  sink.heading(columns);
+  sink.heading(columns, std::min(frame.count.value_or(0), most_room));
   std::size_t rows = 0;
   const auto wanted = [&] { return frame.count ? std::to_string(*frame.count) + " rows" : "rows"; };
   while (!frame.count || rows < *frame.count) {

@@ -39,7 +39,8 @@ struct DumpFrame {
 
 /// Who takes the table of a frame in.
 struct TableSink {
-  std::function<void(const std::vector<std::string>& columns)> heading;
+  /// \param    rows  to make room for: those that the frame states, a million at most; 0 if it states none
+  std::function<void(const std::vector<std::string>& columns, std::size_t rows)> heading;
   std::function<void(const TextRow& row, std::size_t line)> row;
 };
 

@@ -86,8 +86,9 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
   AtomFrame atoms;
   GrainLayout layout;
   TableSink sink;
-  sink.heading = [&](const std::vector<std::string>& columns) {
+  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
     layout = grain_layout(columns, map, file.source());
+    atoms.grains.reserve(rows);
   };
   sink.row = [&](const TextRow& row, std::size_t line) {
     for (const std::size_t k : layout.position)
@@ -146,8 +147,9 @@ void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
 std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
   LocalFrame locals;
   TableSink sink;
-  sink.heading = [&](const std::vector<std::string>& columns) {
+  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
     locals.layout = contact_layout(columns, map, file.source());
+    locals.rows.reserve(rows);
   };
   sink.row = [&](const TextRow& row, std::size_t line) {
     const ContactLayout& layout = locals.layout;
@@ -190,14 +192,11 @@ class LocalJoin {
   LocalJoin(PackingBuilder& builder, const LocalFrame& locals) : builder_(builder), locals_(locals) {}
 
   void run() {
-    std::vector<PairRow> pairs;
-    pairs.reserve(locals_.rows.size());
-    for (const LocalRow& row : locals_.rows)
-      pairs.push_back(geometry(row));
-    const bool swapped = swapped_forces(pairs);
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      set_forces(pairs[k], locals_.rows[k], swapped);
-      builder_.add(pairs[k]);
+    const bool swapped = swapped_forces();
+    for (const LocalRow& row : locals_.rows) {
+      PairRow pair = geometry(row);
+      set_forces(pair, row, swapped);
+      builder_.add(pair);
     }
   }
 
@@ -219,15 +218,15 @@ class LocalJoin {
 
   static Vec3 direction(const PairRow& pair) { return (1 / norm(pair.branch)) * pair.branch; }
 
-  bool swapped_forces(const std::vector<PairRow>& pairs) {
+  bool swapped_forces() {
     const ContactLayout& layout = locals_.layout;
     if (!layout.normal || !layout.tangential)
       return false;
     NormalMisfit misfit;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const LocalRow& row = locals_.rows[k];
-      if (norm(pairs[k].branch) > 0)
-        misfit.add(direction(pairs[k]), row.normal, row.tangential,
+    for (const LocalRow& row : locals_.rows) {
+      const PairRow pair = geometry(row);
+      if (norm(pair.branch) > 0)
+        misfit.add(direction(pair), row.normal, row.tangential,
                    layout.force ? std::optional(row.force) : std::nullopt);
     }
     if (misfit.as_stated())
@@ -295,7 +294,9 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
     to_si(locals->rows, local_file->units().stated ? local_file->units() : units);
     if (!locals->layout.has_forces())
       builder.expect_no_forces();
+    builder.expect_contacts(locals->rows.size());
     LocalJoin(builder, *locals).run();
+    locals->rows = {};
   }
   note_unknown(builder, atom_file, box, locals);
   std::optional<double> time = atoms.frame.time;

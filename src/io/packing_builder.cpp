@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include <granum/core/error.hpp>
@@ -78,6 +79,9 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
   const auto by_id = [](const GrainRow& a, const GrainRow& b) { return a.id < b.id; };
   if (!std::is_sorted(rows.begin(), rows.end(), by_id))
     std::stable_sort(rows.begin(), rows.end(), by_id);
+  packing_.id.reserve(rows.size());
+  packing_.assembly.position.reserve(rows.size());
+  packing_.assembly.radius.reserve(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const GrainRow& grain = rows[k];
     if (k > 0 && rows[k - 1].id == grain.id)
@@ -113,6 +117,12 @@ void PackingBuilder::bound_grains() {
 
 std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
   const auto& ids = packing_.id;
+  // Most codes number their grains from 1 on, without gaps.
+  if (id >= ids.front() && id - ids.front() < static_cast<long>(ids.size())) {
+    const auto place = static_cast<std::uint32_t>(id - ids.front());
+    if (ids[place] == id)
+      return place;
+  }
   const auto found = std::lower_bound(ids.begin(), ids.end(), id);
   if (found == ids.end() || *found != id)
     fail_contact(line, "the grain " + std::to_string(id) + " is not among the " + many(ids.size(), "grains") +
@@ -135,20 +145,23 @@ std::string PackingBuilder::pair_text(std::uint32_t a, std::uint32_t b) const {
   return "the pair " + std::to_string(packing_.id[a]) + ", " + std::to_string(packing_.id[b]);
 }
 
-void PackingBuilder::require_finite(const PairRow& row, const std::string& name) const {
+template <class Name>
+void PackingBuilder::require_finite(const PairRow& row, const Name& name) const {
   const double length = norm(row.branch);
   if (!(length > 0) || !std::isfinite(length))
-    fail_contact(row.line, name + " has no line of centres");
+    fail_contact(row.line, name() + " has no line of centres");
   if (!std::isfinite(row.overlap) || !std::isfinite(row.normal_force) ||
       !std::isfinite(norm(row.tangential_force)))
-    fail_contact(row.line, name + " has numbers beyond all range");
+    fail_contact(row.line, name() + " has numbers beyond all range");
 }
 
 void PackingBuilder::add_wall(const PairRow& row, long wall) {
   if (wall < 0 || wall > std::numeric_limits<std::uint32_t>::max())
     fail_contact(row.line, "expected a number of a wall, found " + std::to_string(wall));
-  require_finite(row, "the contact of grain " + std::to_string(packing_.id[row.a]) + " with wall " +
-                          std::to_string(wall));
+  require_finite(row, [&] {
+    return "the contact of grain " + std::to_string(packing_.id[row.a]) + " with wall " +
+           std::to_string(wall);
+  });
   Contact contact = contact_of(row);
   contact.j = static_cast<std::uint32_t>(wall);
   packing_.assembly.wall_contacts.push_back(contact);
@@ -157,7 +170,7 @@ void PackingBuilder::add_wall(const PairRow& row, long wall) {
 void PackingBuilder::add(const PairRow& row) {
   if (row.a == row.b)
     fail_contact(row.line, "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself");
-  require_finite(row, pair_text(row.a, row.b));
+  require_finite(row, [&] { return pair_text(row.a, row.b); });
   if (row.overlap <= 0) {
     if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
       ++neighbours_;
@@ -180,15 +193,17 @@ void PackingBuilder::add(const PairRow& row) {
   entries_.push_back({contact, {turn, row.line}});
 }
 
-/// Takes the rows of one pair in as one contact.
-void PackingBuilder::merge(const std::vector<Entry>& group) {
-  const Contact& first = group.front().contact;
+/// Takes the rows of one pair, by their numbers, in as one contact.
+void PackingBuilder::merge(std::span<const std::uint32_t> group) {
+  const Entry& front = entries_[group.front()];
+  const Contact& first = front.contact;
   std::size_t turned_rows = 0;
-  for (const Entry& entry : group) {
+  for (const std::uint32_t number : group) {
+    const Entry& entry = entries_[number];
     const Contact& c = entry.contact;
     if (!same(c.branch, first.branch) || !same(force(c), force(first)))
       fail_contact(entry.side.line, pair_text(c.i, c.j) + " stands on line " +
-                                        std::to_string(group.front().side.line) +
+                                        std::to_string(front.side.line) +
                                         " too, with another line of centres or force");
     turned_rows += entry.side.turned ? 1 : 0;
   }
@@ -228,22 +243,21 @@ void PackingBuilder::note_counts() {
 }
 
 ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
-  std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.contact.i, a.contact.j) < std::tie(b.contact.i, b.contact.j);
-  });
+  const auto pair = [this](std::uint32_t number) {
+    const Contact& c = entries_[number].contact;
+    return std::pair(c.i, c.j);
+  };
+  std::vector<std::uint32_t> order(entries_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, pair);
   packing_.assembly.contacts.reserve(entries_.size());
-  std::vector<Entry> group;
-  for (const Entry& entry : entries_) {
-    if (!group.empty() &&
-        (group.front().contact.i != entry.contact.i || group.front().contact.j != entry.contact.j)) {
-      merge(group);
-      group.clear();
-    }
-    group.push_back(entry);
+  for (auto begin = order.begin(); begin != order.end();) {
+    const auto end =
+        std::find_if(begin, order.end(), [&](std::uint32_t number) { return pair(number) != pair(*begin); });
+    merge({begin, end});
+    begin = end;
   }
-  if (!group.empty())
-    merge(group);
-  entries_.clear();
+  entries_ = {};
   std::ranges::stable_sort(packing_.assembly.wall_contacts, {},
                            [](const Contact& c) { return std::pair(c.i, c.j); });
   note_counts();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,6 +84,8 @@ class PackingBuilder {
   void add_wall(const PairRow& row, long wall);
   void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
   void note_digits(const DigitWatch& coordinates, std::string_view what);
+  /// Makes room for so many rows of contacts.
+  void expect_contacts(std::size_t rows) { entries_.reserve(rows); }
   /// Every pair is to stand there twice, once from each side.
   void expect_both_sides() { both_sides_ = true; }
   /// The files hold no forces: no row is a neighbour without contact.
@@ -104,9 +108,11 @@ class PackingBuilder {
   };
 
   void bound_grains();
-  void merge(const std::vector<Entry>& group);
+  void merge(std::span<const std::uint32_t> group);
   /// \throws   FileError for a line of centres of no length, or numbers beyond all range
-  void require_finite(const PairRow& row, const std::string& name) const;
+  /// \param    name  gives the text that names the contact
+  template <class Name>
+  void require_finite(const PairRow& row, const Name& name) const;
   [[nodiscard]] std::string pair_text(std::uint32_t a, std::uint32_t b) const;
   void note_counts();
 
