@@ -25,7 +25,7 @@ def engine_table(of):
     best = min(of["engine", "dense", size, 1]["wall"] for size in sizes)
     for size in sizes:
         one, two = of["engine", "dense", size, 1], of.get(("engine", "dense", size, 2))
-        speed = f"{one['wall'] / two['wall']:.2f}" if two else "has one chunk"
+        speed = f"{one['wall'] / two['wall']:.2f}" if two else "–"
         yield (f"| {size} | {one['wall']:.1f} | {one['wall'] / best:.2f} | {speed} | {one['bytes_a_grain']:.0f} | "
                f"{one['runs']} |")
 
