@@ -31,7 +31,7 @@ void pack(const std::string& density, std::size_t grains, const std::string& out
   if (density != "dense" && density != "loose")
     throw std::invalid_argument("'" + density + "' is neither dense nor loose");
   const triaxial::Density kind = density == "dense" ? triaxial::Density::dense : triaxial::Density::loose;
-  const triaxial::SpecimenRecipe recipe{.material = sphere_material(), .radius = radius, .grains = grains};
+  const triaxial::SpecimenRecipe recipe{.material = material(friction), .radius = radius, .grains = grains};
   const dem::State start =
       triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, kind, recipe);
   const bool arrived =
@@ -45,7 +45,7 @@ void pack(const std::string& density, std::size_t grains, const std::string& out
 }
 
 void solve(const dem::State& state, bool copies) {
-  Assembly assembly = dem::freeze(state, sphere_material());
+  Assembly assembly = dem::freeze(state, material(friction));
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> factor(0.5, 1.5);
   if (copies)
@@ -66,7 +66,7 @@ void solve(const dem::State& state, bool copies) {
 void step(dem::State state, std::size_t steps, std::size_t threads) {
   const double grains = static_cast<double>(state.grain_count());
   const Meter whole;
-  dem::Engine engine(std::move(state), sphere_material());
+  dem::Engine engine(std::move(state), material(friction));
   engine.set_threads(threads);
   for (int k = 0; k < 10; ++k)
     engine.step();
@@ -93,7 +93,7 @@ int main(int argc, char** argv) try {
   if (what == "pack" && given.size() == 4)
     pack(given[1], count_of(given[2]), given[3]);
   else if (what == "network" && given.size() == 5)
-    solve(copies(), given[2] + given[3] + given[4] != "111");
+    solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1);
   else if (what == "engine" && given.size() == 7)
     step(copies(), count_of(given[5]), count_of(given[6]));
   else {

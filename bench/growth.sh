@@ -4,7 +4,7 @@
 #   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
 # Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
 # packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
-# Above 1e5 grains one round is run. The network of a million dense grains takes some 5 GB and 4 minutes.
+# The network of 1e5 and 1e6 grains is solved once. A million dense grains take some 5 GB and 4 minutes.
 # Exit codes: 0 done, 1 a run failed, 2 usage.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)

@@ -38,15 +38,16 @@ constexpr double damping = 0.2; // of the contacts of the other codes, of critic
 constexpr double time_step_fraction = 0.2;
 
 void pack(std::size_t grains, const std::filesystem::path& out) {
-  save_packing(triaxial::frictionless_specimen(
-                   {.material = sphere_material(), .radius = radius, .grains = grains, .first_pressure = 1e5})
-                   .state,
-               out);
+  save_packing(
+      triaxial::frictionless_specimen(
+          {.material = material(friction), .radius = radius, .grains = grains, .first_pressure = pressure})
+          .state,
+      out);
 }
 
 /// Before its first step, which moves nothing: its figures are those of the state that was loaded.
 dem::Engine started(const dem::State& state) {
-  dem::Engine engine(state, sphere_material());
+  dem::Engine engine(state, material(friction));
   engine.set_time_step_fraction(time_step_fraction);
   engine.step();
   return engine;
@@ -57,7 +58,7 @@ void say_state(const dem::Engine& engine) {
 }
 
 void scene(const dem::State& state) {
-  const Assembly frozen = dem::freeze(state, sphere_material());
+  const Assembly frozen = dem::freeze(state, material(friction));
   // The spring of equal stiffness in all contacts that bears the same mean stress, for laws without Hertz.
   double overlap_stress = 0; // of springs of 1 N/m, in their unit [1/m]
   double stiffness = 0;      // k_n of a contact in the mean [N/m]
@@ -70,7 +71,7 @@ void scene(const dem::State& state) {
   const double hertz =
       4 * quartz.shear_modulus / (3 * (1 - quartz.poisson_ratio)); // f = hertz * a * overlap [Pa]
   const double pair_mass =
-      2. / 3 * std::numbers::pi * std::pow(radius, 3) * sphere_material().density;    // reduced [kg]
+      2. / 3 * std::numbers::pi * std::pow(radius, 3) * material(friction).density;   // reduced [kg]
   const auto drag = [=](double k) { return 2 * damping * std::sqrt(k / pair_mass); }; // [1/s]
   const auto say = [](const char* name, double value) { std::printf("%s=%.17g\n", name, value); };
   std::printf("grains=%zu\ncontacts=%zu\n", frozen.grain_count(), frozen.contacts.size());
@@ -79,7 +80,7 @@ void scene(const dem::State& state) {
   say("edge_y", state.cell(1, 1));
   say("edge_z", state.cell(2, 2));
   say("radius", radius);
-  say("density", sphere_material().density);
+  say("density", material(friction).density);
   say("young", 2 * quartz.shear_modulus * (1 + quartz.poisson_ratio));
   say("poisson", quartz.poisson_ratio);
   say("friction", friction);
@@ -88,7 +89,7 @@ void scene(const dem::State& state) {
   say("hertz_drag",
       drag(stiffness) * 1.5 * hertz / stiffness); // per contact radius a = k_n/(1.5 hertz) [1/(s m)]
   say("spring_normal", spring);
-  say("spring_tangential", spring * sphere_material().tangential_stiffness_ratio);
+  say("spring_tangential", spring * material(friction).tangential_stiffness_ratio);
   say("spring_drag", drag(spring));
   say("time_step", started(state).time_step());
 }

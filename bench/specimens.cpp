@@ -9,13 +9,6 @@
 
 namespace granum::bench {
 
-namespace {
-
-constexpr double radius = 5e-4;
-constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-
-} // namespace
-
 dem::Material material(double friction) {
   return {.law = contact::PowerLaw::sphere(quartz, radius),
           .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
@@ -31,26 +24,33 @@ dem::State thousand_grains() {
   return state;
 }
 
-dem::State repeated(const dem::State& one, int nx, int ny, int nz) {
-  dem::State all = one;
-  all.cell = one.cell * Mat3::diagonal(nx, ny, nz);
-  all.position.clear();
+dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz) {
+  const auto steps = [](std::size_t x, std::size_t y, std::size_t z) {
+    return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  };
+  const Vec3 copies = steps(nx, ny, nz);
+  dem::State all;
+  all.cell = one.cell * Mat3::diagonal(copies.x, copies.y, copies.z);
+  all.radius = one.radius;
+  for (std::size_t x = 0; x < nx; ++x)
+    for (std::size_t y = 0; y < ny; ++y)
+      for (std::size_t z = 0; z < nz; ++z)
+        for (const Vec3& at : one.position)
+          all.position.push_back(at + one.cell * steps(x, y, z));
+  all.velocity.assign(all.position.size(), Vec3{});
+  all.angular_velocity.assign(all.position.size(), Vec3{});
+  return all;
+}
+
+dem::State repeated(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz) {
+  dem::State all = side_by_side(one, nx, ny, nz);
   std::uint64_t random = 1;
   const auto next = [&random] {
     random = random * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(random >> 11) * 0x1p-53 - 0.5;
   };
-  for (int x = 0; x < nx; ++x)
-    for (int y = 0; y < ny; ++y)
-      for (int z = 0; z < nz; ++z)
-        for (const Vec3& at : one.position) {
-          const Vec3 shift{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-          all.position.push_back(at + one.cell * shift);
-        }
-  all.velocity.clear();
-  for (std::size_t g = 0; g < all.position.size(); ++g)
-    all.velocity.push_back(2e-3 * Vec3{next(), next(), next()});
-  all.angular_velocity.assign(all.position.size(), Vec3{});
+  for (Vec3& velocity : all.velocity)
+    velocity = 2e-3 * Vec3{next(), next(), next()};
   return all;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include <granum/dem/state.hpp>
 
 /// Packings that the engine is measured on.
 namespace granum::bench {
 
+inline constexpr double radius = 5e-4;  ///< [m]
 inline constexpr double pressure = 1e5; ///< [Pa]
+inline constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
 
 /// Quartz spheres with Hertz-Mindlin contacts.
 [[nodiscard]] dem::Material material(double friction);
@@ -14,7 +18,10 @@ inline constexpr double pressure = 1e5; ///< [Pa]
 /// A dense specimen of 1,000 grains at that pressure, without histories.
 [[nodiscard]] dem::State thousand_grains();
 
-/// A periodic specimen so many times along each axis; each copy moves its own way, by some mm/s.
-[[nodiscard]] dem::State repeated(const dem::State& one, int nx, int ny, int nz);
+/// A periodic specimen so many times along each axis, at rest and without histories.
+[[nodiscard]] dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz);
+
+/// The same; each copy moves its own way, by some mm/s.
+[[nodiscard]] dem::State repeated(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz);
 
 } // namespace granum::bench

@@ -90,7 +90,7 @@ function(granum_tests module)
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()
 
-# granum_program(<name> <source>): an example or validation program.
+# granum_program(<name> <source>...): an example or validation program.
 function(granum_program name)
   add_executable(${name} ${ARGN})
   granum_compile_settings(${name})

@@ -246,7 +246,7 @@ void Engine::Data::move() {
       rate += std::abs(value);
   travelled += dt * std::sqrt(motion.speed_squared);
   strained += dt * rate;
-  if (2 * travelled + strained * (2 * cold.radius + list.skin()) > 0.9 * list.skin())
+  if (list.may_be_outdated(travelled, strained))
     rebuild();
 }
 

@@ -71,7 +71,7 @@ class Minimiser {
   RelaxReport run() {
     RelaxReport report;
     for (; report.steps < options_.max_steps; ++report.steps) {
-      if (may_be_outdated() && !list_.valid(state_.cell, state_.position))
+      if (list_.may_be_outdated(travelled_, strained_) && !list_.valid(state_.cell, state_.position))
         list_pairs();
       const Balance balance = forces();
       report.pressure = balance.virial() / (3 * determinant(state_.cell));
@@ -110,11 +110,6 @@ class Minimiser {
     if (walls_)
       walls_->list(state_.cell, grains_, state_.radius + list_.skin(), {});
     travelled_ = strained_ = 0;
-  }
-
-  /// From what single steps have moved at most; the list itself then looks at every grain.
-  [[nodiscard]] bool may_be_outdated() const {
-    return 2 * travelled_ + strained_ * (2 * state_.radius + list_.skin()) > 0.9 * list_.skin();
   }
 
   Balance forces() {

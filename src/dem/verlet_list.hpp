@@ -47,6 +47,12 @@ class VerletList {
     return 2 * std::sqrt(farthest) + strain * (contact_distance_ + skin_) < skin_;
   }
 
+  /// Whether valid() could say no, from bounds of what grains have moved by themselves and of the cell's
+  /// strain since build.
+  [[nodiscard]] bool may_be_outdated(double travelled, double strained) const {
+    return 2 * travelled + strained * (contact_distance_ + skin_) > 0.9 * skin_;
+  }
+
   /// Takes a list as it was built elsewhere; valid() is not asked before the next build.
   void restore(std::vector<Pair> pairs) { pairs_ = std::move(pairs); }
 

@@ -90,8 +90,8 @@ TEST_CASE("every test stays on its stress path, to its peak and past it") {
       CHECK(test.now().stress_difference < 0.02 * pressure);
     }
     CHECK(snapshots > 12);
-    // Over ten packings 0.010 to 0.016, on TXE, whose servo has the smallest stress to hold, 0.020 to 0.030.
-    CHECK(test.path_error() < 0.04);
+    // Over ten packings 0.010 to 0.016; on TXE 0.020 to 0.030, 0.024 in the mean.
+    CHECK(test.path_error() < (path == ShearPath::txe ? 0.04 : 0.02));
     CHECK(std::abs(test.now().axial_strain) >= 0.0025);
     CHECK(test.peak().step < test.now().step);
     // 10,000 grains: 25.7 to 28.5 degrees [Chung2014, Table 4]; of 300 grains five seeds scatter by 1.6
