@@ -3,10 +3,12 @@
 //   bench_growth pack dense|loose GRAINS OUT.data      at 10 kPa, loose: without its histories
 //   bench_growth network IN.data X Y Z                 of so many copies along the axes
 //   bench_growth engine IN.data X Y Z STEPS THREADS
+//   bench_growth specimen GRAINS SEED                  dense, from nothing to rest at 10 kPa, on one core
 // Copies of a network would answer like one: there the stiffness of each contact is multiplied by a random
 // number between 1/2 and 3/2. Memory is the most that the process held beyond what it held before, over the
 // grains.
 // Prints a line of a CSV table. Exit codes: 0 done, 1 something failed, 2 usage.
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <random>
@@ -27,21 +29,42 @@ using namespace granum::bench;
 
 namespace {
 
+triaxial::SpecimenRecipe recipe_of(std::size_t grains, std::uint64_t seed) {
+  return {.material = material(friction), .radius = radius, .grains = grains, .seed = seed};
+}
+
+/// The specimen at rest at 10 kPa with friction.
+dem::State at_rest(const dem::State& start, const dem::Material& grains) {
+  dem::State state;
+  const bool arrived = triaxial::isotropic_path(start, grains, {1e4}, triaxial::compression_options(),
+                                                [&](const triaxial::Snapshot& snapshot) {
+                                                  state = snapshot.state;
+                                                  return true;
+                                                });
+  if (!arrived)
+    throw std::runtime_error("the specimen did not come to rest at 10 kPa");
+  return state;
+}
+
 void pack(const std::string& density, std::size_t grains, const std::string& out) {
   if (density != "dense" && density != "loose")
     throw std::invalid_argument("'" + density + "' is neither dense nor loose");
   const triaxial::Density kind = density == "dense" ? triaxial::Density::dense : triaxial::Density::loose;
-  const triaxial::SpecimenRecipe recipe{.material = material(friction), .radius = radius, .grains = grains};
-  const dem::State start =
-      triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, kind, recipe);
-  const bool arrived =
-      triaxial::isotropic_path(start, recipe.material, {1e4}, triaxial::compression_options(),
-                               [&](const triaxial::Snapshot& snapshot) {
-                                 save_packing(snapshot.state, out);
-                                 return true;
-                               });
-  if (!arrived)
-    throw std::runtime_error("the specimen did not come to rest at 10 kPa");
+  const triaxial::SpecimenRecipe recipe = recipe_of(grains, 1);
+  const dem::State jammed = triaxial::frictionless_specimen(recipe).state;
+  save_packing(at_rest(triaxial::start_of_compression(jammed, kind, recipe), recipe.material), out);
+}
+
+void prepare(std::size_t size, std::uint64_t seed) {
+  const triaxial::SpecimenRecipe recipe = recipe_of(size, seed);
+  const Meter meter;
+  const triaxial::Preparation preparation = triaxial::frictionless_specimen(recipe);
+  const dem::State state = at_rest(preparation.state, recipe.material);
+  const double wall = meter.seconds(), cpu = meter.cpu_seconds();
+  const double grains = static_cast<double>(size);
+  std::printf("specimen,%.0f,1,%.4g,%.4g,%.0f,%zu,%.2g,%.4f\n", grains, wall, cpu, meter.bytes() / grains,
+              preparation.minimiser_steps, preparation.last.unbalanced_force_ratio,
+              2 * static_cast<double>(dem::freeze(state, recipe.material).contacts.size()) / grains);
 }
 
 void solve(const dem::State& state, bool copies) {
@@ -96,9 +119,11 @@ int main(int argc, char** argv) try {
     solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1);
   else if (what == "engine" && given.size() == 7)
     step(copies(), count_of(given[5]), count_of(given[6]));
+  else if (what == "specimen" && given.size() == 3)
+    prepare(count_of(given[1]), count_of(given[2]));
   else {
     std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS OUT | network IN X Y Z | "
-                         "engine IN X Y Z STEPS THREADS\n");
+                         "engine IN X Y Z STEPS THREADS | specimen GRAINS SEED\n");
     return 2;
   }
   return 0;

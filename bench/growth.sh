@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Time and memory of the engine and of the network, 1e3 to 1e6 grains:
+# Time and memory of the engine and of the network, 1e3 to 1e6 grains, and time to make a dense specimen:
 #   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
 # Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
 # packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
-# The network of 1e5 and 1e6 grains is solved once. A million dense grains take some 5 GB and 4 minutes.
+# The network of 1e5 and 1e6 grains is solved once. Each round makes three specimens of its own. A million dense grains take some 5 GB and 4 minutes.
 # Exit codes: 0 done, 1 a run failed, 2 usage.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -63,16 +63,25 @@ done
 
 rows=$scratch/growth.csv
 echo density,what,grains,threads,wall,cpu,bytes_a_grain,count,residual,C_n >"$rows"
-row() { # DENSITY ARGUMENTS of bench_growth but for the packing
+line() { # DENSITY ARGUMENTS of bench_growth
+  local density=$1
+  shift
+  printf '%s,%s\n' "$density" "$("$program" "$@")" | tee -a "$rows" >&2
+}
+row() { # DENSITY ARGUMENTS of bench_growth, the size of a packing in place of its file
   local density=$1 what=$2 size=$3
   shift 3
-  printf '%s,%s\n' "$density" "$("$program" "$what" "$packings/$density-$size.data" "$@")" | tee -a "$rows" >&2
+  line "$density" "$what" "$packings/$density-$size.data" "$@"
 }
 for ((round = 1; round <= rounds; ++round)); do
   for density in dense loose; do
     row $density network 1000 1 1 1
     row $density network 10000 1 1 1
     [ "$largest" -lt 100000 ] || [ $round -gt 1 ] || row $density network 10000 5 2 1
+  done
+  for specimen in "1000 $((2 * round - 1))" "1000 $((2 * round))" "10000 $round"; do
+    # shellcheck disable=SC2086 # two words
+    line dense specimen $specimen
   done
   for threads in 1 2; do
     row dense engine 1000 1 1 1 10000 $threads

@@ -14,7 +14,8 @@ def medians(rows):
     for kind, runs in sorted(kinds.items()):
         numbers = {name: statistics.median(float(run[name] or 0) for run in runs)
                    for name in ("wall", "cpu", "bytes_a_grain", "count", "C_n")}
-        out[kind] = {**numbers, "runs": len(runs)}
+        walls = [float(run["wall"]) for run in runs]
+        out[kind] = {**numbers, "runs": len(runs), "least": min(walls), "most": max(walls)}
     return out
 
 
@@ -39,13 +40,24 @@ def network_table(of):
                    f"{one['bytes_a_grain']:.0f} | {one['runs']} |")
 
 
+def specimen_table(of):
+    yield "| grains | s, median | least | most | steps of the minimiser | C_n | runs |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    for (what, _, size, _), one in of.items():
+        if what == "specimen":
+            yield (f"| {size} | {one['wall']:.2f} | {one['least']:.2f} | {one['most']:.2f} | {one['count']:.0f} | "
+                   f"{one['C_n']:.2f} | {one['runs']} |")
+
+
 def main(rounds, out):
     with open(rounds, newline="", encoding="utf-8") as file:
         of = medians(csv.DictReader(file))
     text = ["Medians; written by `bench/growth.sh`. Spheres at 10 kPa, periodic; from 100,000 grains on copies of 10,000 side",
             "by side, in the network with a random factor between 1/2 and 3/2 on the stiffness of each contact.", "",
             "A step of the engine, Hertz-Mindlin with friction:", "", *engine_table(of), "",
-            "The network's 6x6, residual 1e-10:", "", *network_table(of), ""]
+            "The network's 6x6, residual 1e-10:", "", *network_table(of), "",
+            "A dense specimen, from nothing to rest at 10 kPa, one core, another seed in each run:", "",
+            *specimen_table(of), ""]
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join(text))
 

@@ -3,6 +3,7 @@
 #include "grain_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "vector_rows.hpp"
@@ -31,12 +32,17 @@ GRANUM_INLINE void move_at_level(Grains& grains, Range range, const Mat3& stretc
 }
 
 template <class Level>
-GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
-                                     std::vector<LoadRow>& load) {
-  for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k) {
+GRANUM_INLINE void pay_back(const Range& range, const std::vector<Loan>& loans, std::vector<LoadRow>& load) {
+  for (std::size_t k = range.begin; k < range.end; ++k) {
     LoadRow& on = load[loans[k].grain];
     Level::put(&on, Level::get(&on) + Level::get(&load[loans[k].row]));
   }
+}
+
+template <class Level>
+GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                                     std::vector<LoadRow>& load) {
+  pay_back<Level>(chunk.loans, loans, load);
   auto sum = Level::row(Four{}, Four{});
   double turn_y = 0;
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
@@ -44,6 +50,43 @@ GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, c
     turn_y += grains.spin_y[g] * load[g].turn[0];
   }
   return sum_of(low(sum), high(sum), turn_y);
+}
+
+/// Sum of the three parts that a vector has.
+GRANUM_INLINE double sum_of_three(const Four& row) { return row[0] + row[1] + row[2]; }
+
+template <class Level>
+GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
+                                       const std::vector<Loan>& loans, std::vector<LoadRow>& load) {
+  pay_back<Level>(chunk.loans, loans, load);
+  Four power{}, squares{};
+  double lengths = 0;
+  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
+    const Four push = load[g].push;
+    const Four square = push * push;
+    power += push * grains.row[g].rate;
+    squares += square;
+    lengths += std::sqrt(sum_of_three(square));
+  }
+  return {.power = sum_of_three(power), .squares = sum_of_three(squares), .lengths = lengths};
+}
+
+GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
+  const Four keep = all(glide.keep), push = all(glide.push), dt = all(glide.dt), growth = all(glide.growth);
+  Four squares{};
+  double fastest = 0;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    MotionRow& grain = grains.row[g];
+    Four rate = keep * grain.rate + push * load[g].push;
+    const double square = sum_of_three(rate * rate);
+    fastest = std::max(fastest, square);
+    if (square > glide.largest * glide.largest)
+      rate *= all(glide.largest / std::sqrt(square));
+    squares += rate * rate;
+    grain.rate = rate;
+    grain.place = growth * (grain.place + dt * rate);
+  }
+  return {.squares = sum_of_three(squares), .fastest = std::sqrt(fastest)};
 }
 
 template <class Level>
@@ -66,11 +109,11 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
     powers = powers + grain * on;
     squares_y += spin_y * spin_y;
     power_y += spin_y * on_y;
-    fastest = std::max(fastest, rate_square[0] + rate_square[1] + rate_square[2]);
+    fastest = std::max(fastest, sum_of_three(rate_square));
   }
   const Four spin_squares = low(squares), rate_squares = high(squares);
-  return {.kinetic = mass * (rate_squares[0] + rate_squares[1] + rate_squares[2]) +
-                     inertia * (rate_squares[3] + squares_y + spin_squares[3]),
+  return {.kinetic =
+              mass * sum_of_three(rate_squares) + inertia * (rate_squares[3] + squares_y + spin_squares[3]),
           .power = sum_of(low(powers), high(powers), power_y),
           .speed_squared = fastest};
 }
@@ -95,6 +138,28 @@ double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<
     power = settle_at_level<Rows<level>>(grains, chunk, loans, load);
   });
   return power;
+}
+
+PushSums& PushSums::operator+=(const PushSums& other) {
+  power += other.power;
+  squares += other.squares;
+  lengths += other.lengths;
+  return *this;
+}
+
+PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                       std::vector<LoadRow>& load) {
+  PushSums sums;
+  at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
+    sums = pushes_at_level<Rows<level>>(grains, chunk, loans, load);
+  });
+  return sums;
+}
+
+GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
+  GlideSums sums;
+  at_vector_level([&](auto) __attribute__((always_inline)) { sums = glide_at_level(grains, load, glide); });
+  return sums;
 }
 
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,

@@ -26,12 +26,41 @@ struct Kick {
   double turn; ///< [s/(kg m^2)]
 };
 
+/// Sums over the forces on grains, before anything moves.
+struct PushSums {
+  double power = 0;   ///< sum of f v [W]
+  double squares = 0; ///< sum of f^2 [N^2]
+  double lengths = 0; ///< sum of |f| [N]
+
+  PushSums& operator+=(const PushSums& other);
+};
+
+/// A step of a minimiser: v becomes keep v + push f, no longer than largest; x becomes growth (x + dt v).
+struct Glide {
+  double keep; ///< [1]
+  double push; ///< [s/kg]
+  double dt;
+  double growth;  ///< of the cell [1]
+  double largest; ///< [m/s]
+};
+
+/// Velocities after a step of a minimiser.
+struct GlideSums {
+  double squares = 0; ///< sum of v^2
+  double fastest = 0; ///< the largest |v| that was asked for, cut or not
+};
+
 /// Centres follow the cell, x becomes stretch x, and move with their own velocity.
 void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
 /// Adds the spare rows that hold loads for a chunk, then sums f v + t w over it, with the velocities before
 /// their kick [W].
 double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
                     std::vector<LoadRow>& load);
+/// Adds the spare rows that hold loads for a chunk, and sums over its forces. Grains do not turn.
+PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+                       std::vector<LoadRow>& load);
+/// Velocities and centres of all grains after the step. They do not turn.
+GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);
 /// New velocities, and the sums over them.
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
                        double mass, double inertia);

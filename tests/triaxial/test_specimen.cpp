@@ -32,8 +32,8 @@ TEST_CASE("a frictionless specimen stands at its first pressure just above the i
   const SpecimenRecipe recipe = small_recipe();
   const Preparation preparation = frictionless_specimen(recipe);
   CHECK(preparation.last.converged);
-  CHECK(preparation.last.pressure == relative(10e3, 2e-6));
-  CHECK(preparation.last.unbalanced_force_ratio < 1e-6);
+  CHECK(preparation.last.pressure == relative(10e3, 2e-5));
+  CHECK(preparation.last.unbalanced_force_ratio < 1e-5);
   // Random close packing of equal spheres: solid fraction 0.62-0.65 at this size, six contacts a grain less
   // rattlers.
   const double solid_fraction = 1 / (1 + dem::void_ratio(preparation.state));

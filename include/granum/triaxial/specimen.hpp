@@ -49,9 +49,10 @@ struct Preparation {
 
 /// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a
 /// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
-/// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-6.
-/// Thousands of grains may not come that far: they are left at 1e-3 (Preparation::last tells), and come to
-/// rest once friction is on.
+/// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-5,
+/// which compression_options() ask as well. After friction is switched on, G of 1,000 spheres is then within
+/// 2e-3 of what 1e-6 leads to; 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they
+/// are left at 1e-3 (Preparation::last tells), and come to rest once friction is on.
 /// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive
 [[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe);
