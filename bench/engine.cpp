@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include <granum/dem/engine.hpp>
@@ -19,12 +20,13 @@ using bench::material;
 using bench::pressure;
 
 /// Grain-steps while the cell is sheared to and fro at constant volume.
-void add(const std::string& name, const dem::State& start, double friction) {
+void add(const std::string& name, const dem::State& start, double friction, std::size_t threads = 1) {
   const double grains = static_cast<double>(start.grain_count());
   benchmark::RegisterBenchmark(
       name.c_str(),
       [=](benchmark::State& run) {
         dem::Engine engine(start, material(friction));
+        engine.set_threads(threads);
         dem::QuasistaticOptions settle;
         settle.max_steps = 3000;
         settle.inertial_number = 5e-3;
@@ -59,7 +61,9 @@ int main(int argc, char** argv) {
   const dem::State medium = bench::repeated(thousand, 5, 2, 1);
   add("friction/1000", small, 0.5);
   add("friction/10000", medium, 0.5);
+  add("friction/10000/threads:2", medium, 0.5, 2);
   add("frictionless/10000", medium, 0);
+  add("smooth walls/1000", bench::thousand_grains(0), 0.5);
   add("friction/100000", bench::repeated(thousand, 5, 5, 4), 0.5);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -15,8 +15,9 @@ dem::Material material(double friction) {
           .friction_coefficient = friction};
 }
 
-dem::State thousand_grains() {
-  const triaxial::SpecimenRecipe recipe{.material = material(0.5), .radius = radius};
+dem::State thousand_grains(std::optional<double> wall_friction) {
+  const triaxial::SpecimenRecipe recipe{
+      .material = material(0.5), .radius = radius, .wall_friction = wall_friction};
   dem::Engine engine(triaxial::frictionless_specimen(recipe).state, recipe.material);
   (void)dem::equilibrate(engine, {pressure, pressure, pressure}, triaxial::compression_options());
   dem::State state = engine.state();

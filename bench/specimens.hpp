@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <granum/dem/state.hpp>
 
@@ -15,8 +16,9 @@ inline constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_r
 /// Quartz spheres with Hertz-Mindlin contacts.
 [[nodiscard]] dem::Material material(double friction);
 
-/// A dense specimen of 1,000 grains at that pressure, without histories.
-[[nodiscard]] dem::State thousand_grains();
+/// A dense specimen of 1,000 grains at that pressure, without histories; between walls of that friction
+/// coefficient [1], or periodic.
+[[nodiscard]] dem::State thousand_grains(std::optional<double> wall_friction = {});
 
 /// A periodic specimen so many times along each axis, at rest and without histories.
 [[nodiscard]] dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz);

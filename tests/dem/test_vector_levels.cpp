@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
+#include <granum/dem/minimise.hpp>
 
 #include "dem/lattice_state.hpp"
 
@@ -95,6 +97,31 @@ TEST_CASE("vector levels with fused multiply-adds give the same bits") {
     CHECK(wide.engine.figures().p_wave_modulus == narrow.engine.figures().p_wave_modulus);
     CHECK(wide.engine.kinetic_energy() == narrow.engine.kinetic_energy());
     CHECK(wide.engine.time_step() == narrow.engine.time_step());
+  }
+}
+
+TEST_CASE("a minimiser gives the same bits at the vector levels with fused multiply-adds") {
+  if (!runs_here(VectorLevel::avx512)) {
+    MESSAGE("NOT COMPARED: this machine or build has no second level with fused multiply-adds");
+    return;
+  }
+  for (const bool walls : {false, true}) {
+    CAPTURE(walls);
+    const auto minimised = [&](VectorLevel level) {
+      const LevelSet at(level);
+      State state = test::fcc(radius, 3, 0.03 * radius);
+      for (std::size_t g = 0; g < state.grain_count(); ++g) {
+        const double phase = static_cast<double>(g);
+        state.position[g] +=
+            0.05 * radius * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+      }
+      if (walls)
+        state.walls = Walls{};
+      const RelaxReport report = minimise_enthalpy(state, contact::PowerLaw::sphere(grain, radius), 1e5);
+      CHECK(report.converged);
+      return std::pair{state, report.steps};
+    };
+    CHECK(minimised(VectorLevel::avx2) == minimised(VectorLevel::avx512));
   }
 }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/dem/grain_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr std::size_t count = 7;
+
+Grains moving_grains() {
+  Grains grains;
+  grains.resize(count);
+  for (std::size_t g = 0; g < count; ++g) {
+    const double n = static_cast<double>(g);
+    grains.set_centre(g, {n, 2 - n, 0.5 * n});
+    grains.set_velocity(g, {0.1 * n + 0.4, 0.3, -0.2 * n});
+  }
+  return grains;
+}
+
+std::vector<LoadRow> forces() {
+  std::vector<LoadRow> load(count, LoadRow{});
+  for (std::size_t g = 0; g < count; ++g)
+    add_force(load[g], {1, -static_cast<double>(g), 0.25});
+  return load;
+}
+
+} // namespace
+
+TEST_CASE("sums over forces count what spare rows hold") {
+  const Grains grains = moving_grains();
+  std::vector<LoadRow> load = forces();
+  const Vec3 lent{0.5, 4, -3};
+  load.push_back(LoadRow{});
+  add_force(load.back(), lent);
+  const std::vector<Loan> loans = {{count, 2}};
+  const Chunk chunk{.grains = {1, 5}, .pairs = {}, .spare_rows = {}, .loans = {0, 1}};
+  PushSums expected;
+  for (std::size_t g = 1; g < 5; ++g) {
+    const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
+    expected += {.power = dot(f, grains.velocity(g)), .squares = dot(f, f), .lengths = norm(f)};
+  }
+  const PushSums sums = settle_pushes(grains, chunk, loans, load);
+  CHECK(sums.power == relative(expected.power, 1e-14));
+  CHECK(sums.squares == relative(expected.squares, 1e-14));
+  CHECK(sums.lengths == relative(expected.lengths, 1e-14));
+}
+
+TEST_CASE("grains glide with their new velocities, which have a largest length, and with the cell") {
+  const Grains before = moving_grains();
+  const std::vector<LoadRow> load = forces();
+  const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
+  Grains grains = before;
+  const GlideSums sums = glide_grains(grains, load, glide);
+  double squares = 0, fastest = 0;
+  for (std::size_t g = 0; g < count; ++g) {
+    Vec3 v = glide.keep * before.velocity(g) + glide.push * force(load[g]);
+    fastest = std::max(fastest, norm(v));
+    if (norm(v) > glide.largest)
+      v *= glide.largest / norm(v);
+    squares += dot(v, v);
+    CHECK(norm(grains.velocity(g) - v) < 1e-15);
+    CHECK(norm(grains.centre(g) - glide.growth * (before.centre(g) + glide.dt * v)) < 1e-14);
+  }
+  CHECK(fastest > 1.2); // some were too fast, and some were not
+  CHECK(norm(grains.velocity(0)) < 1);
+  CHECK(sums.fastest == relative(fastest, 1e-14));
+  CHECK(sums.squares == relative(squares, 1e-14));
+}
