@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <granum/core/bytes.hpp>
 #include <granum/core/check.hpp>
@@ -163,9 +164,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   return result;
 }
 
-} // namespace
-
-FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
+FrozenState frozen_once(const dem::State& state, const dem::Material& material, double force_tolerance) {
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen;
   frozen.report =
@@ -174,6 +173,21 @@ FrozenState freeze_in_place(const dem::State& state, const dem::Material& materi
   frozen.state = engine.state();
   if (state.walls)
     frozen.state.walls->friction_coefficient = state.walls->friction_coefficient;
+  return frozen;
+}
+
+} // namespace
+
+FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
+  constexpr int tries = 3;
+  constexpr double enough = 1e-6;
+  FrozenState frozen = frozen_once(state, material, force_tolerance);
+  for (int k = 1; k < tries && frozen.report.unbalanced_force_ratio > std::max(enough, force_tolerance);
+       ++k) {
+    FrozenState next = frozen_once(frozen.state, material, force_tolerance);
+    next.report.steps += frozen.report.steps;
+    frozen = std::move(next);
+  }
   return frozen;
 }
 

@@ -66,8 +66,9 @@ struct [[nodiscard]] ProbeResult {
 /// The state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
 /// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
-/// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; the
-/// report tells what is unbalanced at the end: a rattler on its way out may keep it from the tolerance.
+/// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; all
+/// of that again, and a third time, while more than 1e-6 is unbalanced. The report tells what is unbalanced
+/// at the end: a rattler on its way out may keep it from the tolerance.
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
