@@ -21,7 +21,8 @@
 // Same source for each vector level, chosen when the program starts by what the machine can do;
 // x86-64-v3 is AVX2 with FMA ("arch=haswell" would be that one model).
 // Sanitized builds take the plain one: their runtime starts after the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
+    !defined(__SANITIZE_THREAD__)
 #define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "arch=x86-64-v3", "default")))
 #else
 #define GRANUM_VECTOR_LEVELS

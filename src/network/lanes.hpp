@@ -8,8 +8,10 @@
 #include <vector>
 
 // The marked function is compiled for three vector levels and the machine picks one at start. No level
-// contracts products into fused multiply-adds (see granum_compile_settings), so all give the same bits.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__)
+// contracts products into fused multiply-adds (see granum_compile_settings), so all give the same bits. The
+// thread sanitizer starts after the choice is made: it gets the plain one.
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
+    !defined(__SANITIZE_THREAD__)
 #define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define GRANUM_VECTOR_LEVELS
