@@ -76,9 +76,8 @@ InteriorMeasures interior_measures(const dem::State& state, const dem::Material&
 }
 
 FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material, double force_tolerance) {
-  constexpr double rest = 1e-6;
   const FrozenState frozen = freeze_in_place(state, material, force_tolerance);
-  if (!(frozen.report.unbalanced_force_ratio < std::max(rest, force_tolerance)))
+  if (!(frozen.report.unbalanced_force_ratio < std::max(rest_bound, force_tolerance)))
     throw NotConverged("frozen state: unbalanced force ratio " +
                        std::to_string(frozen.report.unbalanced_force_ratio) + " after " +
                        std::to_string(frozen.report.steps) + " steps");

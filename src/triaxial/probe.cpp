@@ -180,9 +180,8 @@ FrozenState frozen_once(const dem::State& state, const dem::Material& material, 
 
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
   constexpr int tries = 3;
-  constexpr double enough = 1e-6;
   FrozenState frozen = frozen_once(state, material, force_tolerance);
-  for (int k = 1; k < tries && frozen.report.unbalanced_force_ratio > std::max(enough, force_tolerance);
+  for (int k = 1; k < tries && frozen.report.unbalanced_force_ratio > std::max(rest_bound, force_tolerance);
        ++k) {
     FrozenState next = frozen_once(frozen.state, material, force_tolerance);
     next.report.steps += frozen.report.steps;

@@ -31,8 +31,8 @@ namespace granum::verify {
 [[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
                                    double amplitude);
 
-/// \throws   NotConverged if the ratio is beyond the limit. 1e-6 is good enough for networks: an escaping
-///           rattler may keep a specimen above the tolerance that is aimed at.
-void require_rest(double unbalanced_force_ratio, const std::string& what, double limit = 1e-6);
+/// \throws   NotConverged if the ratio is beyond the limit
+void require_rest(double unbalanced_force_ratio, const std::string& what,
+                  double limit = triaxial::rest_bound);
 
 } // namespace granum::verify

@@ -62,8 +62,8 @@ struct FrozenModuli {
 /// \param    force_tolerance  unbalanced force ratio of the frozen state > 0 [1]
 ///           1e-6 changes the moduli of 1,000 walled grains by 1e-4 (dense) to 5e-4 (loose), 1e-5 by up to
 ///           5e-3; loose ones seldom rest beyond 5e-7, for all of 40,000 steps
-/// \throws   NotConverged if the state does not come to rest (within 1e-6, or force_tolerance if larger), or
-///           the network is not solved
+/// \throws   NotConverged if the state does not come to rest (within rest_bound, or force_tolerance if
+///           larger), or the network is not solved
 /// Checked by tests/triaxial/test_shear_test.cpp, tests/triaxial/test_walled_moduli.cpp
 [[nodiscard]] FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material,
                                          double force_tolerance = 1e-8);

@@ -63,12 +63,16 @@ struct [[nodiscard]] ProbeResult {
   std::vector<LoopPoint> loop; ///< the start and 5 quarters, if options.loop_points ask for them
 };
 
+/// Unbalanced force ratio up to which a frozen state is good enough for its network [1]: an escaping rattler
+/// may keep it above the tolerance that is aimed at.
+inline constexpr double rest_bound = 1e-6;
+
 /// The state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
 /// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
 /// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; all
-/// of that again, and a third time, while more than 1e-6 is unbalanced. The report tells what is unbalanced
-/// at the end: a rattler on its way out may keep it from the tolerance.
+/// of that again, and a third time, while more than rest_bound is unbalanced. The report tells what is
+/// unbalanced at the end: a rattler on its way out may keep it from the tolerance.
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
