@@ -3,23 +3,24 @@ include(CMakePackageConfigHelpers)
 
 set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
 
-set(granum_installed granum_theory granum_fit granum_dem granum_io granum_granum)
-if(GRANUM_HDF5)
-  list(APPEND granum_installed granum_hdf5)
-endif()
-install(TARGETS ${granum_installed}
-  EXPORT granumTargets
-  FILE_SET HEADERS
-  FILE_SET lone_headers
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-install(EXPORT granumTargets NAMESPACE granum:: DESTINATION "${granum_config_dir}")
+# One export a library: who asks for one of them loads what that one needs and no more.
+foreach(library IN LISTS granum_built)
+  install(TARGETS granum_${library}
+    EXPORT granum-${library}
+    FILE_SET HEADERS
+    FILE_SET lone_headers
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(EXPORT granum-${library} NAMESPACE granum:: DESTINATION "${granum_config_dir}")
+endforeach()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/granumConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/granumConfig.cmake" INSTALL_DESTINATION "${granum_config_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/granumConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/granumConfigVersion.cmake"
   DESTINATION "${granum_config_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/cmake/GranumLibraries.cmake" DESTINATION "${granum_config_dir}"
+  RENAME granumLibraries.cmake)
 install(FILES "${PROJECT_SOURCE_DIR}/share/yade/granum_export.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum/yade")
 
 if(TARGET granum_cli)

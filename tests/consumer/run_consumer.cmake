@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the build into a fresh prefix and lets a project of its own find, build against and run what is there.
+# Installs the build into a fresh prefix and lets projects of their own find, build against and run what is there: all of
+# it, and single components where the packages that they do not need cannot be found.
 #   cmake -DBUILD=<build tree> -DSCRATCH=<folder> -DCXX=<compiler> -DGENERATOR=<name> -DVERSION=<x.y.z> -P run_consumer.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -25,11 +26,36 @@ if(NOT installed OR NOT written STREQUAL installed)
   message(FATAL_ERROR "not installed: ${written}")
 endif()
 
-run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${build}" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
+set(configure "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${prefix}" "-DGRANUM_EXPECTED_VERSION=${VERSION}")
-run("${CMAKE_COMMAND}" --build "${build}")
-run("${build}/use_theory")
-run("${build}/use_granum")
+set(hidden -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON
+  -DCMAKE_DISABLE_FIND_PACKAGE_EXPAT=ON -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
+
+# A consumer builds and runs.
+function(works use)
+  run(${configure} -B "${build}/${use}" -DUSE=${use} ${ARGN})
+  run("${CMAKE_COMMAND}" --build "${build}/${use}")
+  run("${build}/${use}/use_${use}")
+endfunction()
+works(granum)
+works(theory ${hidden})
+works(packing ${hidden})
+run(${configure} -B "${build}/optional" -DUSE=optional ${hidden})
+
+# refused(<use> <text> <option>...): a consumer is refused, with words that say what is wrong.
+function(refused use text)
+  execute_process(COMMAND ${configure} -B "${build}/refused_${use}" -DUSE=${use} ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}") # as CMake breaks its lines
+  string(FIND "${output}" "${text}" at)
+  if(result EQUAL 0 OR at EQUAL -1)
+    message(FATAL_ERROR "${use} is not refused with '${text}':\n${output}")
+  endif()
+endfunction()
+refused(theroy "there is no component 'theroy' here; the components are: theory, fit, packing, dem, io, ")
+refused(fit "component fit needs GSL, which is not found" ${hidden})
+refused(granum "component io needs EXPAT, which is not found" -DCMAKE_DISABLE_FIND_PACKAGE_EXPAT=ON)
+
 if(EXISTS "${BUILD}/granum")
   run("${prefix}/bin/granum" --version)
 endif()
