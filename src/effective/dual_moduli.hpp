@@ -79,6 +79,12 @@ double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
                             which);
 }
 
+/// The stiffness of a model with its derivatives by the stresses alone. Assumes a checked, loaded state.
+Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model& model);
+/// Exponents of a modulus of constants that carry their derivatives by the logarithms of the stresses.
+/// \throws   InvalidArgument as checked_modulus, and where the modulus is zero but for rounding
+StressExponents exponents_of(const Constants<Dual<stress_seeds>>& constants, Modulus which);
+
 /// The stiffness of a model with its derivatives by all seeds. Assumes a checked, loaded state.
 Constants<Dual<all_seeds>> all_derivatives(const State& state, const Model& model);
 /// A modulus at this state of this value and these derivatives by all seeds, with those by every Input.

@@ -30,21 +30,30 @@ void require_differentiable(const State& state, Hypothesis hypothesis, Modulus w
     require_positive("tangential_ratio", state.tangential_ratio);
 }
 
+Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model& model) {
+  return differentiated<stress_seeds>(state, model);
+}
+
+// C44 is a sum of small terms where it is small; all others are differences of larger ones.
+StressExponents exponents_of(const Constants<Dual<stress_seeds>>& constants, Modulus which) {
+  const double value = checked_modulus(constants, which);
+  const double rounding = which == Modulus::G_vh ? 0 : 1e-13 * constants.C11.value();
+  if (std::abs(value) <= rounding)
+    throw InvalidArgument("this modulus vanishes at these values of k_t/k_n and a: it has no exponents");
+  const Dual<stress_seeds> X = modulus(constants, which);
+  return {.stress_v = X.derivatives()[log_stress_v] / value,
+          .stress_h = X.derivatives()[log_stress_h] / value};
+}
+
 } // namespace kernel
 
 namespace {
 
-/// Of a modulus that is not zero but for rounding.
 StressExponents exponents(const State& state, Hypothesis hypothesis, Modulus which) {
   kernel::require_differentiable(state, hypothesis, which);
-  const auto constants = kernel::differentiated<kernel::stress_seeds>(
-      state, {.hypothesis = hypothesis, .forces = ContactForces::by_direction});
-  const double value = kernel::checked_modulus(constants, which);
-  if (std::abs(value) <= 1e-13 * constants.C11.value())
-    throw InvalidArgument("this modulus vanishes at these values of k_t/k_n and a: it has no exponents");
-  const kernel::Dual<kernel::stress_seeds> X = kernel::modulus(constants, which);
-  return {.stress_v = X.derivatives()[kernel::log_stress_v] / value,
-          .stress_h = X.derivatives()[kernel::log_stress_h] / value};
+  return kernel::exponents_of(
+      kernel::stress_derivatives(state, {.hypothesis = hypothesis, .forces = ContactForces::by_direction}),
+      which);
 }
 
 } // namespace

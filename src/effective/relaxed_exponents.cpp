@@ -7,9 +7,9 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "checked_state.hpp"
 #include "dual_moduli.hpp"
 #include "relaxation_kernel.hpp"
 
@@ -19,8 +19,7 @@ namespace {
 
 using Eigen::Vector2d;
 /// A number with its derivatives by ln stress_v and ln stress_h.
-using Dual = kernel::Dual<2>;
-using elastic::TransverselyIsotropic;
+using Dual = kernel::Dual<kernel::stress_seeds>;
 
 double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
 
@@ -32,20 +31,16 @@ Vector2d pressure_slopes(const State& s) {
 /// Constants of uniform_strain(state) with their slopes. At frozen contacts those of the stress; and all of
 /// them are (C_n/(1+e))^(1-b) times what only the stresses decide.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
-  const TransverselyIsotropic c = uniform_strain(s).stiffness;
+  const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
   const double per_pressure = (1 - s.law.stiffness_exponent()) *
                               (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
   const Vector2d common = per_pressure * pressure_slopes(s);
-  const auto slopes = [&](Modulus which) {
-    const StressExponents e = uniform_strain_exponents(s, which);
-    return Vector2d(modulus(c, which) * (Vector2d(e.stress_v, e.stress_h) + common));
-  };
-  return {Dual(c.C11, slopes(Modulus::C11)), Dual(c.C33, slopes(Modulus::C33)),
-          Dual(c.C12, slopes(Modulus::C12)), Dual(c.C13, slopes(Modulus::C13)),
-          Dual(c.C44, slopes(Modulus::G_vh))};
+  const auto growing = [&](const Dual& X) { return Dual(X.value(), X.derivatives() + X.value() * common); };
+  return {growing(frozen.C11), growing(frozen.C33), growing(frozen.C12), growing(frozen.C13),
+          growing(frozen.C44)};
 }
 
-kernel::RelaxedConstants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
+kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
   const Dual r = constant(s.tangential_ratio), b = constant(s.law.stiffness_exponent());
@@ -56,11 +51,9 @@ kernel::RelaxedConstants<Dual> relaxed_constants(const State& s, double z, const
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
   const Dual stretch = kernel::log_stretch(shear, b, constant(std::log(F.F33 / F.F11)), log_stress,
                                            kernel::constants<Dual>(kernel::stretch_coefficients));
-  return kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
-}
-
-Dual relaxed_modulus(const kernel::RelaxedConstants<Dual>& c, Modulus which) {
-  return kernel::modulus<Dual>({.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44}, which);
+  const kernel::RelaxedConstants<Dual> c =
+      kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
+  return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
 }
 
 void require_finite(const Growth& growth) {
@@ -111,8 +104,8 @@ StressExponents relaxed_exponents(const State& state, double mechanical_coordina
   if (!(factors.shear.value > 0))
     throw InvalidArgument("mechanical_coordination_number", mechanical_coordination_number, "",
                           "above the isostatic point");
-  const Dual X = relaxed_modulus(relaxed_constants(state, mechanical_coordination_number, growth), which);
-  return {.stress_v = X.derivatives()[0] / X.value(), .stress_h = X.derivatives()[1] / X.value()};
+  kernel::require_contacts(state);
+  return kernel::exponents_of(relaxed_constants(state, mechanical_coordination_number, growth), which);
 }
 
 PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, double pressure) {

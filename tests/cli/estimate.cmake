@@ -234,3 +234,14 @@ granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 J
 granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
 granum_estimate_refuses("tolerance NaN" "--tolerance = 'nan' is not a pure number" ${dense} --tolerance nan)
 granum_estimate_refuses("tolerance with a unit" "--tolerance = '5kPa' must be a pure number" ${dense} --tolerance 5kPa)
+
+# k_t = k_n, as for grains of nu = 0: C12 and C13 of uniform strain vanish, and no rung is lost
+set(equal_stiffness --void-ratio 0.6 --tangential-ratio 1 --pressure 100kPa --rattler-fraction 2%)
+granum_cli_test("estimate: s of rung 3 at k_t = k_n" EXIT 0 JSON "relaxed/s=^0\\.3333333333333"
+  ARGS estimate ${equal_stiffness} --json)
+granum_cli_test("estimate: uncertainty at k_t = k_n" EXIT 0 JSON "uncertainty/relaxed/G_vh/standard_deviation=^[1-9]"
+  ARGS estimate ${equal_stiffness} --uncertainty void-ratio=0.01 --json)
+granum_cli_test("estimate: ladder at k_t = k_n" EXIT 0 JSON "ladder/rung=^3$"
+  ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0 --tolerance 10% --json)
+granum_cli_test("estimate: k_t = k_n of grains of nu = 0" EXIT 0 JSON "relaxed/n=^0\\.[1-9]"
+  ARGS estimate --void-ratio 0.6 --grain-poisson-ratio 0 --pressure 100kPa --rattler-fraction 2% --json)

@@ -131,3 +131,7 @@ granum_cli_test("sweep: rung 3 without z*" EXIT 2 STDERR "--rungs 3 needs --mech
   ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2 --rungs 3)
 granum_cli_test("sweep: rung 3 joins where z* is given" EXIT 0 STDOUT ",s_rung2,G_hh_rung3_Pa,"
   ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2 --rattler-fraction 0.02)
+
+# k_t = k_n: rung 3 stays
+granum_cli_test("sweep: rung 3 at k_t = k_n" EXIT 0 JSON "states/1/rung3/s=^0\\.3333333333333"
+  ARGS ${iso} --tangential-ratio 1 --rattler-fraction 2% --json)

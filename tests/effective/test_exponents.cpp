@@ -96,6 +96,20 @@ TEST_CASE("exponents: flat punches do not stiffen") {
     }
 }
 
+TEST_CASE("exponents: a shear modulus that is small, not zero, has exponents") {
+  State nearly_smooth = state_of(2, 0.1, 0.15, 1.5e5, 1e5);
+  const auto exponents_at = [&](double ratio) {
+    nearly_smooth.tangential_ratio = ratio;
+    return effective::uniform_stress_exponents(nearly_smooth, Modulus::G_vh);
+  };
+  const StressExponents limit = exponents_at(1e-8);
+  for (const double ratio : {1e-12, 1e-14, 1e-100, 1e-300}) {
+    CAPTURE(ratio);
+    CHECK(std::abs(exponents_at(ratio).stress_v - limit.stress_v) < 1e-7);
+    CHECK(std::abs(exponents_at(ratio).stress_h - limit.stress_h) < 1e-7);
+  }
+}
+
 TEST_CASE("exponents: undefined ones are refused") {
   const State unloaded = state_of(2, 0, 0.15, 0, 0);
   State smooth = state_of(2, 0, 0.15, 1e5, 1e5);

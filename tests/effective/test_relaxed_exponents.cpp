@@ -69,6 +69,29 @@ TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path
           }
 }
 
+TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others go on") {
+  // C12 = C13 = 0 at k_t = k_n; without tangential stiffness, at the ends of a, and in flat contacts nothing
+  // is special either.
+  for (const double ratio : {0.0, 1e-300, 1.0, 1.0 + 1e-15, 4.0 / 3})
+    for (const double alpha : {1.0, 2.0, infinity})
+      for (const double a : {-1.0, 0.0, 1.0})
+        for (const Modulus which : all_moduli) {
+          State s = state_of(alpha, a, 0.15, 1.3e5, 1e5);
+          s.tangential_ratio = ratio;
+          CAPTURE(ratio);
+          CAPTURE(a);
+          CAPTURE(int(which));
+          const double z = 6.3, h = 2e-3;
+          const StressExponents e = effective::relaxed_exponents(s, z, some_growth, which);
+          const auto slope = [&](double State::*stress) {
+            const auto f = [&](double step) { return log_modulus(s, z, some_growth, which, stress, step); };
+            return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+          };
+          CHECK(std::abs(e.stress_v - slope(&State::stress_v)) < 1e-8);
+          CHECK(std::abs(e.stress_h - slope(&State::stress_h)) < 1e-8);
+        }
+}
+
 TEST_CASE("relaxed exponents: the isotropic sum in closed form") {
   const State s = state_of(2, 0, 0.15, 1e5, 1e5);
   const double b = 1.0 / 3, z = 4.6, step = 1e-5;

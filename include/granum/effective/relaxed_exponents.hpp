@@ -34,8 +34,9 @@ struct MeasuredPacking {
 /// growth between m and n. A Growth of zeros gives the exponents at frozen contacts.
 /// \param    mechanical_coordination_number   z* [1]
 /// \param    growth   at this state
-/// \throws   InvalidArgument as relaxed, if the stresses are zero, if growth is not finite, or if z* is not
-///           above the isostatic point, where the moduli vanish
+/// Constants of uniform strain that vanish, as C12 and C13 at k_t = k_n, stay zero and grow with nothing.
+/// \throws   InvalidArgument as relaxed, if the stresses are zero or there are no contacts, if growth is not
+///           finite, if z* is not above the isostatic point, where the moduli vanish, or if this one does
 /// Accuracy  against s fitted to networks of granum's specimens, 10 to 100 kPa, growth given: 0.03. Where
 ///           forces even out, as after friction was switched on, s between two states is up to 0.04 more.
 ///           Rounding: absolute 1e-10.
