@@ -19,27 +19,27 @@ namespace {
 
 using nlohmann::ordered_json;
 using verify::Boundary;
-using verify::Knob;
 using verify::TradeRow;
 using verify::TradeSample;
 using verify::TradeScene;
+using verify::Varied;
 
 /// What a block of the table is about.
-std::string title(const TradeScene& trade, Knob knob) {
-  switch (knob) {
-  case Knob::grains:
+std::string title(const TradeScene& trade, Varied varied) {
+  switch (varied) {
+  case Varied::grains:
     return "grains N, periodic cell; G and s by the network, cost from packing to peak";
-  case Knob::compression:
+  case Varied::compression:
     return "inertial number of compression; cost of compression through all pressures";
-  case Knob::shear:
+  case Varied::shear:
     return "inertial number of triaxial compression; G_vh at q/p' = 0.8; cost of the test to " +
            percent_text(trade.shear_strain) + " strain";
-  case Knob::time_step:
+  case Varied::time_step:
     return "time step over its stability limit; cost of compression, and of shear where there is a peak";
-  case Knob::probe:
+  case Varied::probe:
     return "strain of the cyclic probe in mean overlaps over the diameter, 0 the network; G_vh; cost of one "
            "answer";
-  case Knob::boundary:
+  case Varied::boundary:
     return "N grains between walls, probed, and in the periodic cell; mean of G_hh and G_vh; cost of the "
            "specimen";
   }
@@ -57,27 +57,27 @@ std::string plain(const std::optional<verify::Deviation>& d) {
            : fmt::format("{:>24}", "-");
 }
 
-bool has_boundary(Knob knob) { return knob == Knob::boundary; }
+bool has_boundary(Varied varied) { return varied == Varied::boundary; }
 
 std::string label(const TradeRow& row) {
   const std::string value = short_text(row.value);
-  return has_boundary(row.knob) ? fmt::format("{} {}", verify::name(row.boundary), value) : value;
+  return has_boundary(row.varied) ? fmt::format("{} {}", verify::name(row.boundary), value) : value;
 }
 
-constexpr const char* knob_axis(Knob knob, triaxial::Density density) {
+constexpr const char* axis_title(Varied varied, triaxial::Density density) {
   const bool dense = density == triaxial::Density::dense;
-  switch (knob) {
-  case Knob::grains:
+  switch (varied) {
+  case Varied::grains:
     return dense ? "dense, N" : "loose, N";
-  case Knob::compression:
+  case Varied::compression:
     return dense ? "dense, rate of compression" : "loose, rate of compression";
-  case Knob::shear:
+  case Varied::shear:
     return "rate of shear";
-  case Knob::time_step:
+  case Varied::time_step:
     return dense ? "dense, time step" : "loose, time step";
-  case Knob::probe:
+  case Varied::probe:
     return dense ? "dense, probe strain" : "loose, probe strain";
-  case Knob::boundary:
+  case Varied::boundary:
     break;
   }
   return dense ? "dense, walls" : "loose, walls";
@@ -87,8 +87,8 @@ constexpr const char* knob_axis(Knob knob, triaxial::Density density) {
 /// the bias alone.
 double error_of(const TradeRow& row) {
   const verify::Deviation& d = *row.shear_modulus;
-  return row.knob == Knob::grains || row.knob == Knob::boundary ? std::hypot(d.bias, d.scatter)
-                                                                : std::abs(d.bias);
+  return row.varied == Varied::grains || row.varied == Varied::boundary ? std::hypot(d.bias, d.scatter)
+                                                                        : std::abs(d.bias);
 }
 
 ordered_json json_of(const std::optional<verify::Deviation>& d) {
@@ -124,14 +124,14 @@ std::vector<NamedLaw> named(const TradeScene& trade, const verify::TradeLaws& la
 
 std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& rows) {
   std::string out;
-  for (const Knob knob : verify::all_knobs) {
+  for (const Varied varied : verify::all_varied) {
     std::vector<TradeRow> block;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(block),
-                 [knob](const TradeRow& row) { return row.knob == knob; });
+                 [varied](const TradeRow& row) { return row.varied == varied; });
     if (block.empty())
       continue;
-    out += fmt::format("{}\n{:<18} {:>6} {:>3}   {:<23} {:<25} {:<23} {:>8} {:>8}\n", title(trade, knob), "",
-                       "", "n", "G: bias, scatter [%]", "s: bias, scatter [1]", "peak: bias, scatter [%]",
+    out += fmt::format("{}\n{:<18} {:>6} {:>3}   {:<23} {:<25} {:<23} {:>8} {:>8}\n", title(trade, varied),
+                       "", "", "n", "G: bias, scatter [%]", "s: bias, scatter [1]", "peak: bias, scatter [%]",
                        "CPU [s]", "steps");
     for (const TradeRow& row : block)
       out += fmt::format("{:>18} {:>6} {:>3}   {} {} {} {:8.3g} {:8.0f}{}\n", label(row),
@@ -166,12 +166,12 @@ std::string trade_csv(const std::vector<TradeRow>& rows) {
   csv.notes = {{"program", "granum " + text(verify::version()) + " trade"},
                {"bias", "of the mean against the reference, in parts of it for G and peak"},
                {"scatter", "standard deviation of one specimen; of differences where packings are the same"}};
-  csv.headings = {"knob",      "boundary",   "value",        "density", "specimens", "reference",
+  csv.headings = {"varied",    "boundary",   "value",        "density", "specimens", "reference",
                   "G_bias",    "G_error",    "G_scatter",    "s_bias",  "s_error",   "s_scatter",
                   "peak_bias", "peak_error", "peak_scatter", "cpu_s",   "steps"};
   for (const TradeRow& row : rows) {
     std::vector<io::CsvCell> cells{
-        text(verify::name(row.knob)),    text(verify::name(row.boundary)),   row.value,
+        text(verify::name(row.varied)),  text(verify::name(row.boundary)),   row.value,
         text(verify::name(row.density)), static_cast<double>(row.specimens), row.reference ? 1.0 : 0.0};
     append(cells, row.shear_modulus);
     append(cells, row.exponent);
@@ -188,13 +188,13 @@ std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>&
   csv.notes = {{"program", "granum " + text(verify::version()) + " trade"},
                {"scene", json_of(trade).dump()},
                {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}};
-  csv.headings = {"knob", "boundary", "value", "density", "seed"};
+  csv.headings = {"varied", "boundary", "value", "density", "seed"};
   for (const double pressure : trade.scene.pressures)
     csv.headings.push_back(fmt::format("G_at_{}kPa_Pa", short_text(pressure / 1e3)));
   for (const char* heading : {"s", "peak_q_over_p", "cpu_s", "steps", "failure"})
     csv.headings.emplace_back(heading);
   for (const TradeSample& sample : samples) {
-    std::vector<io::CsvCell> cells{text(verify::name(sample.knob)), text(verify::name(sample.boundary)),
+    std::vector<io::CsvCell> cells{text(verify::name(sample.varied)), text(verify::name(sample.boundary)),
                                    sample.value, text(verify::name(sample.density)),
                                    static_cast<double>(sample.seed)};
     for (std::size_t k = 0; k < trade.scene.pressures.size(); ++k)
@@ -216,10 +216,10 @@ std::string trade_picture(const std::vector<TradeRow>& rows) {
                   .series = {}};
   for (const TradeRow& row : rows) {
     if (!row.shear_modulus || row.boundary == Boundary::smooth_walls ||
-        (row.knob == Knob::boundary && row.boundary == Boundary::periodic) ||
-        (row.reference && row.knob != Knob::grains))
+        (row.varied == Varied::boundary && row.boundary == Boundary::periodic) ||
+        (row.reference && row.varied != Varied::grains))
       continue;
-    const std::string name = knob_axis(row.knob, row.density);
+    const std::string name = axis_title(row.varied, row.density);
     auto series = std::find_if(chart.series.begin(), chart.series.end(),
                                [&](const io::Series& s) { return s.name == name; });
     if (series == chart.series.end())
@@ -249,7 +249,7 @@ ordered_json json_of(const TradeScene& trade) {
 ordered_json json_of(const std::vector<TradeRow>& rows) {
   ordered_json json = ordered_json::array();
   for (const TradeRow& row : rows)
-    json.push_back({{"knob", verify::name(row.knob)},
+    json.push_back({{"varied", verify::name(row.varied)},
                     {"boundary", verify::name(row.boundary)},
                     {"value", row.value},
                     {"density", verify::name(row.density)},

@@ -10,7 +10,7 @@
 
 namespace granum::cli {
 
-/// One block for each knob: what is varied, at which values of the others, against which reference.
+/// One block for each varied quantity: at which values of the others, against which reference.
 [[nodiscard]] std::string trade_table(const verify::TradeScene& trade,
                                       const std::vector<verify::TradeRow>& rows);
 
@@ -22,7 +22,7 @@ namespace granum::cli {
 [[nodiscard]] std::string samples_csv(const verify::TradeScene& trade,
                                       const std::vector<verify::TradeSample>& samples);
 
-/// Error of G against cost, one curve for each knob and density, as SVG.
+/// Error of G against cost, one curve for each varied quantity and density, as SVG.
 [[nodiscard]] std::string trade_picture(const std::vector<verify::TradeRow>& rows);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const verify::TradeScene& trade);

@@ -6,7 +6,7 @@
 
 #include <granum/core/error.hpp>
 
-#include "endings.hpp"
+#include "outcome_text.hpp"
 #include "path_run.hpp"
 #include "work_sharing.hpp"
 

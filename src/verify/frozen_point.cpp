@@ -20,7 +20,7 @@
 #include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 
-#include "endings.hpp"
+#include "outcome_text.hpp"
 
 namespace granum::verify {
 

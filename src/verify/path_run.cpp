@@ -12,8 +12,8 @@
 #include <granum/triaxial/specimen.hpp>
 #include <granum/verify/study.hpp>
 
-#include "endings.hpp"
 #include "frozen_point.hpp"
+#include "outcome_text.hpp"
 
 namespace granum::verify {
 

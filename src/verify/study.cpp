@@ -16,8 +16,8 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/verify/plan.hpp>
 
-#include "endings.hpp"
 #include "frozen_point.hpp"
+#include "outcome_text.hpp"
 #include "work_sharing.hpp"
 
 namespace granum::verify {

@@ -14,22 +14,22 @@
 
 namespace granum::verify {
 
-std::string_view name(Knob knob) {
-  switch (knob) {
-  case Knob::grains:
+std::string_view name(Varied varied) {
+  switch (varied) {
+  case Varied::grains:
     return "grains";
-  case Knob::compression:
+  case Varied::compression:
     return "compression";
-  case Knob::shear:
+  case Varied::shear:
     return "shear";
-  case Knob::time_step:
+  case Varied::time_step:
     return "time-step";
-  case Knob::probe:
+  case Varied::probe:
     return "probe";
-  case Knob::boundary:
+  case Varied::boundary:
     return "boundary";
   }
-  throw InvalidArgument("knob is not one of the known ones");
+  throw InvalidArgument("varied quantity is not one of the known ones");
 }
 
 std::string_view name(Boundary boundary) {
@@ -84,8 +84,7 @@ TradeScene full_trade() {
 
 namespace {
 
-/// A knob's values: at least two, each once, with the default among them, for it is what others are paired
-/// with or compared to.
+/// The values of a varied quantity: at least one, each once.
 template <class Value>
 void require_ladder(const std::string& name, const std::vector<Value>& values) {
   if (values.empty())
@@ -133,10 +132,10 @@ TradeScene within_budget(TradeScene trade, double seconds) {
   const double speed =
       plan(trade.scene).seconds_per_grain_step / static_cast<double>(thread_count(trade.scene));
   std::sort(trade.grains.begin(), trade.grains.end());
-  double predicted = trade::predicted_work(trade, trade::agenda(trade).work) * speed;
+  double predicted = trade::predicted_work(trade, trade::planned_work(trade).work) * speed;
   while (predicted > seconds && trade.grains.size() > 2) {
     trade.grains.pop_back();
-    predicted = trade::predicted_work(trade, trade::agenda(trade).work) * speed;
+    predicted = trade::predicted_work(trade, trade::planned_work(trade).work) * speed;
   }
   if (predicted > seconds)
     throw InvalidArgument("budget", seconds, "s", "times of at least " + short_text(predicted, 2) + " s");
@@ -145,7 +144,8 @@ TradeScene within_budget(TradeScene trade, double seconds) {
 
 double predicted_seconds(const TradeScene& trade) {
   require_valid(trade);
-  return trade::predicted_work(trade, trade::agenda(trade).work) * plan(trade.scene).seconds_per_grain_step;
+  return trade::predicted_work(trade, trade::planned_work(trade).work) *
+         plan(trade.scene).seconds_per_grain_step;
 }
 
 } // namespace granum::verify

@@ -26,7 +26,7 @@ std::optional<double> log_peak(const TradeSample& sample) {
   return sample.peak_ratio ? std::optional(std::log(*sample.peak_ratio)) : std::nullopt;
 }
 
-bool paired(Knob knob) { return knob != Knob::grains && knob != Knob::boundary; }
+bool paired(Varied varied) { return varied != Varied::grains && varied != Varied::boundary; }
 
 /// Samples of one row.
 using Group = std::vector<const TradeSample*>;
@@ -34,7 +34,7 @@ using Group = std::vector<const TradeSample*>;
 const TradeSample& head(const Group& group) { return *group.front(); }
 
 bool belong(const TradeSample& a, const TradeSample& b) {
-  return a.knob == b.knob && a.boundary == b.boundary && a.value == b.value && a.density == b.density;
+  return a.varied == b.varied && a.boundary == b.boundary && a.value == b.value && a.density == b.density;
 }
 
 std::vector<Group> groups_of(const std::vector<TradeSample>& samples) {
@@ -52,15 +52,15 @@ std::vector<Group> groups_of(const std::vector<TradeSample>& samples) {
 
 /// Larger is finer.
 double fineness(const TradeSample& sample) {
-  if (sample.knob == Knob::boundary && sample.boundary != Boundary::periodic)
+  if (sample.varied == Varied::boundary && sample.boundary != Boundary::periodic)
     return -1;
-  return paired(sample.knob) ? -sample.value : sample.value;
+  return paired(sample.varied) ? -sample.value : sample.value;
 }
 
 const Group& reference_of(const Group& group, const std::vector<Group>& groups) {
   const Group* finest = &group;
   for (const Group& other : groups)
-    if (head(other).knob == head(group).knob && head(other).density == head(group).density &&
+    if (head(other).varied == head(group).varied && head(other).density == head(group).density &&
         fineness(head(other)) > fineness(head(*finest)))
       finest = &other;
   return *finest;
@@ -91,12 +91,12 @@ std::vector<double> values_of(const Group& group, Figure figure) {
   return values;
 }
 
-/// Variance times N that all sizes of one knob, boundary and density agree on.
+/// Variance times N that all sizes of one varied quantity, boundary and density agree on.
 double pooled_variance(const Group& like, const std::vector<Group>& groups, Figure figure) {
   double sum = 0, freedom = 0;
   for (const Group& group : groups) {
     const std::vector<double> values = values_of(group, figure);
-    if (head(group).knob != head(like).knob || head(group).boundary != head(like).boundary ||
+    if (head(group).varied != head(like).varied || head(group).boundary != head(like).boundary ||
         head(group).density != head(like).density || values.size() < 2)
       continue;
     const Spread spread = spread_of(values);
@@ -144,11 +144,11 @@ std::optional<Deviation> in_parts(std::optional<Deviation> logarithmic) {
 TradeRow row_of(const Group& group, const std::vector<Group>& groups) {
   const Group& reference = reference_of(group, groups);
   const auto deviation = [&](Figure figure) {
-    return paired(head(group).knob) ? mean_of_differences(group, reference, figure)
-                                    : difference_of_means(group, reference, groups, figure);
+    return paired(head(group).varied) ? mean_of_differences(group, reference, figure)
+                                      : difference_of_means(group, reference, groups, figure);
   };
   TradeRow row;
-  row.knob = head(group).knob;
+  row.varied = head(group).varied;
   row.boundary = head(group).boundary;
   row.value = head(group).value;
   row.density = head(group).density;

@@ -70,19 +70,19 @@ struct Work {
 inline constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 struct Source {
-  TradeSample sample; ///< knob, boundary, value, density, seed
+  TradeSample sample; ///< varied, boundary, value, density, seed
   std::size_t compression = none;
   std::size_t shear = none;
   std::size_t probing = none;
 };
 
 /// All samples of a study, and the parts that they need, each once.
-struct Agenda {
+struct PlannedWork {
   Work work;
   std::vector<Source> sources;
 };
 
-[[nodiscard]] Agenda agenda(const TradeScene& trade);
+[[nodiscard]] PlannedWork planned_work(const TradeScene& trade);
 
 /// Predicted work of a part, in grain-steps of the engine with friction.
 [[nodiscard]] double predicted_work(const TradeScene& trade, const Work& work, const Packing& part);

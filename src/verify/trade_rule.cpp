@@ -14,10 +14,10 @@ namespace {
 using triaxial::Density;
 using Column = std::optional<Deviation> TradeRow::*;
 
-std::vector<TradeRow> select(const std::vector<TradeRow>& rows, Knob knob, Density density) {
+std::vector<TradeRow> select(const std::vector<TradeRow>& rows, Varied varied, Density density) {
   std::vector<TradeRow> chosen;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), [&](const TradeRow& row) {
-    return row.knob == knob && row.boundary == Boundary::periodic && row.density == density;
+    return row.varied == varied && row.boundary == Boundary::periodic && row.density == density;
   });
   return chosen;
 }
@@ -58,9 +58,9 @@ double scatter_of(const std::vector<TradeRow>& rows, Column figure) {
   return freedom > 0 ? std::sqrt(sum / freedom) : 0;
 }
 
-ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Column figure, Knob rate_knob) {
-  const std::vector<TradeRow> sizes = select(rows, Knob::grains, density);
-  const std::vector<TradeRow> rates = select(rows, rate_knob, density);
+ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Column figure, Varied rate_kind) {
+  const std::vector<TradeRow> sizes = select(rows, Varied::grains, density);
+  const std::vector<TradeRow> rates = select(rows, rate_kind, density);
   const Slope size = slope_of(sizes, figure, [](double grains) { return 1 / grains; });
   const Slope rate = slope_of(rates, figure, [](double inertial_number) { return inertial_number; });
   const auto [smallest, largest] = std::minmax_element(
@@ -82,14 +82,14 @@ std::size_t rounded_up(double value) {
 } // namespace
 
 TradeLaws laws_of(const std::vector<TradeRow>& rows) {
-  const auto law = [&](Density density, Column figure, Knob rate) {
+  const auto law = [&](Density density, Column figure, Varied rate) {
     return law_of(rows, density, figure, rate);
   };
-  return {.dense_modulus = law(Density::dense, &TradeRow::shear_modulus, Knob::compression),
-          .dense_exponent = law(Density::dense, &TradeRow::exponent, Knob::compression),
-          .loose_modulus = law(Density::loose, &TradeRow::shear_modulus, Knob::compression),
-          .loose_exponent = law(Density::loose, &TradeRow::exponent, Knob::compression),
-          .dense_peak = law(Density::dense, &TradeRow::peak_ratio, Knob::shear)};
+  return {.dense_modulus = law(Density::dense, &TradeRow::shear_modulus, Varied::compression),
+          .dense_exponent = law(Density::dense, &TradeRow::exponent, Varied::compression),
+          .loose_modulus = law(Density::loose, &TradeRow::shear_modulus, Varied::compression),
+          .loose_exponent = law(Density::loose, &TradeRow::exponent, Varied::compression),
+          .dense_peak = law(Density::dense, &TradeRow::peak_ratio, Varied::shear)};
 }
 
 const TradeLaws& recorded_laws() {

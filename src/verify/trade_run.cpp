@@ -15,8 +15,8 @@
 #include <granum/triaxial/specimen.hpp>
 #include <granum/verify/findings.hpp>
 
-#include "endings.hpp"
 #include "frozen_point.hpp"
+#include "outcome_text.hpp"
 #include "trade_parts.hpp"
 #include "work_sharing.hpp"
 
@@ -231,11 +231,11 @@ void charge(TradeSample& sample, const Part& part) {
     sample.failure = part.failure;
 }
 
-const std::vector<double>& moduli_of(const Knob knob, const Compression& part) {
-  switch (knob) {
-  case Knob::probe:
+const std::vector<double>& moduli_of(const Varied varied, const Compression& part) {
+  switch (varied) {
+  case Varied::probe:
     return part.vertical;
-  case Knob::boundary:
+  case Varied::boundary:
     return part.planes;
   default:
     return part.isotropic;
@@ -244,14 +244,14 @@ const std::vector<double>& moduli_of(const Knob knob, const Compression& part) {
 
 TradeSample read(const TradeScene& trade, const Work& work, const Source& source) {
   TradeSample sample = source.sample;
-  const bool whole_specimen = sample.knob == Knob::grains || sample.knob == Knob::boundary;
+  const bool whole_specimen = sample.varied == Varied::grains || sample.varied == Varied::boundary;
   const Compression* compression =
       source.compression != none ? &work.compressions[source.compression] : nullptr;
   if (compression != nullptr) {
     charge(sample, *compression);
     if (whole_specimen)
       charge(sample, work.packings[compression->packing]);
-    sample.shear_modulus = moduli_of(sample.knob, *compression);
+    sample.shear_modulus = moduli_of(sample.varied, *compression);
     if (sample.failure.empty())
       sample.exponent = exponent_of(trade, sample.shear_modulus, compression->void_ratio);
   }
@@ -263,7 +263,7 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
     if (compression == nullptr && part.vertical)
       sample.shear_modulus = {*part.vertical};
   }
-  if (sample.knob == Knob::probe) {
+  if (sample.varied == Varied::probe) {
     // One state and one answer: what a user pays for a modulus.
     sample.cpu_seconds = compression->network_seconds;
     sample.steps = 0;
@@ -292,11 +292,11 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
 
 std::vector<TradeSample> run_trade(const TradeScene& trade, const RunControl& control) {
   require_valid(trade);
-  trade::Agenda agenda = trade::agenda(trade);
-  trade::Runner(trade, agenda.work, control).run();
+  trade::PlannedWork planned = trade::planned_work(trade);
+  trade::Runner(trade, planned.work, control).run();
   std::vector<TradeSample> samples;
-  for (const trade::Source& source : agenda.sources)
-    samples.push_back(trade::read(trade, agenda.work, source));
+  for (const trade::Source& source : planned.sources)
+    samples.push_back(trade::read(trade, planned.work, source));
   return samples;
 }
 

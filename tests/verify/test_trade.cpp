@@ -16,7 +16,7 @@ using triaxial::Density;
 
 namespace {
 
-/// Every knob once, with as few and small specimens as there can be.
+/// Every quantity varied once, with as few and small specimens as there can be.
 TradeScene small_trade() {
   TradeScene trade = default_trade();
   trade.scene.grains = 100;
@@ -40,39 +40,40 @@ const std::vector<TradeSample>& small_study() {
   return samples;
 }
 
-std::vector<TradeSample> of(Knob knob, double value, Boundary boundary = Boundary::periodic) {
+std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
   std::vector<TradeSample> found;
   std::copy_if(
       small_study().begin(), small_study().end(), std::back_inserter(found),
-      [&](const TradeSample& s) { return s.knob == knob && s.value == value && s.boundary == boundary; });
+      [&](const TradeSample& s) { return s.varied == varied && s.value == value && s.boundary == boundary; });
   return found;
 }
 
-/// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three knobs; probe
-/// and network; 100 grains between smooth and rough walls and without.
+/// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three quantities;
+/// probe and network; 100 grains between smooth and rough walls and without.
 constexpr std::size_t samples_in_all = 5 + 4 + 4 + 4 + 4 + 3 * 2;
 
 void check_that_it_is_whole() {
   CHECK(small_study().size() == samples_in_all);
   for (const TradeSample& sample : small_study()) {
-    CAPTURE(name(sample.knob));
+    CAPTURE(name(sample.varied));
     CAPTURE(sample.value);
     CHECK(sample.failure == "");
-    REQUIRE(sample.shear_modulus.size() == (sample.knob == Knob::shear ? 1 : 3));
+    REQUIRE(sample.shear_modulus.size() == (sample.varied == Varied::shear ? 1 : 3));
     for (const double modulus : sample.shear_modulus)
       CHECK(modulus > 1e6);
-    CHECK(sample.exponent.has_value() == (sample.knob != Knob::shear));
+    CHECK(sample.exponent.has_value() == (sample.varied != Varied::shear));
     CHECK(sample.peak_ratio.has_value() ==
-          (sample.knob == Knob::grains || sample.knob == Knob::shear || sample.knob == Knob::time_step));
+          (sample.varied == Varied::grains || sample.varied == Varied::shear ||
+           sample.varied == Varied::time_step));
     CHECK(sample.cpu_seconds > 0);
-    CHECK((sample.steps > 0) == (sample.knob != Knob::probe || sample.value > 0));
+    CHECK((sample.steps > 0) == (sample.varied != Varied::probe || sample.value > 0));
   }
 }
 
 void check_against_verify() {
   const std::vector<SpecimenResult> study = run_study(small_trade().scene);
   const std::vector<ExponentRow> rows = exponents(small_trade().scene, {study.front()});
-  const std::vector<TradeSample> samples = of(Knob::grains, 100);
+  const std::vector<TradeSample> samples = of(Varied::grains, 100);
   REQUIRE(samples.size() == study.size());
   for (std::size_t k = 0; k < samples.size(); ++k)
     for (std::size_t stage = 0; stage < 3; ++stage) {
@@ -83,31 +84,31 @@ void check_against_verify() {
 }
 
 void check_defaults() {
-  const TradeSample specimen = of(Knob::grains, 100).front();
-  const TradeSample compression = of(Knob::compression, 5e-4).front();
-  const TradeSample time_step = of(Knob::time_step, 0.8).front();
-  const TradeSample shear = of(Knob::shear, 2e-3).front();
+  const TradeSample specimen = of(Varied::grains, 100).front();
+  const TradeSample compression = of(Varied::compression, 5e-4).front();
+  const TradeSample time_step = of(Varied::time_step, 0.8).front();
+  const TradeSample shear = of(Varied::shear, 2e-3).front();
   CHECK(compression.shear_modulus == specimen.shear_modulus);
   CHECK(time_step.shear_modulus == specimen.shear_modulus);
   CHECK(time_step.peak_ratio == specimen.peak_ratio);
   CHECK(shear.peak_ratio == specimen.peak_ratio);
-  // What a knob does not drive is not charged to it.
+  // Work that does not depend on the varied quantity is not charged to it.
   CHECK(compression.steps < specimen.steps);
   CHECK(shear.steps + compression.steps == time_step.steps);
-  CHECK(of(Knob::compression, 1e-3).front().shear_modulus != specimen.shear_modulus);
-  CHECK(of(Knob::shear, 4e-3).front().steps < 0.6 * static_cast<double>(shear.steps));
-  CHECK(of(Knob::time_step, 0.5).front().steps > time_step.steps);
+  CHECK(of(Varied::compression, 1e-3).front().shear_modulus != specimen.shear_modulus);
+  CHECK(of(Varied::shear, 4e-3).front().steps < 0.6 * static_cast<double>(shear.steps));
+  CHECK(of(Varied::time_step, 0.5).front().steps > time_step.steps);
 }
 
 void check_probes_and_walls() {
-  const std::vector<TradeSample> probes = of(Knob::probe, 1e-4), networks = of(Knob::probe, 0);
+  const std::vector<TradeSample> probes = of(Varied::probe, 1e-4), networks = of(Varied::probe, 0);
   REQUIRE(probes.size() == 2);
   for (std::size_t k = 0; k < probes.size(); ++k)
     for (std::size_t stage = 0; stage < 3; ++stage) // 1 %: contacts of a small specimen that barely touch
       CHECK(probes[k].shear_modulus[stage] == relative(networks[k].shear_modulus[stage], 0.01));
   const auto mean = [](Boundary boundary) {
     double sum = 0;
-    for (const TradeSample& sample : of(Knob::boundary, 100, boundary))
+    for (const TradeSample& sample : of(Varied::boundary, 100, boundary))
       sum += sample.shear_modulus.at(2) / 2;
     return sum;
   };
@@ -118,9 +119,9 @@ void check_probes_and_walls() {
 
 } // namespace
 
-TEST_CASE("a trade study has every value of every knob, whole, and knows what each cost") {
+TEST_CASE("a trade study has every value of every varied quantity, whole, and knows what each cost") {
   check_that_it_is_whole();
-  // A default specimen is that of granum verify, to the bit, and the same at the default of every knob.
+  // A default specimen is that of granum verify, to the bit, and the same at the default of every quantity.
   check_against_verify();
   check_defaults();
   // Probe and network agree; walls are softer.

@@ -14,9 +14,10 @@ using triaxial::Density;
 
 namespace {
 
-TradeSample sample(Knob knob, double value, std::uint64_t seed, double log_modulus, double exponent = 0.4) {
+TradeSample sample(Varied varied, double value, std::uint64_t seed, double log_modulus,
+                   double exponent = 0.4) {
   TradeSample out;
-  out.knob = knob;
+  out.varied = varied;
   out.value = value;
   out.seed = seed;
   // Two pressures, of which the geometric mean is exp(log_modulus).
@@ -41,9 +42,9 @@ TEST_CASE("sizes are compared by their means, with a scatter that follows c N^(-
   // Deviations of +-d from means 17 and 17.02: standard deviation d sqrt 2 of two, d sqrt(4/3) of four.
   const double d = 0.03, e = 0.01;
   const std::vector<TradeSample> samples{
-      sample(Knob::grains, 100, 1, 17 + d, 0.5), sample(Knob::grains, 100, 2, 17 - d, 0.5),
-      sample(Knob::grains, 100, 3, 17 + d, 0.4), sample(Knob::grains, 100, 4, 17 - d, 0.4),
-      sample(Knob::grains, 400, 1, 17.02 + e),   sample(Knob::grains, 400, 2, 17.02 - e)};
+      sample(Varied::grains, 100, 1, 17 + d, 0.5), sample(Varied::grains, 100, 2, 17 - d, 0.5),
+      sample(Varied::grains, 100, 3, 17 + d, 0.4), sample(Varied::grains, 100, 4, 17 - d, 0.4),
+      sample(Varied::grains, 400, 1, 17.02 + e),   sample(Varied::grains, 400, 2, 17.02 - e)};
   const std::vector<TradeRow> rows = trade_rows(samples);
   REQUIRE(rows.size() == 2);
   const TradeRow& small = row(rows, 100);
@@ -67,9 +68,9 @@ TEST_CASE("sizes are compared by their means, with a scatter that follows c N^(-
 
 TEST_CASE("settings are compared on the same packings, whose own scatter drops out") {
   // Packings that differ by 30 %; the coarse rate takes 1 and 3 % off them.
-  std::vector<TradeSample> samples{sample(Knob::shear, 2e-3, 1, 17 - 0.01),
-                                   sample(Knob::shear, 2e-3, 2, 17.3 - 0.03),
-                                   sample(Knob::shear, 1e-4, 2, 17.3), sample(Knob::shear, 1e-4, 1, 17)};
+  std::vector<TradeSample> samples{sample(Varied::shear, 2e-3, 1, 17 - 0.01),
+                                   sample(Varied::shear, 2e-3, 2, 17.3 - 0.03),
+                                   sample(Varied::shear, 1e-4, 2, 17.3), sample(Varied::shear, 1e-4, 1, 17)};
   samples[0].peak_ratio = 1.1;
   samples[1].peak_ratio = 1.21;
   samples[3].peak_ratio = 1.0;
@@ -86,9 +87,9 @@ TEST_CASE("settings are compared on the same packings, whose own scatter drops o
 
 TEST_CASE("a specimen without its partner, and one that failed, do not count") {
   std::vector<TradeSample> samples{
-      sample(Knob::time_step, 0.8, 1, 17.1), sample(Knob::time_step, 0.8, 2, 17.1),
-      sample(Knob::time_step, 0.8, 3, 19),   sample(Knob::time_step, 0.4, 1, 17),
-      sample(Knob::time_step, 0.4, 2, 17),   sample(Knob::time_step, 0.4, 3, 17)};
+      sample(Varied::time_step, 0.8, 1, 17.1), sample(Varied::time_step, 0.8, 2, 17.1),
+      sample(Varied::time_step, 0.8, 3, 19),   sample(Varied::time_step, 0.4, 1, 17),
+      sample(Varied::time_step, 0.4, 2, 17),   sample(Varied::time_step, 0.4, 3, 17)};
   samples[5].shear_modulus.clear();
   samples[5].failure = "did not come to rest";
   std::vector<TradeRow> rows = trade_rows(samples);
@@ -103,14 +104,14 @@ TEST_CASE("a specimen without its partner, and one that failed, do not count") {
 TEST_CASE("probes are compared with the network, walls with the largest periodic cell") {
   std::vector<TradeSample> samples;
   for (const std::uint64_t seed : {1U, 2U}) {
-    samples.push_back(sample(Knob::probe, 1e-4, seed, 17.001));
-    samples.push_back(sample(Knob::probe, 0, seed, 17));
+    samples.push_back(sample(Varied::probe, 1e-4, seed, 17.001));
+    samples.push_back(sample(Varied::probe, 0, seed, 17));
     for (const double grains : {100.0, 200.0}) {
-      samples.push_back(sample(Knob::boundary, grains, seed, 17));
-      samples.push_back(sample(Knob::boundary, 2 * grains, seed, 16.5));
+      samples.push_back(sample(Varied::boundary, grains, seed, 17));
+      samples.push_back(sample(Varied::boundary, 2 * grains, seed, 16.5));
       samples.back().boundary = Boundary::rough_walls;
     }
-    samples.push_back(sample(Knob::boundary, 100, seed, 16));
+    samples.push_back(sample(Varied::boundary, 100, seed, 16));
     samples.back().density = Density::loose;
   }
   const std::vector<TradeRow> rows = trade_rows(samples);

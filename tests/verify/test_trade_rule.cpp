@@ -19,9 +19,9 @@ using triaxial::Density;
 
 namespace {
 
-TradeRow row(Knob knob, double value, std::size_t specimens, const Deviation& deviation) {
+TradeRow row(Varied varied, double value, std::size_t specimens, const Deviation& deviation) {
   TradeRow out;
-  out.knob = knob;
+  out.varied = varied;
   out.value = value;
   out.specimens = specimens;
   out.shear_modulus = deviation;
@@ -32,11 +32,11 @@ TradeRow row(Knob knob, double value, std::size_t specimens, const Deviation& de
 std::vector<TradeRow> lawful() {
   std::vector<TradeRow> rows;
   for (const double grains : {250.0, 500.0, 2000.0})
-    rows.push_back(row(Knob::grains, grains, static_cast<std::size_t>(4000 / grains),
+    rows.push_back(row(Varied::grains, grains, static_cast<std::size_t>(4000 / grains),
                        {-3 / grains + 3 / 2000.0, 0.4 / std::sqrt(4000), 0.4 / std::sqrt(grains)}));
   rows.back().reference = true;
   for (const double rate : {4e-3, 1e-3, 2.5e-4})
-    rows.push_back(row(Knob::compression, rate, 4, {20 * (rate - 2.5e-4), 1e-4 + rate, 0.01}));
+    rows.push_back(row(Varied::compression, rate, 4, {20 * (rate - 2.5e-4), 1e-4 + rate, 0.01}));
   rows.back().reference = true;
   return rows;
 }
@@ -65,7 +65,7 @@ TEST_CASE("the recorded laws are those of validation/trade") {
     REQUIRE(found != table.headings().end());
     return static_cast<std::size_t>(found - table.headings().begin());
   };
-  const std::size_t knob = place("knob"), boundary = place("boundary"), density = place("density");
+  const std::size_t varied = place("varied"), boundary = place("boundary"), density = place("density");
   std::vector<TradeRow> rows;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     const std::vector<std::string>& fields = table.fields(k);
@@ -76,9 +76,9 @@ TEST_CASE("the recorded laws are those of validation/trade") {
                   : std::nullopt;
     };
     TradeRow read;
-    for (const Knob each : all_knobs)
-      if (name(each) == fields[knob])
-        read.knob = each;
+    for (const Varied each : all_varied)
+      if (name(each) == fields[varied])
+        read.varied = each;
     read.boundary =
         fields[boundary] == name(Boundary::periodic) ? Boundary::periodic : Boundary::smooth_walls;
     read.density = fields[density] == name(Density::dense) ? Density::dense : Density::loose;
@@ -113,9 +113,9 @@ TEST_CASE("the recorded laws are those of validation/trade") {
 TEST_CASE("rows of walls and of the other density do not enter a law") {
   std::vector<TradeRow> rows = lawful();
   const ErrorLaw before = laws_of(rows).dense_modulus;
-  rows.push_back(row(Knob::grains, 100, 9, {0.5, 0.01, 0.3}));
+  rows.push_back(row(Varied::grains, 100, 9, {0.5, 0.01, 0.3}));
   rows.back().density = Density::loose;
-  rows.push_back(row(Knob::grains, 100, 9, {0.5, 0.01, 0.3}));
+  rows.push_back(row(Varied::grains, 100, 9, {0.5, 0.01, 0.3}));
   rows.back().boundary = Boundary::rough_walls;
   CHECK(laws_of(rows).dense_modulus.size.scatter == before.size.scatter);
   CHECK(laws_of(rows).dense_modulus.size.bias == before.size.bias);

@@ -17,8 +17,8 @@
 /// their moduli, exponents and peaks, and what it costs.
 namespace granum::verify {
 
-/// The setting that a study varies.
-enum class Knob {
+/// What a study varies.
+enum class Varied {
   grains,      ///< N, periodic cell; many specimens of each size
   compression, ///< inertial number of isotropic compression
   shear,       ///< inertial number of the shear path
@@ -27,17 +27,17 @@ enum class Knob {
   boundary,    ///< six rigid walls of N grains, against the periodic cell; probed
 };
 
-inline constexpr std::array all_knobs{Knob::grains,    Knob::compression, Knob::shear,
-                                      Knob::time_step, Knob::probe,       Knob::boundary};
+inline constexpr std::array all_varied{Varied::grains,    Varied::compression, Varied::shear,
+                                       Varied::time_step, Varied::probe,       Varied::boundary};
 
-[[nodiscard]] std::string_view name(Knob knob);
+[[nodiscard]] std::string_view name(Varied varied);
 
 /// What holds a specimen.
 enum class Boundary { periodic, smooth_walls, rough_walls };
 
 [[nodiscard]] std::string_view name(Boundary boundary);
 
-/// The values that each knob takes while the others stand at their defaults.
+/// The values that each varied quantity takes while the others stand at their defaults.
 struct TradeScene {
   /// Grains, pressures, first seed and threads of the study, and its first contact shape; scene.grains is the
   /// default of N, scene.seeds the number of specimens that have it.
@@ -67,11 +67,11 @@ void require_valid(const TradeScene& trade);
 /// Specimens of N grains, so that every N has about as many grains in all as the default one; at least 2.
 [[nodiscard]] std::size_t specimens_of(const TradeScene& trade, std::size_t grains);
 
-/// One specimen with one value of one knob.
+/// One specimen with one value of one varied quantity.
 struct TradeSample {
-  Knob knob = Knob::grains;
+  Varied varied = Varied::grains;
   Boundary boundary = Boundary::periodic;
-  double value = 0; ///< of the knob; N for grains and boundary
+  double value = 0; ///< of what is varied; N for grains and boundary
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
   /// At each pressure of the scene. Grains, compression, time step: isotropic projection of the network.
@@ -79,7 +79,7 @@ struct TradeSample {
   std::vector<double> shear_modulus;
   std::optional<double> exponent;   ///< s of these
   std::optional<double> peak_ratio; ///< largest q/p' in triaxial compression, dense specimens
-  double cpu_seconds = 0;           ///< processor time of the parts that the knob drives [s]
+  double cpu_seconds = 0;           ///< processor time of the parts that depend on it [s]
   std::size_t steps = 0;            ///< of them, minimiser's included
   std::string failure;              ///< why values are missing; empty where none are
 };
@@ -94,7 +94,7 @@ struct TradeSample {
 
 /// Runs all studies. Samples that need the same run share it. Specimens run side by side; the numbers, but
 /// for the times, are the same bits for any number of threads.
-/// \return   samples in the order knob, boundary, value, density, seed
+/// \return   samples in the order varied, boundary, value, density, seed
 /// \throws   InvalidArgument for an impossible scene
 /// Checked by tests/verify/test_trade.cpp
 [[nodiscard]] std::vector<TradeSample> run_trade(const TradeScene& trade, const RunControl& control = {});

@@ -18,14 +18,14 @@ struct Deviation {
   double scatter = 0;        ///< standard deviation of one specimen about the mean
 };
 
-/// All specimens of one value of one knob.
+/// All specimens of one value of one varied quantity.
 struct TradeRow {
-  Knob knob = Knob::grains;
+  Varied varied = Varied::grains;
   Boundary boundary = Boundary::periodic;
   double value = 0;
   triaxial::Density density = triaxial::Density::dense;
   std::size_t specimens = 0;
-  bool reference = false;                 ///< what the others of this knob and density are compared with
+  bool reference = false;                 ///< what the others of this quantity and density are compared with
   std::optional<Deviation> shear_modulus; ///< of the geometric mean over the pressures
   std::optional<Deviation> exponent;
   std::optional<Deviation> peak_ratio;
@@ -34,7 +34,7 @@ struct TradeRow {
 };
 
 /// The reference is the finest value: the most grains, the smallest rate or time step, the network for
-/// probes, the largest periodic cell for walls. Where both have the same packings (all knobs but grains and
+/// probes, the largest periodic cell for walls. Where both have the same packings (all but grains and
 /// boundary) specimens are compared each with itself, so that their scatter drops out of the bias and
 /// `scatter` is that of the differences; else the means are compared, with the standard deviation c N^(-1/2)
 /// that all sizes of one boundary agree on. Fewer than two specimens on either side give no deviation.

@@ -23,7 +23,7 @@ std::size_t place_of(std::vector<Kind>& parts, const Kind& wanted, const Same& s
   return parts.size() - 1;
 }
 
-/// What one specimen is made with; the defaults unless a knob says otherwise.
+/// What one specimen is made with; the defaults unless the varied quantity says otherwise.
 struct Specimen {
   Boundary boundary = Boundary::periodic;
   std::size_t grains = 0;
@@ -37,18 +37,18 @@ class Planner {
  public:
   explicit Planner(const TradeScene& trade) : trade_(trade) {}
 
-  Agenda all() {
+  PlannedWork all() {
     for (const std::size_t grains : trade_.grains)
       each_specimen(grains, [&](Specimen s) { grains_sample(s); });
     for (const double value : trade_.compression)
       each_specimen(trade_.scene.grains, [&](Specimen s) {
         s.compression = value;
-        add(Knob::compression, value, s, {.compression = compression(s)});
+        add(Varied::compression, value, s, {.compression = compression(s)});
       });
     for (const double value : trade_.shear)
       each_specimen(trade_.scene.grains, [&](const Specimen& s) {
         if (s.density == Density::dense)
-          add(Knob::shear, value, s, {.shear = shear(compression(s), value, s.time_step)});
+          add(Varied::shear, value, s, {.shear = shear(compression(s), value, s.time_step)});
       });
     for (const double value : trade_.time_step)
       each_specimen(trade_.scene.grains, [&](Specimen s) {
@@ -60,7 +60,7 @@ class Planner {
     for (const double value : amplitudes)
       each_specimen(trade_.scene.grains, [&](const Specimen& s) { probe_sample(s, value); });
     boundaries();
-    return std::move(agenda_);
+    return std::move(planned_);
   }
 
  private:
@@ -78,7 +78,7 @@ class Planner {
 
   std::size_t compression(const Specimen& s) {
     const std::size_t packing =
-        place_of(agenda_.work.packings, Packing{{}, s.boundary, s.grains, s.seed, {}},
+        place_of(planned_.work.packings, Packing{{}, s.boundary, s.grains, s.seed, {}},
                  [](const Packing& a, const Packing& b) {
                    return a.boundary == b.boundary && a.grains == b.grains && a.seed == b.seed;
                  });
@@ -87,19 +87,19 @@ class Planner {
     part.density = s.density;
     part.inertial_number = s.compression;
     part.time_step_fraction = s.time_step;
-    return place_of(agenda_.work.compressions, part, [](const Compression& a, const Compression& b) {
+    return place_of(planned_.work.compressions, part, [](const Compression& a, const Compression& b) {
       return a.packing == b.packing && a.density == b.density && a.inertial_number == b.inertial_number &&
              a.time_step_fraction == b.time_step_fraction;
     });
   }
 
   std::size_t shear(std::size_t compression, double inertial_number, double time_step) {
-    agenda_.work.compressions[compression].sheared_later = true;
+    planned_.work.compressions[compression].sheared_later = true;
     Shear part;
     part.compression = compression;
     part.inertial_number = inertial_number;
     part.time_step_fraction = time_step;
-    return place_of(agenda_.work.shears, part, [](const Shear& a, const Shear& b) {
+    return place_of(planned_.work.shears, part, [](const Shear& a, const Shear& b) {
       return a.compression == b.compression && a.inertial_number == b.inertial_number &&
              a.time_step_fraction == b.time_step_fraction;
     });
@@ -112,14 +112,14 @@ class Planner {
     std::size_t probing = none;
   };
 
-  void add(Knob knob, double value, const Specimen& s, const Places& places) {
+  void add(Varied varied, double value, const Specimen& s, const Places& places) {
     TradeSample sample;
-    sample.knob = knob;
+    sample.varied = varied;
     sample.boundary = s.boundary;
     sample.value = value;
     sample.density = s.density;
     sample.seed = s.seed;
-    agenda_.sources.push_back({sample, places.compression, places.shear, places.probing});
+    planned_.sources.push_back({sample, places.compression, places.shear, places.probing});
   }
 
   [[nodiscard]] std::size_t default_shear(const Specimen& s, std::size_t compression) {
@@ -128,25 +128,25 @@ class Planner {
 
   void grains_sample(const Specimen& s) {
     const std::size_t place = compression(s);
-    add(Knob::grains, static_cast<double>(s.grains), s,
+    add(Varied::grains, static_cast<double>(s.grains), s,
         {.compression = place, .shear = default_shear(s, place)});
   }
 
   void time_step_sample(const Specimen& s) {
     const std::size_t place = compression(s);
-    add(Knob::time_step, s.time_step, s, {.compression = place, .shear = default_shear(s, place)});
+    add(Varied::time_step, s.time_step, s, {.compression = place, .shear = default_shear(s, place)});
   }
 
   void probe_sample(const Specimen& s, double amplitude) {
     const std::size_t place = compression(s);
     if (amplitude == 0)
-      return add(Knob::probe, amplitude, s, {.compression = place});
-    agenda_.work.compressions[place].probed_later = true;
+      return add(Varied::probe, amplitude, s, {.compression = place});
+    planned_.work.compressions[place].probed_later = true;
     Probing part;
     part.compression = place;
     part.amplitude = amplitude;
-    agenda_.work.probings.push_back(part);
-    add(Knob::probe, amplitude, s, {.compression = place, .probing = agenda_.work.probings.size() - 1});
+    planned_.work.probings.push_back(part);
+    add(Varied::probe, amplitude, s, {.compression = place, .probing = planned_.work.probings.size() - 1});
   }
 
   /// Walls of every size, and the periodic cell of the same size and of the largest that there is.
@@ -161,13 +161,13 @@ class Planner {
       for (const std::size_t grains : sizes)
         each_specimen(grains, [&](Specimen s) {
           s.boundary = boundary;
-          add(Knob::boundary, static_cast<double>(grains), s, {.compression = compression(s)});
+          add(Varied::boundary, static_cast<double>(grains), s, {.compression = compression(s)});
         });
     }
   }
 
   const TradeScene& trade_;
-  Agenda agenda_;
+  PlannedWork planned_;
 };
 
 /// A scene with another number of grains, for the predictions of verify/plan.hpp.
@@ -181,7 +181,7 @@ double count(std::size_t grains) { return static_cast<double>(grains); }
 
 } // namespace
 
-Agenda agenda(const TradeScene& trade) { return Planner(trade).all(); }
+PlannedWork planned_work(const TradeScene& trade) { return Planner(trade).all(); }
 
 double predicted_work(const TradeScene& trade, const Work& /*work*/, const Packing& part) {
   return preparation_work(resized(trade, part.grains));

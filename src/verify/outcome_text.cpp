@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endings.hpp"
+#include "outcome_text.hpp"
 
 #include <exception>
 
