@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// File: header, scene, state. The checksum covers the header's sizes, the scene and the state.
+// File: header, subject, scene, state. The checksum covers the header's sizes and all that follows it.
 #include <granum/io/checkpoint.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -23,6 +24,7 @@ struct Header {
   std::array<char, 8> magic;
   std::uint32_t version;
   std::uint32_t byte_order;
+  std::uint64_t subject_size;
   std::uint64_t scene_size;
   std::uint64_t state_size;
   std::uint64_t checksum;
@@ -33,6 +35,7 @@ std::uint64_t checksum_of(const Header& header, std::string_view body) {
   const auto add = [&](const void* data, std::size_t size) {
     sum = crc32_z(sum, static_cast<const Bytef*>(data), size);
   };
+  add(&header.subject_size, sizeof header.subject_size);
   add(&header.scene_size, sizeof header.scene_size);
   add(&header.state_size, sizeof header.state_size);
   add(body.data(), body.size());
@@ -51,8 +54,14 @@ std::string contents(const std::filesystem::path& path) {
 } // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const std::string body = checkpoint.scene + checkpoint.state;
-  Header header{magic, checkpoint_version, byte_order, checkpoint.scene.size(), checkpoint.state.size(), 0};
+  const std::string body = checkpoint.subject + checkpoint.scene + checkpoint.state;
+  Header header{.magic = magic,
+                .version = checkpoint_version,
+                .byte_order = byte_order,
+                .subject_size = checkpoint.subject.size(),
+                .scene_size = checkpoint.scene.size(),
+                .state_size = checkpoint.state.size(),
+                .checksum = 0};
   header.checksum = checksum_of(header, body);
   ByteWriter writer;
   writer.put(header);
@@ -73,13 +82,18 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     reader.fail("is a checkpoint of version " + std::to_string(header.version) +
                 "; this granum reads version " + std::to_string(checkpoint_version));
   const std::string_view body = std::string_view(file).substr(sizeof(Header));
-  if (header.scene_size > body.size() || header.state_size != body.size() - header.scene_size)
+  const std::uint64_t behind_subject =
+      body.size() - std::min<std::uint64_t>(header.subject_size, body.size());
+  if (header.subject_size > body.size() || header.scene_size > behind_subject ||
+      header.state_size != behind_subject - header.scene_size)
     reader.fail("is a checkpoint cut short or run over: " + std::to_string(body.size()) +
-                " bytes where it says " + std::to_string(header.scene_size) + " and " +
-                std::to_string(header.state_size));
+                " bytes where it says " + std::to_string(header.subject_size) + ", " +
+                std::to_string(header.scene_size) + " and " + std::to_string(header.state_size));
   if (header.checksum != checksum_of(header, body))
     reader.fail("is a damaged checkpoint: its checksum does not match");
-  return {std::string(body.substr(0, header.scene_size)), std::string(body.substr(header.scene_size))};
+  return {.subject = std::string(body.substr(0, header.subject_size)),
+          .scene = std::string(body.substr(header.subject_size, header.scene_size)),
+          .state = std::string(body.substr(header.subject_size + header.scene_size))};
 }
 
 } // namespace granum::io

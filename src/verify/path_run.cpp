@@ -29,10 +29,13 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-/// The checkpoint of one piece: its bytes, if there are any yet, and their writing.
+/// The checkpoint of one piece: its bytes, if there are any yet, and their writing. The file says of which
+/// piece it is, so that one that was renamed, or stored in another's place, is refused.
 class Store {
  public:
-  Store(const CheckpointFolder& checkpoints, const std::string& stem) : scene_text_(checkpoints.scene_text) {
+  /// \param    stem   name of the piece: of the file without its ending, and its subject
+  Store(const CheckpointFolder& checkpoints, const std::string& stem)
+      : subject_(stem), scene_text_(checkpoints.scene_text) {
     if (!checkpoints.folder.empty())
       path_ = checkpoints.folder / (stem + ".checkpoint");
   }
@@ -43,16 +46,20 @@ class Store {
     io::Checkpoint checkpoint = io::read_checkpoint(path_);
     if (checkpoint.scene != scene_text_)
       throw FileError(path_.string(), 0, "is the checkpoint of another scene");
+    if (checkpoint.subject != subject_)
+      throw FileError(path_.string(), 0,
+                      "is the checkpoint of " + checkpoint.subject + ", not of " + subject_);
     return std::move(checkpoint.state);
   }
   [[nodiscard]] std::string name() const { return path_.string(); }
   void write(const ByteWriter& bytes) const {
     if (!path_.empty())
-      io::write_checkpoint(path_, {.scene = scene_text_, .state = bytes.bytes()});
+      io::write_checkpoint(path_, {.subject = subject_, .scene = scene_text_, .state = bytes.bytes()});
   }
 
  private:
   std::filesystem::path path_;
+  std::string subject_;
   std::string scene_text_;
 };
 

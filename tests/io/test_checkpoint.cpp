@@ -41,7 +41,9 @@ std::string complaint(const std::filesystem::path& path) {
 
 bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
 
-const Checkpoint sample{.scene = "grains = 1000\n", .state = std::string("\0\1\2\xff state", 10)};
+const Checkpoint sample{.subject = "sphere dense #1 TXC",
+                        .scene = "grains = 1000\n",
+                        .state = std::string("\0\1\2\xff state", 10)};
 
 } // namespace
 
@@ -50,7 +52,7 @@ TEST_CASE("a checkpoint is read as it was written, and the next one takes its pl
   const auto path = folder.path() / "run.checkpoint";
   write_checkpoint(path, sample);
   CHECK(read_checkpoint(path) == sample);
-  const Checkpoint later{.scene = sample.scene, .state = std::string(100000, 'x')};
+  const Checkpoint later{.subject = sample.subject, .scene = sample.scene, .state = std::string(100000, 'x')};
   write_checkpoint(path, later);
   CHECK(read_checkpoint(path) == later);
   write_checkpoint(path, {});
@@ -72,7 +74,7 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
   CHECK(complaint(path) == "is not a checkpoint of granum");
   overwrite(path, whole.substr(0, 20));
   CHECK(says(complaint(path), "cut short within its header"));
-  for (std::size_t length = 40; length < whole.size(); ++length) {
+  for (std::size_t length = 48; length < whole.size(); ++length) {
     overwrite(path, whole.substr(0, length));
     CHECK(says(complaint(path), "cut short or run over"));
   }
@@ -81,7 +83,7 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
   std::string newer = whole;
   newer[8] = static_cast<char>(checkpoint_version + 1);
   overwrite(path, newer);
-  CHECK(complaint(path) == "is a checkpoint of version 4; this granum reads version 3");
+  CHECK(complaint(path) == "is a checkpoint of version 5; this granum reads version 4");
   std::string foreign = whole;
   std::swap(foreign[12], foreign[15]);
   overwrite(path, foreign);

@@ -209,6 +209,36 @@ TEST_CASE("checkpoints of another scene are refused") {
                   FileError);
 }
 
+TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is refused") {
+  Scene scene = small_scene();
+  scene.densities = {Density::dense, Density::loose};
+  scene.seeds = 2;
+  const TemporaryFolder folder;
+  const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
+  REQUIRE(run_experiment(scene, {}, checkpoints).complete());
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    files.push_back(entry.path());
+  REQUIRE(files.size() == 14); // two packings, four compressions, eight paths
+  const fs::path aside = folder.path() / "aside";
+  std::size_t swaps = 0;
+  for (const fs::path& a : files)
+    for (const fs::path& b : files)
+      if (a < b) {
+        const auto swap = [&] {
+          fs::rename(a, aside);
+          fs::rename(b, a);
+          fs::rename(aside, b);
+        };
+        swap();
+        CHECK_THROWS_AS((void)run_experiment(scene, {}, checkpoints), FileError);
+        swap();
+        ++swaps;
+      }
+  CHECK(swaps == 91);
+  CHECK(run_experiment(scene, {}, checkpoints).complete());
+}
+
 TEST_CASE("a checkpoint that cannot be written ends an experiment with its error") {
   Scene scene = small_scene();
   scene.paths = {};
