@@ -89,7 +89,7 @@ void scene(const dem::State& state) {
   say("hertz_drag",
       drag(stiffness) * 1.5 * hertz / stiffness); // per contact radius a = k_n/(1.5 hertz) [1/(s m)]
   say("spring_normal", spring);
-  say("spring_tangential", spring * material(friction).tangential_stiffness_ratio);
+  say("spring_tangential", spring * material(friction).tangential_ratio);
   say("spring_drag", drag(spring));
   say("time_step", started(state).time_step());
 }

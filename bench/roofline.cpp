@@ -90,7 +90,7 @@ class Sweep {
                                 .gradient = {},
                                 .diameter = 2 * state_.radius,
                                 .elapsed = 1e-12, // forces stay where they are
-                                .tangential_ratio = material.tangential_stiffness_ratio,
+                                .tangential_ratio = material.tangential_ratio,
                                 .friction = material.friction_coefficient};
     double force = 0;
     for (const dem::Chunk& chunk : parts_.chunks)

@@ -11,7 +11,7 @@ namespace granum::bench {
 
 dem::Material material(double friction) {
   return {.law = contact::PowerLaw::sphere(quartz, radius),
-          .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
           .friction_coefficient = friction};
 }
 

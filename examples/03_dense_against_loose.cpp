@@ -94,7 +94,7 @@ int main() {
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   triaxial::SpecimenRecipe recipe{
       .material = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
-                   .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                   .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                    .friction_coefficient = 0.4986},
       .radius = 0.5e-3,
       .grains = 300};

@@ -71,7 +71,7 @@ int main() {
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   const triaxial::SpecimenRecipe recipe{
       .material = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
-                   .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                   .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                    .friction_coefficient = 0.4986},
       .radius = 0.5e-3,
       .grains = 500};
@@ -86,7 +86,7 @@ int main() {
   // 3. Known: the contacts, the void ratio, C_n and the stress, as one would have them from a paper. z* is
   //    estimated from C_n, and may be off: so many contacts may be those of few grains or of all.
   effective::KnownPacking packing{.state = {.law = recipe.material.law,
-                                            .tangential_ratio = recipe.material.tangential_stiffness_ratio,
+                                            .tangential_ratio = recipe.material.tangential_ratio,
                                             .radius = recipe.radius,
                                             .void_ratio = dem::void_ratio(specimen),
                                             .coordination_number = coordination_number(assembly),

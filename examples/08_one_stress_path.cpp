@@ -23,10 +23,10 @@ int main() {
   // 1. The grains of Chung et al. (2014), in a periodic cell.
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   const double radius = 0.5e-3, degree = std::numbers::pi / 180;
-  const dem::Material material{
-      .law = contact::PowerLaw::sphere(grain, radius),
-      .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
-      .friction_coefficient = contact::Friction::from_angle(26.5 * degree).coefficient()};
+  const dem::Material material{.law = contact::PowerLaw::sphere(grain, radius),
+                               .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                               .friction_coefficient =
+                                   contact::Friction::from_angle(26.5 * degree).coefficient()};
   const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 400};
 
   // 2. Dense: no friction until the first pressure is reached. Then with friction to 100 kPa.
@@ -57,7 +57,7 @@ int main() {
     const triaxial::Microstructure micro = triaxial::microstructure(dem::freeze(now, material));
     const double closed =
         effective::uniform_strain({.law = material.law,
-                                   .tangential_ratio = material.tangential_stiffness_ratio,
+                                   .tangential_ratio = material.tangential_ratio,
                                    .radius = radius,
                                    .void_ratio = dem::void_ratio(now),
                                    .coordination_number = micro.coordination_number,

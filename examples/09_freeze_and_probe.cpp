@@ -22,7 +22,7 @@ int main() {
   const double radius = 0.5e-3;
   const dem::Material material{
       .law = contact::PowerLaw::sphere(grain, radius),
-      .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+      .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
       .friction_coefficient = contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()};
   const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 300};
   dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,

@@ -40,7 +40,7 @@ int main() {
   const double radius = 0.5e-3;
   triaxial::SpecimenRecipe recipe{
       .material = {.law = contact::PowerLaw::sphere(grain, radius),
-                   .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                   .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                    .friction_coefficient =
                        contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()},
       .radius = radius,

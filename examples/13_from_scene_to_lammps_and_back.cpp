@@ -37,8 +37,7 @@ constexpr double friction = 0.5;
 std::vector<io::DeckFile> deck() {
   const auto law = contact::PowerLaw::sphere(quartz, radius);
   const double ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio);
-  const dem::Material material{
-      .law = law, .tangential_stiffness_ratio = ratio, .friction_coefficient = friction};
+  const dem::Material material{.law = law, .tangential_ratio = ratio, .friction_coefficient = friction};
   triaxial::SpecimenRecipe recipe{.material = material, .radius = radius};
   recipe.grains = 300;
   recipe.first_pressure = 50e3;

@@ -47,8 +47,8 @@ double normal_force_moment(const Assembly& assembly, double exponent) {
   return weighted_moment(assembly, exponent, 0);
 }
 
-double energy_moment(const Assembly& assembly, double exponent, double stiffness_ratio) {
-  return weighted_moment(assembly, exponent, 1 / require_positive("stiffness_ratio", stiffness_ratio));
+double energy_moment(const Assembly& assembly, double exponent, double tangential_ratio) {
+  return weighted_moment(assembly, exponent, 1 / require_positive("tangential_ratio", tangential_ratio));
 }
 
 BulkModulusBounds bulk_modulus_bounds(const Assembly& assembly) {

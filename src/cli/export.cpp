@@ -79,7 +79,7 @@ io::LammpsExperiment experiment_of(const verify::Scene& scene, const Specimen& s
   return {.law = material.law,
           .radius = scene.radius,
           .density = material.density,
-          .tangential_ratio = material.tangential_stiffness_ratio,
+          .tangential_ratio = material.tangential_ratio,
           .friction_coefficient = material.friction_coefficient,
           .start = start_of(options),
           .friction_while_prepared = specimen.density == triaxial::Density::loose,

@@ -156,7 +156,7 @@ void Engine::Data::sweep(double elapsed) {
                          .gradient = gradient,
                          .diameter = 2 * cold.radius,
                          .elapsed = elapsed,
-                         .tangential_ratio = material.tangential_stiffness_ratio,
+                         .tangential_ratio = material.tangential_ratio,
                          .friction = friction};
   const auto contacts_of = [&](std::size_t c) {
     const Chunk& chunk = parts.chunks[c];
@@ -205,7 +205,7 @@ void Engine::Data::take_figures(const SweepSums& total) {
   const std::size_t all = figures.contacts + figures.wall_contacts;
   figures.mean_normal_force = all > 0 ? total.normal_force / static_cast<double>(all) : 0;
   // <n1^4> = 1/5, <n1^2 (1 - n1^2)> = 2/15 for isotropic normals.
-  const double ratio = tangential ? material.tangential_stiffness_ratio : 0;
+  const double ratio = tangential ? material.tangential_ratio : 0;
   figures.p_wave_modulus = total.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
 }
 
@@ -222,7 +222,7 @@ void Engine::Data::choose_time_step() {
                              .grains = grains,
                              .cell = cold.cell,
                              .radius = cold.radius,
-                             .tangential_ratio = tangential ? material.tangential_stiffness_ratio : 0,
+                             .tangential_ratio = tangential ? material.tangential_ratio : 0,
                              .mass = mass,
                              .inertia = inertia};
   const double omega_squared = highest_frequency_squared(law, input, walls ? &*walls : nullptr);

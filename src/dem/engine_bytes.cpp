@@ -12,7 +12,7 @@ namespace {
 
 /// The numbers that forces follow from; two materials with the same ones give the same bits.
 std::array<double, 5> fingerprint(const Material& material) {
-  return {material.law.alpha(), material.law.coefficient(), material.tangential_stiffness_ratio,
+  return {material.law.alpha(), material.law.coefficient(), material.tangential_ratio,
           material.friction_coefficient, material.density};
 }
 

@@ -40,7 +40,7 @@ std::vector<Contact> wall_contacts(const State& state, const Material& material)
       c.branch = -distance * planes[w].normal;
       c.normal_force = response.force;
       c.normal_stiffness = response.stiffness;
-      c.tangential_stiffness = rough ? material.tangential_stiffness_ratio * response.stiffness : 0;
+      c.tangential_stiffness = rough ? material.tangential_ratio * response.stiffness : 0;
       while (memory != state.walls->history.end() && std::tie(memory->grain, memory->wall) < std::tie(g, w))
         ++memory;
       if (memory != state.walls->history.end() && memory->grain == g && memory->wall == w) {
@@ -56,7 +56,7 @@ std::vector<Contact> wall_contacts(const State& state, const Material& material)
 } // namespace
 
 void require_valid(const Material& material) {
-  require_non_negative("tangential_stiffness_ratio", material.tangential_stiffness_ratio);
+  require_non_negative("tangential_ratio", material.tangential_ratio);
   require_positive("density", material.density, "kg/m^3");
   if (!(material.friction_coefficient >= 0))
     throw InvalidArgument("friction_coefficient", material.friction_coefficient, "", "[0, inf]");
@@ -93,7 +93,7 @@ Assembly freeze(const State& state, const Material& material) {
         std::visit([&](const auto& law) { return law(c.overlap); }, kernel);
     c.normal_force = response.force;
     c.normal_stiffness = response.stiffness;
-    c.tangential_stiffness = material.tangential_stiffness_ratio * response.stiffness;
+    c.tangential_stiffness = material.tangential_ratio * response.stiffness;
     while (memory != state.history.end() && std::tie(memory->i, memory->j) < std::tie(c.i, c.j))
       ++memory;
     if (memory != state.history.end() && memory->i == c.i && memory->j == c.j) {

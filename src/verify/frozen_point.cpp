@@ -84,7 +84,7 @@ void measure_contacts(const dem::State& state, const dem::Material& material, co
 std::optional<ClosedForms> closed_forms(const dem::Material& material, double radius,
                                         const FrozenPoint& point) {
   const effective::State state{.law = material.law,
-                               .tangential_ratio = material.tangential_stiffness_ratio,
+                               .tangential_ratio = material.tangential_ratio,
                                .radius = radius,
                                .void_ratio = point.interior_void_ratio,
                                .coordination_number = point.micro.coordination_number,

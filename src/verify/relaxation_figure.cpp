@@ -56,8 +56,7 @@ io::Series closed_form(const Scene& scene, Shape contact, double low, double hig
     const double z = low + (high - low) * k / steps;
     out.x.push_back(z);
     out.y.push_back(
-        effective::relaxation(z, material.tangential_stiffness_ratio, material.law.stiffness_exponent())
-            .shear.value);
+        effective::relaxation(z, material.tangential_ratio, material.law.stiffness_exponent()).shear.value);
   }
   return out;
 }

@@ -56,7 +56,7 @@ triaxial::SpecimenRecipe recipe(const Scene& scene, Shape shape, std::uint64_t s
                            : scene.tangential_ratio;
   return {
       .material = {.law = contact_law,
-                   .tangential_stiffness_ratio = ratio,
+                   .tangential_ratio = ratio,
                    .friction_coefficient = contact::Friction::from_angle(scene.friction_angle).coefficient(),
                    .density = scene.density},
       .radius = scene.radius,

@@ -38,7 +38,7 @@ void measure_assembly(const Assembly& assembly, const contact::PowerLaw& contact
 void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, StateResult& out) {
   const effective::Estimate estimate =
       effective::uniform_strain({.law = recipe.material.law,
-                                 .tangential_ratio = recipe.material.tangential_stiffness_ratio,
+                                 .tangential_ratio = recipe.material.tangential_ratio,
                                  .radius = recipe.radius,
                                  .void_ratio = out.void_ratio,
                                  .coordination_number = out.coordination_number,

@@ -13,7 +13,7 @@ inline contact::PowerLaw quartz_sphere(double radius) {
 
 inline dem::Material quartz(double radius, double friction) {
   return {.law = quartz_sphere(radius),
-          .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(0.15),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(0.15),
           .friction_coefficient = friction};
 }
 

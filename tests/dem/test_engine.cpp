@@ -98,7 +98,7 @@ TEST_CASE("a tangential force shrinks with its stiffness when the contact unload
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const double overlap = 1e-7;
   State state = pair_state(overlap);
-  const double k_t = material.tangential_stiffness_ratio * material.law.stiffness_at_overlap(overlap);
+  const double k_t = material.tangential_ratio * material.law.stiffness_at_overlap(overlap);
   state.history = {{0, 1, {0, 1e-4, 0}, k_t}};
   // Apart by a hundredth of the overlap in one step, straight along the normal.
   Engine still(state, material);

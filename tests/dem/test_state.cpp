@@ -78,6 +78,6 @@ TEST_CASE("impossible materials are named") {
   material.density = 0;
   CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
   material = test::quartz(1e-3, 0.5);
-  material.tangential_stiffness_ratio = std::numeric_limits<double>::quiet_NaN();
+  material.tangential_ratio = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
 }

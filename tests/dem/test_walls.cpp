@@ -147,7 +147,7 @@ TEST_CASE("a rough wall carries tangential force to Coulomb's limit, a smooth on
   const double dt = [&] { return Engine(state, material).time_step(); }();
   // Sticking: k_t times the way of the surface, k_t = r k_n of the plane, on both walls against the motion.
   const auto [sticking, moved] = after_a_step(std::numeric_limits<double>::infinity());
-  const double k_t = material.tangential_stiffness_ratio * 2 * material.law.stiffness_at_overlap(2 * overlap);
+  const double k_t = material.tangential_ratio * 2 * material.law.stiffness_at_overlap(2 * overlap);
   CHECK(sticking.force[0].y == relative(-k_t * 1e-4 * dt, 1e-9));
   CHECK(sticking.force[1].y == relative(-k_t * 1e-4 * dt, 1e-9));
   CHECK(moved.walls->history.size() == 2);
@@ -188,7 +188,7 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
   other.set_damping(0);
   other.set_velocity_gradient(spin);
   other.step();
-  const double k_t = material.tangential_stiffness_ratio * 2 * material.law.stiffness_at_overlap(2e-7);
+  const double k_t = material.tangential_ratio * 2 * material.law.stiffness_at_overlap(2e-7);
   CHECK(norm(other.wall_forces().force[0] - on_grain) ==
         relative(k_t * radius * w * other.time_step(), 0.01));
 }

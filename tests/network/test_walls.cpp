@@ -39,7 +39,7 @@ TEST_CASE(
     "a simple cubic lattice between walls has the moduli of the periodic one, smooth walls less shear") {
   const dem::Material material = test::quartz(radius, 0.5);
   const double overlap = 1e-4 * radius, edge = 2 * radius - overlap;
-  const double kn = material.law.stiffness_at_overlap(overlap), kt = material.tangential_stiffness_ratio * kn;
+  const double kn = material.law.stiffness_at_overlap(overlap), kt = material.tangential_ratio * kn;
   // [DuffyMindlin1957]: C11 = kn/edge, C12 = 0, C44 = kt/(2 edge).
   Matrix6 periodic = Matrix6::Zero();
   periodic.diagonal() << kn / edge, kn / edge, kn / edge, kt / (2 * edge), kt / (2 * edge), kt / (2 * edge);
@@ -103,7 +103,7 @@ TEST_CASE("networks with walls: as their dense twins, symmetric, semidefinite, b
 TEST_CASE("smooth walls with prestress: the second derivatives of the energy itself") {
   // Frictionless grains pressed together by 2 % of their radius, out of their places by as much.
   dem::Material material = test::quartz(radius, 0);
-  material.tangential_stiffness_ratio = 0;
+  material.tangential_ratio = 0;
   dem::State state = boxed_lattice(2, 0.02 * radius, 0);
   samples::Uniform uniform(2);
   for (Vec3& x : state.position)

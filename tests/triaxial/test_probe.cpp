@@ -18,7 +18,7 @@ namespace {
 
 SpecimenRecipe recipe_of(const contact::PowerLaw& law) {
   SpecimenRecipe recipe{.material = {.law = law,
-                                     .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(0.15),
+                                     .tangential_ratio = contact::mindlin_stiffness_ratio(0.15),
                                      .friction_coefficient = 0.4986},
                         .radius = 0.5e-3};
   recipe.grains = 200;

@@ -16,8 +16,7 @@ inline constexpr double specimen_friction = 0.5;
 /// Dense spheres with friction.
 inline triaxial::SpecimenRecipe specimen_recipe(double first_pressure, std::size_t grains = 80) {
   return {.material = {.law = contact::PowerLaw::sphere(specimen_grain, specimen_radius),
-                       .tangential_stiffness_ratio =
-                           contact::mindlin_stiffness_ratio(specimen_grain.poisson_ratio),
+                       .tangential_ratio = contact::mindlin_stiffness_ratio(specimen_grain.poisson_ratio),
                        .friction_coefficient = specimen_friction},
           .radius = specimen_radius,
           .grains = grains,

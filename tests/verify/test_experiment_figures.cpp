@@ -238,8 +238,7 @@ TEST_CASE("relaxation holds all states of all seeds over the calibrated curve") 
   CHECK(line.x.back() == relative(6.1, 1e-13));
   const dem::Material cone = recipe(experiment.scene, Shape::cone, 1).material;
   CHECK(line.y[7] ==
-        effective::relaxation(line.x[7], cone.tangential_stiffness_ratio, cone.law.stiffness_exponent())
-            .shear.value);
+        effective::relaxation(line.x[7], cone.tangential_ratio, cone.law.stiffness_exponent()).shear.value);
   CHECK(experiment_figures(experiment).front().caption.find("first of 2 specimens") != std::string::npos);
 }
 

@@ -65,7 +65,7 @@ constexpr std::uint64_t first_seed = 11, last_seed = 12;
 triaxial::SpecimenRecipe recipe(const Case& c, std::uint64_t seed, std::size_t grains) {
   return {
       .material = {.law = relaxation::detail::law(c.contact),
-                   .tangential_stiffness_ratio = ladder::tangential_ratio,
+                   .tangential_ratio = ladder::tangential_ratio,
                    .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient()},
       .radius = 0.5e-3,
       .grains = grains,

@@ -29,7 +29,7 @@ constexpr double pressure = 10e3; // [Pa]
 triaxial::SpecimenRecipe recipe(std::size_t grains, std::uint64_t seed) {
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   return {.material = {.law = contact::PowerLaw::sphere(grain, radius),
-                       .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                        .friction_coefficient =
                            contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()},
           .radius = radius,

@@ -112,7 +112,7 @@ const std::vector<Preparation>& preparations() {
 
 triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparation, std::uint64_t seed) {
   return {.material = {.law = shape.law,
-                       .tangential_stiffness_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                        .friction_coefficient = preparation.friction_coefficient},
           .radius = radius,
           .grains = preparation.grains,
@@ -227,7 +227,7 @@ void describe(Row& row, const dem::State& frozen, const dem::Material& material)
   const Assembly assembly = dem::freeze(frozen, material);
   row.add("e", dem::void_ratio(frozen));
   add_assembly(row, assembly, material);
-  add_networks(row, assembly, material.tangential_stiffness_ratio);
+  add_networks(row, assembly, material.tangential_ratio);
 }
 
 /// The output file: which states it holds, and how another is added.

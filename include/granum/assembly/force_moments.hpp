@@ -14,11 +14,11 @@ namespace granum {
 
 /// Z'(x) = <f_n^x (1 + (f_t/f_n)^2/r)>/<f_n>^x: the same with the tangential forces' share of the elastic
 /// energy; Hertz contacts take x = 5/3. [AgnolinRoux2007]
-/// \param    exponent         x, any finite number [1]
-/// \param    stiffness_ratio  r = k_t/k_n > 0 [1]
-/// \throws   InvalidArgument as normal_force_moment, or if stiffness_ratio is not positive
+/// \param    exponent          x, any finite number [1]
+/// \param    tangential_ratio  r = k_t/k_n > 0 [1]
+/// \throws   InvalidArgument as normal_force_moment, or if tangential_ratio is not positive
 /// Checked by tests/assembly/test_force_moments.cpp
-[[nodiscard]] double energy_moment(const Assembly& assembly, double exponent, double stiffness_ratio);
+[[nodiscard]] double energy_moment(const Assembly& assembly, double exponent, double tangential_ratio);
 
 /// Two-sided bound on a bulk modulus [Pa].
 struct BulkModulusBounds {

@@ -13,13 +13,13 @@ namespace granum::dem {
 
 /// What the grains are made of and how they touch.
 struct Material {
-  contact::PowerLaw law;                 ///< normal contact of two equal grains
-  double tangential_stiffness_ratio = 0; ///< k_t/k_n >= 0 [1]
-  double friction_coefficient = 0;       ///< mu >= 0 [1]; infinity: no contact slides
+  contact::PowerLaw law;           ///< normal contact of two equal grains
+  double tangential_ratio = 0;     ///< k_t/k_n >= 0 [1]
+  double friction_coefficient = 0; ///< mu >= 0 [1]; infinity: no contact slides
   double density = 2650; ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
 
   /// True when contacts carry tangential forces; else rotations and histories are not modelled at all.
-  [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_stiffness_ratio > 0; }
+  [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_ratio > 0; }
 };
 
 /// \throws InvalidArgument naming the value that no material can have.
