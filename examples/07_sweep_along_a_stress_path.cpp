@@ -17,7 +17,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/io/chart.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/triaxial/stress_path.hpp>
+#include <granum/stress/shear_path.hpp>
 
 using namespace granum;
 
@@ -29,7 +29,7 @@ constexpr int steps = 10;
 /// Moduli at one stress ratio.
 struct Row {
   double eta;
-  triaxial::AxialStress stress;
+  stress::AxialStress stress;
   double G_hh;
   double G_hv;
   double E_v;
@@ -38,7 +38,7 @@ struct Row {
 
 /// The packing on the path that begins at a mean stress p.
 Row evaluate(effective::State packing, double p, double eta) {
-  const triaxial::AxialStress stress = triaxial::stress_on_path(triaxial::ShearPath::txc, p, eta);
+  const stress::AxialStress stress = stress::stress_on_path(stress::ShearPath::txc, p, eta);
   packing.stress_v = stress.v;
   packing.stress_h = stress.h;
   const auto stiffness = effective::uniform_strain(packing).stiffness;
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
 
   // 2. The path goes up to failure of a material with a friction angle of 26.5 degrees.
   const double angle = 26.5 * std::numbers::pi / 180;
-  const double end = triaxial::failure_ratio(triaxial::ShearPath::txc, angle);
+  const double end = stress::failure_ratio(stress::ShearPath::txc, angle);
 
   // 3. Walk along it.
   io::Chart chart{.title = "Uniform strain along TXC from 100 kPa",

@@ -43,7 +43,7 @@ int main() {
 
   // 3. Shear: constant inertial number; a snapshot at each multiple of 0.1 of eta = q/p', and of the strain.
   triaxial::ShearTest test(state, material,
-                           {.path = triaxial::ShearPath::txc,
+                           {.path = stress::ShearPath::txc,
                             .mean_stress = 100e3,
                             .eta_step = 0.1,
                             .strain_step = 0.005,
@@ -78,7 +78,7 @@ int main() {
     largest_G = std::max(largest_G, moduli.G_vh());
     last_G = moduli.G_vh();
   }
-  const double angle = triaxial::mobilised_friction_angle(test.peak().stress) / degree;
+  const double angle = stress::mobilised_friction_angle(test.peak().stress) / degree;
   std::printf("peak: eta = %.3f, friction angle %.1f degrees (26.0 in the paper)\n",
               test.peak().stress.ratio(), angle);
 

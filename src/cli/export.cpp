@@ -8,8 +8,8 @@
 #include <granum/core/error.hpp>
 #include <granum/io/lammps_deck.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/scatter.hpp>
-#include <granum/triaxial/stress_path.hpp>
 
 #include "frame.hpp"
 #include "scene_file.hpp"
@@ -19,7 +19,7 @@ namespace granum::cli {
 
 namespace {
 
-using triaxial::ShearPath;
+using stress::ShearPath;
 namespace fs = std::filesystem;
 
 struct Options {
@@ -59,9 +59,9 @@ void require_spheres(const verify::Scene& scene) {
 
 /// The test that --path names; nothing for none.
 std::optional<io::LammpsPath> path_of(const Options& options) {
-  for (const ShearPath path : triaxial::all_shear_paths)
-    if (CLI::detail::to_lower(std::string(triaxial::name(path))) == options.path)
-      return io::LammpsPath{.name = std::string(triaxial::name(path)),
+  for (const ShearPath path : stress::all_shear_paths)
+    if (CLI::detail::to_lower(std::string(stress::name(path))) == options.path)
+      return io::LammpsPath{.name = std::string(stress::name(path)),
                             .drives_vertical = path == ShearPath::txc || path == ShearPath::rtxe,
                             .compresses = path == ShearPath::txc || path == ShearPath::txe,
                             .eta_step = options.eta_step,

@@ -154,7 +154,7 @@ void add_packing_options(CLI::App& command, PackingOptions& o) {
   add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
 }
 
-Stresses resolve_stresses(const PackingOptions& o) {
+stress::AxialStress resolve_stresses(const PackingOptions& o) {
   if (o.pressure.given()) {
     if (o.stress_v.given() || o.stress_h.given())
       throw InvalidArgument("--pressure sets both stresses: leave out --stress-v and --stress-h");
@@ -170,7 +170,7 @@ Stresses resolve_stresses(const PackingOptions& o) {
   return {o.stress_v.value, o.stress_h.value};
 }
 
-State resolve_state(const PackingOptions& o, const Stresses& stress) {
+State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) {
   const State state{.law = resolve_law(o),
                     .tangential_ratio = o.tangential_ratio.given()
                                             ? contact::given_stiffness_ratio(o.tangential_ratio.value)

@@ -7,6 +7,7 @@
 
 #include <granum/core/units.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/stress/axial_stress.hpp>
 #include <nlohmann/json.hpp>
 
 namespace CLI {
@@ -78,18 +79,14 @@ void add_law_options(CLI::App& command, PackingOptions& options, const std::stri
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] contact::PowerLaw resolve_law(const PackingOptions& options);
 
-struct Stresses {
-  double v;
-  double h;
-};
-
 /// The stresses that the options give.
 /// \throws   InvalidArgument if they are missing or given more than once
-[[nodiscard]] Stresses resolve_stresses(const PackingOptions& options);
+[[nodiscard]] stress::AxialStress resolve_stresses(const PackingOptions& options);
 
 /// The packing that the options describe, at a stress.
 /// \throws   InvalidArgument for options that contradict one another or that no packing can have
-[[nodiscard]] effective::State resolve_state(const PackingOptions& options, const Stresses& stress);
+[[nodiscard]] effective::State resolve_state(const PackingOptions& options,
+                                             const stress::AxialStress& stress);
 
 /// z* of the packing, if it is given, or the share of rattlers. A table may hold both: then z*.
 /// \throws   InvalidArgument if both are given, or if the value is out of its range

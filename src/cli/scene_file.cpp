@@ -87,7 +87,7 @@ Key pressures(const char* name, std::vector<double> Scene::*member, const char* 
 
 std::string_view name_of(verify::Shape shape) { return verify::name(shape); }
 std::string_view name_of(triaxial::Density density) { return verify::name(density); }
-std::string_view name_of(triaxial::ShearPath path) { return triaxial::name(path); }
+std::string_view name_of(stress::ShearPath path) { return stress::name(path); }
 
 template <class Value>
 Key names(const char* name, std::vector<Value> Scene::*member, std::vector<Value> known,
@@ -154,8 +154,7 @@ const std::vector<Key>& keys() {
                "by which loose specimens are opened before friction is switched on"),
       quantity("specimen.agitation", &Scene::agitation, dimensionless,
                "random move of each grain then, as a share of its radius"),
-      names("shear.paths", &Scene::paths,
-            {triaxial::all_shear_paths.begin(), triaxial::all_shear_paths.end()},
+      names("shear.paths", &Scene::paths, {stress::all_shear_paths.begin(), stress::all_shear_paths.end()},
             "TXC, RTXC, RTXE, TXE (this and the next: reproduce only)"),
       quantity("shear.inertial_number", &Scene::inertial_number, dimensionless,
                "driven strain rate times d sqrt(density/p')"),

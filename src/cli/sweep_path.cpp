@@ -10,7 +10,7 @@
 #include <granum/core/number.hpp>
 #include <granum/io/chart.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/triaxial/stress_path.hpp>
+#include <granum/stress/shear_path.hpp>
 
 #include "sweep.hpp"
 
@@ -19,8 +19,8 @@ namespace granum::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using triaxial::AxialStress;
-using triaxial::ShearPath;
+using stress::AxialStress;
+using stress::ShearPath;
 namespace fs = std::filesystem;
 
 /// A state of stress on the path.
@@ -74,9 +74,9 @@ Path isotropic_path(const SweepOptions& o) {
 }
 
 ShearPath shear_path(const std::string& option) {
-  return *std::find_if(triaxial::all_shear_paths.begin(), triaxial::all_shear_paths.end(),
+  return *std::find_if(stress::all_shear_paths.begin(), stress::all_shear_paths.end(),
                        [&option](ShearPath path) {
-                         std::string lower(triaxial::name(path));
+                         std::string lower(stress::name(path));
                          for (char& c : lower)
                            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
                          return lower == option;
@@ -90,15 +90,15 @@ Path path_to_ratio(const SweepOptions& o) {
   if (o.eta.given() == o.friction_angle.given())
     throw InvalidArgument("give one of --eta and --friction-angle, where the path ends");
   const ShearPath kind = shear_path(o.path);
-  const double end = o.eta.given() ? o.eta.value : triaxial::failure_ratio(kind, o.friction_angle.value);
-  (void)triaxial::stress_on_path(kind, o.from.value, end); // refuses the end itself, not a point before it
-  Path path{.text = fmt::format("{} from {} to eta = {}", triaxial::name(kind),
+  const double end = o.eta.given() ? o.eta.value : stress::failure_ratio(kind, o.friction_angle.value);
+  (void)stress::stress_on_path(kind, o.from.value, end); // refuses the end itself, not a point before it
+  Path path{.text = fmt::format("{} from {} to eta = {}", stress::name(kind),
                                 pretty(o.from.value, Dimension::pressure), short_text(end)),
             .isotropic = false,
             .logarithmic = false,
             .points = {}};
   for (const double eta : spread(0, end, o.points, false))
-    path.points.push_back({triaxial::stress_on_path(kind, o.from.value, eta), eta});
+    path.points.push_back({stress::stress_on_path(kind, o.from.value, eta), eta});
   return path;
 }
 

@@ -12,6 +12,7 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/stress/axial_stress.hpp>
 
 #include "checked_state.hpp"
 
@@ -35,13 +36,8 @@ AxialMoments<double> strain_moments(const State& s, double t, double sign) {
                                    kernel::rule_for(root * root));
 }
 
-struct Stresses {
-  double v;
-  double h;
-};
-
 /// Stresses over P/l c (l strain)^(1+1/alpha).
-Stresses stresses_at(const State& s, double t) {
+stress::AxialStress stresses_at(const State& s, double t) {
   const auto c = kernel::uniform_strain(1.0, s.tangential_ratio, strain_moments(s, t, 1), kernel::Spin::none);
   const double v = std::exp(t / 2), h = std::exp(-t / 2);
   return {.v = c.C33 * v + 2 * c.C13 * h, .h = (c.C11 + c.C12) * h + c.C13 * v};
@@ -49,7 +45,7 @@ Stresses stresses_at(const State& s, double t) {
 
 [[noreturn]] void refuse(const State& s) {
   const auto ratio = [&](double t) {
-    const Stresses stress = stresses_at(s, t);
+    const stress::AxialStress stress = stresses_at(s, t);
     return stress.v / stress.h;
   };
   const double low = ratio(-largest_t), high = ratio(largest_t);
@@ -63,7 +59,7 @@ Stresses stresses_at(const State& s, double t) {
 double strain_ratio(const State& s) {
   const double share = s.stress_v / (s.stress_v + s.stress_h);
   const auto excess = [&](double t) { // grows with t, of the size of 1 where both stresses are positive
-    const Stresses stress = stresses_at(s, t);
+    const stress::AxialStress stress = stresses_at(s, t);
     return ((1 - share) * stress.v - share * stress.h) / (std::abs(stress.v) + std::abs(stress.h));
   };
   const double low = excess(-largest_t), high = excess(largest_t);
@@ -85,7 +81,7 @@ Solution solve(const State& s) {
   if (s.stress_v == 0)
     return {};
   const double t = strain_ratio(s);
-  const Stresses stress = stresses_at(s, t);
+  const stress::AxialStress stress = stresses_at(s, t);
   return {.t = t, .load = (s.stress_v + 2 * s.stress_h) / (stress.v + 2 * stress.h)};
 }
 

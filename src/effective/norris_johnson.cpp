@@ -128,7 +128,7 @@ Estimate norris_johnson(const StrainedPacking& packing) {
   return {{.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44}, std::move(validity)};
 }
 
-AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath path) {
+stress::AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath path) {
   checked(packing);
   const Strain e = strain_of(packing);
   const auto w = stiffness_moments(e);
@@ -138,7 +138,7 @@ AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath pat
   m.tangential = tangential_moment(e, w, m, path);
   const double scale = 2.0 / 3 * sphere::contact_modulus(packing, e.sum) * e.sum;
   const double shear = sphere::mean_tangential_ratio(packing) * m.tangential;
-  return {.vertical = scale * (m.axial + shear), .horizontal = scale * ((m.isotropic - m.axial) - shear) / 2};
+  return {.v = scale * (m.axial + shear), .h = scale * ((m.isotropic - m.axial) - shear) / 2};
 }
 
 } // namespace granum::effective

@@ -34,12 +34,12 @@ Estimate walton_uniaxial(const UniaxialPacking& packing) {
           std::move(validity)};
 }
 
-AxialStress walton_uniaxial_stress(const UniaxialPacking& packing) {
+stress::AxialStress walton_uniaxial_stress(const UniaxialPacking& packing) {
   checked(packing);
   const double strain = packing.uniaxial_strain;
   const double M = sphere::contact_modulus(packing, strain);
   const double r = sphere::mean_tangential_ratio(packing);
-  return {.vertical = M * strain * (2 + r) / 18, .horizontal = M * strain * (1 - r) / 36};
+  return {.v = M * strain * (2 + r) / 18, .h = M * strain * (1 - r) / 36};
 }
 
 } // namespace granum::effective

@@ -23,10 +23,14 @@ constexpr double largest_servo_rate = 3;
 /// Steps between two questions whether to stop, and whether the motion is finite.
 constexpr std::size_t watch_interval = 500;
 
-bool drives_axial(ShearPath path) { return path == ShearPath::txc || path == ShearPath::rtxe; }
+bool drives_axial(stress::ShearPath path) {
+  return path == stress::ShearPath::txc || path == stress::ShearPath::rtxe;
+}
 
 /// +1 where the driven strain compresses.
-double driven_sense(ShearPath path) { return path == ShearPath::txc || path == ShearPath::txe ? 1 : -1; }
+double driven_sense(stress::ShearPath path) {
+  return path == stress::ShearPath::txc || path == stress::ShearPath::txe ? 1 : -1;
+}
 
 } // namespace
 
@@ -120,7 +124,7 @@ void ShearTest::step() {
 /// Whether eta or the strain has passed its next multiple, which is then moved on.
 bool ShearTest::passes_snapshot() {
   bool passes = false;
-  const double eta = now_.stress.ratio() * (is_compression(options_.path) ? 1 : -1);
+  const double eta = now_.stress.ratio() * (stress::is_compression(options_.path) ? 1 : -1);
   for (; eta >= static_cast<double>(next_eta_) * options_.eta_step; ++next_eta_)
     passes = true;
   for (; std::abs(now_.axial_strain) >= static_cast<double>(next_strain_) * options_.strain_step;

@@ -138,8 +138,8 @@ class Stages {
 
 } // namespace
 
-std::string_view name(const std::optional<triaxial::ShearPath>& path) {
-  return path ? triaxial::name(*path) : "ISO";
+std::string_view name(const std::optional<stress::ShearPath>& path) {
+  return path ? stress::name(*path) : "ISO";
 }
 
 bool Experiment::complete() const {

@@ -6,7 +6,7 @@
 
 namespace granum::verify {
 
-const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<triaxial::ShearPath>& path) {
+const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<stress::ShearPath>& path) {
   const auto found = std::find_if(specimen.runs.begin(), specimen.runs.end(),
                                   [&](const PathRun& run) { return run.path == path; });
   return found == specimen.runs.end() ? nullptr : &*found;

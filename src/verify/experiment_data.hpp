@@ -14,7 +14,7 @@ inline constexpr double early_eta = 0.6;
 
 /// \return   nullptr if the specimen has no such run
 [[nodiscard]] const PathRun* find_run(const ExperimentSpecimen& specimen,
-                                      const std::optional<triaxial::ShearPath>& path);
+                                      const std::optional<stress::ShearPath>& path);
 
 /// Frozen states of the shear paths with |eta| <= early_eta, not counting those past the peak.
 [[nodiscard]] std::vector<const FrozenPoint*> early_points(const ExperimentSpecimen& specimen);

@@ -98,8 +98,8 @@ std::string seeds_note(const Experiment& experiment) {
   return seeds > 1 ? " Drawn is the first of " + std::to_string(seeds) + " specimens of each kind." : "";
 }
 
-std::size_t style_of(const std::optional<triaxial::ShearPath>& path) {
-  const auto& paths = triaxial::all_shear_paths;
+std::size_t style_of(const std::optional<stress::ShearPath>& path) {
+  const auto& paths = stress::all_shear_paths;
   return path ? static_cast<std::size_t>(std::find(paths.begin(), paths.end(), *path) - paths.begin())
               : paths.size();
 }

@@ -73,12 +73,12 @@ std::optional<Measured> initial_void_ratio(const ExperimentSpecimen& specimen) {
   return Measured{points.front().interior_void_ratio, {}};
 }
 
-Reading peak_angle(triaxial::ShearPath path) {
+Reading peak_angle(stress::ShearPath path) {
   return [path](const ExperimentSpecimen& specimen) -> std::optional<Measured> {
     const PathRun* run = find_run(specimen, path);
     if (run == nullptr || !run->failure.empty())
       return std::nullopt;
-    return Measured{triaxial::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
+    return Measured{stress::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
   };
 }
 
@@ -136,9 +136,9 @@ std::vector<TableRow> table_2(const Experiment& experiment) {
 
 std::vector<TableRow> table_4(const Experiment& experiment) {
   std::vector<Column> columns;
-  for (std::size_t k = 0; k < triaxial::all_shear_paths.size(); ++k) {
-    const triaxial::ShearPath path = triaxial::all_shear_paths[k];
-    columns.push_back({std::string(triaxial::name(path)) + " [deg]", peak_angle(path),
+  for (std::size_t k = 0; k < stress::all_shear_paths.size(); ++k) {
+    const stress::ShearPath path = stress::all_shear_paths[k];
+    columns.push_back({std::string(stress::name(path)) + " [deg]", peak_angle(path),
                        [k](const PrintedSpecimen& p) { return p.friction_angle[k]; }, 1.5, 1.5});
   }
   return table(experiment, columns);

@@ -110,7 +110,7 @@ std::string what_was_run(const Experiment& experiment, const RunTime& time) {
                     short_text(scene.grain_poisson_ratio) + ", friction angle " +
                     short_text(scene.friction_angle * 180 / std::numbers::pi) + " deg");
   add("Isotropic compression", listed(scene.pressures, kilopascal) + " kPa");
-  add("Paths", listed(scene.paths, [](triaxial::ShearPath p) { return triaxial::name(p); }) +
+  add("Paths", listed(scene.paths, [](stress::ShearPath p) { return stress::name(p); }) +
                    " to an axial strain of " + short_text(100 * scene.largest_strain) +
                    " %, inertial number " + short_text(scene.inertial_number));
   add("Frozen states", std::to_string(frozen_states(experiment)) + ", every " + short_text(scene.eta_step) +

@@ -128,7 +128,7 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
     if (run.path && !run.points.empty() && run.failure.empty()) {
       const triaxial::Microstructure &first = specimen.runs.front().points.back().micro,
                                      &last = run.points.back().micro;
-      const double sense = triaxial::is_compression(*run.path) ? 1 : -1;
+      const double sense = stress::is_compression(*run.path) ? 1 : -1;
       kept = std::max(kept, last.coordination_number / first.coordination_number);
       turned = std::min(turned, sense * last.fabric_anisotropy);
     }

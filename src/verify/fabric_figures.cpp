@@ -61,7 +61,7 @@ Panel direction_panel(const Kind& kind) {
                     {"E_per_sr", {.title = "E(\u03b3) [1/sr]"}});
   for (const PathRun& run : kind.specimen->runs) {
     const bool drawn =
-        !run.path || *run.path == triaxial::ShearPath::txc || *run.path == triaxial::ShearPath::rtxe;
+        !run.path || *run.path == stress::ShearPath::txc || *run.path == stress::ShearPath::rtxe;
     const FrozenPoint* point = drawn ? last_up_to_peak(run) : nullptr;
     if (point == nullptr || point->contacts == 0)
       continue;

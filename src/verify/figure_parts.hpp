@@ -50,7 +50,7 @@ struct Kind {
 [[nodiscard]] std::string seeds_note(const Experiment& experiment);
 
 /// Each path keeps its colour, dashes and marker in all figures.
-[[nodiscard]] std::size_t style_of(const std::optional<triaxial::ShearPath>& path);
+[[nodiscard]] std::size_t style_of(const std::optional<stress::ShearPath>& path);
 
 /// Frozen states of a run until |eta| falls for the first time, or those behind it: past the first peak eta
 /// goes up and down. Isotropic compression has no peak.

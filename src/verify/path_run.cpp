@@ -63,12 +63,12 @@ class Store {
   std::string scene_text_;
 };
 
-std::string stem(const Piece& piece, const std::optional<triaxial::ShearPath>& path) {
+std::string stem(const Piece& piece, const std::optional<stress::ShearPath>& path) {
   return std::string(name(piece.contact)) + "-" + std::string(name(piece.density)) + "-" +
          std::to_string(piece.seed) + "-" + lower_case(name(path));
 }
 
-std::string title(const Piece& piece, const std::optional<triaxial::ShearPath>& path) {
+std::string title(const Piece& piece, const std::optional<stress::ShearPath>& path) {
   return std::string(name(piece.contact)) + " " + std::string(name(piece.density)) + " #" +
          std::to_string(piece.seed) + " " + std::string(name(path));
 }
@@ -101,7 +101,7 @@ void save_run(ByteWriter& to, const PathRun& run) {
     put_text(to, note);
 }
 
-PathRun load_run(ByteReader& from, const std::optional<triaxial::ShearPath>& path) {
+PathRun load_run(ByteReader& from, const std::optional<stress::ShearPath>& path) {
   PathRun run;
   run.path = path;
   run.points = from.get_all<FrozenPoint>();
@@ -144,8 +144,8 @@ struct Schedule {
     bool probed = false;
     bool cycled = false;
   };
-  Due at(const triaxial::PathPoint& now, triaxial::ShearPath path) {
-    const double ratio = now.stress.ratio() * (triaxial::is_compression(path) ? 1 : -1);
+  Due at(const triaxial::PathPoint& now, stress::ShearPath path) {
+    const double ratio = now.stress.ratio() * (stress::is_compression(path) ? 1 : -1);
     const bool by_eta = eta.passes(ratio);
     const bool by_strain = strain.passes(std::abs(now.axial_strain));
     const bool probed = probe_eta.passes(ratio);
@@ -245,7 +245,7 @@ namespace {
 /// A shear test with its record.
 class ShearRecord {
  public:
-  ShearRecord(const Piece& piece, const dem::State& start, triaxial::ShearPath path)
+  ShearRecord(const Piece& piece, const dem::State& start, stress::ShearPath path)
       : piece_(piece), path_(path), store_(piece.checkpoints, stem(piece, path)),
         material_(recipe(piece.scene, piece.contact, piece.seed).material),
         work_(shear_steps(piece.scene, piece.contact)) {
@@ -330,7 +330,7 @@ class ShearRecord {
   /// The paper shows cycles of one specimen: the first contact shape, dense, on TXC.
   void cycle() {
     const Scene& scene = piece_.scene;
-    if (scene.loop_strain > 0 && path_ == triaxial::ShearPath::txc &&
+    if (scene.loop_strain > 0 && path_ == stress::ShearPath::txc &&
         piece_.density == triaxial::Density::dense && piece_.contact == scene.contacts.front())
       run_.loops.push_back(
           shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(), scene.loop_strain));
@@ -368,7 +368,7 @@ class ShearRecord {
   }
 
   const Piece& piece_;
-  triaxial::ShearPath path_;
+  stress::ShearPath path_;
   Store store_;
   dem::Material material_;
   double work_;
@@ -380,7 +380,7 @@ class ShearRecord {
 
 } // namespace
 
-PathRun shear_run(const Piece& piece, const dem::State& start, triaxial::ShearPath path) {
+PathRun shear_run(const Piece& piece, const dem::State& start, stress::ShearPath path) {
   return ShearRecord(piece, start, path).run();
 }
 

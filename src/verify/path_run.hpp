@@ -32,7 +32,7 @@ struct IsoRun {
 [[nodiscard]] IsoRun isotropic_run(const Piece& piece, const dem::State& packing);
 
 /// A stress path from the end of isotropic compression.
-[[nodiscard]] PathRun shear_run(const Piece& piece, const dem::State& start, triaxial::ShearPath path);
+[[nodiscard]] PathRun shear_run(const Piece& piece, const dem::State& start, stress::ShearPath path);
 
 /// Predicted work of the pieces and of all of them, in steps of the engine with friction.
 [[nodiscard]] double packing_steps(const Scene& scene);

@@ -74,11 +74,11 @@ double contact_density(const StrainedPacking& p) {
 
 /// Stresses by following every contact along its path in small steps: the force vector grows by
 /// k_n du_n n + k_t du_t; sigma = (P/l) <f n>, l = 2.
-effective::AxialStress followed(const StrainedPacking& p, StrainPath path) {
+stress::AxialStress followed(const StrainedPacking& p, StrainPath path) {
   const double G = p.shear_modulus, nu = p.poisson_ratio;
   const double ratio = p.no_slip_fraction * contact::mindlin_stiffness_ratio(nu);
   static const std::vector<QuadratureNode> time = gauss_legendre(64);
-  effective::AxialStress stress;
+  stress::AxialStress stress;
   for (const auto& [x, w] : graded_rule(0.05)) {
     double normal = 0, tangential = 0; // forces along n and along axis 3 minus its part along n
     const auto go = [&](double e0_from, double e3_from, double e0_to, double e3_to) {
@@ -102,8 +102,8 @@ effective::AxialStress followed(const StrainedPacking& p, StrainPath path) {
       go(0, 0, e0, e3);
     }
     const double scale = contact_density(p) / 2 * w, sine2 = (1 - x) * (1 + x);
-    stress.vertical += scale * (normal * x * x + tangential * x * sine2);
-    stress.horizontal += scale * (normal * sine2 - tangential * x * sine2) / 2;
+    stress.v += scale * (normal * x * x + tangential * x * sine2);
+    stress.h += scale * (normal * sine2 - tangential * x * sine2) / 2;
   }
   return stress;
 }
@@ -152,7 +152,7 @@ TEST_CASE("norris johnson: limits are exact") {
   CHECK(iso.C11 == relative(iso.C33, 4e-16));
   CHECK(iso.C12 == relative(iso.C13, 2e-15));
   CHECK(iso.C66() == relative(iso.C44, 1e-15));
-  const double p = norris_johnson_stress(strained(0.001, 0), StrainPath::simultaneous).vertical;
+  const double p = norris_johnson_stress(strained(0.001, 0), StrainPath::simultaneous).v;
   const auto hm = effective::hertz_mindlin({30e9, 0.2, 0.38, 6.5, p});
   CHECK(iso.bulk_modulus() == relative(hm.bulk_modulus, 4e-15));
   CHECK(iso.C44 == relative(hm.shear_modulus, 4e-15));
@@ -166,7 +166,7 @@ TEST_CASE("norris johnson: limits are exact") {
                            }()}) {
     CHECK(norris_johnson(none).stiffness == elastic::TransverselyIsotropic{});
     for (const auto path : paths)
-      CHECK(norris_johnson_stress(none, path).vertical == 0);
+      CHECK(norris_johnson_stress(none, path).v == 0);
   }
   CHECK(all_finite(norris_johnson(strained(5e-324, 5e-324)).stiffness));
 }
@@ -180,8 +180,8 @@ TEST_CASE("norris johnson: stresses follow from the contact forces along each pa
         const auto sum = followed(p, path);
         CAPTURE(int(path));
         CAPTURE(e3 / e0);
-        CHECK(closed.vertical == relative(sum.vertical, 1e-11));
-        CHECK(std::abs(closed.horizontal - sum.horizontal) < 1e-11 * sum.vertical);
+        CHECK(closed.v == relative(sum.v, 1e-11));
+        CHECK(std::abs(closed.h - sum.h) < 1e-11 * sum.v);
       }
 }
 
@@ -198,13 +198,12 @@ TEST_CASE("norris johnson: stresses keep their digits at any ratio of the strain
       together += w * s * u * x * x * sine2;
     }
     const auto smooth = norris_johnson_stress(strained(0.004 * c, 0.004 * s, 0.2, 0), paths[0]);
-    const double unit = smooth.vertical / normal_v;
+    const double unit = smooth.v / normal_v;
     const double r = contact::mindlin_stiffness_ratio(0.2);
     CAPTURE(ratio);
-    CHECK(smooth.horizontal == relative(unit * normal_h, 1e-14));
+    CHECK(smooth.h == relative(unit * normal_h, 1e-14));
     const auto added = [&](StrainPath path) {
-      return (norris_johnson_stress(strained(0.004 * c, 0.004 * s), path).vertical - smooth.vertical) /
-             (unit * r);
+      return (norris_johnson_stress(strained(0.004 * c, 0.004 * s), path).v - smooth.v) / (unit * r);
     };
     // Absolute: what is added is a difference of stresses.
     CHECK(std::abs(added(StrainPath::hydrostatic_first) - first) < 2e-15);
@@ -218,12 +217,12 @@ TEST_CASE("norris johnson: the stiffness is the slope of the stress where the pa
   const auto c = norris_johnson(strained(e0, e3)).stiffness;
   const auto up = norris_johnson_stress(strained(e0, e3 + h), StrainPath::hydrostatic_first);
   const auto down = norris_johnson_stress(strained(e0, e3 - h), StrainPath::hydrostatic_first);
-  CHECK((up.vertical - down.vertical) / (2 * h) == relative(c.C33, 1e-8));
-  CHECK(std::abs((up.horizontal - down.horizontal) / (2 * h) - c.C13) < 1e-8 * c.C33);
+  CHECK((up.v - down.v) / (2 * h) == relative(c.C33, 1e-8));
+  CHECK(std::abs((up.h - down.h) / (2 * h) - c.C13) < 1e-8 * c.C33);
   const auto wide = norris_johnson_stress(strained(e0 + h, e3), StrainPath::uniaxial_first);
   const auto narrow = norris_johnson_stress(strained(e0 - h, e3), StrainPath::uniaxial_first);
-  CHECK((wide.vertical - narrow.vertical) / (2 * h) == relative(c.C33 + 2 * c.C13, 1e-8));
-  CHECK((wide.horizontal - narrow.horizontal) / (2 * h) == relative(c.C11 + c.C12 + c.C13, 1e-8));
+  CHECK((wide.v - narrow.v) / (2 * h) == relative(c.C33 + 2 * c.C13, 1e-8));
+  CHECK((wide.h - narrow.h) / (2 * h) == relative(c.C11 + c.C12 + c.C13, 1e-8));
 }
 
 TEST_CASE("norris johnson: bad input") {

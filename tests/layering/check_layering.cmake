@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(floor_core 0)
 set(floor_contact 1)
+set(floor_stress 1)
 set(floor_elastic 1)
 set(floor_fabric 1)
 set(floor_effective 2)
@@ -18,7 +19,7 @@ set(floor_verify 5)
 set(floor_cli 6)
 
 # Modules whose headers a user without Eigen can include.
-set(modules_without_eigen core contact fabric hardin assembly)
+set(modules_without_eigen core contact stress fabric hardin assembly)
 # Libraries that stay an affair of the sources.
 set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat|hdf5)\\.h")
 # What only the program may do: print and exit.

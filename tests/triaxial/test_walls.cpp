@@ -18,6 +18,7 @@
 
 using namespace granum;
 using namespace granum::triaxial;
+using namespace granum::stress;
 
 namespace {
 

@@ -50,23 +50,22 @@ inline ExperimentSpecimen synthetic_specimen(const Scene& scene, Shape contact, 
   for (const double pressure : scene.pressures)
     iso.points.push_back(synthetic_point(s, pressure, pressure, 0));
   specimen.runs.push_back(iso);
-  for (const triaxial::ShearPath path : scene.paths) {
+  for (const stress::ShearPath path : scene.paths) {
     PathRun run;
     run.path = path;
-    const double sense = triaxial::is_compression(path) ? 1 : -1;
+    const double sense = stress::is_compression(path) ? 1 : -1;
     const double peak = sense > 0 ? s.peak_eta : 0.75 * s.peak_eta;
-    const double strain_sense =
-        path == triaxial::ShearPath::txc || path == triaxial::ShearPath::rtxc ? 1 : -1;
+    const double strain_sense = path == stress::ShearPath::txc || path == stress::ShearPath::rtxc ? 1 : -1;
     double strain = 0;
     for (int k = 1; scene.eta_step * k <= peak; ++k) {
       strain = strain_sense * 1e-4 * k;
-      const triaxial::AxialStress stress =
-          triaxial::stress_on_path(path, scene.pressures.back(), sense * scene.eta_step * k);
+      const stress::AxialStress stress =
+          stress::stress_on_path(path, scene.pressures.back(), sense * scene.eta_step * k);
       run.points.push_back(synthetic_point(s, stress.v, stress.h, strain));
       run.curve.push_back(run.points.back().at);
     }
     run.peak = run.points.back().at;
-    run.peak.stress = triaxial::stress_on_path(path, scene.pressures.back(), sense * peak);
+    run.peak.stress = stress::stress_on_path(path, scene.pressures.back(), sense * peak);
     // Past the peak: contacts lost, the rest turned towards the larger stress.
     FrozenPoint last = run.points.back();
     last.at.axial_strain = strain_sense * scene.largest_strain;

@@ -26,7 +26,7 @@ inline std::array<double, 36> rows(const elastic::TransverselyIsotropic& c) {
 }
 
 /// A frozen state: G = 100 MPa sqrt(p'/100 kPa), half of uniform strain.
-inline FrozenPoint point(const triaxial::AxialStress& stress) {
+inline FrozenPoint point(const stress::AxialStress& stress) {
   FrozenPoint out;
   const double eta = stress.ratio(), G = 1e8 * std::sqrt(stress.mean() / 1e5);
   out.at.stress = out.stress = stress;
@@ -56,12 +56,12 @@ inline PathRun iso_run(const Scene& scene) {
 }
 
 /// |eta| rises to 0.8 in eight states and falls back in two more.
-inline PathRun shear_run(const Scene& scene, triaxial::ShearPath path) {
+inline PathRun shear_run(const Scene& scene, stress::ShearPath path) {
   PathRun run;
   run.path = path;
-  const double sense = triaxial::is_compression(path) ? 1 : -1;
+  const double sense = stress::is_compression(path) ? 1 : -1;
   for (const double eta : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.75, 0.78}) {
-    run.points.push_back(point(triaxial::stress_on_path(path, scene.pressures.back(), sense * eta)));
+    run.points.push_back(point(stress::stress_on_path(path, scene.pressures.back(), sense * eta)));
     triaxial::PathPoint& at = run.points.back().at;
     at.step = 100 * run.points.size();
     at.axial_strain = sense * 1e-3 * static_cast<double>(run.points.size());
@@ -71,7 +71,7 @@ inline PathRun shear_run(const Scene& scene, triaxial::ShearPath path) {
   const double G = run.points[4].G_vh();
   run.points[4].probes = Probes{.G_hh = 1.01 * G, .G_hv = 1.02 * G, .G_vh = 1.03 * G, .amplitude = 1e-7};
   run.peak = run.points[7].at;
-  if (path == triaxial::ShearPath::txc)
+  if (path == stress::ShearPath::txc)
     for (const double eta : {0.0, 0.5})
       run.loops.push_back(
           {.eta = eta, .amplitude = 1e-5, .points = {{0, 0}, {1e-5, 2e3}, {-1e-5, -2e3}, {1e-5, 2e3}}});
@@ -97,7 +97,7 @@ inline Experiment experiment() {
       ExperimentSpecimen specimen{
           .contact = contact, .density = density, .seed = 1, .end_of_iso = state(), .runs = {}};
       specimen.runs.push_back(iso_run(out.scene));
-      for (const triaxial::ShearPath path : out.scene.paths)
+      for (const stress::ShearPath path : out.scene.paths)
         specimen.runs.push_back(shear_run(out.scene, path));
       out.specimens.push_back(std::move(specimen));
     }

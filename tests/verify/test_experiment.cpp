@@ -16,8 +16,8 @@
 
 using namespace granum;
 using namespace granum::verify;
+using stress::ShearPath;
 using triaxial::Density;
-using triaxial::ShearPath;
 namespace fs = std::filesystem;
 
 namespace {
@@ -86,7 +86,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
 
   for (std::size_t r : {std::size_t{1}, std::size_t{2}}) {
     const PathRun& run = runs[r];
-    const double sense = triaxial::is_compression(*run.path) ? 1 : -1;
+    const double sense = stress::is_compression(*run.path) ? 1 : -1;
     CHECK(run.path == scene.paths[r - 1]);
     REQUIRE(run.points.size() >= 3);
     CHECK(run.curve.size() > 2 * run.points.size());

@@ -14,8 +14,8 @@
 
 using namespace granum;
 using namespace granum::verify;
+using stress::ShearPath;
 using triaxial::Density;
-using triaxial::ShearPath;
 
 namespace {
 

@@ -158,10 +158,9 @@ void check_walton(Table& table, Draw& draw) {
   table.take_against("walton_uniaxial C12, C13 (of C11)", domain, closed_form, c.C13, M * (1 - r) / 24,
                      M * (1 + r) / 16, at);
   const auto stress = walton_uniaxial_stress(p);
-  table.take("walton_uniaxial_stress vertical", domain, closed_form, stress.vertical, M * e * (2 + r) / 18,
-             at);
-  table.take_against("walton_uniaxial_stress horizontal (of vertical)", domain, closed_form,
-                     stress.horizontal, M * e * (1 - r) / 36, M * e * (2 + r) / 18, at);
+  table.take("walton_uniaxial_stress vertical", domain, closed_form, stress.v, M * e * (2 + r) / 18, at);
+  table.take_against("walton_uniaxial_stress horizontal (of vertical)", domain, closed_form, stress.h,
+                     M * e * (1 - r) / 36, M * e * (2 + r) / 18, at);
 }
 
 /// K and G of spheres from the pressure.                                                      [Walton1987]

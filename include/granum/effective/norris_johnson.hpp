@@ -2,6 +2,7 @@
 #pragma once
 
 #include <granum/effective/uniform_field.hpp>
+#include <granum/stress/axial_stress.hpp>
 
 namespace granum::effective {
 
@@ -20,12 +21,6 @@ struct StrainedPacking {
 /// In which order the two strains were applied. Tangential forces remember it; the stiffness does not.
 enum class StrainPath { hydrostatic_first, uniaxial_first, simultaneous };
 
-/// Normal stresses of a transversely isotropic state, compression positive.
-struct AxialStress {
-  double vertical = 0;   ///< along axis 3 [Pa]
-  double horizontal = 0; ///< across it [Pa]
-};
-
 /// Transversely isotropic stiffness of the strained packing: contacts follow the mean strain, so that a
 /// contact at n3 = x carries k_n ~ sqrt(e0 + e3 x^2). Exactly isotropic at e3 = 0, Walton's uniaxial state at
 /// e0 = 0, zero without strain.                                           [NorrisJohnson1997; Walton1987]
@@ -41,6 +36,6 @@ struct AxialStress {
 /// Assumes   as norris_johnson; no contact slides on the path.
 /// \throws   InvalidArgument as norris_johnson
 /// Accuracy  relative 1e-14 of the vertical stress.  Checked by tests/effective/test_norris_johnson.cpp
-[[nodiscard]] AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath path);
+[[nodiscard]] stress::AxialStress norris_johnson_stress(const StrainedPacking& packing, StrainPath path);
 
 } // namespace granum::effective

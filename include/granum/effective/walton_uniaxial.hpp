@@ -27,6 +27,6 @@ struct UniaxialPacking {
 /// for smooth ones.                                                                           [Walton1987]
 /// \throws   InvalidArgument as walton_uniaxial
 /// Accuracy  8 ulp.  Checked by tests/effective/test_walton_uniaxial.cpp
-[[nodiscard]] AxialStress walton_uniaxial_stress(const UniaxialPacking& packing);
+[[nodiscard]] stress::AxialStress walton_uniaxial_stress(const UniaxialPacking& packing);
 
 } // namespace granum::effective

@@ -8,13 +8,13 @@
 #include <granum/core/bytes.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/triaxial/stress_path.hpp>
+#include <granum/stress/shear_path.hpp>
 
 /// Triaxial shearing of a specimen from an isotropic state to past its peak.
 namespace granum::triaxial {
 
 struct ShearOptions {
-  ShearPath path = ShearPath::txc;
+  stress::ShearPath path = stress::ShearPath::txc;
   double mean_stress = 100e3;    ///< isotropic stress at the start, > 0 [Pa]
   double inertial_number = 2e-4; ///< driven strain rate times d sqrt(density/p'), p' the present one [1]
   double eta_step = 0.05;        ///< a snapshot at each first passage of a multiple of this eta [1] ...
@@ -30,7 +30,7 @@ void require_valid(const ShearOptions& options);
 
 /// Where a test stands. Strains are logarithmic, from the start of the path, compression positive.
 struct PathPoint {
-  AxialStress stress;           ///< at the boundaries, horizontal one the mean of x and y [Pa]
+  stress::AxialStress stress;   ///< at the boundaries, horizontal one the mean of x and y [Pa]
   double stress_difference = 0; ///< between x and y [Pa]
   double axial_strain = 0;
   double volumetric_strain = 0;

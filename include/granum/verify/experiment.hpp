@@ -38,7 +38,7 @@ inline constexpr std::size_t force_bins = 32; ///< of f_n/<f_n> in [0, 8)
 /// One frozen state. Plain numbers, so that checkpoints hold it to the bit.
 struct FrozenPoint {
   triaxial::PathPoint at;         ///< where the specimen was taken from its path
-  triaxial::AxialStress stress;   ///< of the frozen state [Pa]
+  stress::AxialStress stress;     ///< of the frozen state [Pa]
   double void_ratio = 0;          ///< cell volume over that of the grains, minus 1
   double interior_void_ratio = 0; ///< between walls: two diameters inside; in a periodic cell the same
   triaxial::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
@@ -71,7 +71,7 @@ struct ShearLoop {
 
 /// One path of one specimen.
 struct PathRun {
-  std::optional<triaxial::ShearPath> path; ///< nothing: isotropic compression
+  std::optional<stress::ShearPath> path; ///< nothing: isotropic compression
   std::vector<FrozenPoint> points;
   std::vector<triaxial::PathPoint> curve; ///< finer than the points; empty for isotropic compression
   std::vector<ShearLoop> loops;           ///< TXC of the first contact shape, dense: at eta = 0, 0.5, 1
@@ -84,7 +84,7 @@ struct PathRun {
 };
 
 /// "ISO", "TXC", "RTXC", "RTXE", "TXE".
-[[nodiscard]] std::string_view name(const std::optional<triaxial::ShearPath>& path);
+[[nodiscard]] std::string_view name(const std::optional<stress::ShearPath>& path);
 
 struct ExperimentSpecimen {
   Shape contact = Shape::sphere;

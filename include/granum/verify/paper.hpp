@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
-#include <granum/triaxial/stress_path.hpp>
 #include <granum/verify/scene.hpp>
 
 namespace granum::verify {
@@ -22,7 +22,7 @@ struct PrintedFit {
 struct PrintedSpecimen {
   double coordination_number = 0;         ///< at 10 kPa
   double void_ratio = 0;                  ///< at 10 kPa
-  std::array<double, 4> friction_angle{}; ///< at the peak, in the order of triaxial::all_shear_paths [deg]
+  std::array<double, 4> friction_angle{}; ///< at the peak, in the order of stress::all_shear_paths [deg]
   PrintedFit hh, hv, vh;
 };
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
-#include <granum/triaxial/stress_path.hpp>
 
 namespace granum::verify {
 
@@ -51,7 +51,7 @@ struct Scene {
   // What the paper's experiment adds; the isotropic study leaves it out.
   bool walls = false;       ///< six rigid walls in place of the periodic cell
   double wall_friction = 0; ///< mu >= 0 between grains and walls [1]
-  std::vector<triaxial::ShearPath> paths{triaxial::all_shear_paths.begin(), triaxial::all_shear_paths.end()};
+  std::vector<stress::ShearPath> paths{stress::all_shear_paths.begin(), stress::all_shear_paths.end()};
   double inertial_number = 2e-4; ///< of shearing [1]
   double eta_step = 0.05;        ///< the specimen is frozen at multiples of this eta ...
   double strain_step = 0.0025;   ///< ... and of this axial strain

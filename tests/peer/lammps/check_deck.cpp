@@ -160,7 +160,7 @@ void check_own(const fs::path& folder, triaxial::Density density, const States& 
   while (test.advance() == triaxial::ShearEvent::snapshot) {
   }
   constexpr double degree = 3.14159265358979 / 180;
-  const double own_angle = triaxial::mobilised_friction_angle(test.peak().stress) / degree;
+  const double own_angle = stress::mobilised_friction_angle(test.peak().stress) / degree;
   // Five specimens of 300 grains scatter by 1.6 degrees, of 2,000 grains by 0.6.
   const double off = number(peak, "friction_angle_deg") - own_angle;
   expect(std::abs(off) < 1.5, "peak friction angle, LAMMPS minus own engine [degrees]", off, 1.5);

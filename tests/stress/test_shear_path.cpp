@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/triaxial/stress_path.hpp>
+#include <granum/stress/shear_path.hpp>
 
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 #include <relative.hpp>
 
 using namespace granum;
-using namespace granum::triaxial;
+using namespace granum::stress;
 
 namespace {
 

@@ -4,21 +4,11 @@
 #include <array>
 #include <string_view>
 
-/// Axisymmetric states of stress and the paths of triaxial tests between them.
-/// Checked by tests/triaxial/test_stress_path.cpp
-namespace granum::triaxial {
+#include <granum/stress/axial_stress.hpp>
 
-/// A vertical and two equal horizontal stresses, compression positive [Pa].
-struct AxialStress {
-  double v = 0;
-  double h = 0;
-
-  constexpr bool operator==(const AxialStress&) const = default;
-  [[nodiscard]] double mean() const { return (v + 2 * h) / 3; } ///< p'
-  [[nodiscard]] double deviator() const { return v - h; }       ///< q
-  /// eta = q/p'; 0 without stress.
-  [[nodiscard]] double ratio() const { return v == h ? 0 : deviator() / mean(); }
-};
+/// The paths of triaxial tests as algebra.
+/// Checked by tests/stress/test_shear_path.cpp
+namespace granum::stress {
 
 /// Tests that start from an isotropic stress and change one of the two stresses.            [Chung2014]
 enum class ShearPath {
@@ -41,22 +31,14 @@ inline constexpr std::array all_shear_paths{ShearPath::txc, ShearPath::rtxc, She
 /// \param    start   mean stress > 0 where the path begins, isotropic [Pa]
 /// \param    eta     q/p', in [0, 3) in compression, in (-3/2, 0] in extension, where the lower stress is 0
 /// \throws   InvalidArgument if start or eta is out of its range
-/// Accuracy  8 ulp away from the open end.  Checked by tests/triaxial/test_stress_path.cpp
+/// Accuracy  8 ulp away from the open end.  Checked by tests/stress/test_shear_path.cpp
 [[nodiscard]] AxialStress stress_on_path(ShearPath path, double start, double eta);
 
 /// eta at failure of a cohesionless material on a path: 6 sin/(3 - sin) in compression, -6 sin/(3 + sin) in
 /// extension, from sin = (s1 - s3)/(s1 + s3).
 /// \param    friction_angle   of the material, in (0, pi/2) [rad]
 /// \throws   InvalidArgument if the angle is out of its range
-/// Accuracy  8 ulp.  Checked by tests/triaxial/test_stress_path.cpp
+/// Accuracy  8 ulp.  Checked by tests/stress/test_shear_path.cpp
 [[nodiscard]] double failure_ratio(ShearPath path, double friction_angle);
 
-/// Friction angle that a state of stress mobilises, arcsin of (s1 - s3)/(s1 + s3), the inverse of
-/// failure_ratio.
-/// \param    stress   both stresses >= 0, not both 0 [Pa]
-/// \return   in [0, pi/2] [rad]
-/// \throws   InvalidArgument if a stress is negative or both are 0
-/// Accuracy  8 ulp.  Checked by tests/triaxial/test_stress_path.cpp
-[[nodiscard]] double mobilised_friction_angle(const AxialStress& stress);
-
-} // namespace granum::triaxial
+} // namespace granum::stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/triaxial/stress_path.hpp>
+#include <granum/stress/shear_path.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-namespace granum::triaxial {
+namespace granum::stress {
 
 namespace {
 
@@ -53,11 +53,4 @@ double failure_ratio(ShearPath path, double friction_angle) {
   return is_compression(path) ? 6 * sine / (3 - sine) : -6 * sine / (3 + sine);
 }
 
-double mobilised_friction_angle(const AxialStress& stress) {
-  require_non_negative("vertical stress", stress.v, "Pa");
-  require_non_negative("horizontal stress", stress.h, "Pa");
-  require_positive("sum of the stresses", stress.v + stress.h, "Pa");
-  return std::asin(std::abs(stress.v - stress.h) / (stress.v + stress.h));
-}
-
-} // namespace granum::triaxial
+} // namespace granum::stress
