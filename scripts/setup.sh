@@ -9,7 +9,7 @@ run_packages=(
   libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
-test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format)
+test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 hdf5_packages=("${test_packages[@]}" libhdf5-dev hdf5-tools python3-h5py)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)

@@ -51,7 +51,7 @@ TEST_CASE("both bounds meet where every contact carries the same force") {
   CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(closed).epsilon(1e-13));
 }
 
-TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // [AgnolinRoux2007]
+TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // [AgnolinRoux2007c]
   const double young = 70e9, poisson = 0.3, radius = 1e-3, diameter = 2 * radius;
   const double stiff = young / (1 - poisson * poisson), ratio = 2 * (1 - poisson) / (2 - poisson);
   Assembly a = samples::lattice(samples::face_centred, {.radius = radius});

@@ -191,7 +191,7 @@ TEST_CASE("ladder: where rattlers were not counted") {
     CHECK(std::abs(row.z - z.value) <= std::sqrt(3.0) * z.standard_error); // none to twice as many
     CHECK(z.value > row.C_n);
   }
-  // Published packings at 10 kPa [AgnolinRoux2007]: without friction, with little, vibrated, with friction.
+  // Published packings at 10 kPa [AgnolinRoux2007a]: without friction, with little, vibrated, with friction.
   for (const auto& [C_n, z_star] : {std::pair{5.995, 6.074}, {5.687, 5.80}, {3.954, 4.56}, {4.041, 4.546}}) {
     const Measured z = effective::estimated_mechanical_coordination_number(C_n);
     CHECK(std::abs(z_star - z.value) <= std::sqrt(3.0) * z.standard_error);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every source key in square brackets, [Hertz1882] or [Mindlin1949, Eq. 3; Walton1987], stands in the bibliography.
+# Every source key in square brackets, [Hertz1882] or [Mindlin1949, Eq. 3; Walton1987], stands in the bibliography, and
+# every entry of the bibliography is cited somewhere.
 #   cmake -DROOT=<source tree> -P check_references.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -16,7 +17,7 @@ if(NOT known STREQUAL distinct)
 endif()
 
 set(files "${ROOT}/README.md")
-foreach(folder include src tests examples validation bench)
+foreach(folder include src tests examples validation bench docs)
   file(GLOB_RECURSE found "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp" "${ROOT}/${folder}/*.md" "${ROOT}/${folder}/*.csv")
   list(APPEND files ${found})
 endforeach()
@@ -26,6 +27,7 @@ string(ASCII 1 open)
 string(ASCII 2 close)
 set(uses 0)
 set(unknown 0)
+set(uncited ${known})
 foreach(path IN LISTS files)
   file(READ "${path}" text)
   string(REPLACE "[" "${open}" text "${text}")
@@ -35,6 +37,7 @@ foreach(path IN LISTS files)
   string(REGEX MATCHALL "${key}" keys "${groups}")
   foreach(used IN LISTS keys)
     math(EXPR uses "${uses} + 1")
+    list(REMOVE_ITEM uncited ${used})
     if(NOT used IN_LIST known)
       message(NOTICE "${path}: ${used} is not in validation/references.bib")
       math(EXPR unknown "${unknown} + 1")
@@ -42,8 +45,8 @@ foreach(path IN LISTS files)
   endforeach()
 endforeach()
 
-if(uses EQUAL 0 OR unknown GREATER 0)
-  message(FATAL_ERROR "references: ${unknown} of ${uses} uses are unknown")
+if(uses EQUAL 0 OR unknown GREATER 0 OR uncited)
+  message(FATAL_ERROR "references: ${unknown} of ${uses} uses are unknown; cited nowhere: ${uncited}")
 endif()
 list(LENGTH known known_count)
 message(STATUS "references: ${uses} uses of ${known_count} known sources")

@@ -32,7 +32,7 @@ struct MechanicalCoordination {
 };
 
 /// z* and rattlers: grains with too few contacts are taken out, again and again, until none is left.
-///                                                                                     [AgnolinRoux2007]
+///                                                                                        [AgnolinRoux2007a]
 /// Assumes   kind is that of the contacts in the probe, not of the preparation.
 /// \param    kind   frictional: fewer than 2 contacts make a rattler; frictionless: fewer than 4
 /// \throws   InvalidArgument for an assembly that require_valid rejects

@@ -12,11 +12,9 @@ namespace granum {
 /// Checked by tests/assembly/test_fabric_tensor.cpp
 [[nodiscard]] std::vector<Vec3> contact_normals(const Assembly& assembly);
 
-/// F_ij = mean of n_i n_j over all contacts; trace 1. [Satake1982]
-/// Assumes   every listed contact counts
-/// once, whatever force it carries.
-/// \throws   InvalidArgument for an assembly without contacts: the mean has
-/// no value
+/// F_ij = mean of n_i n_j over all contacts; trace 1.                                          [Satake1982]
+/// Assumes   every listed contact counts once, whatever force it carries.
+/// \throws   InvalidArgument for an assembly without contacts: the mean has no value
 /// Accuracy  rounding.  Checked by tests/assembly/test_fabric_tensor.cpp
 [[nodiscard]] Mat3 fabric_tensor(const Assembly& assembly);
 

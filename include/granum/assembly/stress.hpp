@@ -11,8 +11,8 @@ namespace granum {
 struct ContactStress {
   Mat3 symmetric; ///< [Pa]
   Mat3 tensor;    ///< as summed, before it was made symmetric: what codes print one half of [Pa]
-  double asymmetry =
-      0; ///< norm of the antisymmetric part over norm of the symmetric part [1]; 0 without stress
+  /// Norm of the antisymmetric part over norm of the symmetric part [1]; 0 without stress.
+  double asymmetry = 0;
 
   /// p = trace/3 [Pa].
   [[nodiscard]] double mean() const { return trace(symmetric) / 3; }
@@ -37,8 +37,7 @@ struct Residual {
 /// Checked by tests/assembly/test_stress.cpp
 [[nodiscard]] std::vector<Residual> residuals(const Assembly& assembly);
 
-/// How far an assembly is from equilibrium.                                                       [theory
-/// E.5]
+/// How far an assembly is from equilibrium.
 struct Unbalance {
   double force_ratio = 0;  ///< mean |residual force| over grains / mean |contact force| [1]
   double moment_ratio = 0; ///< mean |residual moment| over grains / (mean |contact force| x mean radius) [1]

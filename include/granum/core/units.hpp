@@ -36,9 +36,8 @@ struct Unit {
 /// The SI value of a number with its unit: "100kPa", "0.5 mm", "26.5deg", "2650kg/m3"; a pure number has none
 /// or %.
 /// \param    name  what the user knows the argument by; every error names it
-/// \throws   InvalidArgument
-/// for a number without unit where one is needed, an unknown unit, one of another dimension,
-///           text that is no number, NaN, infinity or overflow
+/// \throws   InvalidArgument for a number without unit where one is needed, an unknown unit, one of another
+///           dimension, text that is no number, NaN, infinity or overflow
 [[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);
 
 /// Whether a column heading is `quantity` alone or `quantity` with a unit, as p and p_kPa are for p.

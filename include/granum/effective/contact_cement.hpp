@@ -35,7 +35,8 @@ enum class CementScheme {
 [[nodiscard]] double cement_radius_ratio(const CementedPacking& packing, CementScheme scheme);
 
 /// Moduli of the cemented packing by the published regression of its contact stiffness:
-/// K = C_n (1-phi) M_c S_n/6, G = 0.6 K + 3 C_n (1-phi) G_c S_t/20, M_c = K_c + 4/3 G_c.   [DvorkinNur1994]
+/// K = C_n (1-phi) M_c S_n/6, G = 0.6 K + 3 C_n (1-phi) G_c S_t/20, M_c = K_c + 4/3 G_c. The regression is
+/// that of [DvorkinNur1996], the integral equation that it stands for that of [DvorkinNur1994].
 /// Assumes   contacts follow the mean strain; no pressure on the cement's contacts.
 /// \throws   InvalidArgument as cement_radius_ratio, and where the regression turns negative
 /// \return   moduli, with notes where the regression leaves the integral equation that it stands for by more

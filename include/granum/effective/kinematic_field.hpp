@@ -25,8 +25,9 @@ struct KinematicForceField {
   [[nodiscard]] double tangential_force(double n3) const;
 };
 
-/// The field whose mean stress sum f_i n_j l/V is that of the state; no strain if the state bears none.
-///                                                                     [JenkinsStrack1993; ChangLiao1994]
+/// The field whose mean stress sum f_i n_j l/V is that of the state; no strain if the state bears none. The
+/// path on which both strains grow together is that of [NorrisJohnson1997], for spheres without fabric; the
+/// tangential forces of [JenkinsStrack1993] are linear in d_t and do without the factor alpha/(1+alpha).
 /// Assumes   all contacts of the fabric carry force: C_n and a are those of this very state, so that a strain
 ///           that opens some of them contradicts it. That bounds the stress ratio: at k_t = k_n hardly,
 ///           at k_t = 0 and a = 0 for spheres to stress_v/stress_h in about (2/5, 4).

@@ -22,7 +22,7 @@ struct Relaxation {
   Validity validity;
 };
 
-/// z* = C_n/(1 - x_0), coordination number without the rattlers.                        [AgnolinRoux2007]
+/// z* = C_n/(1 - x_0), coordination number without the rattlers.                          [AgnolinRoux2007a]
 /// Assumes   rattlers carry no contacts. Those that do, grains with one contact, make the true z* smaller by
 ///           2 N_x/(N (1 - x_0)), N_x their contacts: less than 1 % for specimens at rest.
 /// \param    coordination_number   C_n >= 0 over all grains [1]

@@ -16,7 +16,7 @@ namespace granum::effective {
 /// Accuracy  8 ulp.  Checked by tests/effective/test_sand_bounds.cpp
 [[nodiscard]] IsotropicEstimate soft_sand(const SpherePacking& packing, double porosity);
 
-/// The upper bound: contacts stiffened by the mineral, which surrounds the packing.       [DvorkinNur1996]
+/// The upper bound: contacts stiffened by the mineral, which surrounds the packing.              [Gal1998]
 /// Parameters, result and errors as soft_sand, but not 0 at p = 0.
 /// Accuracy  8 ulp.  Checked by tests/effective/test_sand_bounds.cpp
 [[nodiscard]] IsotropicEstimate stiff_sand(const SpherePacking& packing, double porosity);

@@ -24,7 +24,7 @@ struct Estimate {
 /// Stiffness if every contact follows the mean strain and no grain spins, contacts of uniform stiffness:
 /// C_ijkl = P <(k_n-k_t) n_i n_j n_k n_l
 ///             + k_t/4 (n_i n_k d_jl + n_i n_l d_jk + n_j n_k d_il + n_j n_l d_ik)>,
-/// an upper bound of the true stiffness.                                          [Walton1987; ChangLiao1994]
+/// an upper bound of the true stiffness.                                             [Walton1987; Chang1995]
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
 /// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
@@ -40,8 +40,9 @@ struct Estimate {
 [[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
 
 /// Stiffness if the contact forces are df = (l/P) dstress F^-1 n, contacts of uniform stiffness: from the
-/// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. No lower
-/// bound: the forces do not balance grain by grain.                          [ChangLiao1994; YimsiriSoga2000]
+/// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. The sources
+/// call it the lower estimate; a lower bound it is not, since its forces do not balance grain by grain.
+/// [ChangLiao1994] for isotropic fabric, [Chang1995] with fabric; [YimsiriSoga2000].
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
 /// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
@@ -57,7 +58,7 @@ struct Estimate {
 /// Stiffness under uniform strain with k_n(gamma) = k_n(f_n(gamma)) of the static force field and
 /// k_t = tangential_ratio k_n. Fabric alone makes the forces depend on direction: with a != 0 the sparse
 /// directions carry more force a contact, also at stress_v = stress_h. Unloaded (both stresses 0): exactly
-/// 0, or the constant of a flat punch. Without contacts (C_n = 0): 0.              [Chung2014; ChangLiao1994]
+/// 0, or the constant of a flat punch. Without contacts (C_n = 0): 0.                  [Chung2014; Chang1995]
 /// Assumes   grains do not spin on average; C_n and a are those of this very state.
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp

@@ -4,7 +4,7 @@
 #include <granum/elastic/transverse_isotropic.hpp>
 
 /// Transverse isotropy in the seismologist's notation: two speeds along the axis and three pure numbers, all
-/// zero for an isotropic solid.                                                       [Thomsen1986, Eq. 8]
+/// zero for an isotropic solid.                                               [Thomsen1986, Eqs 8a, 8b, 17]
 /// Checked by tests/elastic/test_thomsen.cpp
 namespace granum::elastic {
 
@@ -27,12 +27,12 @@ struct ThomsenSolid {
 };
 
 /// Exact parameters: delta = ((C13+C44)^2 - (C33-C44)^2)/(2 C33 (C33-C44)), half the curvature of
-/// ln V_p at the axis.
+/// ln V_p at the axis.                                                                [Thomsen1986, Eq. 17]
 /// \throws   InvalidArgument unless the stiffness is positive definite and C33 > C44
 /// Accuracy  8 ulp; near isotropy too, where the factors of delta are formed without cancellation.
 [[nodiscard]] ThomsenParameters thomsen_parameters(const TransverselyIsotropic& stiffness);
 
-/// The same with delta to first order in the anisotropy, (C13 + 2 C44 - C33)/C33.
+/// The same with delta to first order in the anisotropy, (C13 + 2 C44 - C33)/C33.       [Mensch1997, Eq. 20]
 /// \throws   InvalidArgument unless the stiffness is positive definite
 /// Accuracy  4 ulp.
 [[nodiscard]] ThomsenParameters weak_thomsen_parameters(const TransverselyIsotropic& stiffness);

@@ -96,8 +96,7 @@ FitReport fit(std::span<const Measurement> rows, const FitOptions& options);
 /// The value of s does not depend on the split on such a path; C does unless sigma_i = sigma_j, which a note
 /// then says.
 /// \param    rows  at least 3
-/// \throws   InvalidArgument if a row is not valid, if there are too
-/// few, or if all have the same stress
+/// \throws   InvalidArgument if a row is not valid, if there are too few, or if all have the same stress
 FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options);
 
 } // namespace granum::hardin

@@ -12,7 +12,7 @@ enum class VoidRatioFunction {
   hardin_richart_round,   ///< (2.17-e)^2/(1+e), rounded grains; the paper's choice  [HardinRichart1963]
   hardin_richart_angular, ///< (2.97-e)^2/(1+e), angular grains                      [HardinRichart1963]
   power_1_3,              ///< e^-1.3                                                [Jamiolkowski1991]
-  hardin_blandford,       ///< 1/(0.3+0.7 e^2)                                       [HardinBlandford1989]
+  hardin_blandford,       ///< 1/(0.3+0.7 e^2)                           [Hardin1978; HardinBlandford1989]
   none,                   ///< 1
 };
 

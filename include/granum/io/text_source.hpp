@@ -30,7 +30,7 @@ class TextSource {
   /// \throws   FileError if reading fails, compressed data are damaged or end too early, or a line is longer
   ///           than longest_line
   bool next();
-  /// The line here, without its line end (\n or \r\n) and a byte order mark; valid until the next call.
+  /// The line here, without its line end (LF or CR LF) and a byte order mark; valid until the next call.
   [[nodiscard]] std::string_view line() const { return line_; }
   /// Makes the next call of next() stay on the line here.
   void hold() { held_ = true; }

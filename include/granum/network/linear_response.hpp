@@ -69,7 +69,7 @@ class [[nodiscard]] Response {
 
 /// Stiffness of the frozen contact network: C = (A - W^T H^+ W)/V with H the stiffness matrix of the grains'
 /// displacements and spins, W the forces that a uniform strain leaves unbalanced, A the affine energy.
-/// [AgnolinRoux2007]
+///                                                                                        [AgnolinRoux2007c]
 /// Contact kinematics: delta = u_j - u_i - (a_i w_i + a_j w_j) x n, f = k_n (n.delta) n + k_t (1-nn) delta.
 /// The contact point divides the branch as the radii do, a_i = |branch| R_i/(R_i + R_j), so that a rigid
 /// rotation of the grains costs nothing and the moments balance with the branch vectors of the stress.
