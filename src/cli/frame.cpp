@@ -12,6 +12,8 @@
 #include <granum/io/output_file.hpp>
 #include <granum/verify/version.hpp>
 
+#include "messages.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -86,7 +88,7 @@ ExitCode deliver(const OutputOptions& options, const std::string& table, const n
   else
     io::write_file(options.out, text, options.force ? io::Existing::replace : io::Existing::keep);
   for (const std::string& note : validity.notes)
-    fmt::print(stderr, "granum: {}: {}\n", options.strict ? "error" : "warning", note);
+    say(options.strict ? "error" : "warning", note);
   return options.strict && !validity.ok() ? ExitCode::not_converged : ExitCode::ok;
 }
 

@@ -30,6 +30,8 @@ enum class ExitCode : int {
   usage = 2,         ///< arguments that cannot be
   file = 3,          ///< a file that cannot be read or written
   not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
+  interrupted = 130, ///< work was left undone on Ctrl-C
+  terminated = 143,  ///< the same on SIGTERM
 };
 
 /// A subcommand: its parser, and its work, which runs after parsing. The work throws granum's errors, and

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,8 @@
 #include <granum/verify/version.hpp>
 
 #include "frame.hpp"
+#include "messages.hpp"
+#include "stop_signal.hpp"
 
 namespace {
 
@@ -16,7 +18,7 @@ using namespace granum;
 using namespace granum::cli;
 
 ExitCode fail(ExitCode code, std::string_view message) {
-  fmt::print(stderr, "granum: error: {}\n", message);
+  say("error", message);
   return code;
 }
 
@@ -29,7 +31,9 @@ ExitCode parse_and_run(int argc, char** argv) {
   program.require_subcommand(0, 1); // none at all is reported below, after unknown words
   program.footer(
       "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file, 4 not converged, or\n"
-      "outside validity under --strict. Quantities carry their unit: 100kPa, 0.5mm, 30GPa, 26.5deg.");
+      "outside validity under --strict, 130 or 143 stopped by Ctrl-C or SIGTERM. Quantities carry their "
+      "unit:\n"
+      "100kPa, 0.5mm, 30GPa, 26.5deg.");
   const std::vector<Command> commands{add_analyse(program), add_estimate(program), add_export(program),
                                       add_fit(program),     add_plan(program),     add_reproduce(program),
                                       add_sweep(program),   add_trade(program),    add_verify(program)};
@@ -37,7 +41,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) { // --help, --version
     program.exit(request);
-    return ExitCode::ok;
+    return std::cout.flush() ? ExitCode::ok : fail(ExitCode::file, "standard output: cannot be written");
   } catch (const CLI::ParseError& error) {
     return fail(ExitCode::usage, std::string(error.what()) + "; see granum --help");
   }
@@ -52,6 +56,7 @@ ExitCode parse_and_run(int argc, char** argv) {
 /// The one place where errors become messages and exit codes.
 int main(int argc, char** argv) {
   ExitCode code = ExitCode::ok;
+  open_missing_streams();
   try {
     code = parse_and_run(argc, argv);
   } catch (const InvalidArgument& error) {
@@ -60,6 +65,8 @@ int main(int argc, char** argv) {
     code = fail(ExitCode::file, error.what());
   } catch (const NotConverged& error) {
     code = fail(ExitCode::not_converged, error.what());
+  } catch (const Stopped& error) {
+    code = fail(exit_code_of_stop(), error.what());
   } catch (const std::exception& error) {
     code = fail(ExitCode::fell_short, error.what());
   }

@@ -58,7 +58,7 @@ std::string rule_lines(const Options& options, const verify::Scene& scene) {
 
 ExitCode run(const Options& options) {
   const verify::Scene scene = resolve(options.study);
-  const verify::Plan plan = verify::plan(scene);
+  const verify::Plan plan = verify::plan(scene, verify::measured_speed(scene));
   nlohmann::ordered_json json = json_head("plan");
   json["scene"] = json_of(scene);
   json["packings"] = plan.packings;

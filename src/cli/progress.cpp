@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.hpp"
 
-#include <cstdio>
-
 #include <unistd.h>
 
 #include <fmt/core.h>
+
+#include "messages.hpp"
 
 namespace granum::cli {
 
@@ -13,7 +13,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(fileno(stderr)) != 0) {}
+ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 void ProgressLine::show(const verify::Progress& progress) {
   if (!shown_)
@@ -21,14 +21,13 @@ void ProgressLine::show(const verify::Progress& progress) {
   const double elapsed = seconds_since(start_);
   const double own = progress.done - progress.done_before;
   const double left = own > 0 ? elapsed * (1 - progress.done) / own : 0;
-  fmt::print(stderr, "\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
-             progress.what);
-  std::fflush(stderr);
+  to_standard_error(fmt::format("\r\033[K  {:3.0f} %  about {:.0f} s left  ({})", 100 * progress.done, left,
+                                progress.what));
 }
 
 void ProgressLine::clear() {
   if (shown_)
-    fmt::print(stderr, "\r\033[K");
+    to_standard_error("\r\033[K");
 }
 
 } // namespace granum::cli

@@ -14,6 +14,7 @@
 #include <granum/verify/tables.hpp>
 
 #include "frame.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "reproduce_output.hpp"
 #include "scene_file.hpp"
@@ -69,7 +70,7 @@ Place new_place(const Options& options) {
   names.push_back(scene_name);
   names.push_back(checkpoints_name);
   place.folder = results_folder(options.out, "reproduce", names, options.force);
-  fs::remove_all(place.folder / checkpoints_name); // there are some with --force only
+  verify::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
   io::write_file(place.folder / scene_name, toml_of(place.scene),
                  options.force ? io::Existing::replace : io::Existing::keep);
   return place;
@@ -92,11 +93,11 @@ Place old_place(const Options& options) {
 
 ExitCode run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
+  const std::atomic<bool>& stop = listen_for_stop();
   const Place place = options.resume.empty() ? new_place(options) : old_place(options);
   const fs::path checkpoints = place.folder / checkpoints_name;
   fs::create_directories(checkpoints);
   verify::Experiment experiment;
-  const std::atomic<bool>& stop = listen_for_stop();
   {
     ProgressLine line(options.quiet);
     experiment = verify::run_experiment(
@@ -104,8 +105,8 @@ ExitCode run(const Options& options) {
         {.folder = checkpoints, .scene_text = identity(place.scene)});
   }
   if (stop && !experiment.complete()) {
-    fmt::print(stderr, "granum: stopped; go on with: granum reproduce --resume {}\n", place.folder.string());
-    return ExitCode::fell_short;
+    say("", fmt::format("stopped; go on with: granum reproduce --resume {}", place.folder.string()));
+    return exit_code_of_stop();
   }
   const std::vector<verify::Verdict> verdicts = verify::experiment_verdicts(experiment);
   const RunFigures figures{.seconds = seconds_since(start), .resumed = !options.resume.empty()};

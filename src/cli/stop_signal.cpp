@@ -11,15 +11,17 @@ namespace granum::cli {
 namespace {
 
 std::atomic<bool> stop_requested = false;
+std::atomic<int> signal_number = SIGINT;
 std::atomic<std::time_t> first_signal = 0;
 
-extern "C" void granum_stop(int) {
+extern "C" void granum_stop(int number) {
   const std::time_t now = std::time(nullptr);
   if (!stop_requested) {
+    signal_number = number;
     stop_requested = true;
     first_signal = now;
   } else if (now - first_signal >= 2) {
-    _exit(130);
+    _exit(128 + signal_number);
   }
 }
 
@@ -31,6 +33,10 @@ const std::atomic<bool>& listen_for_stop() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   return stop_requested;
+}
+
+ExitCode exit_code_of_stop() {
+  return signal_number == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
 } // namespace granum::cli

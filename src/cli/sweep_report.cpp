@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
 #include <granum/verify/version.hpp>
 
+#include "messages.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -138,8 +138,7 @@ Validity Tally::validity() const {
 
 ExitCode Tally::conclude(ExitCode code) const {
   if (failed_ > 0)
-    fmt::print(stderr, "granum: error: {} of {} states failed, see error; {}\n", failed_, states_,
-               first_failure_);
+    say("error", fmt::format("{} of {} states failed, see error; {}", failed_, states_, first_failure_));
   return code == ExitCode::ok && failed_ > 0 ? ExitCode::fell_short : code;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/verify/plan.hpp>
 #include <granum/verify/trade.hpp>
 #include <granum/verify/trade_findings.hpp>
 
@@ -61,15 +62,16 @@ verify::TradeScene scene_of(const Options& options) {
     trade.grains = verify::full_trade().grains;
   trade.scene = resolve(options.study, trade.scene);
   verify::require_valid(trade);
-  return options.budget > 0 ? verify::within_budget(trade, options.budget) : trade;
+  if (options.budget > 0)
+    return verify::within_budget(trade, options.budget, verify::measured_speed(trade.scene));
+  return trade;
 }
 
-Outcome run_study(const verify::TradeScene& trade, bool quiet) {
+Outcome run_study(const verify::TradeScene& trade, const std::atomic<bool>& stop, bool quiet) {
   Outcome outcome;
   outcome.trade = trade;
   const auto start = std::chrono::steady_clock::now();
   ProgressLine line(quiet);
-  const std::atomic<bool>& stop = listen_for_stop();
   outcome.samples = verify::run_trade(
       trade, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop});
   outcome.seconds = seconds_since(start);
@@ -107,16 +109,19 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 
 ExitCode run(const Options& options) {
   const verify::TradeScene trade = scene_of(options);
+  const std::atomic<bool>& stop = listen_for_stop();
   const bool writes = !options.json || !options.out.empty();
   const fs::path folder =
       writes ? results_folder(options.out, "trade", file_names, options.force) : fs::path();
-  const Outcome outcome = run_study(trade, options.quiet);
+  const Outcome outcome = run_study(trade, stop, options.quiet);
   if (writes)
     write_results(folder, outcome, options);
   const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
   const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
   deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
-  return outcome.failure().empty() ? ExitCode::ok : ExitCode::fell_short;
+  if (outcome.failure().empty())
+    return ExitCode::ok;
+  return stop ? exit_code_of_stop() : ExitCode::fell_short;
 }
 
 } // namespace

@@ -128,12 +128,11 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
   return json;
 }
 
-Outcome run_and_judge(const verify::Scene& scene, bool quiet) {
+Outcome run_and_judge(const verify::Scene& scene, const std::atomic<bool>& stop, bool quiet) {
   Outcome outcome;
   outcome.scene = scene;
   const Clock::time_point start = Clock::now();
   ProgressLine line(quiet);
-  const std::atomic<bool>& stop = listen_for_stop();
   outcome.specimens = verify::run_study(
       scene, {.report = [&line](const verify::Progress& p) { line.show(p); }, .stop = &stop});
   outcome.seconds = seconds_since(start);
@@ -159,17 +158,18 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 
 ExitCode run(const Options& options) {
   const verify::Scene scene = resolve(options.study);
+  const std::atomic<bool>& stop = listen_for_stop();
   const bool writes = !options.json || !options.out.empty();
   const fs::path folder =
       writes ? results_folder(options.out, "verify", file_names, options.force) : fs::path();
-  const Outcome outcome = run_and_judge(scene, options.quiet);
+  const Outcome outcome = run_and_judge(scene, stop, options.quiet);
   if (writes)
     write_results(folder, outcome, options);
   const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
   const std::string where = writes ? "CSV and manifest in " + folder.string() + "\n" : "";
   deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
-  if (!outcome.complete() && !outcome.stopped)
-    return ExitCode::not_converged;
+  if (!outcome.complete())
+    return outcome.stopped ? exit_code_of_stop() : ExitCode::not_converged;
   return outcome.all_hold() ? ExitCode::ok : ExitCode::fell_short;
 }
 

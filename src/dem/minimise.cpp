@@ -70,6 +70,9 @@ class Minimiser {
   RelaxReport run() {
     RelaxReport report;
     for (; report.steps < options_.max_steps; ++report.steps) {
+      report.stopped = is_stopped(options_.stop_requested);
+      if (report.stopped)
+        break;
       if (list_.may_be_outdated(travelled_, strained_)) {
         fetch_centres();
         if (!list_.valid(state_.cell, state_.position))

@@ -14,7 +14,7 @@ namespace {
 constexpr double servo_steps = 40;
 /// Steps between two looks at the stop criteria.
 constexpr std::size_t check_interval = 10;
-/// Steps between two questions whether to stop, and whether the motion is finite.
+/// Steps between two questions whether the motion is finite.
 constexpr std::size_t watch_interval = 500;
 
 double square(double x) { return x * x; }
@@ -38,13 +38,11 @@ Rates rates(const Engine& engine, double pressure, double diameter, const Quasis
 }
 
 bool interrupted(const Engine& engine, const QuasistaticOptions& options, QuasistaticReport& report) {
-  if (report.steps % watch_interval != 0)
-    return false;
-  if (!engine.finite()) {
+  if (report.steps % watch_interval == 0 && !engine.finite()) {
     report.outcome = Outcome::unstable;
     return true;
   }
-  if (options.stop_requested && options.stop_requested()) {
+  if (is_stopped(options.stop_requested)) {
     report.outcome = Outcome::stopped;
     return true;
   }
@@ -155,6 +153,10 @@ QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_st
   const double to_inertial = rates(engine, pressure, engine.diameter(), options).to_inertial;
   QuasistaticReport report;
   for (; report.steps < ramp_steps; ++report.steps) {
+    if (is_stopped(options.stop_requested)) {
+      report.outcome = Outcome::stopped;
+      break;
+    }
     // The time step may change on the way, so the rate is set from the strain of each step.
     const double rate = 1 / (static_cast<double>(ramp_steps) * engine.time_step());
     report.largest_inertial_number =

@@ -224,6 +224,8 @@ class Relaxation {
     double least = std::numeric_limits<double>::infinity();
     ran_away_ = false;
     while (iterations < options_.iteration_limit) {
+      if (is_stopped(options_.stop_requested))
+        return Status::stopped;
       ++iterations;
       apply_stiffness<Dof>(backbone_, hold_, p_, s_);
       const Whitening energy = whitening(products<Dof>(p_, s_));

@@ -42,6 +42,8 @@ std::string failure_text(const Response::Report& report) {
 } // namespace
 
 const elastic::VoigtStiffness& Response::relaxed() const {
+  if (report_.status == Status::stopped)
+    throw Stopped();
   if (!converged())
     throw NotConverged(failure_text(report_));
   return relaxed_;

@@ -75,13 +75,15 @@ InteriorMeasures interior_measures(const dem::State& state, const dem::Material&
   return out;
 }
 
-FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material, double force_tolerance) {
-  const FrozenState frozen = freeze_in_place(state, material, force_tolerance);
+FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material, double force_tolerance,
+                           const StopRequest& stop_requested) {
+  const FrozenState frozen = freeze_in_place(state, material, force_tolerance, stop_requested);
   if (!(frozen.report.unbalanced_force_ratio < std::max(rest_bound, force_tolerance)))
     throw NotConverged("frozen state: unbalanced force ratio " +
                        std::to_string(frozen.report.unbalanced_force_ratio) + " after " +
                        std::to_string(frozen.report.steps) + " steps");
-  const network::Response response = network::linear_response(dem::freeze(frozen.state, material));
+  const network::Response response =
+      network::linear_response(dem::freeze(frozen.state, material), {.stop_requested = stop_requested});
   return {.relaxed = response.relaxed(),
           .affine = response.affine(),
           .stress = frozen.report.stress,

@@ -99,6 +99,7 @@ Probed at_rest(const dem::State& state, const dem::Material& material, const Pro
   relax.force_tolerance = options.force_tolerance;
   relax.stress_tolerance = options.force_tolerance;
   relax.max_steps = options.max_steps;
+  relax.stop_requested = options.stop_requested;
   const double amplitude = options.amplitude > 0 ? options.amplitude : chosen_amplitude(engine);
   relax.settled_stress = options.settled_share * amplitude * engine.figures().p_wave_modulus;
   relax.settle_steps = spell(engine);
@@ -116,6 +117,8 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   result.converged = true;
   const auto [stacked, moving] = plane(mode);
   const auto shear_stress = [&](const dem::QuasistaticReport& report) {
+    if (report.outcome == dem::Outcome::stopped)
+      throw Stopped();
     result.converged = result.converged && (report.converged() || report.outcome == dem::Outcome::settled);
     result.steps += report.steps;
     result.unbalanced_force_ratio = std::max(result.unbalanced_force_ratio, report.unbalanced_force_ratio);
@@ -164,11 +167,15 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   return result;
 }
 
-FrozenState frozen_once(const dem::State& state, const dem::Material& material, double force_tolerance) {
+FrozenState frozen_once(const dem::State& state, const dem::Material& material, double force_tolerance,
+                        const StopRequest& stop_requested) {
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen;
-  frozen.report =
-      come_to_rest(engine, drag(engine, state), {.force_tolerance = force_tolerance, .max_steps = 20000});
+  frozen.report = come_to_rest(
+      engine, drag(engine, state),
+      {.force_tolerance = force_tolerance, .max_steps = 20000, .stop_requested = stop_requested});
+  if (frozen.report.outcome == dem::Outcome::stopped)
+    throw Stopped();
   engine.rest();
   frozen.state = engine.state();
   if (state.walls)
@@ -178,12 +185,13 @@ FrozenState frozen_once(const dem::State& state, const dem::Material& material, 
 
 } // namespace
 
-FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance) {
+FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance,
+                            const StopRequest& stop_requested) {
   constexpr int tries = 3;
-  FrozenState frozen = frozen_once(state, material, force_tolerance);
+  FrozenState frozen = frozen_once(state, material, force_tolerance, stop_requested);
   for (int k = 1; k < tries && frozen.report.unbalanced_force_ratio > std::max(rest_bound, force_tolerance);
        ++k) {
-    FrozenState next = frozen_once(frozen.state, material, force_tolerance);
+    FrozenState next = frozen_once(frozen.state, material, force_tolerance, stop_requested);
     next.report.steps += frozen.report.steps;
     frozen = std::move(next);
   }

@@ -47,6 +47,8 @@ contact::PowerLaw linear_law(const SpecimenRecipe& recipe) {
 }
 
 dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stage) {
+  if (report.stopped)
+    throw Stopped();
   if (!report.converged)
     throw NotConverged("specimen preparation, " + stage + ": unbalanced force ratio " +
                        std::to_string(report.unbalanced_force_ratio) + " after " +
@@ -55,13 +57,14 @@ dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stag
 }
 
 /// Grains grow at fixed cell from a solid fraction of 0.2 to the whole of the recipe's.
-std::size_t expand(dem::State& state, const SpecimenRecipe& recipe) {
+std::size_t expand(dem::State& state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   constexpr double first_fraction = 0.2, last_stage = 0.55, stage = 0.05;
   const double full = 1 / (1 + recipe.expansion_void_ratio);
   const contact::PowerLaw law = linear_law(recipe);
   dem::MinimiseOptions options;
   options.overlap_tolerance = 1e-3;
   options.force_tolerance = 1e-2;
+  options.stop_requested = stop_requested;
   std::size_t steps = 0;
   const auto relax_at = [&](double fraction) {
     state.radius = recipe.radius * std::cbrt(fraction / full);
@@ -89,15 +92,16 @@ void require_valid(const SpecimenRecipe& recipe) {
   require_closed("agitation", recipe.agitation, 0, 0.5);
 }
 
-Preparation frictionless_specimen(const SpecimenRecipe& recipe) {
+Preparation frictionless_specimen(const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   require_valid(recipe);
   Preparation preparation;
   preparation.state = seeds(recipe);
-  preparation.minimiser_steps = expand(preparation.state, recipe);
+  preparation.minimiser_steps = expand(preparation.state, recipe, stop_requested);
   const auto compress = [&](double factor, double tolerance, std::size_t max_steps) {
     dem::MinimiseOptions options;
     options.force_tolerance = options.pressure_tolerance = tolerance;
     options.max_steps = max_steps;
+    options.stop_requested = stop_requested;
     preparation.last = dem::minimise_enthalpy(preparation.state, recipe.material.law,
                                               factor * recipe.first_pressure, options);
     preparation.minimiser_steps += preparation.last.steps;
@@ -113,7 +117,7 @@ Preparation frictionless_specimen(const SpecimenRecipe& recipe) {
   return preparation;
 }
 
-dem::State unjam(dem::State state, const SpecimenRecipe& recipe) {
+dem::State unjam(dem::State state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   require_valid(recipe);
   const double growth = 1 + recipe.unjamming_strain;
   const double reach = recipe.agitation * recipe.radius;
@@ -126,6 +130,7 @@ dem::State unjam(dem::State state, const SpecimenRecipe& recipe) {
   }
   dem::MinimiseOptions options;
   options.overlap_tolerance = 1e-6;
+  options.stop_requested = stop_requested;
   const dem::RelaxReport report =
       arrived(dem::minimise_energy(state, linear_law(recipe), options), "unjamming");
   if (report.unbalanced_force_ratio < options.force_tolerance && report.pressure > 0)
@@ -134,9 +139,9 @@ dem::State unjam(dem::State state, const SpecimenRecipe& recipe) {
   return state;
 }
 
-dem::State start_of_compression(const dem::State& frictionless, Density density,
-                                const SpecimenRecipe& recipe) {
-  return density == Density::loose ? unjam(frictionless, recipe) : frictionless;
+dem::State start_of_compression(const dem::State& frictionless, Density density, const SpecimenRecipe& recipe,
+                                const StopRequest& stop_requested) {
+  return density == Density::loose ? unjam(frictionless, recipe, stop_requested) : frictionless;
 }
 
 dem::QuasistaticOptions compression_options() {

@@ -55,9 +55,8 @@ class Stages {
   /// What work failed of, in words; a file that cannot be written ends all work.
   std::string guarded(const std::function<void()>& work) {
     try {
-      return failure_of([&] {
-        if (meter_.stopped())
-          throw NotConverged(stopped_on_request);
+      return ending_of([&] {
+        throw_if_stopped(meter_.stop_request());
         work();
       });
     } catch (const FileError&) {

@@ -119,8 +119,8 @@ double modulus_of(const triaxial::ProbeResult& result) {
   return result.shear_modulus;
 }
 
-Probes run_probes(const dem::State& state, const dem::Material& material) {
-  const auto [hh, hv, vh] = triaxial::probe_all(state, material);
+Probes run_probes(const dem::State& state, const dem::Material& material, const StopRequest& stop_requested) {
+  const auto [hh, hv, vh] = triaxial::probe_all(state, material, {.stop_requested = stop_requested});
   Probes probes;
   probes.G_hh = modulus_of(hh);
   probes.G_hv = modulus_of(hv);
@@ -129,20 +129,24 @@ Probes run_probes(const dem::State& state, const dem::Material& material) {
   return probes;
 }
 
-ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta, double amplitude) {
+ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta, double amplitude,
+                     const StopRequest& stop_requested) {
   triaxial::ProbeResult result = triaxial::probe(state, material, triaxial::ShearMode::hh,
                                                  {.amplitude = amplitude,
                                                   .sliding = true,
                                                   .hold_normal_stress = true,
                                                   .loop_points = 5,
                                                   .force_tolerance = 1e-6,
-                                                  .max_steps = 4000});
+                                                  .max_steps = 4000,
+                                                  .stop_requested = stop_requested});
   return {.eta = eta, .amplitude = amplitude, .points = std::move(result.loop)};
 }
 
 FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
-                         const triaxial::PathPoint& at, bool probed, std::vector<std::string>& notes) {
-  const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material, rest_tolerance);
+                         const triaxial::PathPoint& at, bool probed, std::vector<std::string>& notes,
+                         const StopRequest& stop_requested) {
+  const triaxial::FrozenState frozen =
+      triaxial::freeze_in_place(state, material, rest_tolerance, stop_requested);
   require_rest(frozen.report.unbalanced_force_ratio, "a frozen state", rest_tolerance);
   const Mat3& stress = frozen.report.stress;
   FrozenPoint out;
@@ -153,12 +157,14 @@ FrozenPoint frozen_point(const dem::State& state, const dem::Material& material,
   const Assembly assembly = dem::freeze(frozen.state, material);
   measure_contacts(frozen.state, material, assembly, out);
   out.micro.sliding_fraction = triaxial::microstructure(dem::freeze(state, material)).sliding_fraction;
-  const network::Response response = network::linear_response(assembly, {.tolerance = network_tolerance});
+  const network::Response response =
+      network::linear_response(assembly, {.tolerance = network_tolerance, .stop_requested = stop_requested});
   out.network = rows(response.relaxed());
   out.affine = rows(response.affine());
   out.closed = closed_forms(material, state.radius, out);
   if (probed) {
-    const std::string failure = failure_of([&] { out.probes = run_probes(frozen.state, material); });
+    const std::string failure =
+        failure_of([&] { out.probes = run_probes(frozen.state, material, stop_requested); });
     if (!failure.empty())
       notes.push_back("not probed at eta = " + short_text(at.stress.ratio()) +
                       ", p' = " + pretty(at.stress.mean(), Dimension::pressure) + ": " + failure);

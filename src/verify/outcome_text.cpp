@@ -28,10 +28,20 @@ std::string failure_of(const std::function<void()>& work) {
     work();
   } catch (const FileError&) {
     throw;
+  } catch (const Stopped&) {
+    throw;
   } catch (const std::exception& error) {
     return error.what();
   }
   return {};
+}
+
+std::string ending_of(const std::function<void()>& work) {
+  try {
+    return failure_of(work);
+  } catch (const Stopped& stopped) {
+    return stopped.what();
+  }
 }
 
 } // namespace granum::verify

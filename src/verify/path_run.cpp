@@ -65,7 +65,7 @@ class Store {
 
 std::string stem(const Piece& piece, const std::optional<stress::ShearPath>& path) {
   return std::string(name(piece.contact)) + "-" + std::string(name(piece.density)) + "-" +
-         std::to_string(piece.seed) + "-" + lower_case(name(path));
+         std::to_string(piece.seed) + "-" + path_in_file_names(path);
 }
 
 std::string title(const Piece& piece, const std::optional<stress::ShearPath>& path) {
@@ -171,6 +171,10 @@ bool holds(const std::vector<double>& values, double value) {
 
 } // namespace
 
+std::string path_in_file_names(const std::optional<stress::ShearPath>& path) {
+  return lower_case(name(path));
+}
+
 dem::State packing(const Piece& piece) {
   const std::string name_of_packing =
       std::string(name(piece.contact)) + "-" + std::to_string(piece.seed) + "-packing";
@@ -180,7 +184,9 @@ dem::State packing(const Piece& piece) {
     piece.meter.found(packing_steps(piece.scene), name_of_packing);
     return dem::load_state(from);
   }
-  dem::State state = triaxial::frictionless_specimen(recipe(piece.scene, piece.contact, piece.seed)).state;
+  dem::State state = triaxial::frictionless_specimen(recipe(piece.scene, piece.contact, piece.seed),
+                                                     piece.meter.stop_request())
+                         .state;
   ByteWriter to;
   dem::save_state(to, state);
   store.write(to);
@@ -203,10 +209,10 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
     iso.run = load_run(from, std::nullopt);
     piece.meter.found(work * static_cast<double>(iso.run.points.size()), title(piece, std::nullopt));
   } else {
-    iso.state = triaxial::start_of_compression(packing, piece.density, specimen);
+    iso.state = triaxial::start_of_compression(packing, piece.density, specimen, piece.meter.stop_request());
   }
   dem::QuasistaticOptions options = triaxial::compression_options();
-  options.stop_requested = [&piece] { return piece.meter.stopped(); };
+  options.stop_requested = piece.meter.stop_request();
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     iso.run.steps += snapshot.report.steps;
     if (!snapshot.report.converged()) {
@@ -218,9 +224,9 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
       first_cell = snapshot.state.cell;
     iso.run.largest_inertial_number =
         std::max(iso.run.largest_inertial_number, snapshot.report.largest_inertial_number);
-    iso.run.points.push_back(frozen_point(snapshot.state, specimen.material,
-                                          isotropic_point(snapshot, first_cell),
-                                          holds(scene.probe_pressures, snapshot.pressure), iso.run.notes));
+    iso.run.points.push_back(
+        frozen_point(snapshot.state, specimen.material, isotropic_point(snapshot, first_cell),
+                     holds(scene.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
     iso.state = snapshot.state;
     ByteWriter to;
     dem::save_state(to, iso.state);
@@ -263,7 +269,7 @@ class ShearRecord {
                                  .eta_step = scene.eta_step / curve_refinement,
                                  .strain_step = scene.strain_step / curve_refinement,
                                  .largest_strain = scene.largest_strain,
-                                 .stop_requested = asked_to_stop()});
+                                 .stop_requested = piece.meter.stop_request()});
     run_.curve.push_back(test_->now());
     cycle();
   }
@@ -275,10 +281,6 @@ class ShearRecord {
   }
 
  private:
-  [[nodiscard]] std::function<bool()> asked_to_stop() const {
-    return [this] { return piece_.meter.stopped(); };
-  }
-
   void advance() {
     const triaxial::ShearEvent event = test_->advance();
     record();
@@ -316,11 +318,12 @@ class ShearRecord {
     run_.steps = test_->now().step;
   }
 
-  /// A state that does not come to rest is left out with a note: the path goes on without it.
+  /// A state that does not come to rest is left out with a note: the path goes on without it. Stopped here,
+  /// the run goes on from the checkpoint before.
   void freeze(bool probed) {
     const std::string failure = failure_of([&] {
-      run_.points.push_back(
-          frozen_point(test_->engine().state(), material_, test_->now(), probed, run_.notes));
+      run_.points.push_back(frozen_point(test_->engine().state(), material_, test_->now(), probed, run_.notes,
+                                         piece_.meter.stop_request()));
     });
     if (!failure.empty())
       run_.notes.push_back("not frozen at eta = " + std::to_string(test_->now().stress.ratio()) + ": " +
@@ -332,8 +335,8 @@ class ShearRecord {
     const Scene& scene = piece_.scene;
     if (scene.loop_strain > 0 && path_ == stress::ShearPath::txc &&
         piece_.density == triaxial::Density::dense && piece_.contact == scene.contacts.front())
-      run_.loops.push_back(
-          shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(), scene.loop_strain));
+      run_.loops.push_back(shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(),
+                                      scene.loop_strain, piece_.meter.stop_request()));
   }
 
   void save() const {
@@ -352,7 +355,7 @@ class ShearRecord {
     schedule_ = from.get<Schedule>();
     run_ = load_run(from, path_);
     if (under_way)
-      test_ = triaxial::ShearTest::load(from, material_, asked_to_stop());
+      test_ = triaxial::ShearTest::load(from, material_, piece_.meter.stop_request());
     told_ = share();
     piece_.meter.found(told_ * work_, title(piece_, path_));
   }

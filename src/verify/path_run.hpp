@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <granum/verify/experiment.hpp>
@@ -33,6 +34,9 @@ struct IsoRun {
 
 /// A stress path from the end of isotropic compression.
 [[nodiscard]] PathRun shear_run(const Piece& piece, const dem::State& start, stress::ShearPath path);
+
+/// What the file of a checkpoint calls a path: "txc"; nothing is isotropic compression, "iso".
+[[nodiscard]] std::string path_in_file_names(const std::optional<stress::ShearPath>& path);
 
 /// Predicted work of the pieces and of all of them, in steps of the engine with friction.
 [[nodiscard]] double packing_steps(const Scene& scene);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include <granum/core/check.hpp>
 #include <granum/dem/engine.hpp>
 
 namespace granum::verify {
@@ -45,8 +46,11 @@ bool probed(const Scene& scene, double pressure) {
          scene.probe_pressures.end();
 }
 
-/// Seconds of one grain in one step: a lattice of touching spheres, shaken, for a tenth of a second.
+} // namespace
+
+/// A lattice of touching spheres, shaken.
 double measured_speed(const Scene& scene) {
+  require_valid(scene);
   const triaxial::SpecimenRecipe specimen = recipe(scene, scene.contacts.front(), scene.first_seed);
   const int edges = static_cast<int>(
       std::clamp(std::cbrt(static_cast<double>(scene.grains) / 4), 3.0, 14.0)); // 4 grains in a cubic cell
@@ -74,8 +78,6 @@ double measured_speed(const Scene& scene) {
   constexpr double contacts_share = 0.55;
   return contacts_share * elapsed / (static_cast<double>(steps) * static_cast<double>(state.grain_count()));
 }
-
-} // namespace
 
 double preparation_work(const Scene& scene) { return preparation_steps * grains_and_waves(scene); }
 
@@ -106,8 +108,9 @@ double total_work(const Scene& scene) {
   return work * static_cast<double>(scene.seeds);
 }
 
-Plan plan(const Scene& scene) {
+Plan plan(const Scene& scene, double seconds_per_grain_step) {
   require_valid(scene);
+  require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
   Plan out;
   out.packings = scene.contacts.size() * scene.seeds;
   out.specimens = out.packings * scene.densities.size();
@@ -116,7 +119,7 @@ Plan plan(const Scene& scene) {
                                            [&](double p) { return probed(scene, p); });
   out.probes = 3 * out.specimens * static_cast<std::size_t>(probed_stages);
   out.grain_steps = total_work(scene);
-  out.seconds_per_grain_step = measured_speed(scene);
+  out.seconds_per_grain_step = seconds_per_grain_step;
   const double side_by_side = static_cast<double>(std::min(thread_count(scene), out.packings));
   out.seconds = out.grain_steps * out.seconds_per_grain_step / side_by_side;
   // Bytes of a grain: the frictionless packing that waits, and engine with network for each that runs

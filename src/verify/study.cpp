@@ -48,8 +48,8 @@ void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, StateResult& o
   out.K_closed = estimate.stiffness.bulk_modulus();
 }
 
-void solve_network(const Assembly& assembly, StateResult& out) {
-  const network::Response response = network::linear_response(assembly);
+void solve_network(const Assembly& assembly, const StopRequest& stop_requested, StateResult& out) {
+  const network::Response response = network::linear_response(assembly, {.stop_requested = stop_requested});
   const elastic::Isotropic relaxed = elastic::isotropic_projection(response.relaxed());
   const elastic::Isotropic affine = elastic::isotropic_projection(response.affine());
   const BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
@@ -77,9 +77,11 @@ std::string title(Shape contact, triaxial::Density density, std::uint64_t seed) 
   return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
 }
 
-StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe, bool probed) {
+StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe, bool probed,
+                    const StopRequest& stop_requested) {
   const dem::Material& material = recipe.material;
-  const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
+  const triaxial::FrozenState frozen =
+      triaxial::freeze_in_place(snapshot.state, material, 1e-8, stop_requested);
   require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
   StateResult out;
   out.pressure = snapshot.pressure;
@@ -92,9 +94,9 @@ StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::Specimen
   const Assembly assembly = dem::freeze(frozen.state, material);
   measure_assembly(assembly, material.law, out);
   estimate_closed_form(recipe, out);
-  solve_network(assembly, out);
+  solve_network(assembly, stop_requested, out);
   if (probed)
-    out.probes = run_probes(frozen.state, material);
+    out.probes = run_probes(frozen.state, material, stop_requested);
   return out;
 }
 
@@ -105,7 +107,7 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
   }
   const triaxial::SpecimenRecipe specimen = recipe(scene, out.contact, out.seed);
   dem::QuasistaticOptions options = triaxial::compression_options();
-  options.stop_requested = [&meter] { return meter.stopped(); };
+  options.stop_requested = meter.stop_request();
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged()) {
       out.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
@@ -114,15 +116,16 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     }
     const bool probed = std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(),
                                   snapshot.pressure) != scene.probe_pressures.end();
-    out.states.push_back(analyse(snapshot, specimen, probed));
+    out.states.push_back(analyse(snapshot, specimen, probed, options.stop_requested));
     meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
               title(out.contact, out.density, out.seed));
     if (meter.stopped() && out.states.size() < scene.pressures.size())
       out.failure = stopped_on_request;
     return out.failure.empty();
   };
-  if (!triaxial::isotropic_path(triaxial::start_of_compression(packing.state, out.density, specimen),
-                                specimen.material, scene.pressures, options, visit) &&
+  if (!triaxial::isotropic_path(
+          triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
+          specimen.material, scene.pressures, options, visit) &&
       out.failure.empty())
     out.failure = "the path ended early";
 }
@@ -134,10 +137,11 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
       packings.push_back({shape, scene.first_seed + k, {}, {}});
   side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
     Packing& packing = packings[k];
-    packing.failure = failure_of([&] {
-      if (meter.stopped())
-        throw NotConverged(stopped_on_request);
-      packing.state = triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed)).state;
+    packing.failure = ending_of([&] {
+      throw_if_stopped(meter.stop_request());
+      packing.state =
+          triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed), meter.stop_request())
+              .state;
     });
     meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");
   });
@@ -168,7 +172,7 @@ std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& cont
   side_by_side(specimens.size(), thread_count(scene), [&](std::size_t position) {
     const std::size_t k = order[position];
     const std::string failure =
-        failure_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+        ending_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
     if (!failure.empty())
       specimens[k].failure = failure;
   });

@@ -8,7 +8,6 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/triaxial/shear_test.hpp>
-#include <granum/verify/plan.hpp>
 
 #include "trade_parts.hpp"
 
@@ -126,11 +125,11 @@ std::size_t specimens_of(const TradeScene& trade, std::size_t grains) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(all / static_cast<double>(grains))));
 }
 
-TradeScene within_budget(TradeScene trade, double seconds) {
+TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_grain_step) {
   require_positive("budget", seconds, "s");
   require_valid(trade);
-  const double speed =
-      plan(trade.scene).seconds_per_grain_step / static_cast<double>(thread_count(trade.scene));
+  require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
+  const double speed = seconds_per_grain_step / static_cast<double>(thread_count(trade.scene));
   std::sort(trade.grains.begin(), trade.grains.end());
   double predicted = trade::predicted_work(trade, trade::planned_work(trade).work) * speed;
   while (predicted > seconds && trade.grains.size() > 2) {
@@ -142,10 +141,9 @@ TradeScene within_budget(TradeScene trade, double seconds) {
   return trade;
 }
 
-double predicted_seconds(const TradeScene& trade) {
+double predicted_seconds(const TradeScene& trade, double seconds_per_grain_step) {
   require_valid(trade);
-  return trade::predicted_work(trade, trade::planned_work(trade).work) *
-         plan(trade.scene).seconds_per_grain_step;
+  return trade::predicted_work(trade, trade::planned_work(trade).work) * seconds_per_grain_step;
 }
 
 } // namespace granum::verify

@@ -51,22 +51,25 @@ triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packi
   return out;
 }
 
-void make(const TradeScene& trade, Packing& packing) {
-  triaxial::Preparation made = triaxial::frictionless_specimen(recipe_of(trade, packing));
+void make(const TradeScene& trade, const StopRequest& stop_requested, Packing& packing) {
+  triaxial::Preparation made = triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
   packing.state = std::move(made.state);
   packing.steps = made.minimiser_steps;
 }
 
 double probed(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
-              double amplitude, Part& part) {
-  const triaxial::ProbeResult result = triaxial::probe(state, material, mode, {.amplitude = amplitude});
+              double amplitude, const StopRequest& stop_requested, Part& part) {
+  const triaxial::ProbeResult result =
+      triaxial::probe(state, material, mode, {.amplitude = amplitude, .stop_requested = stop_requested});
   part.steps += result.steps;
   return modulus_of(result);
 }
 
-void measure_network(const dem::State& frozen, const dem::Material& material, Compression& out) {
+void measure_network(const dem::State& frozen, const dem::Material& material,
+                     const StopRequest& stop_requested, Compression& out) {
   const ThreadClock clock;
-  const network::Response response = network::linear_response(dem::freeze(frozen, material));
+  const network::Response response =
+      network::linear_response(dem::freeze(frozen, material), {.stop_requested = stop_requested});
   out.network_seconds += clock.seconds();
   const elastic::Matrix6& c = response.relaxed().matrix;
   out.isotropic.push_back(elastic::isotropic_projection(response.relaxed()).shear_modulus());
@@ -74,17 +77,18 @@ void measure_network(const dem::State& frozen, const dem::Material& material, Co
   out.vertical.push_back(c(4, 4));
 }
 
-void measure(const dem::State& state, const dem::Material& material, Compression& out) {
-  triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
+void measure(const dem::State& state, const dem::Material& material, const StopRequest& stop_requested,
+             Compression& out) {
+  triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material, 1e-8, stop_requested);
   require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
   out.steps += frozen.report.steps;
   out.void_ratio.push_back(dem::void_ratio(frozen.state));
   if (frozen.state.walls)
-    out.planes.push_back((probed(frozen.state, material, triaxial::ShearMode::hh, 0, out) +
-                          probed(frozen.state, material, triaxial::ShearMode::vh, 0, out)) /
+    out.planes.push_back((probed(frozen.state, material, triaxial::ShearMode::hh, 0, stop_requested, out) +
+                          probed(frozen.state, material, triaxial::ShearMode::vh, 0, stop_requested, out)) /
                          2);
   else
-    measure_network(frozen.state, material, out);
+    measure_network(frozen.state, material, stop_requested, out);
   if (out.probed_later)
     out.frozen.push_back(std::move(frozen.state));
 }
@@ -94,19 +98,20 @@ void compress(const TradeScene& trade, const Packing& packing, const Meter& mete
   dem::QuasistaticOptions options = triaxial::compression_options();
   options.inertial_number = out.inertial_number;
   options.time_step_fraction = out.time_step_fraction;
-  options.stop_requested = [&meter] { return meter.stopped(); };
+  options.stop_requested = meter.stop_request();
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged())
       throw NotConverged("compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
                          words(snapshot.report.outcome));
     out.steps += snapshot.report.steps;
-    measure(snapshot.state, specimen.material, out);
+    measure(snapshot.state, specimen.material, options.stop_requested, out);
     if (out.sheared_later && snapshot.pressure == trade.scene.pressures.back())
       out.last = snapshot.state;
     return true;
   };
-  (void)triaxial::isotropic_path(triaxial::start_of_compression(packing.state, out.density, specimen),
-                                 specimen.material, trade.scene.pressures, options, visit);
+  (void)triaxial::isotropic_path(
+      triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
+      specimen.material, trade.scene.pressures, options, visit);
   out.network_seconds /= static_cast<double>(trade.scene.pressures.size());
 }
 
@@ -121,16 +126,17 @@ void shear(const TradeScene& trade, const Compression& start, const dem::Materia
   options.time_step_fraction = out.time_step_fraction;
   options.eta_step = measured_ratio;
   options.strain_step = options.largest_strain = trade.shear_strain;
-  options.stop_requested = [&meter] { return meter.stopped(); };
+  options.stop_requested = meter.stop_request();
   triaxial::ShearTest test(start.last, material, options);
   for (triaxial::ShearEvent event = test.advance(); event != triaxial::ShearEvent::finished;
        event = test.advance()) {
     if (event == triaxial::ShearEvent::stopped)
-      throw NotConverged(stopped_on_request);
+      throw Stopped();
     if (event == triaxial::ShearEvent::unstable)
       throw NotConverged("the shear test " + words(dem::Outcome::unstable));
     if (!out.vertical && test.now().stress.ratio() >= measured_ratio)
-      out.vertical = triaxial::frozen_moduli(test.engine().state(), material).G_vh();
+      out.vertical =
+          triaxial::frozen_moduli(test.engine().state(), material, 1e-8, options.stop_requested).G_vh();
   }
   out.peak_ratio = test.peak().stress.ratio();
   out.steps = test.now().step;
@@ -145,10 +151,12 @@ double mean_overlap_ratio(const dem::State& state, const dem::Material& material
   return material.law.overlap(sum / static_cast<double>(assembly.contacts.size())) / (2 * state.radius);
 }
 
-void probe_all(const Compression& start, const dem::Material& material, Probing& out) {
+void probe_all(const Compression& start, const dem::Material& material, const StopRequest& stop_requested,
+               Probing& out) {
   for (const dem::State& state : start.frozen)
     out.shear_modulus.push_back(probed(state, material, triaxial::ShearMode::vh,
-                                       out.amplitude * mean_overlap_ratio(state, material), out));
+                                       out.amplitude * mean_overlap_ratio(state, material), stop_requested,
+                                       out));
 }
 
 /// Does all parts, in the order in which they need each other.
@@ -158,7 +166,7 @@ class Runner {
       : trade_(trade), work_(work), meter_(control, predicted_work(trade, work)) {}
 
   void run() {
-    phase(work_.packings, "packings", [this](Packing& p) { make(trade_, p); });
+    phase(work_.packings, "packings", [this](Packing& p) { make(trade_, meter_.stop_request(), p); });
     phase(work_.compressions, "compressions", [this](Compression& c) {
       const Packing& packing = work_.packings[c.packing];
       require_whole(packing);
@@ -172,7 +180,7 @@ class Runner {
     phase(work_.probings, "probes", [this](Probing& p) {
       const Compression& start = work_.compressions[p.compression];
       require_whole(start);
-      probe_all(start, material_of(start), p);
+      probe_all(start, material_of(start), meter_.stop_request(), p);
     });
   }
 
@@ -197,9 +205,8 @@ class Runner {
     side_by_side(parts.size(), thread_count(trade_.scene), [&](std::size_t position) {
       Kind& part = parts[order[position]];
       const ThreadClock clock;
-      part.failure = failure_of([&] {
-        if (meter_.stopped())
-          throw NotConverged(stopped_on_request);
+      part.failure = ending_of([&] {
+        throw_if_stopped(meter_.stop_request());
         work(part);
       });
       part.cpu_seconds = clock.seconds();

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include <granum/core/stop_request.hpp>
 #include <granum/verify/study.hpp>
 
 /// How studies share work among threads and tell how far they are.
@@ -24,6 +25,10 @@ class Meter {
   void stop_all() { all_stopped_ = true; }
   [[nodiscard]] bool stopped() const {
     return all_stopped_ || (control_.stop != nullptr && control_.stop->load());
+  }
+  /// For the loops of a piece of work, which the meter outlives.
+  [[nodiscard]] StopRequest stop_request() const {
+    return [this] { return stopped(); };
   }
 
  private:

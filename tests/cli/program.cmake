@@ -4,3 +4,7 @@ granum_cli_test("help" EXIT 0 STDOUT "Exit codes: 0 ok" ARGS --help)
 granum_cli_test("help of a subcommand" EXIT 0 STDOUT "atmospheric-pressure PRESSURE" ARGS fit --help)
 granum_cli_test("no subcommand" EXIT 2 STDERR "^granum: error: .*subcommand" ARGS)
 granum_cli_test("unknown subcommand" EXIT 2 STDERR "^granum: error: .*fitt" ARGS fitt)
+
+add_test(NAME "cli: standard streams that are closed, full or broken"
+  COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_streams.sh" "$<TARGET_FILE:granum_cli>" "${CMAKE_CURRENT_BINARY_DIR}/streams")
+set_tests_properties("cli: standard streams that are closed, full or broken" PROPERTIES LABELS cli)

@@ -22,9 +22,12 @@ granum_cli_test("reproduce: help lists the keys" EXIT 0
   STDOUT "--paper.*--resume.*Keys of scenes and of --set:.*shear\\.paths .*shear\\.probe_eta_step " ARGS reproduce --help)
 
 # runs that write, in folders of their own
+add_library(granum_kill_at_rename MODULE kill_at_rename.cpp)
+granum_compile_settings(granum_kill_at_rename)
+target_link_libraries(granum_kill_at_rename PRIVATE ${CMAKE_DL_LIBS})
 foreach(what resume disk)
   add_test(NAME "cli: reproduce: ${what}"
     COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reproduce ${what}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reproduce_${what}.cmake")
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reproduce ${what}" "-DKILLER=$<TARGET_FILE:granum_kill_at_rename>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reproduce_${what}.cmake")
   set_tests_properties("cli: reproduce: ${what}" PROPERTIES LABELS cli)
 endforeach()

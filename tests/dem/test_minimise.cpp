@@ -9,6 +9,7 @@
 #include <granum/core/error.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "dem/stop_at.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -107,4 +108,27 @@ TEST_CASE("impossible minimisations are refused") {
   State empty;
   empty.radius = 1e-3;
   CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);
+}
+
+TEST_CASE("a wish to stop ends a relaxation before its next step, in the state that so many steps lead to") {
+  constexpr double radius = 1e-3;
+  for (const std::size_t question : {1u, 7u, 30u}) {
+    CAPTURE(question);
+    const auto relaxed = [&](const MinimiseOptions& options, bool enthalpy) {
+      State state = disordered(radius);
+      const RelaxReport report = enthalpy
+                                     ? minimise_enthalpy(state, test::quartz_sphere(radius), 1e7, options)
+                                     : minimise_energy(state, test::quartz_sphere(radius), options);
+      return std::pair{state, report};
+    };
+    for (const bool enthalpy : {false, true}) {
+      const auto [stopped, report] = relaxed({.stop_requested = test::StopAt(question)}, enthalpy);
+      const auto [limited, other] = relaxed({.max_steps = question - 1}, enthalpy);
+      CHECK(report.stopped);
+      CHECK_FALSE(report.converged);
+      CHECK(report.steps == question - 1);
+      CHECK_FALSE(other.stopped);
+      CHECK(stopped == limited);
+    }
+  }
 }

@@ -10,6 +10,7 @@
 #include <granum/core/error.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "dem/stop_at.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -124,6 +125,30 @@ TEST_CASE("runs that cannot arrive say so") {
         Outcome::stopped);
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, 1e5, 1e5}, {.inertial_number = 0}), InvalidArgument);
+}
+
+TEST_CASE("a wish to stop is seen before the next step, whatever the step") {
+  const Material material = test::quartz(radius, 0.5);
+  Mat3 shear;
+  shear(0, 2) = 1e-6;
+  for (const std::size_t question : {1u, 2u, 37u, 60u}) {
+    CAPTURE(question);
+    Engine servo(test::fcc(radius, 3, 1e-8), material), sheared(test::fcc(radius, 3, 2e-7), material);
+    const QuasistaticReport first =
+        equilibrate(servo, {1e5, 1e5, 1e5}, {.stop_requested = test::StopAt(question)});
+    CHECK(first.outcome == Outcome::stopped);
+    CHECK(first.steps == question - 1);
+    // 40 steps of ramp: some stop on it, some while the sheared cell comes to rest.
+    const QuasistaticReport second =
+        deform(sheared, shear, 40, {.force_tolerance = 1e-14, .stop_requested = test::StopAt(question)});
+    CHECK(second.outcome == Outcome::stopped);
+    CHECK(second.steps == question - 1);
+    CHECK(sheared.steps() == question - 1);
+  }
+  // A stop on a ramp that would have taken all steps there are.
+  Engine engine(test::fcc(radius, 3, 2e-7), material);
+  CHECK(deform(engine, shear, 40, {.max_steps = 10, .stop_requested = test::StopAt(20)}).outcome ==
+        Outcome::stopped);
 }
 
 TEST_CASE("a run at fixed cell may end when its stress stands still, in less time and with the same stress") {

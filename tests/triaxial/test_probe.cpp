@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "dem/stop_at.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -112,4 +115,34 @@ TEST_CASE("a probe that does not come to rest gives no modulus, unless contacts 
   const ProbeResult sliding = probe(disturbed, recipe.material, ShearMode::hh, hasty);
   CHECK_FALSE(sliding.converged);
   CHECK(sliding.shear_modulus != 0);
+}
+
+TEST_CASE("rest, probes and the network's moduli end at the step at which they are asked to") {
+  const SpecimenRecipe recipe = recipe_of(contact::PowerLaw::sphere({30e9, 0.15}, 0.5e-3));
+  const dem::State state = compressed(recipe, Density::dense, 20e3);
+  const auto stops = [](const auto& work) {
+    const test::StopAt never(0);
+    work(never);
+    REQUIRE(never.asked() > 10);
+    for (const std::size_t question : {std::size_t{1}, never.asked() / 2, never.asked() - 1}) {
+      const test::StopAt stop(question);
+      CHECK_THROWS_AS(work(stop), Stopped);
+      CHECK(stop.asked() <= question + 2); // a rest has two turns, each of which asks
+    }
+  };
+  stops([&](const test::StopAt& stop) { (void)freeze_in_place(state, recipe.material, 1e-8, stop); });
+  stops([&](const test::StopAt& stop) { (void)frozen_moduli(state, recipe.material, 1e-8, stop); });
+  const dem::State frozen = freeze_in_place(state, recipe.material).state;
+  stops([&](const test::StopAt& stop) {
+    (void)probe(frozen, recipe.material, ShearMode::vh, {.stop_requested = stop});
+  });
+  stops(
+      [&](const test::StopAt& stop) { (void)probe_all(frozen, recipe.material, {.stop_requested = stop}); });
+  const Assembly assembly = dem::freeze(frozen, recipe.material);
+  stops([&](const test::StopAt& stop) {
+    const network::Response response = network::linear_response(assembly, {.stop_requested = stop});
+    if (response.report().status == network::Status::stopped)
+      CHECK(static_cast<std::size_t>(response.report().iterations) + 1 == stop.asked());
+    (void)response.relaxed();
+  });
 }

@@ -12,6 +12,7 @@
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "dem/stop_at.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -209,6 +210,36 @@ TEST_CASE("saved to bytes at any snapshot and loaded, a test ends in the same bi
   }
 }
 
+TEST_CASE("a test that is stopped before any step, saved and taken up ends in the same bits") {
+  ShearOptions options = options_of(ShearPath::txc);
+  const auto to_end = [](ShearTest& test, std::size_t& snapshots) {
+    for (ShearEvent event = test.advance(); event != ShearEvent::finished; event = test.advance()) {
+      REQUIRE(event == ShearEvent::snapshot);
+      ++snapshots;
+    }
+  };
+  ShearTest straight(specimen(), material, options);
+  std::size_t snapshots = 0;
+  to_end(straight, snapshots);
+  for (const std::size_t question : {1u, 2u, 101u}) {
+    CAPTURE(question);
+    options.stop_requested = test::StopAt(question);
+    ShearTest test(specimen(), material, options);
+    std::size_t passed = 0;
+    for (ShearEvent event = test.advance(); event != ShearEvent::stopped; event = test.advance())
+      ++passed;
+    CHECK(test.now().step == question - 1);
+    ByteWriter bytes;
+    test.save(bytes);
+    ByteReader from(bytes.bytes(), "a test");
+    ShearTest resumed = ShearTest::load(from, material);
+    to_end(resumed, passed);
+    CHECK(passed == snapshots);
+    CHECK(resumed.now().step == straight.now().step);
+    CHECK(resumed.engine().state() == straight.engine().state());
+  }
+}
+
 TEST_CASE("a test can be stopped and taken on, and impossible options are refused") {
   ShearOptions options = options_of(ShearPath::txc);
   options.eta_step = options.strain_step = 10;
@@ -216,7 +247,7 @@ TEST_CASE("a test can be stopped and taken on, and impossible options are refuse
   options.stop_requested = [&] { return stop; };
   ShearTest test(specimen(), material, options);
   CHECK(test.advance() == ShearEvent::stopped);
-  CHECK(test.now().step == 500);
+  CHECK(test.now().step == 0);
   stop = false;
   CHECK(test.advance() == ShearEvent::finished);
   CHECK(test.advance() == ShearEvent::finished);

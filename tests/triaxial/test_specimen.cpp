@@ -8,6 +8,7 @@
 #include <granum/core/error.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "dem/stop_at.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -109,4 +110,19 @@ TEST_CASE("impossible recipes are refused by name") {
   refused([](SpecimenRecipe& r) { r.expansion_void_ratio = -0.1; });
   refused([](SpecimenRecipe& r) { r.unjamming_strain = 0; });
   refused([](SpecimenRecipe& r) { r.agitation = 2; });
+}
+
+TEST_CASE("preparation ends at the step at which it is asked to, in each of its stages") {
+  const SpecimenRecipe recipe = small_recipe();
+  const test::StopAt never(0);
+  const Preparation whole = frictionless_specimen(recipe, never);
+  CHECK(never.asked() >= whole.minimiser_steps);
+  for (const std::size_t question : {std::size_t{1}, never.asked() / 3, never.asked() - 1}) {
+    const test::StopAt stop(question);
+    CHECK_THROWS_AS((void)frictionless_specimen(recipe, stop), Stopped);
+    CHECK(stop.asked() <= question + 1); // the stage after it may ask once more
+  }
+  const test::StopAt stop(3);
+  CHECK_THROWS_AS((void)unjam(whole.state, recipe, stop), Stopped);
+  CHECK(stop.asked() == 3);
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -237,6 +239,41 @@ TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is
       }
   CHECK(swaps == 91);
   CHECK(run_experiment(scene, {}, checkpoints).complete());
+}
+
+TEST_CASE("checkpoints are removed by their names, and nothing else is") {
+  Scene scene = small_scene();
+  scene.contacts = {Shape::power_law};
+  scene.pressures = {80e3, 90e3, 100e3};
+  scene.largest_strain = 0.0005;
+  const TemporaryFolder folder;
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
+  REQUIRE(files().size() >= 3);
+  // As a run with another seed leaves them that was killed while it wrote.
+  std::ofstream(folder.path() / "sphere-loose-12-rtxe.checkpoint.part4711") << "x";
+  std::ofstream(folder.path() / "flat-7-packing.checkpoint") << "x";
+  const std::set<std::string> foreign{"notes.txt",
+                                      "sphere-dense-1-txc.checkpoint.bak",
+                                      "sphere-dense-1-txc",
+                                      "sphere-dense-x-txc.checkpoint",
+                                      "cube-dense-1-txc.checkpoint",
+                                      "sphere-dense-1-TXC.checkpoint",
+                                      "sphere-dense-1-packing.checkpoint",
+                                      "sphere-1-packing.checkpoint.part"};
+  for (const std::string& name : foreign)
+    std::ofstream(folder.path() / name) << "x";
+  fs::create_directory(folder.path() / "cone-1-packing.checkpoint");
+  remove_checkpoints(folder.path());
+  std::set<std::string> left = foreign;
+  left.insert("cone-1-packing.checkpoint");
+  CHECK(files() == left);
+  remove_checkpoints(folder.path() / "none");
 }
 
 TEST_CASE("a checkpoint that cannot be written ends an experiment with its error") {

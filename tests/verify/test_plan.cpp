@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/verify/plan.hpp>
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
@@ -9,6 +11,10 @@
 using namespace granum;
 using namespace granum::verify;
 using triaxial::Density;
+
+namespace {
+constexpr double speed = 2e-7; ///< of an imagined machine [s per grain and step]
+}
 
 TEST_CASE("the work of a study is that of its parts") {
   Scene scene;
@@ -48,13 +54,13 @@ TEST_CASE("a plan counts what a study runs") {
   Scene scene;
   scene.seeds = 2;
   scene.grains = 200;
-  const Plan planned = plan(scene);
+  const Plan planned = plan(scene, speed);
   CHECK(planned.packings == 6);
   CHECK(planned.specimens == 12);
   CHECK(planned.network_solutions == 120);
   CHECK(planned.probes == 108); // three directions at three pressures
   CHECK(planned.grain_steps == total_work(scene));
-  CHECK(planned.seconds_per_grain_step > 0);
+  CHECK(planned.seconds_per_grain_step == speed);
   CHECK(planned.memory > 0);
 }
 
@@ -65,13 +71,26 @@ TEST_CASE("the predicted time shares the work among threads, no more than there 
   scene.grains = 40;
   for (const auto& [threads, sharing] : {std::pair{1, 1}, {2, 2}, {64, 2}}) {
     scene.threads = static_cast<std::size_t>(threads);
-    const Plan planned = plan(scene);
-    CHECK(planned.seconds == relative(planned.grain_steps * planned.seconds_per_grain_step / sharing, 1e-12));
+    const Plan planned = plan(scene, speed);
+    CHECK(planned.seconds == relative(total_work(scene) * speed / sharing, 1e-12));
   }
 }
 
 TEST_CASE("an impossible scene has no plan") {
   Scene scene;
   scene.pressures = {10e3};
-  CHECK_THROWS_AS((void)plan(scene), InvalidArgument);
+  CHECK_THROWS_AS((void)plan(scene, speed), InvalidArgument);
+  CHECK_THROWS_AS((void)measured_speed(scene), InvalidArgument);
+  for (const double wrong : {0.0, -1.0})
+    CHECK_THROWS_AS((void)plan(Scene{}, wrong), InvalidArgument);
+}
+
+TEST_CASE("the engine's speed can be measured for every law, with few grains and many") {
+  Scene scene;
+  for (const Shape shape : scene.contacts) {
+    scene.contacts = {shape};
+    const double measured = measured_speed(scene);
+    CHECK(measured > 0);
+    CHECK(std::isfinite(measured));
+  }
 }

@@ -185,13 +185,19 @@ TEST_CASE("every size has about as many grains in all, and two specimens at leas
 TEST_CASE("a budget cuts the largest sizes, and says what would be enough") {
   TradeScene full = default_trade();
   full.grains = full_trade().grains;
-  const double all = predicted_seconds(full) / static_cast<double>(thread_count(full.scene));
-  const TradeScene part = within_budget(full, 0.5 * all);
+  // Whatever this machine's speed is and whatever else it does: the speed is given.
+  constexpr double speed = 1e-7;
+  const double all = predicted_seconds(full, speed) / static_cast<double>(thread_count(full.scene));
+  const TradeScene part = within_budget(full, 0.5 * all, speed);
   CHECK(part.grains.size() >= 2);
   CHECK(part.grains.size() < full.grains.size());
   CHECK(std::equal(part.grains.begin(), part.grains.end(), full.grains.begin()));
-  CHECK(within_budget(full, 10 * all).grains == full.grains);
-  CHECK_THROWS_WITH_AS((void)within_budget(full, 1), doctest::Contains("outside times of at least "),
+  CHECK(predicted_seconds(part, speed) <= 0.5 * predicted_seconds(full, speed));
+  CHECK(within_budget(full, 1.001 * all, speed).grains == full.grains);
+  CHECK(within_budget(full, 0.999 * all, speed).grains.size() == full.grains.size() - 1);
+  // An engine half as fast fits half as much.
+  CHECK(within_budget(full, all, 2 * speed).grains == part.grains);
+  CHECK_THROWS_WITH_AS((void)within_budget(full, 1, speed), doctest::Contains("outside times of at least "),
                        InvalidArgument);
 }
 

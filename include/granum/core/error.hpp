@@ -34,4 +34,10 @@ class NotConverged : public Error {
   using Error::Error;
 };
 
+/// Long work was asked to stop (core/stop_request.hpp) before it had a result.
+class Stopped : public Error {
+ public:
+  Stopped() : Error("stopped on request") {}
+};
+
 } // namespace granum

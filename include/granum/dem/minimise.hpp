@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/core/stop_request.hpp>
 #include <granum/dem/state.hpp>
 
 namespace granum::dem {
@@ -13,11 +14,13 @@ struct MinimiseOptions {
   double pressure_tolerance = 1e-9; ///< relative, where a pressure is prescribed [1]
   double overlap_tolerance = 1e-7;  ///< largest overlap / radius that counts as none [1]
   std::size_t max_steps = 200000;
+  StopRequest stop_requested = {}; ///< true ends the relaxation early: the report then says so
 };
 
 /// How a relaxation ended. The state it belongs to is the last good one in any case.
 struct [[nodiscard]] RelaxReport {
   bool converged = false;
+  bool stopped = false; ///< stop_requested said so
   std::size_t steps = 0;
   double unbalanced_force_ratio =
       0;               ///< mean residual force on a grain / mean contact force; 0 without contacts

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
+#include <granum/core/stop_request.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/dem/engine.hpp>
 
@@ -22,8 +22,7 @@ struct QuasistaticOptions {
   double settled_stress = 0;
   std::size_t settle_steps = 1000;
   double time_step_fraction = default_time_step_fraction; ///< of the stability limit, in (0, 1]
-  /// Asked now and then; true ends the run early (the report then says `stopped`).
-  std::function<bool()> stop_requested = {};
+  StopRequest stop_requested = {}; ///< true ends the run early: the report then says `stopped`
 };
 
 enum class Outcome {

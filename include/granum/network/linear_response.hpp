@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <granum/assembly/assembly.hpp>
+#include <granum/core/stop_request.hpp>
 #include <granum/elastic/stiffness.hpp>
 
 /// Rung 4: the elastic response of a given contact network, by linear algebra instead of time stepping.
@@ -21,13 +22,15 @@ struct Options {
   bool prestress = false;
   double tolerance =
       1e-10; ///< in (0, 1): residual force over affine force, for the worst of the six load cases
-  int iteration_limit = 20000; ///< >= 1
+  int iteration_limit = 20000;     ///< >= 1
+  StopRequest stop_requested = {}; ///< asked before every iteration
 };
 
 enum class Status {
   converged,
-  iteration_limit,      ///< the tolerance was not reached: too few iterations, or below what rounding allows
-  not_positive_definite ///< the network is unstable: the prestress term outweighs the contact stiffness
+  iteration_limit,       ///< the tolerance was not reached: too few iterations, or below what rounding allows
+  not_positive_definite, ///< the network is unstable: the prestress term outweighs the contact stiffness
+  stopped                ///< options.stop_requested said so
 };
 
 /// The two stiffnesses of a contact network, and how the second was found. Compression positive.
@@ -56,7 +59,7 @@ class [[nodiscard]] Response {
   /// Uniform strain, no spin: the sum over contacts of the load-bearing network [Pa].
   [[nodiscard]] const elastic::VoigtStiffness& affine() const { return affine_; }
   /// Every grain in equilibrium [Pa].
-  /// \throws   NotConverged unless converged().
+  /// \throws   Stopped if it was; NotConverged unless converged().
   [[nodiscard]] const elastic::VoigtStiffness& relaxed() const;
   /// The last iterate of relaxed(), converged or not [Pa].
   [[nodiscard]] const elastic::VoigtStiffness& last_iterate() const { return relaxed_; }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <granum/assembly/assembly.hpp>
+#include <granum/core/stop_request.hpp>
 #include <granum/dem/state.hpp>
 #include <granum/elastic/stiffness.hpp>
 
@@ -63,9 +64,10 @@ struct FrozenModuli {
 ///           1e-6 changes the moduli of 1,000 walled grains by 1e-4 (dense) to 5e-4 (loose), 1e-5 by up to
 ///           5e-3; loose ones seldom rest beyond 5e-7, for all of 40,000 steps
 /// \throws   NotConverged if the state does not come to rest (within rest_bound, or force_tolerance if
-///           larger), or the network is not solved
+///           larger), or the network is not solved; Stopped if so asked
 /// Checked by tests/triaxial/test_shear_test.cpp, tests/triaxial/test_walled_moduli.cpp
 [[nodiscard]] FrozenModuli frozen_moduli(const dem::State& state, const dem::Material& material,
-                                         double force_tolerance = 1e-8);
+                                         double force_tolerance = 1e-8,
+                                         const StopRequest& stop_requested = {});
 
 } // namespace granum::triaxial

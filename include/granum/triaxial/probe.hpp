@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <granum/core/stop_request.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/state.hpp>
 
@@ -40,6 +41,7 @@ struct ProbeOptions {
   /// is taken off, unless contacts may slide. 0: only forces count.
   double settled_share = 3e-5;
   std::size_t max_steps = 10000; ///< of each leg
+  StopRequest stop_requested = {};
 };
 
 /// A state at rest on the cycle, from its start.
@@ -73,16 +75,18 @@ inline constexpr double rest_bound = 1e-6;
 /// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; all
 /// of that again, and a third time, while more than rest_bound is unbalanced. The report tells what is
 /// unbalanced at the end: a rattler on its way out may keep it from the tolerance.
+/// \throws   Stopped if so asked
 struct [[nodiscard]] FrozenState {
   dem::State state;
   dem::QuasistaticReport report;
 };
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material,
-                            double force_tolerance = 1e-8);
+                            double force_tolerance = 1e-8, const StopRequest& stop_requested = {});
 
 /// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.
-/// \throws   InvalidArgument for a negative amplitude, or a normal stress to hold that is not positive
+/// \throws   InvalidArgument for a negative amplitude, or a normal stress to hold that is not positive;
+///           Stopped if options.stop_requested says so
 /// Accuracy  as the amplitude goes to zero the network's answer with its prestress term. At the chosen
 /// amplitude, contacts that barely touch are open for half of the cycle: 0.3 % of G in small, loose
 /// specimens.

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include <granum/core/bytes.hpp>
+#include <granum/core/stop_request.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/stress/shear_path.hpp>
@@ -22,7 +22,7 @@ struct ShearOptions {
   double largest_strain = 0.03;  ///< axial strain, either sense, at which the test ends [1]
   double time_step_fraction = dem::default_time_step_fraction; ///< of the stability limit, in (0, 1]
   /// Asked now and then; true ends advance() early, and a later call goes on.
-  std::function<bool()> stop_requested = {};
+  StopRequest stop_requested = {};
 };
 
 /// \throws InvalidArgument naming the option that no test can have.
@@ -75,7 +75,7 @@ class ShearTest {
   /// The test that was saved: it goes on with the same bits. stop_requested is not part of the bytes.
   /// \throws   FileError if the bytes end too early or were written for another material
   [[nodiscard]] static ShearTest load(ByteReader& from, const dem::Material& material,
-                                      std::function<bool()> stop_requested = {});
+                                      StopRequest stop_requested = {});
 
  private:
   ShearTest(dem::Engine engine, const ShearOptions& options);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <granum/core/stop_request.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/state.hpp>
@@ -55,16 +56,20 @@ struct Preparation {
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
 /// (Preparation::last tells), and come to rest once friction is on.
 /// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
-/// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive
-[[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe);
+/// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive; Stopped if so asked
+[[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe,
+                                                const StopRequest& stop_requested = {});
 
 /// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and
 /// removes overlaps: no contact carries force afterwards.
-[[nodiscard]] dem::State unjam(dem::State jammed, const SpecimenRecipe& recipe);
+/// \throws   InvalidArgument (recipe); NotConverged if contacts go on bearing force; Stopped if so asked
+[[nodiscard]] dem::State unjam(dem::State jammed, const SpecimenRecipe& recipe,
+                               const StopRequest& stop_requested = {});
 
 /// The state from which compression with friction starts: the jammed one (dense) or the opened one (loose).
 [[nodiscard]] dem::State start_of_compression(const dem::State& frictionless, Density density,
-                                              const SpecimenRecipe& recipe);
+                                              const SpecimenRecipe& recipe,
+                                              const StopRequest& stop_requested = {});
 
 /// Options that suit isotropic compression of either kind.
 [[nodiscard]] dem::QuasistaticOptions compression_options();

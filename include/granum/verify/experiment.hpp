@@ -107,6 +107,13 @@ struct CheckpointFolder {
   std::string scene_text;       ///< tells one scene from another: a checkpoint of another one is refused
 };
 
+/// Removes the checkpoints of earlier runs, whatever their scene, and what killed writers left of theirs.
+/// Files of other names, and folders, stay.
+/// \param    folder  need not exist
+/// \throws   FileError naming a checkpoint that cannot be removed
+/// Checked by tests/verify/test_experiment.cpp
+void remove_checkpoints(const std::filesystem::path& folder);
+
 /// Runs the experiment: packings, isotropic compression of each specimen, then all paths from its end, each
 /// the work of one thread, so that results do not depend on the number of threads. After each frozen state
 /// the path is written to a checkpoint; a run that finds checkpoints of its scene goes on from them and ends

@@ -24,14 +24,21 @@ struct Plan {
   std::size_t network_solutions = 0;
   std::size_t probes = 0;
   double grain_steps = 0;            ///< predicted
-  double seconds_per_grain_step = 0; ///< measured on this machine, now
+  double seconds_per_grain_step = 0; ///< that was given
   double seconds = 0;                ///< predicted wall time [s]
   double memory = 0;                 ///< predicted peak [bytes]
 };
 
-/// Measures the engine's speed for about a tenth of a second and predicts time and memory from it.
-/// Accuracy  a factor of two for the default scene on a quiet machine.
+/// Measures the engine for about a tenth of a second, with the scene's law: seconds a grain and step [s]. The
+/// one number here that depends on the machine and on what else it does.
 /// \throws   InvalidArgument for an impossible scene
-[[nodiscard]] Plan plan(const Scene& scene);
+[[nodiscard]] double measured_speed(const Scene& scene);
+
+/// Predicts time and memory of a study from the engine's speed.
+/// \param    seconds_per_grain_step  > 0, as measured_speed() finds it [s]
+/// Accuracy  a factor of two for the default scene on a quiet machine.
+/// \throws   InvalidArgument for an impossible scene, or a speed that is not positive
+/// Checked by tests/verify/test_plan.cpp
+[[nodiscard]] Plan plan(const Scene& scene, double seconds_per_grain_step);
 
 } // namespace granum::verify

@@ -86,11 +86,13 @@ struct TradeSample {
 
 /// The scene without the largest of its grains, as many as it takes to bring the predicted wall time of the
 /// study within a budget [s]; two sizes stay.
+/// \param    seconds_per_grain_step  of the engine: measured_speed() of plan.hpp [s]
 /// \throws   InvalidArgument naming the budget that the smallest two sizes would take
-[[nodiscard]] TradeScene within_budget(TradeScene trade, double seconds);
+[[nodiscard]] TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_grain_step);
 
-/// Predicted processor time of a study here, from the engine's speed measured now [s].
-[[nodiscard]] double predicted_seconds(const TradeScene& trade);
+/// Predicted processor time of a study, from the engine's speed [s].
+/// \param    seconds_per_grain_step  as within_budget() takes it [s]
+[[nodiscard]] double predicted_seconds(const TradeScene& trade, double seconds_per_grain_step);
 
 /// Runs all studies. Samples that need the same run share it. Specimens run side by side; the numbers, but
 /// for the times, are the same bits for any number of threads.
