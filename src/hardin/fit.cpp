@@ -8,14 +8,14 @@
 #include <memory>
 
 #include <Eigen/Core>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
-#include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+
+#include "gsl_errors.hpp"
 
 namespace granum::hardin {
 
@@ -58,18 +58,6 @@ struct Solution {
 // --- the bridge to GSL
 // -----------------------------------------------------------------------------------------------
 
-/// GSL's error handler is global and aborts; it is off while this lives.
-class ErrorHandlerOff {
- public:
-  ErrorHandlerOff() : saved_(gsl_set_error_handler_off()) {}
-  ErrorHandlerOff(const ErrorHandlerOff&) = delete;
-  ErrorHandlerOff& operator=(const ErrorHandlerOff&) = delete;
-  ~ErrorHandlerOff() { gsl_set_error_handler(saved_); }
-
- private:
-  gsl_error_handler_t* saved_;
-};
-
 using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 
 Eigen::VectorXd vector_of(const gsl_vector* v) {
@@ -77,23 +65,6 @@ Eigen::VectorXd vector_of(const gsl_vector* v) {
   for (std::size_t k = 0; k < v->size; ++k)
     copy[static_cast<Eigen::Index>(k)] = gsl_vector_get(v, k);
   return copy;
-}
-
-using GslVector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
-using GslMatrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
-using LinearWorkspace = std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)>;
-
-template <class Handle>
-Handle required(Handle handle, std::size_t rows) {
-  if (!handle)
-    throw Error("no memory for a fit of " + std::to_string(rows) + " rows");
-  return handle;
-}
-GslVector allocated_vector(std::size_t size) {
-  return required(GslVector(gsl_vector_alloc(size), gsl_vector_free), size);
-}
-GslMatrix allocated_matrix(std::size_t rows, std::size_t columns) {
-  return required(GslMatrix(gsl_matrix_alloc(rows, columns), gsl_matrix_free), rows);
 }
 
 void copy_to(const Eigen::VectorXd& from, gsl_vector* to) {
@@ -112,11 +83,6 @@ GslMatrix gsl_matrix_of(const Eigen::MatrixXd& from) {
   return to;
 }
 
-void require_success(int code, const char* step) {
-  if (code != GSL_SUCCESS)
-    throw Error(std::string("a fit failed at its ") + step + ": " + gsl_strerror(code));
-}
-
 struct LinearFit {
   Eigen::VectorXd theta;
   Eigen::MatrixXd inverse_information; ///< (X^T X)^-1
@@ -124,19 +90,18 @@ struct LinearFit {
 
 /// Least squares of X theta = y, by singular values of X with balanced columns.
 LinearFit least_squares(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
-  const ErrorHandlerOff guard;
+  const GslErrorsReturned guard;
   const auto rows = static_cast<std::size_t>(x.rows()), parameters = static_cast<std::size_t>(x.cols());
   const GslMatrix matrix = gsl_matrix_of(x), covariance = allocated_matrix(parameters, parameters);
   const GslVector measured = allocated_vector(rows), weights = allocated_vector(rows);
   const GslVector theta = allocated_vector(parameters);
   copy_to(y, measured.get());
   gsl_vector_set_all(weights.get(), 1); // with weights GSL leaves the scatter out of the covariance
-  const LinearWorkspace workspace =
-      required(LinearWorkspace(gsl_multifit_linear_alloc(rows, parameters), gsl_multifit_linear_free), rows);
+  const LinearWorkspace workspace = allocated_linear_workspace(rows, parameters);
   double square_sum = 0;
   require_success(gsl_multifit_wlinear(matrix.get(), weights.get(), measured.get(), theta.get(),
                                        covariance.get(), &square_sum, workspace.get()),
-                  "linear least squares");
+                  "a fit by linear least squares");
   LinearFit fit{vector_of(theta.get()), Eigen::MatrixXd(x.cols(), x.cols())};
   for (Eigen::Index i = 0; i < x.cols(); ++i)
     for (Eigen::Index j = 0; j < x.cols(); ++j)
@@ -169,7 +134,7 @@ bool stationary(const Problem& problem, const Eigen::VectorXd& theta) {
 }
 
 Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t iteration_limit) {
-  const ErrorHandlerOff guard;
+  const GslErrorsReturned guard;
   const auto rows = static_cast<std::size_t>(problem.design.rows());
   const auto parameters = static_cast<std::size_t>(problem.design.cols());
   gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
@@ -186,7 +151,8 @@ Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t itera
   system.p = parameters;
   system.params = &problem;
   const gsl_vector_const_view first = gsl_vector_const_view_array(start.data(), parameters);
-  gsl_multifit_nlinear_init(&first.vector, &system, workspace.get());
+  require_success(gsl_multifit_nlinear_init(&first.vector, &system, workspace.get()),
+                  "the start of a fit of Eq. (1)");
 
   int reason = 0;
   const double step = 1e-13, gradient = 1e-15, change = 0; // to rounding: a row costs nothing
@@ -241,11 +207,11 @@ struct Scatter {
 
 Scatter scatter(const Eigen::MatrixXd& design) {
   const Eigen::MatrixXd centred = design.rightCols<2>().rowwise() - design.rightCols<2>().colwise().mean();
-  const ErrorHandlerOff guard;
+  const GslErrorsReturned guard;
   const GslMatrix u = gsl_matrix_of(centred);
   const GslMatrix v = allocated_matrix(2, 2);
   const GslVector singular = allocated_vector(2);
-  require_success(gsl_linalg_SV_decomp_jacobi(u.get(), v.get(), singular.get()), "singular values");
+  require_success(gsl_linalg_SV_decomp_jacobi(u.get(), v.get(), singular.get()), "a decomposition into singular values");
   const Eigen::VectorXd root_mean_square =
       vector_of(singular.get()) / std::sqrt(static_cast<double>(design.rows()));
   return {root_mean_square[0],

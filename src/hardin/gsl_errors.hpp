@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_matrix.h>
+#include <gsl/gsl_multifit.h>
+#include <gsl/gsl_vector.h>
+
+#include <granum/core/error.hpp>
+
+/// Calls of GSL that tell their errors by exceptions: GSL's own handler of errors would abort the program.
+namespace granum::hardin {
+
+/// GSL's handler of errors is one for the whole program. While at least one of these lives, in whatever
+/// thread, there is none, so that functions of GSL return their error; the last one puts back the handler
+/// that the first one found. Checked by tests/hardin/test_gsl_errors.cpp
+class GslErrorsReturned {
+ public:
+  GslErrorsReturned();
+  GslErrorsReturned(const GslErrorsReturned&) = delete;
+  GslErrorsReturned& operator=(const GslErrorsReturned&) = delete;
+  ~GslErrorsReturned();
+};
+
+/// \throws   NotConverged naming the step, unless `code` is GSL_SUCCESS
+void require_success(int code, const std::string& step);
+
+using GslVector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
+using GslMatrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
+using LinearWorkspace = std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)>;
+
+/// What GSL allocated, if it did.
+/// \throws   Error if there is no memory, as the next three do
+template <class Handle>
+Handle required(Handle handle, std::size_t rows) {
+  if (!handle)
+    throw Error("no memory for a fit of " + std::to_string(rows) + " rows");
+  return handle;
+}
+[[nodiscard]] GslVector allocated_vector(std::size_t size);
+[[nodiscard]] GslMatrix allocated_matrix(std::size_t rows, std::size_t columns);
+[[nodiscard]] LinearWorkspace allocated_linear_workspace(std::size_t rows, std::size_t parameters);
+
+} // namespace granum::hardin
