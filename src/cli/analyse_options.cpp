@@ -148,7 +148,7 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
   command.add_flag("--no-network", o.no_network, "Leave rung 4 out, which takes the time");
   command.add_flag("--json", o.json, "Print one JSON object, SI units");
   command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
-  auto* out = command.add_option("--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
+  auto* out = add_path(command, "--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
   command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
   command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
       ->needs(out);

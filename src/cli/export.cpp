@@ -43,18 +43,19 @@ struct Specimen {
 
 std::vector<Specimen> specimens_of(const verify::Scene& scene) {
   std::vector<Specimen> specimens;
-  for (const triaxial::Density density : scene.densities)
-    for (std::uint64_t seed = scene.first_seed; seed < scene.first_seed + scene.seeds; ++seed)
+  for (const triaxial::Density density : scene.study.densities)
+    for (std::uint64_t seed = scene.study.first_seed; seed < scene.study.first_seed + scene.study.seeds;
+         ++seed)
       specimens.push_back({density, seed});
   return specimens;
 }
 
 void require_spheres(const verify::Scene& scene) {
-  for (const verify::Shape shape : scene.contacts)
-    if (shape != verify::Shape::sphere)
+  for (const contact::Shape shape : scene.study.contacts)
+    if (shape != contact::Shape::sphere)
       throw InvalidArgument(fmt::format("LAMMPS has no contact law for study.contacts = {}; supported is "
                                         "sphere: add --set study.contacts=sphere",
-                                        verify::name(shape)));
+                                        contact::name(shape)));
 }
 
 /// The test that --path names; nothing for none.
@@ -75,21 +76,21 @@ io::LammpsStart start_of(const Options& options) {
 
 io::LammpsExperiment experiment_of(const verify::Scene& scene, const Specimen& specimen,
                                    const Options& options) {
-  const dem::Material material = verify::recipe(scene, verify::Shape::sphere, specimen.seed).material;
+  const dem::Material material = verify::recipe(scene, contact::Shape::sphere, specimen.seed).material;
   return {.law = material.law,
-          .radius = scene.radius,
+          .radius = scene.grain.radius,
           .density = material.density,
           .tangential_ratio = material.tangential_ratio,
           .friction_coefficient = material.friction_coefficient,
           .start = start_of(options),
           .friction_while_prepared = specimen.density == triaxial::Density::loose,
-          .pressures = scene.pressures,
-          .probe_pressures = scene.probe_pressures,
+          .pressures = scene.study.pressures,
+          .probe_pressures = scene.study.probe_pressures,
           .path = path_of(options)};
 }
 
 dem::State start_state(const verify::Scene& scene, const Specimen& specimen, io::LammpsStart start) {
-  const triaxial::SpecimenRecipe recipe = verify::recipe(scene, verify::Shape::sphere, specimen.seed);
+  const triaxial::SpecimenRecipe recipe = verify::recipe(scene, contact::Shape::sphere, specimen.seed);
   if (start == io::LammpsStart::scattered)
     return triaxial::scattered_specimen(recipe);
   return triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, specimen.density,
@@ -100,7 +101,7 @@ std::vector<io::DeckFile> deck_of(const verify::Scene& scene, const Specimen& sp
                                   const Options& options) {
   const io::LammpsExperiment experiment = experiment_of(scene, specimen, options);
   Assembly grains = dem::freeze(start_state(scene, specimen, start_of(options)),
-                                verify::recipe(scene, verify::Shape::sphere, specimen.seed).material);
+                                verify::recipe(scene, contact::Shape::sphere, specimen.seed).material);
   std::vector<io::DeckFile> files = io::lammps_deck(grains, experiment);
   nlohmann::ordered_json manifest = json_head("export lammps");
   manifest["seed"] = specimen.seed;
@@ -115,7 +116,7 @@ void prepare_folders(verify::Scene scene, const Options& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
   Options small = options;
   small.start = "scattered";
-  scene.grains = 40;
+  scene.study.grains = 40;
   const std::vector<io::DeckFile> deck = deck_of(scene, specimens.front(), small);
   std::vector<const char*> names;
   for (const io::DeckFile& file : deck)
@@ -125,7 +126,7 @@ void prepare_folders(verify::Scene scene, const Options& options) {
 }
 
 ExitCode run(const Options& options) {
-  const verify::Scene scene = resolve(options.study);
+  const verify::Scene scene = resolve(options.study, verify::SceneCommand::export_lammps);
   require_spheres(scene);
   prepare_folders(scene, options);
 
@@ -141,7 +142,7 @@ ExitCode run(const Options& options) {
       json["files"].push_back((folder / file.name).string());
     }
     table += fmt::format("{}: {} grains; run there  lmp -in in.all  or  mpirun -np N lmp -in in.all\n",
-                         folder.string(), scene.grains);
+                         folder.string(), scene.study.grains);
   }
   return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table, json, {});
 }
@@ -155,7 +156,7 @@ Command add_export(CLI::App& program) {
   CLI::App* lammps = command->add_subcommand(
       "lammps",
       "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, snapshots, probes");
-  add_study_options(*lammps, options->study);
+  add_study_options(*lammps, options->study, verify::SceneCommand::export_lammps);
   lammps
       ->add_option("--start", options->start,
                    "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
@@ -172,7 +173,7 @@ Command add_export(CLI::App& program) {
       ->capture_default_str();
   lammps->add_option("--largest-strain", options->largest_strain, "Axial strain at which --path ends")
       ->capture_default_str();
-  lammps->add_option("--out", options->out, "Folder; each specimen has a folder in it")
+  add_path(*lammps, "--out", options->out, "Folder; each specimen has a folder in it")
       ->type_name("DIR")
       ->required();
   lammps->add_flag("--json", options->json, "Print one JSON object: the scene in SI and the files written");

@@ -38,7 +38,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_flag("--json", options.json, "Print one JSON object, SI units");
   command.add_flag("--strict", options.strict,
                    "Fail (exit code 4) if the result lies outside a formula's validity");
-  auto* out = command.add_option("--out", options.out, "Write the result to this file")->type_name("FILE");
+  auto* out = add_path(command, "--out", options.out, "Write the result to this file")->type_name("FILE");
   command.add_flag("--force", options.force, "Let --out replace an existing file")->needs(out);
 }
 
@@ -50,6 +50,24 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& ta
   return command.add_option_function<std::string>(name, take, help)
       ->type_name(type_name(dimension))
       ->default_str(pretty(target, dimension));
+}
+
+CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target,
+                          Dimension dimension, const std::string& help) {
+  const auto take = [name, dimension, &target](const std::string& text) {
+    target = parse_quantity(name, text, dimension);
+  };
+  return command.add_option_function<std::string>(name, take, help)->type_name(type_name(dimension));
+}
+
+CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,
+                      const std::string& help) {
+  const auto take = [name, &target](const std::string& text) {
+    if (text.empty())
+      throw InvalidArgument(name + " is empty: give a name, or leave the option out");
+    target = text;
+  };
+  return command.add_option_function<std::string>(name, take, help);
 }
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {

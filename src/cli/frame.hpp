@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,6 +67,15 @@ void add_output_options(CLI::App& command, OutputOptions& options);
 /// text.
 CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
                           const std::string& help);
+
+/// The same for a quantity that is given or not.
+CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target,
+                          Dimension dimension, const std::string& help);
+
+/// An option that takes the name of a file or folder. Empty text, as of a shell variable that is not set, is
+/// refused: `target` stays empty where the option is not given.
+CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,
+                      const std::string& help);
 
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <vector>
 
@@ -62,6 +63,8 @@ int main(int argc, char** argv) {
   } catch (const InvalidArgument& error) {
     code = fail(ExitCode::usage, error.what());
   } catch (const FileError& error) {
+    code = fail(ExitCode::file, error.what());
+  } catch (const std::filesystem::filesystem_error& error) { // such as a name that is too long
     code = fail(ExitCode::file, error.what());
   } catch (const NotConverged& error) {
     code = fail(ExitCode::not_converged, error.what());

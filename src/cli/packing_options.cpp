@@ -23,31 +23,29 @@ using nlohmann::ordered_json;
 constexpr double loose_coordination_number = 3.5;
 
 void require_belongs_to_contact(const PackingOptions& o) {
-  const std::pair<const Number*, std::string_view> owners[] = {{&o.slope, "cone"},
-                                                               {&o.punch_radius, "flat"},
-                                                               {&o.alpha, "power-law"},
-                                                               {&o.profile_constant, "power-law"}};
-  for (const auto& [number, contact] : owners)
-    if (number->given() && o.contact != contact)
-      throw InvalidArgument(
-          fmt::format("{} goes with --contact {}, not with --contact {}", number->name, contact, o.contact));
+  using contact::Shape;
+  const std::pair<const Number*, Shape> owners[] = {{&o.slope, Shape::cone},
+                                                    {&o.punch_radius, Shape::flat},
+                                                    {&o.alpha, Shape::power_law},
+                                                    {&o.profile_constant, Shape::power_law}};
+  for (const auto& [number, shape] : owners)
+    if (number->given() && o.contact != shape)
+      throw InvalidArgument(fmt::format("{} goes with --contact {}, not with --contact {}", number->name,
+                                        name(shape), name(o.contact)));
 }
 
 } // namespace
 
 contact::PowerLaw resolve_law(const PackingOptions& o) {
   require_belongs_to_contact(o);
-  const contact::GrainMaterial grain{.shear_modulus = o.grain_shear_modulus.value,
-                                     .poisson_ratio = o.grain_poisson_ratio.value};
-  if (o.contact == "cone")
-    return contact::PowerLaw::cone(grain, o.slope.value);
-  if (o.contact == "flat")
-    return contact::PowerLaw::flat(grain, o.punch_radius.value);
-  if (o.contact == "sphere")
-    return contact::PowerLaw::sphere(grain, o.radius.value);
-  if (!o.alpha.given() || !o.profile_constant.given())
+  if (o.contact == contact::Shape::power_law && (!o.alpha.given() || !o.profile_constant.given()))
     throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
-  return contact::PowerLaw::general(grain, o.alpha.value, o.profile_constant.value);
+  return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
+                         {.radius = o.radius.value,
+                          .cone_slope = o.slope.value,
+                          .punch_radius = o.punch_radius.value,
+                          .alpha = o.alpha.value,
+                          .profile_constant = o.profile_constant.value});
 }
 
 namespace {
@@ -82,10 +80,15 @@ double resolve_void_ratio(const PackingOptions& o) {
 } // namespace
 
 void add_law_options(CLI::App& command, PackingOptions& o, const std::string& name) {
-  o.contact_option =
-      command.add_option(name, o.contact, "Shape of the grains near their contacts")
-          ->check(CLI::IsMember(std::vector<std::string>(std::begin(contact_names), std::end(contact_names))))
-          ->capture_default_str();
+  std::vector<std::string> known;
+  for (const contact::Shape shape : contact::all_shapes)
+    known.emplace_back(contact::name(shape));
+  o.contact_option = command
+                         .add_option_function<std::string>(
+                             name, [&o](const std::string& text) { o.contact = *contact::find_shape(text); },
+                             "Shape of the grains near their contacts")
+                         ->check(CLI::IsMember(known))
+                         ->default_str(std::string(contact::name(o.contact)));
   add_number(command, "--slope", o.slope, "Cone: A_1, tangent of the flank angle");
   add_number(command, "--punch-radius", o.punch_radius, "Flat: radius of the contact");
   add_number_without_default(command, "--alpha", o.alpha, "Power-law: alpha >= 1 of the profile A r^alpha");
@@ -206,9 +209,9 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
   };
   if (!o.contact_given())
     notes.emplace_back("assumed --contact sphere");
-  if (o.contact == "cone")
+  if (o.contact == contact::Shape::cone)
     note_default(o.slope, ", fitted to Table 5 of Chung et al. 2014");
-  if (o.contact == "flat")
+  if (o.contact == contact::Shape::flat)
     note_default(o.punch_radius, ", fitted to Table 5 of Chung et al. 2014");
   const std::string grains = ", as the grains of Chung et al. 2014, Table 1";
   note_default(o.grain_shear_modulus, grains);
@@ -238,12 +241,12 @@ std::vector<std::string> loose_packing_remark(const PackingOptions& o, const Sta
 }
 
 ordered_json packing_json(const PackingOptions& o, const State& s) {
-  ordered_json json = {{"contact", o.contact}};
-  if (o.contact == "cone")
+  ordered_json json = {{"contact", name(o.contact)}};
+  if (o.contact == contact::Shape::cone)
     json["slope"] = o.slope.value;
-  if (o.contact == "flat")
+  if (o.contact == contact::Shape::flat)
     json["punch_radius"] = o.punch_radius.value;
-  if (o.contact == "power-law")
+  if (o.contact == contact::Shape::power_law)
     json.update({{"alpha", o.alpha.value}, {"profile_constant", o.profile_constant.value}});
   json.update({{"grain_shear_modulus", s.law.grain().shear_modulus},
                {"grain_poisson_ratio", s.law.grain().poisson_ratio},

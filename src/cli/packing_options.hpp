@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/contact/shape.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/stress/axial_stress.hpp>
@@ -39,7 +40,7 @@ CLI::Option* add_number_without_default(CLI::App& command, const std::string& na
 /// Defaults: grains of Table 1 of [Chung2014] and the C_n of its dense spheres (Table 2); cone and punch are
 /// those that agree with its Table 5. Numbers without a default are 0 and never used unless given.
 struct PackingOptions {
-  std::string contact = "sphere";
+  contact::Shape contact = contact::Shape::sphere;
   const CLI::Option* contact_option = nullptr;
   bool contact_in_table = false;
   Number slope{0.4};
@@ -63,9 +64,6 @@ struct PackingOptions {
 
   [[nodiscard]] bool contact_given() const;
 };
-
-/// Values of --contact.
-inline constexpr const char* contact_names[] = {"cone", "sphere", "flat", "power-law"};
 
 /// All numbers, in the order of their options.
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);

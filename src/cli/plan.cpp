@@ -37,14 +37,14 @@ Rule rule_of(const verify::Scene& scene, triaxial::Density density, double error
   const verify::ErrorLaw& modulus = dense ? laws.dense_modulus : laws.loose_modulus;
   const verify::ErrorLaw& exponent = dense ? laws.dense_exponent : laws.loose_exponent;
   const double inertial_number = triaxial::compression_options().inertial_number;
-  return {verify::expected_error(modulus, scene.grains, scene.seeds, inertial_number),
-          verify::expected_error(exponent, scene.grains, scene.seeds, inertial_number),
-          verify::recipe_for(modulus, error, scene.seeds), modulus.size.smallest, modulus.size.largest};
+  return {verify::expected_error(modulus, scene.study.grains, scene.study.seeds, inertial_number),
+          verify::expected_error(exponent, scene.study.grains, scene.study.seeds, inertial_number),
+          verify::recipe_for(modulus, error, scene.study.seeds), modulus.size.smallest, modulus.size.largest};
 }
 
 std::string rule_lines(const Options& options, const verify::Scene& scene) {
   std::string text = "errors that size, seeds and rate leave, by the laws of validation/trade (spheres):\n";
-  for (const triaxial::Density density : scene.densities) {
+  for (const triaxial::Density density : scene.study.densities) {
     const Rule rule = rule_of(scene, density, options.error);
     text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {} (measured "
                         "with {} to {})\n",
@@ -57,7 +57,7 @@ std::string rule_lines(const Options& options, const verify::Scene& scene) {
 }
 
 ExitCode run(const Options& options) {
-  const verify::Scene scene = resolve(options.study);
+  const verify::Scene scene = resolve(options.study, verify::SceneCommand::plan);
   const verify::Plan plan = verify::plan(scene, verify::measured_speed(scene));
   nlohmann::ordered_json json = json_head("plan");
   json["scene"] = json_of(scene);
@@ -69,7 +69,7 @@ ExitCode run(const Options& options) {
   json["seconds_per_grain_step"] = plan.seconds_per_grain_step;
   json["predicted_time_s"] = plan.seconds;
   json["predicted_memory_bytes"] = plan.memory;
-  for (const triaxial::Density density : scene.densities) {
+  for (const triaxial::Density density : scene.study.densities) {
     const Rule rule = rule_of(scene, density, options.error);
     json["errors"][std::string(verify::name(density))] = {
         {"G", rule.modulus_error},
@@ -87,7 +87,7 @@ ExitCode run(const Options& options) {
       "  {:6} networks solved, 6 load cases each\n"
       "  {:6} cyclic shear probes\n"
       "in about {:.3g} grain-steps: {:.0f} s at {:.0f} ns each, measured now, on {} threads; {:.0f} MB\n",
-      plan.packings, scene.grains, plan.specimens, scene.pressures.size(), plan.network_solutions,
+      plan.packings, scene.study.grains, plan.specimens, scene.study.pressures.size(), plan.network_solutions,
       plan.probes, plan.grain_steps, plan.seconds, 1e9 * plan.seconds_per_grain_step,
       verify::thread_count(scene), plan.memory / 1e6);
   return deliver(options.output, table + rule_lines(options, scene), json, {});
@@ -99,7 +99,7 @@ Command add_plan(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("plan", "What verify would run, its predicted time, memory and error");
-  add_study_options(*command, options->study);
+  add_study_options(*command, options->study, verify::SceneCommand::plan);
   add_quantity(*command, "--error", options->error, Dimension::dimensionless,
                "Wanted error of G, from which grains and inertial number follow: --error 2%");
   add_output_options(*command, options->output);

@@ -43,17 +43,18 @@ constexpr const char* checkpoints_name = "checkpoints";
 /// The paper's own size: 10,000 grains between six rigid walls.
 verify::Scene paper_scene() {
   verify::Scene scene;
-  scene.grains = 10000;
-  scene.walls = true;
-  scene.probe_pressures = {30e3, 60e3, 100e3}; // at 10 kPa loose specimens of this size are hardly at rest
-  scene.probe_eta_step = 0.6;
+  scene.study.grains = 10000;
+  scene.specimen.walls = true;
+  // at 10 kPa loose specimens of this size are hardly at rest
+  scene.study.probe_pressures = {30e3, 60e3, 100e3};
+  scene.shear.probe_eta_step = 0.6;
   return scene;
 }
 
 /// Threads are no part of what is computed.
 std::string identity(verify::Scene scene) {
-  scene.threads = 0;
-  return toml_of(scene);
+  scene.study.threads = 0;
+  return verify::toml_of(scene);
 }
 
 /// Where a run stands: its scene and its folder, which holds the scene and a folder of checkpoints.
@@ -65,13 +66,15 @@ struct Place {
 Place new_place(const Options& options) {
   if (options.paper && !options.study.scene_file.empty())
     throw InvalidArgument("--paper is a scene of its own; give it or --scene");
-  Place place{.scene = resolve(options.study, options.paper ? paper_scene() : verify::Scene{}), .folder = {}};
+  Place place{.scene = resolve(options.study, verify::SceneCommand::reproduce,
+                               options.paper ? paper_scene() : verify::Scene{}),
+              .folder = {}};
   std::vector<const char*> names(result_names().begin(), result_names().end());
   names.push_back(scene_name);
   names.push_back(checkpoints_name);
   place.folder = results_folder(options.out, "reproduce", names, options.force);
   verify::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
-  io::write_file(place.folder / scene_name, toml_of(place.scene),
+  io::write_file(place.folder / scene_name, verify::toml_of(place.scene),
                  options.force ? io::Existing::replace : io::Existing::keep);
   return place;
 }
@@ -79,15 +82,17 @@ Place new_place(const Options& options) {
 /// A run that was stopped, or a finished one whose tables and pictures are to be written again.
 Place old_place(const Options& options) {
   const StudyOptions& study = options.study;
-  if (options.paper || !study.scene_file.empty() || !study.settings.empty() || study.grains_given ||
-      study.seeds_given || !options.out.empty())
+  if (options.paper || !study.scene_file.empty() || !study.settings.empty() || study.grains || study.seeds ||
+      !options.out.empty())
     throw InvalidArgument("--resume takes its scene and folder from the earlier run; only --threads may "
                           "be given with it");
   const fs::path folder = options.resume;
-  Place place{.scene = read_scene((folder / scene_name).string()), .folder = folder};
-  if (study.threads_given)
-    place.scene.threads = study.threads;
-  verify::require_valid(place.scene);
+  Place place{.scene = read_scene((folder / scene_name).string(), verify::SceneCommand::reproduce),
+              .folder = folder};
+  if (study.threads) {
+    place.scene.study.threads = *study.threads;
+    verify::require_valid(place.scene);
+  }
   return place;
 }
 
@@ -130,15 +135,14 @@ Command add_reproduce(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "reproduce", "The paper's experiment: six specimens, four stress paths, its tables and figures");
-  add_study_options(*command, options->study);
+  add_study_options(*command, options->study, verify::SceneCommand::reproduce);
   command->add_flag("--paper", options->paper,
                     "10,000 grains between six rigid walls, as in the paper; an hour or more");
-  command->add_option("--out", options->out, "Folder for the results; by default a new granum-reproduce-N")
+  add_path(*command, "--out", options->out, "Folder for the results; by default a new granum-reproduce-N")
       ->type_name("DIR");
-  command
-      ->add_option("--resume", options->resume,
-                   "Go on with the run of this folder from its last checkpoints, to the same bits; "
-                   "a finished run writes its tables and pictures again")
+  add_path(*command, "--resume", options->resume,
+           "Go on with the run of this folder from its last checkpoints, to the same bits; "
+           "a finished run writes its tables and pictures again")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print the manifest as one JSON object, SI units");
   command->add_flag("--force", options->force, "Let --out replace existing results and checkpoints");

@@ -28,7 +28,7 @@ ordered_json table_json(const std::vector<verify::TableRow>& rows) {
   ordered_json json = ordered_json::array();
   for (const verify::TableRow& row : rows)
     for (const verify::Cell& cell : row.cells)
-      json.push_back({{"contact", verify::name(row.contact)},
+      json.push_back({{"contact", contact::name(row.contact)},
                       {"density", verify::name(row.density)},
                       {"quantity", cell.quantity},
                       {"granum", cell.ours.value},
@@ -57,7 +57,7 @@ void write_figures(const fs::path& folder, const std::vector<verify::Figure>& fi
 }
 
 ordered_json run_json(const verify::ExperimentSpecimen& specimen, const verify::PathRun& run) {
-  return {{"contact", verify::name(specimen.contact)},
+  return {{"contact", contact::name(specimen.contact)},
           {"density", verify::name(specimen.density)},
           {"seed", specimen.seed},
           {"path", verify::name(run.path)},
@@ -138,8 +138,8 @@ std::string report_of(const verify::Experiment& experiment, const std::vector<ve
     for (const verify::PathRun& run : specimen.runs)
       points += run.points.size();
   return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {} threads\n",
-                           experiment.specimens.size(), experiment.scene.grains, points, figures.seconds,
-                           verify::thread_count(experiment.scene));
+                           experiment.specimens.size(), experiment.scene.study.grains, points,
+                           figures.seconds, verify::thread_count(experiment.scene));
 }
 
 } // namespace granum::cli

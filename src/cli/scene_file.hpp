@@ -4,29 +4,57 @@
 #include <string>
 #include <vector>
 
-#include <granum/verify/scene.hpp>
+#include <granum/verify/scene_keys.hpp>
 #include <nlohmann/json.hpp>
 
 namespace granum::cli {
 
-/// Sets one key of a scene from text, as --set and scene files do: "grain.radius", "0.5mm".
-/// \throws   InvalidArgument for an unknown key (naming the known ones that are near) or a value it cannot
-/// take
-void set_key(verify::Scene& scene, const std::string& key, const std::string& value);
+/// A scene put together from defaults, a scene file and --set, for one command. A key that the command would
+/// ignore is refused:
+/// - from --set always;
+/// - from a file unless it stands at its default, so that one file serves all commands.
+/// So is a key that the other keys leave without effect, such as a cone's slope without cones: from --set,
+/// and from a file where that holds with the file alone as well as in the end.
+class SceneInput {
+ public:
+  SceneInput(verify::SceneCommand command, const verify::Scene& defaults)
+      : command_(command), scene_(defaults) {}
 
-/// Applies a TOML scene to the defaults given.
-/// \throws   FileError with path and line for what cannot be read, an unknown key or a value it cannot take
-[[nodiscard]] verify::Scene read_scene(const std::string& path, const verify::Scene& defaults = {});
+  /// \throws   FileError with path and line for what cannot be read, an unknown key, a value it cannot take,
+  ///           or a key that the command would ignore
+  void read_file(const std::string& path);
+  /// "key=value" of --set.
+  /// \throws   InvalidArgument
+  void set(const std::string& setting);
 
-/// "key=value" of --set.
-/// \throws   InvalidArgument
-void apply_setting(verify::Scene& scene, const std::string& setting);
+  /// What is given so far, for options that set a key of their own.
+  [[nodiscard]] verify::Scene& scene() { return scene_; }
 
-/// A scene as TOML with every key: read_scene of it is the same scene, to the bit.
-[[nodiscard]] std::string toml_of(const verify::Scene& scene);
+  /// The scene, checked as a whole.
+  /// \throws   InvalidArgument, FileError
+  [[nodiscard]] verify::Scene finished() const;
 
-/// The resolved scene in SI, for manifests; and its keys with what they mean, for help.
+ private:
+  struct Given {
+    const verify::SceneKey* key;
+    std::string path; ///< of the file; empty for --set
+    std::size_t line;
+  };
+  void take_from_file(const Given& given, const std::string& text);
+
+  verify::SceneCommand command_;
+  verify::Scene scene_;
+  std::vector<Given> typed_;  ///< by --set
+  std::vector<Given> unused_; ///< of the file, without effect within it
+};
+
+/// The scene that an earlier run of a command has stored, whole: it may hold keys without effect.
+/// \throws   FileError, InvalidArgument
+[[nodiscard]] verify::Scene read_scene(const std::string& path, verify::SceneCommand command);
+
+/// The resolved scene in SI, for manifests.
 [[nodiscard]] nlohmann::ordered_json json_of(const verify::Scene& scene);
-[[nodiscard]] std::string key_help();
+/// The keys that a command takes, with meaning and range, for help.
+[[nodiscard]] std::string key_help(verify::SceneCommand command);
 
 } // namespace granum::cli

@@ -4,51 +4,48 @@
 #include <CLI/CLI.hpp>
 #include <granum/core/error.hpp>
 
+#include "frame.hpp"
 #include "scene_file.hpp"
 
 namespace granum::cli {
 
 namespace {
 
-void add_count(CLI::App& command, const std::string& name, std::size_t& target, bool& given,
+void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
                const std::string& help) {
-  const auto take = [name, &target, &given](const long long& value) {
+  const auto take = [name, &target](const long long& value) {
     if (value < 0)
       throw InvalidArgument(name, static_cast<double>(value), "", "[0, inf)");
     target = static_cast<std::size_t>(value);
-    given = true;
   };
-  command.add_option_function<long long>(name, take, help)->type_name("N");
+  app.add_option_function<long long>(name, take, help)->type_name("N");
 }
 
 } // namespace
 
-void add_study_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("--scene", options.scene_file, "TOML file; without it the paper's six specimens")
+void add_study_options(CLI::App& app, StudyOptions& options, verify::SceneCommand command) {
+  add_path(app, "--scene", options.scene_file, "TOML file; without it the paper's six specimens")
       ->type_name("FILE");
-  command
-      .add_option("--set", options.settings, "Override one key, may be repeated: --set grain.radius=0.4mm")
+  app.add_option("--set", options.settings, "Override one key, may be repeated: --set grain.radius=0.4mm")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  add_count(command, "--grains", options.grains, options.grains_given, "Grains of a specimen");
-  add_count(command, "--seeds", options.seeds, options.seeds_given, "Specimens of each kind");
-  add_count(command, "--threads", options.threads, options.threads_given,
-            "Specimens side by side; the results do not depend on it");
-  command.footer(key_help());
+  add_count(app, "--grains", options.grains, "Grains of a specimen");
+  add_count(app, "--seeds", options.seeds, "Specimens of each kind");
+  add_count(app, "--threads", options.threads, "Specimens side by side; the results do not depend on it");
+  app.footer(key_help(command));
 }
 
-verify::Scene resolve(const StudyOptions& options, const verify::Scene& base) {
-  verify::Scene scene = options.scene_file.empty() ? base : read_scene(options.scene_file, base);
+verify::Scene resolve(const StudyOptions& options, verify::SceneCommand command, const verify::Scene& base) {
+  SceneInput input(command, base);
+  if (!options.scene_file.empty())
+    input.read_file(options.scene_file);
   for (const std::string& setting : options.settings)
-    apply_setting(scene, setting);
-  if (options.grains_given)
-    scene.grains = options.grains;
-  if (options.seeds_given)
-    scene.seeds = options.seeds;
-  if (options.threads_given)
-    scene.threads = options.threads;
-  verify::require_valid(scene);
-  return scene;
+    input.set(setting);
+  verify::StudySection& study = input.scene().study;
+  study.grains = options.grains.value_or(study.grains);
+  study.seeds = options.seeds.value_or(study.seeds);
+  study.threads = options.threads.value_or(study.threads);
+  return input.finished();
 }
 
 } // namespace granum::cli

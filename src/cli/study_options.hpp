@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <granum/verify/scene.hpp>
+#include <granum/verify/scene_keys.hpp>
 
 namespace CLI {
 class App;
@@ -13,22 +14,20 @@ class App;
 
 namespace granum::cli {
 
-/// The options by which `verify` and `plan` name their scene.
+/// The options by which the commands of SceneCommand name their scene.
 struct StudyOptions {
-  std::string scene_file;
+  std::string scene_file; ///< empty: not given
   std::vector<std::string> settings;
-  std::size_t grains = 0; ///< 0: as the scene says
-  std::size_t seeds = 0;
-  std::size_t threads = 0;
-  bool grains_given = false;
-  bool seeds_given = false;
-  bool threads_given = false;
+  std::optional<std::size_t> grains;
+  std::optional<std::size_t> seeds;
+  std::optional<std::size_t> threads;
 };
 
-void add_study_options(CLI::App& command, StudyOptions& options);
+void add_study_options(CLI::App& app, StudyOptions& options, verify::SceneCommand command);
 
 /// `base`, then the scene file, then --set, then --grains, --seeds and --threads.
 /// \throws   FileError, InvalidArgument
-[[nodiscard]] verify::Scene resolve(const StudyOptions& options, const verify::Scene& base = {});
+[[nodiscard]] verify::Scene resolve(const StudyOptions& options, verify::SceneCommand command,
+                                    const verify::Scene& base = {});
 
 } // namespace granum::cli

@@ -54,11 +54,11 @@ class RowReader {
     for (const Input& input : inputs_)
       take(input, fields[input.column.index]);
     if (contact_) {
-      row_.contact = fields[*contact_];
-      if (std::find(std::begin(contact_names), std::end(contact_names), row_.contact) ==
-          std::end(contact_names))
-        throw InvalidArgument(
-            fmt::format("contact '{}' is not one of {}", row_.contact, fmt::join(contact_names, ", ")));
+      const std::string& text = fields[*contact_];
+      const std::optional<contact::Shape> shape = contact::find_shape(text);
+      if (!shape)
+        throw InvalidArgument(fmt::format("contact '{}' is not one of {}", text, contact::shape_names()));
+      row_.contact = *shape;
     }
     return row_;
   }

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -28,7 +29,7 @@ struct Options {
   StudyOptions study;
   bool quick = false;
   bool full = false;
-  double budget = 0; ///< [s]; 0: none
+  std::optional<double> budget; ///< [s]
   std::string out;
   bool json = false;
   bool force = false;
@@ -53,17 +54,17 @@ struct Outcome {
 };
 
 verify::TradeScene scene_of(const Options& options) {
-  if (options.quick && (options.full || options.budget > 0))
+  if (options.quick && (options.full || options.budget))
     throw InvalidArgument("--quick cannot go with --full or --budget");
   verify::TradeScene trade = options.quick  ? verify::quick_trade()
                              : options.full ? verify::full_trade()
                                             : verify::default_trade();
-  if (options.budget > 0)
+  if (options.budget)
     trade.grains = verify::full_trade().grains;
-  trade.scene = resolve(options.study, trade.scene);
+  trade.scene = resolve(options.study, verify::SceneCommand::trade, trade.scene);
   verify::require_valid(trade);
-  if (options.budget > 0)
-    return verify::within_budget(trade, options.budget, verify::measured_speed(trade.scene));
+  if (options.budget)
+    return verify::within_budget(trade, *options.budget, verify::measured_speed(trade.scene));
   return trade;
 }
 
@@ -130,12 +131,12 @@ Command add_trade(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "trade", "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now");
-  add_study_options(*command, options->study);
+  add_study_options(*command, options->study, verify::SceneCommand::trade);
   command->add_flag("--quick", options->quick, "Up to 1,000 grains, a few values, two seeds");
   command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
   add_quantity(*command, "--budget", options->budget, Dimension::time,
                "As far up in grains as this wall time allows: --budget 600s");
-  command->add_option("--out", options->out, "Folder for results; by default a new granum-trade-N")
+  add_path(*command, "--out", options->out, "Folder for results; by default a new granum-trade-N")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
   command->add_flag("--force", options->force, "Let --out replace existing results");

@@ -147,13 +147,13 @@ std::string laws_table(const TradeScene& trade, const verify::TradeLaws& laws) {
   std::string out =
       fmt::format("errors as power laws: scatter c N^(-1/2), bias b/N + k I; one specimen of {} "
                   "grains at the default I\n{:<12} {:>7} {:>18} {:>18} {:>9} {:>9} {:>9}\n",
-                  trade.scene.grains, "", "c", "b", "k", "scatter", "size", "rate");
+                  trade.scene.study.grains, "", "c", "b", "k", "scatter", "size", "rate");
   for (const NamedLaw& l : named(trade, laws)) {
     const verify::SizeLaw& size = l.law.size;
     const verify::RateLaw& rate = l.law.rate;
     if (!(size.scatter > 0))
       continue;
-    const double grains = static_cast<double>(trade.scene.grains);
+    const double grains = static_cast<double>(trade.scene.study.grains);
     out += fmt::format("{:<12} {:7.3f} {:+8.2f} +- {:<6.2f} {:+8.2f} +- {:<6.2f} {:9.4f} {:+9.4f} {:+9.4f}\n",
                        l.name, size.scatter, size.bias, size.bias_error, rate.bias, rate.bias_error,
                        size.scatter / std::sqrt(grains), size.bias / grains, rate.bias * l.inertial_number);
@@ -189,7 +189,7 @@ std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>&
                {"scene", json_of(trade).dump()},
                {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}};
   csv.headings = {"varied", "boundary", "value", "density", "seed"};
-  for (const double pressure : trade.scene.pressures)
+  for (const double pressure : trade.scene.study.pressures)
     csv.headings.push_back(fmt::format("G_at_{}kPa_Pa", short_text(pressure / 1e3)));
   for (const char* heading : {"s", "peak_q_over_p", "cpu_s", "steps", "failure"})
     csv.headings.emplace_back(heading);
@@ -197,7 +197,7 @@ std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>&
     std::vector<io::CsvCell> cells{text(verify::name(sample.varied)), text(verify::name(sample.boundary)),
                                    sample.value, text(verify::name(sample.density)),
                                    static_cast<double>(sample.seed)};
-    for (std::size_t k = 0; k < trade.scene.pressures.size(); ++k)
+    for (std::size_t k = 0; k < trade.scene.study.pressures.size(); ++k)
       cells.emplace_back(k < sample.shear_modulus.size() ? sample.shear_modulus[k] : nothing);
     cells.emplace_back(sample.exponent.value_or(nothing));
     cells.emplace_back(sample.peak_ratio.value_or(nothing));

@@ -32,8 +32,8 @@ bool in_use(const PackingOptions& o, const Number& n) {
   const Number* const defaults[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius,
                                     &o.coordination_number, &o.fabric};
   const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults);
-  const bool of_contact =
-      (&n == &o.slope && o.contact == "cone") || (&n == &o.punch_radius && o.contact == "flat");
+  const bool of_contact = (&n == &o.slope && o.contact == contact::Shape::cone) ||
+                          (&n == &o.punch_radius && o.contact == contact::Shape::flat);
   return n.given() || by_default || of_contact;
 }
 
@@ -60,7 +60,8 @@ std::array<double, effective::input_count> slopes_of(const PackingOptions& o, co
       {&o.grain_poisson_ratio,
        o.tangential_ratio.given() ? Input::grain_poisson_ratio : Input::grain_poisson_ratio_mindlin, 1},
       {&o.radius, Input::radius, 1},
-      {&o.radius, Input::grain_shear_modulus, o.contact == "sphere" ? shear / (2 * s.radius) : 0},
+      {&o.radius, Input::grain_shear_modulus,
+       o.contact == contact::Shape::sphere ? shear / (2 * s.radius) : 0},
       {&o.tangential_ratio, Input::tangential_ratio, 1},
       {&o.void_ratio, Input::void_ratio, 1},
       {&o.porosity, Input::void_ratio, (1 + e) * (1 + e)},        // e = n/(1-n)

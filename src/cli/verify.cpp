@@ -104,7 +104,7 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
       {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
       {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
   for (const verify::ExponentRow& row : outcome.exponents)
-    json["exponents"].push_back({{"contact", verify::name(row.contact)},
+    json["exponents"].push_back({{"contact", contact::name(row.contact)},
                                  {"density", verify::name(row.density)},
                                  {"contact_law", row.contact_law},
                                  {"closed_form", exponent_json(row.closed_form)},
@@ -116,7 +116,7 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
     json["verdicts"].push_back(
         {{"claim", verdict.claim}, {"holds", verdict.holds}, {"measured", verdict.measured}});
   for (const verify::SpecimenResult& specimen : outcome.specimens) {
-    ordered_json entry = {{"contact", verify::name(specimen.contact)},
+    ordered_json entry = {{"contact", contact::name(specimen.contact)},
                           {"density", verify::name(specimen.density)},
                           {"seed", specimen.seed},
                           {"failure", specimen.failure},
@@ -145,8 +145,8 @@ Outcome run_and_judge(const verify::Scene& scene, const std::atomic<bool>& stop,
 std::string report_of(const Outcome& outcome) {
   return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {} threads\n",
                      verify::states_table(outcome.specimens), verify::exponents_table(outcome.exponents),
-                     verify::verdicts_table(outcome.verdicts), outcome.specimens.size(), outcome.scene.grains,
-                     outcome.seconds, verify::thread_count(outcome.scene));
+                     verify::verdicts_table(outcome.verdicts), outcome.specimens.size(),
+                     outcome.scene.study.grains, outcome.seconds, verify::thread_count(outcome.scene));
 }
 
 void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
@@ -157,7 +157,7 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 }
 
 ExitCode run(const Options& options) {
-  const verify::Scene scene = resolve(options.study);
+  const verify::Scene scene = resolve(options.study, verify::SceneCommand::verify);
   const std::atomic<bool>& stop = listen_for_stop();
   const bool writes = !options.json || !options.out.empty();
   const fs::path folder =
@@ -179,8 +179,8 @@ Command add_verify(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "verify", "Closed form against network and DEM, dense and loose: the exponent s");
-  add_study_options(*command, options->study);
-  command->add_option("--out", options->out, "Folder for CSV and manifest; by default a new granum-verify-N")
+  add_study_options(*command, options->study, verify::SceneCommand::verify);
+  add_path(*command, "--out", options->out, "Folder for CSV and manifest; by default a new granum-verify-N")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
   command->add_flag("--force", options->force, "Let --out replace existing results");

@@ -211,7 +211,8 @@ Scatter scatter(const Eigen::MatrixXd& design) {
   const GslMatrix u = gsl_matrix_of(centred);
   const GslMatrix v = allocated_matrix(2, 2);
   const GslVector singular = allocated_vector(2);
-  require_success(gsl_linalg_SV_decomp_jacobi(u.get(), v.get(), singular.get()), "a decomposition into singular values");
+  require_success(gsl_linalg_SV_decomp_jacobi(u.get(), v.get(), singular.get()),
+                  "a decomposition into singular values");
   const Eigen::VectorXd root_mean_square =
       vector_of(singular.get()) / std::sqrt(static_cast<double>(design.rows()));
   return {root_mean_square[0],

@@ -163,7 +163,8 @@ std::string assembly_svg(const dem::State& state) {
 std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
   const ExperimentSpecimen* shown = nullptr;
   for (const ExperimentSpecimen& specimen : experiment.specimens) {
-    const bool wanted = specimen.contact == Shape::sphere && specimen.density == triaxial::Density::dense;
+    const bool wanted =
+        specimen.contact == contact::Shape::sphere && specimen.density == triaxial::Density::dense;
     if (specimen.end_of_iso.position.empty())
       continue;
     if (shown == nullptr || wanted)

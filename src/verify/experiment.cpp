@@ -29,10 +29,10 @@ class Stages {
  public:
   Stages(const Scene& scene, const RunControl& control, const CheckpointFolder& checkpoints)
       : scene_(scene), checkpoints_(checkpoints), meter_(control, experiment_steps(scene)) {
-    for (const Shape contact : scene.contacts)
-      for (const triaxial::Density density : scene.densities)
-        for (std::size_t k = 0; k < scene.seeds; ++k)
-          specimens_.push_back({contact, density, scene.first_seed + k, {}, {}});
+    for (const contact::Shape contact : scene.study.contacts)
+      for (const triaxial::Density density : scene.study.densities)
+        for (std::size_t k = 0; k < scene.study.seeds; ++k)
+          specimens_.push_back({contact, density, scene.study.first_seed + k, {}, {}});
   }
 
   std::vector<ExperimentSpecimen> run() && {
@@ -67,15 +67,16 @@ class Stages {
 
   /// The packing that a specimen starts from; specimens are in the order contact, density, seed.
   [[nodiscard]] std::size_t packing_of(std::size_t specimen) const {
-    const std::size_t of_contact = scene_.densities.size() * scene_.seeds;
-    return specimen / of_contact * scene_.seeds + specimen % scene_.seeds;
+    const std::size_t of_contact = scene_.study.densities.size() * scene_.study.seeds;
+    return specimen / of_contact * scene_.study.seeds + specimen % scene_.study.seeds;
   }
 
   void make_packings() {
-    packings_.resize(scene_.contacts.size() * scene_.seeds);
+    packings_.resize(scene_.study.contacts.size() * scene_.study.seeds);
     side_by_side(packings_.size(), thread_count(scene_), [&](std::size_t k) {
       const ExperimentSpecimen& first =
-          specimens_[k / scene_.seeds * scene_.densities.size() * scene_.seeds + k % scene_.seeds];
+          specimens_[k / scene_.study.seeds * scene_.study.densities.size() * scene_.study.seeds +
+                     k % scene_.study.seeds];
       packings_[k].failure = guarded([&] { packings_[k].state = packing(piece(first)); });
     });
   }
@@ -106,7 +107,7 @@ class Stages {
   }
 
   void shear() {
-    const std::size_t paths = scene_.paths.size();
+    const std::size_t paths = scene_.shear.paths.size();
     for (ExperimentSpecimen& specimen : specimens_)
       specimen.runs.resize(1 + paths);
     const auto order = longest_first(specimens_.size() * paths, [&](std::size_t k) {
@@ -116,7 +117,7 @@ class Stages {
       const std::size_t k = order[position];
       ExperimentSpecimen& specimen = specimens_[k / paths];
       PathRun& run = specimen.runs[1 + k % paths];
-      run.path = scene_.paths[k % paths];
+      run.path = scene_.shear.paths[k % paths];
       if (const std::string& iso = specimen.runs.front().failure; !iso.empty()) {
         run.failure = "isotropic compression: " + iso;
         return;

@@ -94,7 +94,7 @@ std::vector<Kind> kinds(const Experiment& experiment) {
 }
 
 std::string seeds_note(const Experiment& experiment) {
-  const std::size_t seeds = experiment.scene.seeds;
+  const std::size_t seeds = experiment.scene.study.seeds;
   return seeds > 1 ? " Drawn is the first of " + std::to_string(seeds) + " specimens of each kind." : "";
 }
 

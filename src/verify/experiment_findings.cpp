@@ -33,8 +33,8 @@ struct Column {
 
 std::vector<TableRow> table(const Experiment& experiment, const std::vector<Column>& columns) {
   std::vector<TableRow> rows;
-  for (const Shape contact : experiment.scene.contacts)
-    for (const Density density : experiment.scene.densities) {
+  for (const contact::Shape contact : experiment.scene.study.contacts)
+    for (const Density density : experiment.scene.study.densities) {
       TableRow row{.contact = contact, .density = density, .cells = {}};
       const std::optional<PrintedSpecimen> paper = printed(contact, density);
       for (const Column& column : columns) {

@@ -97,25 +97,27 @@ std::string what_was_run(const Experiment& experiment, const RunTime& time) {
     rows += row({escaped(what), escaped(value)});
   };
   add("Program", "granum " + std::string(version()) + " reproduce");
-  add("Specimens", std::to_string(experiment.specimens.size()) + " of " + std::to_string(scene.grains) +
-                       " grains: " + listed(scene.contacts, [](Shape s) { return name(s); }) + "; " +
-                       listed(scene.densities, [](triaxial::Density d) { return name(d); }) + "; " +
-                       (scene.seeds == 1 ? "seed " + std::to_string(scene.first_seed)
-                                         : "seeds " + std::to_string(scene.first_seed) + " to " +
-                                               std::to_string(scene.first_seed + scene.seeds - 1)));
-  add("Boundary", scene.walls ? "six rigid walls, friction " + short_text(scene.wall_friction)
-                              : std::string("periodic cell"));
-  add("Grains", "diameter " + short_text(2e3 * scene.radius) + " mm, shear modulus " +
-                    short_text(scene.grain_shear_modulus / 1e9) + " GPa, Poisson's ratio " +
-                    short_text(scene.grain_poisson_ratio) + ", friction angle " +
-                    short_text(scene.friction_angle * 180 / std::numbers::pi) + " deg");
-  add("Isotropic compression", listed(scene.pressures, kilopascal) + " kPa");
-  add("Paths", listed(scene.paths, [](stress::ShearPath p) { return stress::name(p); }) +
-                   " to an axial strain of " + short_text(100 * scene.largest_strain) +
-                   " %, inertial number " + short_text(scene.inertial_number));
-  add("Frozen states", std::to_string(frozen_states(experiment)) + ", every " + short_text(scene.eta_step) +
-                           " of \u03b7 and every " + short_text(100 * scene.strain_step) +
-                           " % of axial strain");
+  add("Specimens",
+      std::to_string(experiment.specimens.size()) + " of " + std::to_string(scene.study.grains) +
+          " grains: " + listed(scene.study.contacts, [](contact::Shape s) { return name(s); }) + "; " +
+          listed(scene.study.densities, [](triaxial::Density d) { return name(d); }) + "; " +
+          (scene.study.seeds == 1 ? "seed " + std::to_string(scene.study.first_seed)
+                                  : "seeds " + std::to_string(scene.study.first_seed) + " to " +
+                                        std::to_string(scene.study.first_seed + scene.study.seeds - 1)));
+  add("Boundary", scene.specimen.walls
+                      ? "six rigid walls, friction " + short_text(scene.specimen.wall_friction)
+                      : std::string("periodic cell"));
+  add("Grains", "diameter " + short_text(2e3 * scene.grain.radius) + " mm, shear modulus " +
+                    short_text(scene.grain.shear_modulus / 1e9) + " GPa, Poisson's ratio " +
+                    short_text(scene.grain.poisson_ratio) + ", friction angle " +
+                    short_text(scene.grain.friction_angle * 180 / std::numbers::pi) + " deg");
+  add("Isotropic compression", listed(scene.study.pressures, kilopascal) + " kPa");
+  add("Paths", listed(scene.shear.paths, [](stress::ShearPath p) { return stress::name(p); }) +
+                   " to an axial strain of " + short_text(100 * scene.shear.largest_strain) +
+                   " %, inertial number " + short_text(scene.shear.inertial_number));
+  add("Frozen states", std::to_string(frozen_states(experiment)) + ", every " +
+                           short_text(scene.shear.eta_step) + " of \u03b7 and every " +
+                           short_text(100 * scene.shear.strain_step) + " % of axial strain");
   add("Wall time", duration(time));
   add("Complete", experiment.complete() ? "yes" : "no, see the end of this page");
   return element("table", rows);

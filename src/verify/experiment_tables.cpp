@@ -21,8 +21,8 @@ using Cells = std::vector<io::CsvCell>;
 io::CsvContent headed(const Experiment& experiment, std::vector<std::string> headings) {
   io::CsvContent csv;
   csv.notes = {{"program", "granum " + words(version()) + " reproduce"},
-               {"grains", std::to_string(experiment.scene.grains)},
-               {"boundary", experiment.scene.walls ? "six rigid walls" : "periodic"},
+               {"grains", std::to_string(experiment.scene.study.grains)},
+               {"boundary", experiment.scene.specimen.walls ? "six rigid walls" : "periodic"},
                {"signs", "compression positive; z is the vertical axis v; eta = (s_v - s_h)/p'"}};
   csv.headings = {"contact", "density", "seed", "path"};
   csv.headings.insert(csv.headings.end(), headings.begin(), headings.end());

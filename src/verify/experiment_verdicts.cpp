@@ -65,7 +65,7 @@ void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
   const std::vector<TableRow> fits = table_5(experiment);
   for (const auto& [letter, what] : {std::pair{'s', "s within 0.04 (dense), 0.08 (loose)"},
                                      std::pair{'m', "m and n within 0.05 (dense), 0.10 (loose)"}})
-    for (const Density density : experiment.scene.densities) {
+    for (const Density density : experiment.scene.study.densities) {
       Near all;
       for (const TableRow& row : fits)
         for (const Cell& cell : row.cells) {
@@ -183,7 +183,7 @@ std::vector<Verdict> experiment_verdicts(const Experiment& experiment) {
       continue;
     if (specimen.density == Density::dense)
       judge_dense_structure(out, specimen);
-    if (specimen.contact == Shape::flat)
+    if (specimen.contact == contact::Shape::flat)
       judge_flat(out, specimen);
   }
   judge_horizontal_shear(out, experiment);

@@ -23,7 +23,7 @@ struct Row {
 constexpr Row rows[] = {{"s of G_hh", "G_hh", -0.008, 0}, {"s of G_hv", "G_hv", 0.008, 1}};
 
 /// 1/(1 + alpha): the power of force that a contact's stiffness has.
-double contact_exponent(const Scene& scene, Shape contact) {
+double contact_exponent(const Scene& scene, contact::Shape contact) {
   return law(scene, contact).stiffness_exponent();
 }
 
@@ -80,7 +80,7 @@ void add_exponent_figure(std::vector<Figure>& to, const Experiment& experiment) 
           "Markers of G_hh stand slightly to the left of their place, those of G_hv to the right.",
       .panels = {}};
   const std::vector<TableRow> table = table_5(experiment);
-  for (const triaxial::Density density : experiment.scene.densities)
+  for (const triaxial::Density density : experiment.scene.study.densities)
     add(out, exponent_panel(experiment, table, density));
   to.push_back(std::move(out));
 }

@@ -131,8 +131,9 @@ void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment)
 void add_microstructure_figures(std::vector<Figure>& to, const Experiment& experiment) {
   int number = 17;
   const std::vector<Kind> all = kinds(experiment);
-  for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat, Shape::power_law}) {
-    const bool printed = contact != Shape::power_law;
+  for (const contact::Shape contact :
+       {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat, contact::Shape::power_law}) {
+    const bool printed = contact != contact::Shape::power_law;
     const std::string stem = printed ? "fig" + std::to_string(number) : "more";
     Figure out{
         .name = printed ? "Fig. " + std::to_string(number) : "Beyond the paper",

@@ -35,7 +35,7 @@ void add(Figure& to, Panel panel);
 
 /// A contact and a density, of which the first seed is drawn.
 struct Kind {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   const ExperimentSpecimen* specimen = nullptr; ///< never nullptr in kinds()
 

@@ -20,7 +20,7 @@ using triaxial::Density;
 using ModulusOf = std::function<std::optional<double>(const StateResult&)>;
 
 /// s of G_hv in the paper's Table 5.
-std::optional<double> paper_exponent(Shape contact, Density density) {
+std::optional<double> paper_exponent(contact::Shape contact, Density density) {
   const std::optional<PrintedSpecimen> paper = printed(contact, density);
   return paper ? std::optional(paper->hv.s) : std::nullopt;
 }
@@ -46,8 +46,8 @@ std::optional<Exponent> exponent_over_seeds(const std::vector<const SpecimenResu
   return Exponent{mean->value, mean->standard_error.value_or(0)};
 }
 
-std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens, Shape contact,
-                                            Density density) {
+std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens,
+                                            contact::Shape contact, Density density) {
   std::vector<const SpecimenResult*> group;
   for (const SpecimenResult& specimen : specimens)
     if (specimen.contact == contact && specimen.density == density)
@@ -142,8 +142,8 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
     return (s.probes->G_hh + s.probes->G_hv + s.probes->G_vh) / 3;
   };
   std::vector<ExponentRow> rows;
-  for (const Shape contact : scene.contacts)
-    for (const Density density : scene.densities) {
+  for (const contact::Shape contact : scene.study.contacts)
+    for (const Density density : scene.study.densities) {
       const auto group = group_of(specimens, contact, density);
       rows.push_back({.contact = contact,
                       .density = density,

@@ -29,13 +29,13 @@ constexpr Modulus moduli[] = {
 std::optional<int> figure_number(const Kind& kind) {
   const int first = kind.density == triaxial::Density::dense ? 9 : 12;
   switch (kind.contact) {
-  case Shape::cone:
+  case contact::Shape::cone:
     return first;
-  case Shape::sphere:
+  case contact::Shape::sphere:
     return first + 1;
-  case Shape::flat:
+  case contact::Shape::flat:
     return first + 2;
-  case Shape::power_law:
+  case contact::Shape::power_law:
     break;
   }
   return std::nullopt;

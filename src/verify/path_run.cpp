@@ -198,8 +198,8 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
   const Scene& scene = piece.scene;
   const Store store(piece.checkpoints, stem(piece, std::nullopt));
   const triaxial::SpecimenRecipe specimen = recipe(scene, piece.contact, piece.seed);
-  const double work =
-      isotropic_steps(scene, piece.contact, piece.density) / static_cast<double>(scene.pressures.size());
+  const double work = isotropic_steps(scene, piece.contact, piece.density) /
+                      static_cast<double>(scene.study.pressures.size());
   IsoRun iso;
   Mat3 first_cell;
   if (const std::optional<std::string> bytes = store.bytes()) {
@@ -224,9 +224,9 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
       first_cell = snapshot.state.cell;
     iso.run.largest_inertial_number =
         std::max(iso.run.largest_inertial_number, snapshot.report.largest_inertial_number);
-    iso.run.points.push_back(
-        frozen_point(snapshot.state, specimen.material, isotropic_point(snapshot, first_cell),
-                     holds(scene.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
+    iso.run.points.push_back(frozen_point(
+        snapshot.state, specimen.material, isotropic_point(snapshot, first_cell),
+        holds(scene.study.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
     iso.state = snapshot.state;
     ByteWriter to;
     dem::save_state(to, iso.state);
@@ -234,12 +234,12 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
     save_run(to, iso.run);
     store.write(to);
     piece.meter.add(work, title(piece, std::nullopt));
-    if (piece.meter.stopped() && iso.run.points.size() < scene.pressures.size())
+    if (piece.meter.stopped() && iso.run.points.size() < scene.study.pressures.size())
       iso.run.failure = stopped_on_request;
     return iso.run.failure.empty();
   };
   const auto done = static_cast<std::ptrdiff_t>(iso.run.points.size());
-  const std::vector<double> left(scene.pressures.begin() + done, scene.pressures.end());
+  const std::vector<double> left(scene.study.pressures.begin() + done, scene.study.pressures.end());
   if (!triaxial::isotropic_path(iso.state, specimen.material, left, options, visit) &&
       iso.run.failure.empty())
     iso.run.failure = "the path ended early";
@@ -257,18 +257,20 @@ class ShearRecord {
         work_(shear_steps(piece.scene, piece.contact)) {
     const Scene& scene = piece.scene;
     run_.path = path;
-    schedule_ = {.eta = {scene.eta_step}, .strain = {scene.strain_step}, .probe_eta = {scene.probe_eta_step}};
+    schedule_ = {.eta = {scene.shear.eta_step},
+                 .strain = {scene.shear.strain_step},
+                 .probe_eta = {scene.shear.probe_eta_step}};
     if (const std::optional<std::string> bytes = store_.bytes()) {
       take_up(*bytes);
       return;
     }
     test_ = triaxial::ShearTest(start, material_,
                                 {.path = path,
-                                 .mean_stress = scene.pressures.back(),
-                                 .inertial_number = scene.inertial_number,
-                                 .eta_step = scene.eta_step / curve_refinement,
-                                 .strain_step = scene.strain_step / curve_refinement,
-                                 .largest_strain = scene.largest_strain,
+                                 .mean_stress = scene.study.pressures.back(),
+                                 .inertial_number = scene.shear.inertial_number,
+                                 .eta_step = scene.shear.eta_step / curve_refinement,
+                                 .strain_step = scene.shear.strain_step / curve_refinement,
+                                 .largest_strain = scene.shear.largest_strain,
                                  .stop_requested = piece.meter.stop_request()});
     run_.curve.push_back(test_->now());
     cycle();
@@ -333,10 +335,10 @@ class ShearRecord {
   /// The paper shows cycles of one specimen: the first contact shape, dense, on TXC.
   void cycle() {
     const Scene& scene = piece_.scene;
-    if (scene.loop_strain > 0 && path_ == stress::ShearPath::txc &&
-        piece_.density == triaxial::Density::dense && piece_.contact == scene.contacts.front())
+    if (scene.shear.loop_strain > 0 && path_ == stress::ShearPath::txc &&
+        piece_.density == triaxial::Density::dense && piece_.contact == scene.study.contacts.front())
       run_.loops.push_back(shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(),
-                                      scene.loop_strain, piece_.meter.stop_request()));
+                                      scene.shear.loop_strain, piece_.meter.stop_request()));
   }
 
   void save() const {
@@ -361,7 +363,7 @@ class ShearRecord {
   }
 
   [[nodiscard]] double share() const {
-    return test_ ? std::min(1.0, std::abs(test_->now().axial_strain) / piece_.scene.largest_strain) : 1;
+    return test_ ? std::min(1.0, std::abs(test_->now().axial_strain) / piece_.scene.shear.largest_strain) : 1;
   }
 
   void tell() {

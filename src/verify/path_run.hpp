@@ -17,7 +17,7 @@ struct Piece {
   const Scene& scene;
   const CheckpointFolder& checkpoints;
   Meter& meter;
-  Shape contact;
+  contact::Shape contact;
   triaxial::Density density;
   std::uint64_t seed;
 };
@@ -40,8 +40,8 @@ struct IsoRun {
 
 /// Predicted work of the pieces and of all of them, in steps of the engine with friction.
 [[nodiscard]] double packing_steps(const Scene& scene);
-[[nodiscard]] double isotropic_steps(const Scene& scene, Shape contact, triaxial::Density density);
-[[nodiscard]] double shear_steps(const Scene& scene, Shape contact);
+[[nodiscard]] double isotropic_steps(const Scene& scene, contact::Shape contact, triaxial::Density density);
+[[nodiscard]] double shear_steps(const Scene& scene, contact::Shape contact);
 [[nodiscard]] double experiment_steps(const Scene& scene);
 
 } // namespace granum::verify

@@ -13,15 +13,15 @@ namespace granum::verify {
 namespace {
 
 /// Steps of the first stage of loose specimens, where most of the network is built, for 1,000 grains.
-double loose_first_stage_steps(Shape shape) {
+double loose_first_stage_steps(contact::Shape shape) {
   switch (shape) {
-  case Shape::cone:
+  case contact::Shape::cone:
     return 5000;
-  case Shape::sphere:
+  case contact::Shape::sphere:
     return 18000;
-  case Shape::power_law:
+  case contact::Shape::power_law:
     return 12000;
-  case Shape::flat:
+  case contact::Shape::flat:
     break;
   }
   return 46000;
@@ -37,13 +37,13 @@ constexpr double preparation_steps = 12000;
 constexpr double network_steps = 200;
 
 double grains_and_waves(const Scene& scene) {
-  const double grains = static_cast<double>(scene.grains);
+  const double grains = static_cast<double>(scene.study.grains);
   return grains * std::cbrt(grains / 1000);
 }
 
 bool probed(const Scene& scene, double pressure) {
-  return std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(), pressure) !=
-         scene.probe_pressures.end();
+  return std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(), pressure) !=
+         scene.study.probe_pressures.end();
 }
 
 } // namespace
@@ -51,9 +51,11 @@ bool probed(const Scene& scene, double pressure) {
 /// A lattice of touching spheres, shaken.
 double measured_speed(const Scene& scene) {
   require_valid(scene);
-  const triaxial::SpecimenRecipe specimen = recipe(scene, scene.contacts.front(), scene.first_seed);
-  const int edges = static_cast<int>(
-      std::clamp(std::cbrt(static_cast<double>(scene.grains) / 4), 3.0, 14.0)); // 4 grains in a cubic cell
+  const triaxial::SpecimenRecipe specimen =
+      recipe(scene, scene.study.contacts.front(), scene.study.first_seed);
+  // 4 grains in a cubic cell
+  const int edges =
+      static_cast<int>(std::clamp(std::cbrt(static_cast<double>(scene.study.grains) / 4), 3.0, 14.0));
   const double edge = std::sqrt(2.0) * 2 * specimen.radius * (1 - 1e-5);
   dem::State state;
   state.radius = specimen.radius;
@@ -81,41 +83,42 @@ double measured_speed(const Scene& scene) {
 
 double preparation_work(const Scene& scene) { return preparation_steps * grains_and_waves(scene); }
 
-double stage_work(const Scene& scene, triaxial::Density density, Shape shape, std::size_t stage) {
+double stage_work(const Scene& scene, triaxial::Density density, contact::Shape shape, std::size_t stage) {
   const bool loose = density == triaxial::Density::loose;
   double steps = network_steps + (loose ? loose_stage_steps : dense_stage_steps);
   if (loose && stage == 0)
     steps += loose_first_stage_steps(shape);
-  if (probed(scene, scene.pressures.at(stage)))
+  if (probed(scene, scene.study.pressures.at(stage)))
     steps += 3 * (loose ? loose_probe_steps : dense_probe_steps);
   return steps * grains_and_waves(scene);
 }
 
-double specimen_work(const Scene& scene, triaxial::Density density, Shape shape) {
+double specimen_work(const Scene& scene, triaxial::Density density, contact::Shape shape) {
   double work = 0;
-  for (std::size_t stage = 0; stage < scene.pressures.size(); ++stage)
+  for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage)
     work += stage_work(scene, density, shape, stage);
   return work;
 }
 
 double total_work(const Scene& scene) {
   double work = 0;
-  for (const Shape shape : scene.contacts) {
+  for (const contact::Shape shape : scene.study.contacts) {
     work += preparation_work(scene);
-    for (const triaxial::Density density : scene.densities)
+    for (const triaxial::Density density : scene.study.densities)
       work += specimen_work(scene, density, shape);
   }
-  return work * static_cast<double>(scene.seeds);
+  return work * static_cast<double>(scene.study.seeds);
 }
 
 Plan plan(const Scene& scene, double seconds_per_grain_step) {
   require_valid(scene);
+  require_periodic_cell(scene);
   require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
   Plan out;
-  out.packings = scene.contacts.size() * scene.seeds;
-  out.specimens = out.packings * scene.densities.size();
-  out.network_solutions = out.specimens * scene.pressures.size();
-  const auto probed_stages = std::count_if(scene.pressures.begin(), scene.pressures.end(),
+  out.packings = scene.study.contacts.size() * scene.study.seeds;
+  out.specimens = out.packings * scene.study.densities.size();
+  out.network_solutions = out.specimens * scene.study.pressures.size();
+  const auto probed_stages = std::count_if(scene.study.pressures.begin(), scene.study.pressures.end(),
                                            [&](double p) { return probed(scene, p); });
   out.probes = 3 * out.specimens * static_cast<std::size_t>(probed_stages);
   out.grain_steps = total_work(scene);
@@ -125,7 +128,7 @@ Plan plan(const Scene& scene, double seconds_per_grain_step) {
   // Bytes of a grain: the frictionless packing that waits, and engine with network for each that runs
   // (measured).
   constexpr double waiting = 200, running = 12e3, program = 20e6;
-  const double grains = static_cast<double>(scene.grains);
+  const double grains = static_cast<double>(scene.study.grains);
   out.memory = program + grains * (waiting * static_cast<double>(out.packings) +
                                    running * static_cast<double>(thread_count(scene)));
   return out;

@@ -47,9 +47,9 @@ io::Series states(const Experiment& experiment, const Kind& kind) {
 }
 
 /// The closed form's factor over the range of z* that the states have.
-io::Series closed_form(const Scene& scene, Shape contact, double low, double high) {
+io::Series closed_form(const Scene& scene, contact::Shape contact, double low, double high) {
   constexpr int steps = 80;
-  const dem::Material material = recipe(scene, contact, scene.first_seed).material;
+  const dem::Material material = recipe(scene, contact, scene.study.first_seed).material;
   io::Series out{
       .name = "closed form, " + std::string(name(contact)), .mark = io::Mark::line, .x = {}, .y = {}};
   for (int k = 0; k <= steps; ++k) {
@@ -82,7 +82,7 @@ void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment
     return;
   const auto [low, high] = std::minmax_element(found.begin(), found.end());
   style = 0;
-  for (const Shape contact : experiment.scene.contacts) {
+  for (const contact::Shape contact : experiment.scene.study.contacts) {
     io::Series line = closed_form(experiment.scene, contact, *low, *high);
     line.tone = io::Tone::grey;
     line.style = style++;

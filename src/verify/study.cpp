@@ -67,13 +67,13 @@ void solve_network(const Assembly& assembly, const StopRequest& stop_requested, 
 }
 
 struct Packing {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   std::uint64_t seed = 0;
   dem::State state;
   std::string failure;
 };
 
-std::string title(Shape contact, triaxial::Density density, std::uint64_t seed) {
+std::string title(contact::Shape contact, triaxial::Density density, std::uint64_t seed) {
   return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
 }
 
@@ -114,27 +114,27 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
                     words(snapshot.report.outcome);
       return false;
     }
-    const bool probed = std::find(scene.probe_pressures.begin(), scene.probe_pressures.end(),
-                                  snapshot.pressure) != scene.probe_pressures.end();
+    const bool probed = std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(),
+                                  snapshot.pressure) != scene.study.probe_pressures.end();
     out.states.push_back(analyse(snapshot, specimen, probed, options.stop_requested));
     meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
               title(out.contact, out.density, out.seed));
-    if (meter.stopped() && out.states.size() < scene.pressures.size())
+    if (meter.stopped() && out.states.size() < scene.study.pressures.size())
       out.failure = stopped_on_request;
     return out.failure.empty();
   };
   if (!triaxial::isotropic_path(
           triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
-          specimen.material, scene.pressures, options, visit) &&
+          specimen.material, scene.study.pressures, options, visit) &&
       out.failure.empty())
     out.failure = "the path ended early";
 }
 
 std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
   std::vector<Packing> packings;
-  for (const Shape shape : scene.contacts)
-    for (std::size_t k = 0; k < scene.seeds; ++k)
-      packings.push_back({shape, scene.first_seed + k, {}, {}});
+  for (const contact::Shape shape : scene.study.contacts)
+    for (std::size_t k = 0; k < scene.study.seeds; ++k)
+      packings.push_back({shape, scene.study.first_seed + k, {}, {}});
   side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
     Packing& packing = packings[k];
     packing.failure = ending_of([&] {
@@ -152,15 +152,16 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
 
 std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control) {
   require_valid(scene);
+  require_periodic_cell(scene);
   Meter meter(control, total_work(scene));
   const std::vector<Packing> packings = prepare(scene, meter);
   std::vector<SpecimenResult> specimens;
   std::vector<std::size_t> packing_of;
-  for (std::size_t shape = 0; shape < scene.contacts.size(); ++shape)
-    for (const triaxial::Density density : scene.densities)
-      for (std::size_t k = 0; k < scene.seeds; ++k) {
-        specimens.push_back({scene.contacts[shape], density, scene.first_seed + k, {}, {}});
-        packing_of.push_back(shape * scene.seeds + k);
+  for (std::size_t shape = 0; shape < scene.study.contacts.size(); ++shape)
+    for (const triaxial::Density density : scene.study.densities)
+      for (std::size_t k = 0; k < scene.study.seeds; ++k) {
+        specimens.push_back({scene.study.contacts[shape], density, scene.study.first_seed + k, {}, {}});
+        packing_of.push_back(shape * scene.study.seeds + k);
       }
   // The longest first, so that no thread ends up alone with one of them.
   std::vector<std::size_t> order(specimens.size());

@@ -39,7 +39,7 @@ std::string shown(const std::optional<Exponent>& exponent) {
 std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   io::CsvContent csv;
   csv.notes = {{"program", "granum " + words(version()) + " verify"},
-               {"grains", std::to_string(scene.grains)},
+               {"grains", std::to_string(scene.study.grains)},
                {"signs", "compression positive; z is the vertical axis v"}};
   csv.headings = {"contact",
                   "density",

@@ -45,11 +45,11 @@ std::string_view name(Boundary boundary) {
 
 TradeScene default_trade() {
   TradeScene trade;
-  trade.scene.contacts = {Shape::sphere};
-  trade.scene.pressures = {10e3, 20e3, 50e3, 100e3};
-  trade.scene.probe_pressures = {};
-  trade.scene.grains = 500;
-  trade.scene.seeds = 4;
+  trade.scene.study.contacts = {contact::Shape::sphere};
+  trade.scene.study.pressures = {10e3, 20e3, 50e3, 100e3};
+  trade.scene.study.probe_pressures = {};
+  trade.scene.study.grains = 500;
+  trade.scene.study.seeds = 4;
   trade.compression_inertial_number = triaxial::compression_options().inertial_number;
   trade.shear_inertial_number = triaxial::ShearOptions{}.inertial_number;
   return trade;
@@ -57,8 +57,8 @@ TradeScene default_trade() {
 
 TradeScene quick_trade() {
   TradeScene trade = default_trade();
-  trade.scene.grains = 250;
-  trade.scene.seeds = 2;
+  trade.scene.study.grains = 250;
+  trade.scene.study.seeds = 2;
   trade.grains = {125, 250, 500};
   trade.compression = {2e-3, 1e-3, 5e-4};
   trade.shear = {2e-3, 5e-4, 2e-4};
@@ -70,8 +70,8 @@ TradeScene quick_trade() {
 
 TradeScene full_trade() {
   TradeScene trade = default_trade();
-  trade.scene.grains = 1000;
-  trade.scene.seeds = 8;
+  trade.scene.study.grains = 1000;
+  trade.scene.study.seeds = 8;
   trade.grains = {250, 500, 1000, 2000, 4000, 8000, 16000};
   trade.compression = {8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4};
   trade.shear = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5};
@@ -97,9 +97,10 @@ void require_ladder(const std::string& name, const std::vector<Value>& values) {
 
 void require_valid(const TradeScene& trade) {
   require_valid(trade.scene);
-  if (trade.scene.contacts.size() != 1)
-    throw InvalidArgument("contacts: speed against accuracy is of one contact shape at a time");
-  require_closed("seeds", static_cast<double>(trade.scene.seeds), 2, 1000);
+  require_periodic_cell(trade.scene);
+  if (trade.scene.study.contacts.size() != 1)
+    throw InvalidArgument("study.contacts: speed against accuracy is of one contact shape at a time");
+  require_closed("study.seeds", static_cast<double>(trade.scene.study.seeds), 2, 1000);
   require_open("inertial number of compression", trade.compression_inertial_number, 0, 0.1);
   require_open("inertial number of shear", trade.shear_inertial_number, 0, 0.1);
   require_open("shear_strain", trade.shear_strain, 0, 1);
@@ -121,7 +122,7 @@ void require_valid(const TradeScene& trade) {
 }
 
 std::size_t specimens_of(const TradeScene& trade, std::size_t grains) {
-  const double all = static_cast<double>(trade.scene.seeds * trade.scene.grains);
+  const double all = static_cast<double>(trade.scene.study.seeds * trade.scene.study.grains);
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(all / static_cast<double>(grains))));
 }
 

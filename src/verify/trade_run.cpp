@@ -42,8 +42,8 @@ class ThreadClock {
 
 triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packing) {
   Scene scene = trade.scene;
-  scene.grains = packing.grains;
-  triaxial::SpecimenRecipe out = recipe(scene, scene.contacts.front(), packing.seed);
+  scene.study.grains = packing.grains;
+  triaxial::SpecimenRecipe out = recipe(scene, scene.study.contacts.front(), packing.seed);
   if (packing.boundary == Boundary::smooth_walls)
     out.wall_friction = 0;
   if (packing.boundary == Boundary::rough_walls)
@@ -105,14 +105,14 @@ void compress(const TradeScene& trade, const Packing& packing, const Meter& mete
                          words(snapshot.report.outcome));
     out.steps += snapshot.report.steps;
     measure(snapshot.state, specimen.material, options.stop_requested, out);
-    if (out.sheared_later && snapshot.pressure == trade.scene.pressures.back())
+    if (out.sheared_later && snapshot.pressure == trade.scene.study.pressures.back())
       out.last = snapshot.state;
     return true;
   };
   (void)triaxial::isotropic_path(
       triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
-      specimen.material, trade.scene.pressures, options, visit);
-  out.network_seconds /= static_cast<double>(trade.scene.pressures.size());
+      specimen.material, trade.scene.study.pressures, options, visit);
+  out.network_seconds /= static_cast<double>(trade.scene.study.pressures.size());
 }
 
 /// Where along the test G_vh is taken: within the reach of the dense plateau, well before the peak.
@@ -121,7 +121,7 @@ constexpr double measured_ratio = 0.8;
 void shear(const TradeScene& trade, const Compression& start, const dem::Material& material,
            const Meter& meter, Shear& out) {
   triaxial::ShearOptions options;
-  options.mean_stress = trade.scene.pressures.back();
+  options.mean_stress = trade.scene.study.pressures.back();
   options.inertial_number = out.inertial_number;
   options.time_step_fraction = out.time_step_fraction;
   options.eta_step = measured_ratio;
@@ -224,7 +224,7 @@ std::optional<double> exponent_of(const TradeScene& trade, const std::vector<dou
                                   const std::vector<double>& void_ratio) {
   std::vector<hardin::Measurement> states;
   for (std::size_t k = 0; k < shear_modulus.size(); ++k) {
-    const double pressure = trade.scene.pressures.at(k);
+    const double pressure = trade.scene.study.pressures.at(k);
     states.push_back({shear_modulus[k], {pressure, pressure, void_ratio.at(k)}});
   }
   const std::optional<Exponent> s = fitted_exponent(states);
@@ -276,7 +276,7 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
     sample.steps = 0;
     if (source.probing != none) {
       const Probing& part = work.probings[source.probing];
-      const std::size_t states = trade.scene.pressures.size();
+      const std::size_t states = trade.scene.study.pressures.size();
       sample.failure = part.failure;
       sample.cpu_seconds = part.cpu_seconds / static_cast<double>(states);
       sample.steps = part.steps / states;

@@ -41,24 +41,24 @@ class Planner {
     for (const std::size_t grains : trade_.grains)
       each_specimen(grains, [&](Specimen s) { grains_sample(s); });
     for (const double value : trade_.compression)
-      each_specimen(trade_.scene.grains, [&](Specimen s) {
+      each_specimen(trade_.scene.study.grains, [&](Specimen s) {
         s.compression = value;
         add(Varied::compression, value, s, {.compression = compression(s)});
       });
     for (const double value : trade_.shear)
-      each_specimen(trade_.scene.grains, [&](const Specimen& s) {
+      each_specimen(trade_.scene.study.grains, [&](const Specimen& s) {
         if (s.density == Density::dense)
           add(Varied::shear, value, s, {.shear = shear(compression(s), value, s.time_step)});
       });
     for (const double value : trade_.time_step)
-      each_specimen(trade_.scene.grains, [&](Specimen s) {
+      each_specimen(trade_.scene.study.grains, [&](Specimen s) {
         s.time_step = value;
         time_step_sample(s);
       });
     std::vector<double> amplitudes = trade_.probe;
     amplitudes.push_back(0);
     for (const double value : amplitudes)
-      each_specimen(trade_.scene.grains, [&](const Specimen& s) { probe_sample(s, value); });
+      each_specimen(trade_.scene.study.grains, [&](const Specimen& s) { probe_sample(s, value); });
     boundaries();
     return std::move(planned_);
   }
@@ -66,11 +66,11 @@ class Planner {
  private:
   template <class Take>
   void each_specimen(std::size_t grains, const Take& take) const {
-    for (const Density density : trade_.scene.densities)
+    for (const Density density : trade_.scene.study.densities)
       for (std::size_t k = 0; k < specimens_of(trade_, grains); ++k)
         take({.boundary = Boundary::periodic,
               .grains = grains,
-              .seed = trade_.scene.first_seed + k,
+              .seed = trade_.scene.study.first_seed + k,
               .density = density,
               .compression = trade_.compression_inertial_number,
               .time_step = trade_.time_step_fraction});
@@ -173,7 +173,7 @@ class Planner {
 /// A scene with another number of grains, for the predictions of verify/plan.hpp.
 Scene resized(const TradeScene& trade, std::size_t grains) {
   Scene scene = trade.scene;
-  scene.grains = grains;
+  scene.study.grains = grains;
   return scene;
 }
 
@@ -189,7 +189,8 @@ double predicted_work(const TradeScene& trade, const Work& /*work*/, const Packi
 
 double predicted_work(const TradeScene& trade, const Work& work, const Compression& part) {
   const std::size_t grains = work.packings[part.packing].grains;
-  const double usual = specimen_work(resized(trade, grains), part.density, trade.scene.contacts.front());
+  const double usual =
+      specimen_work(resized(trade, grains), part.density, trade.scene.study.contacts.front());
   return usual;
 }
 
@@ -204,7 +205,7 @@ double predicted_work(const TradeScene& trade, const Work& work, const Shear& pa
 double predicted_work(const TradeScene& trade, const Work& work, const Probing& part) {
   constexpr double steps = 1000; // of a probe of dense and loose specimens, about
   const std::size_t grains = work.packings[work.compressions[part.compression].packing].grains;
-  return steps * count(trade.scene.pressures.size()) * count(grains);
+  return steps * count(trade.scene.study.pressures.size()) * count(grains);
 }
 
 double predicted_work(const TradeScene& trade, const Work& work) {

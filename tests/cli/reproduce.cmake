@@ -3,10 +3,10 @@
 granum_cli_test("reproduce: unknown path" EXIT 2
   STDERR "^granum: error: shear\\.paths: 'TXX' is unknown; known are TXC, RTXC, RTXE, TXE"
   ARGS reproduce --set shear.paths=TXX)
-granum_cli_test("reproduce: a path twice" EXIT 2 STDERR "^granum: error: paths: TXC is given twice"
+granum_cli_test("reproduce: a path twice" EXIT 2 STDERR "^granum: error: shear\\.paths: TXC is given twice"
   ARGS reproduce --set shear.paths=TXC,TXC)
 granum_cli_test("reproduce: inertial number 0" EXIT 2
-  STDERR "^granum: error: inertial_number = 0 is outside \\(0, 0\\.1\\)" ARGS reproduce --set shear.inertial_number=0)
+  STDERR "^granum: error: shear\\.inertial_number = 0 is outside \\[1e-09, 0\\.1\\)" ARGS reproduce --set shear.inertial_number=0)
 granum_cli_test("reproduce: unknown boundary" EXIT 2
   STDERR "^granum: error: specimen\\.boundary: 'wall' is unknown; known are periodic, walls"
   ARGS reproduce --set specimen.boundary=wall)

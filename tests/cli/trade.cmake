@@ -2,12 +2,14 @@
 function(granum_trade_refuses what code message)
   granum_cli_test("trade: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS trade ${ARGN})
 endfunction()
-granum_trade_refuses("two contact shapes" 2 "contacts: speed against accuracy is of one contact shape at a time"
+granum_trade_refuses("two contact shapes" 2 "study\\.contacts: speed against accuracy is of one contact shape at a time"
   --set study.contacts=sphere,cone)
-granum_trade_refuses("one seed has no scatter" 2 "seeds = 1 is outside \\[2, 1000\\]" --seeds 1)
+granum_trade_refuses("one seed has no scatter" 2 "study\\.seeds = 1 is outside \\[2, 1000\\]" --seeds 1)
 granum_trade_refuses("quick and full at once" 2 "--quick cannot go with --full or --budget" --quick --full)
 granum_trade_refuses("budget without unit" 2 "--budget = 600 has no unit" --budget 600)
 granum_trade_refuses("budget that is too small" 2 "budget = 0\\.001 s is outside times of at least [0-9]" --budget 1ms)
+granum_trade_refuses("negative budget" 2 "budget = -1 s is outside" --budget -1s)
+granum_trade_refuses("budget of nothing" 2 "budget = 0 s is outside" --budget 0s)
 granum_trade_refuses("unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
 granum_trade_refuses("folder that is a file" 3 "isotropic\\.csv: cannot be " --out isotropic.csv)
 

@@ -16,21 +16,21 @@ foreach(command verify plan)
   granum_study_refuses("scene that is no TOML" 3 "scene_broken\\.toml:4: [^\n]*expected '\\]'"
     --scene scene_broken.toml)
   granum_study_refuses("missing scene" 3 "none\\.toml: [^\n]*could not be opened" --scene none.toml)
-  granum_study_refuses("0 grains" 2 "grains = 0 is outside \\[40, 1e7\\]" --grains 0)
-  granum_study_refuses("1 grain" 2 "grains = 1 is outside \\[40, 1e7\\]" --grains 1)
+  granum_study_refuses("0 grains" 2 "study\\.grains = 0 is outside \\[40, 1e\\+07\\]" --grains 0)
+  granum_study_refuses("1 grain" 2 "study\\.grains = 1 is outside \\[40, 1e\\+07\\]" --grains 1)
   granum_study_refuses("negative grains" 2 "--grains = -1 is outside \\[0, inf\\)" --grains -1)
-  granum_study_refuses("0 seeds" 2 "seeds = 0 is outside \\[1, 1000\\]" --seeds 0)
+  granum_study_refuses("0 seeds" 2 "study\\.seeds = 0 is outside \\[1, 1000\\]" --seeds 0)
   granum_study_refuses("--set without a value" 2 "--set nonsense: expected key=value" --set nonsense)
   granum_study_refuses("--set of an unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
   granum_study_refuses("--set of half a grain" 2 "study\\.grains = 80\\.5 is not a whole number"
     --set study.grains=80.5)
   granum_study_refuses("--set of an unknown contact" 2
     "study\\.contacts: 'cube' is unknown; known are cone, sphere, flat, power-law" --set study.contacts=cube)
-  granum_study_refuses("a contact twice" 2 "contacts: sphere is given twice" --set study.contacts=sphere,sphere)
-  granum_study_refuses("nu = 0.6" 2 "grain_poisson_ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
+  granum_study_refuses("a contact twice" 2 "study\\.contacts: sphere is given twice" --set study.contacts=sphere,sphere)
+  granum_study_refuses("nu = 0.6" 2 "grain\\.poisson_ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
     --set grain.poisson_ratio=0.6)
-  granum_study_refuses("falling pressures" 2 "pressures must rise: 10000" --set study.pressures=20kPa,10kPa,30kPa)
-  granum_study_refuses("a probe at no pressure" 2 "probe_pressures = 15000 Pa is outside the list of pressures"
+  granum_study_refuses("falling pressures" 2 "study\\.pressures must rise: 10000" --set study.pressures=20kPa,10kPa,30kPa)
+  granum_study_refuses("a probe at no pressure" 2 "study\\.probe_pressures = 15000 Pa is outside study\\.pressures"
     --set study.probe_pressures=15kPa)
   granum_cli_test("${command}: help lists the keys" EXIT 0
     STDOUT "Keys of scenes and of --set:.*grain\\.radius .*study\\.probe_pressures .*specimen\\.agitation "

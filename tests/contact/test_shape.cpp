@@ -36,7 +36,8 @@ TEST_CASE("each shape has the law of its profile, by hand") {
   // Two grains of modulus M = G/(1-nu), full approach d: cone f = M d^2/(pi A), sphere f = 2/3 M sqrt(2R)
   // d^(3/2), flat f = 2 M a d.                                                       [Hertz1882; Sneddon1965]
   const double M = 30e9 / 0.85, d = 1e-7;
-  CHECK(law_of(Shape::cone, grain, parameters).force(d) == relative(M * d * d / (std::numbers::pi * 0.3), 1e-14));
+  CHECK(law_of(Shape::cone, grain, parameters).force(d) ==
+        relative(M * d * d / (std::numbers::pi * 0.3), 1e-14));
   CHECK(law_of(Shape::sphere, grain, parameters).force(d) ==
         relative(2.0 / 3 * M * std::sqrt(2 * 0.4e-3) * d * std::sqrt(d), 1e-14));
   CHECK(law_of(Shape::flat, grain, parameters).force(d) == relative(2 * M * 6e-6 * d, 1e-14));

@@ -43,32 +43,33 @@ inline FrozenPoint synthetic_point(const Synthetic& s, double stress_v, double s
   return point;
 }
 
-inline ExperimentSpecimen synthetic_specimen(const Scene& scene, Shape contact, triaxial::Density density,
-                                             std::uint64_t seed, const Synthetic& s = {}) {
+inline ExperimentSpecimen synthetic_specimen(const Scene& scene, contact::Shape contact,
+                                             triaxial::Density density, std::uint64_t seed,
+                                             const Synthetic& s = {}) {
   ExperimentSpecimen specimen{contact, density, seed, {}, {}};
   PathRun iso;
-  for (const double pressure : scene.pressures)
+  for (const double pressure : scene.study.pressures)
     iso.points.push_back(synthetic_point(s, pressure, pressure, 0));
   specimen.runs.push_back(iso);
-  for (const stress::ShearPath path : scene.paths) {
+  for (const stress::ShearPath path : scene.shear.paths) {
     PathRun run;
     run.path = path;
     const double sense = stress::is_compression(path) ? 1 : -1;
     const double peak = sense > 0 ? s.peak_eta : 0.75 * s.peak_eta;
     const double strain_sense = path == stress::ShearPath::txc || path == stress::ShearPath::rtxc ? 1 : -1;
     double strain = 0;
-    for (int k = 1; scene.eta_step * k <= peak; ++k) {
+    for (int k = 1; scene.shear.eta_step * k <= peak; ++k) {
       strain = strain_sense * 1e-4 * k;
       const stress::AxialStress stress =
-          stress::stress_on_path(path, scene.pressures.back(), sense * scene.eta_step * k);
+          stress::stress_on_path(path, scene.study.pressures.back(), sense * scene.shear.eta_step * k);
       run.points.push_back(synthetic_point(s, stress.v, stress.h, strain));
       run.curve.push_back(run.points.back().at);
     }
     run.peak = run.points.back().at;
-    run.peak.stress = stress::stress_on_path(path, scene.pressures.back(), sense * peak);
+    run.peak.stress = stress::stress_on_path(path, scene.study.pressures.back(), sense * peak);
     // Past the peak: contacts lost, the rest turned towards the larger stress.
     FrozenPoint last = run.points.back();
-    last.at.axial_strain = strain_sense * scene.largest_strain;
+    last.at.axial_strain = strain_sense * scene.shear.largest_strain;
     last.micro.coordination_number *= 0.75;
     last.micro.fabric_anisotropy = sense * 0.4;
     run.points.push_back(last);
@@ -80,10 +81,11 @@ inline ExperimentSpecimen synthetic_specimen(const Scene& scene, Shape contact, 
 
 inline Experiment synthetic_experiment(const Scene& scene = {}, const Synthetic& s = {}) {
   Experiment experiment{.scene = scene, .specimens = {}};
-  for (const Shape contact : scene.contacts)
-    for (const triaxial::Density density : scene.densities)
-      for (std::size_t k = 0; k < scene.seeds; ++k)
-        experiment.specimens.push_back(synthetic_specimen(scene, contact, density, scene.first_seed + k, s));
+  for (const contact::Shape contact : scene.study.contacts)
+    for (const triaxial::Density density : scene.study.densities)
+      for (std::size_t k = 0; k < scene.study.seeds; ++k)
+        experiment.specimens.push_back(
+            synthetic_specimen(scene, contact, density, scene.study.first_seed + k, s));
   return experiment;
 }
 

@@ -50,7 +50,7 @@ inline FrozenPoint point(const stress::AxialStress& stress) {
 
 inline PathRun iso_run(const Scene& scene) {
   PathRun run;
-  for (const double p : scene.pressures)
+  for (const double p : scene.study.pressures)
     run.points.push_back(point({p, p}));
   return run;
 }
@@ -61,7 +61,7 @@ inline PathRun shear_run(const Scene& scene, stress::ShearPath path) {
   run.path = path;
   const double sense = stress::is_compression(path) ? 1 : -1;
   for (const double eta : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.75, 0.78}) {
-    run.points.push_back(point(stress::stress_on_path(path, scene.pressures.back(), sense * eta)));
+    run.points.push_back(point(stress::stress_on_path(path, scene.study.pressures.back(), sense * eta)));
     triaxial::PathPoint& at = run.points.back().at;
     at.step = 100 * run.points.size();
     at.axial_strain = sense * 1e-3 * static_cast<double>(run.points.size());
@@ -91,13 +91,13 @@ inline dem::State state() {
 
 inline Experiment experiment() {
   Experiment out;
-  out.scene.pressures = {25e3, 50e3, 75e3, 100e3};
-  for (const Shape contact : out.scene.contacts)
-    for (const triaxial::Density density : out.scene.densities) {
+  out.scene.study.pressures = {25e3, 50e3, 75e3, 100e3};
+  for (const contact::Shape contact : out.scene.study.contacts)
+    for (const triaxial::Density density : out.scene.study.densities) {
       ExperimentSpecimen specimen{
           .contact = contact, .density = density, .seed = 1, .end_of_iso = state(), .runs = {}};
       specimen.runs.push_back(iso_run(out.scene));
-      for (const stress::ShearPath path : out.scene.paths)
+      for (const stress::ShearPath path : out.scene.shear.paths)
         specimen.runs.push_back(shear_run(out.scene, path));
       out.specimens.push_back(std::move(specimen));
     }

@@ -27,8 +27,8 @@ inline StateResult power_law_state(double s, double pressure) {
   return state;
 }
 
-inline SpecimenResult power_law_specimen(Shape contact, triaxial::Density density, std::uint64_t seed,
-                                         double s, const std::vector<double>& pressures) {
+inline SpecimenResult power_law_specimen(contact::Shape contact, triaxial::Density density,
+                                         std::uint64_t seed, double s, const std::vector<double>& pressures) {
   SpecimenResult specimen{contact, density, seed, {}, {}};
   for (const double pressure : pressures)
     specimen.states.push_back(power_law_state(s, pressure));

@@ -18,6 +18,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using stress::ShearPath;
 using triaxial::Density;
 namespace fs = std::filesystem;
@@ -27,18 +28,18 @@ namespace {
 /// Seconds: few grains, two paths, short of the peak.
 Scene small_scene() {
   Scene scene;
-  scene.grains = 80;
-  scene.contacts = {Shape::sphere};
-  scene.densities = {Density::dense};
-  scene.pressures = {25e3, 50e3, 100e3};
-  scene.probe_pressures = {100e3};
-  scene.paths = {ShearPath::txc, ShearPath::rtxe};
-  scene.inertial_number = 1e-3;
-  scene.largest_strain = 5e-4;
-  scene.eta_step = 0.2;
-  scene.strain_step = 2.5e-4;
-  scene.probe_eta_step = 0.4;
-  scene.threads = 1;
+  scene.study.grains = 80;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.densities = {Density::dense};
+  scene.study.pressures = {25e3, 50e3, 100e3};
+  scene.study.probe_pressures = {100e3};
+  scene.shear.paths = {ShearPath::txc, ShearPath::rtxe};
+  scene.shear.inertial_number = 1e-3;
+  scene.shear.largest_strain = 5e-4;
+  scene.shear.eta_step = 0.2;
+  scene.shear.strain_step = 2.5e-4;
+  scene.shear.probe_eta_step = 0.4;
+  scene.study.threads = 1;
   return scene;
 }
 
@@ -69,7 +70,7 @@ void check_same(const Experiment& a, const Experiment& b) {
 
 TEST_CASE("an experiment compresses, shears, and freezes where the scene says") {
   Scene scene = small_scene();
-  scene.inertial_number = 2e-4; // the servos hold the other stress the better, the slower the path
+  scene.shear.inertial_number = 2e-4; // the servos hold the other stress the better, the slower the path
   const Experiment experiment = run_experiment(scene);
   REQUIRE(experiment.complete());
   REQUIRE(experiment.specimens.size() == 1);
@@ -80,7 +81,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
   CHECK(name(iso.path) == "ISO");
   REQUIRE(iso.points.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(iso.points[k].at.stress.mean() == relative(scene.pressures[k], 1e-5));
+    CHECK(iso.points[k].at.stress.mean() == relative(scene.study.pressures[k], 1e-5));
     CHECK(iso.points[k].probes.has_value() == (k == 2));
   }
   CHECK(iso.points[2].at.volumetric_strain > iso.points[1].at.volumetric_strain);
@@ -89,17 +90,17 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
   for (std::size_t r : {std::size_t{1}, std::size_t{2}}) {
     const PathRun& run = runs[r];
     const double sense = stress::is_compression(*run.path) ? 1 : -1;
-    CHECK(run.path == scene.paths[r - 1]);
+    CHECK(run.path == scene.shear.paths[r - 1]);
     REQUIRE(run.points.size() >= 3);
     CHECK(run.curve.size() > 2 * run.points.size());
-    CHECK(std::abs(run.curve.back().axial_strain) >= scene.largest_strain);
-    double next = scene.eta_step;
+    CHECK(std::abs(run.curve.back().axial_strain) >= scene.shear.largest_strain);
+    double next = scene.shear.eta_step;
     for (const FrozenPoint& point : run.points) {
       const double eta = sense * point.at.stress.ratio();
       // Frozen just behind the multiple: a snapshot is taken in the step that passes it.
       if (eta >= next) {
         CHECK(eta == relative(next, 0.02));
-        next += scene.eta_step;
+        next += scene.shear.eta_step;
       }
       CHECK(point.at.stress.h == relative(100e3, 0.02)); // both paths hold the horizontal stress
       // The frozen state is that of the path, at rest.
@@ -109,7 +110,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
       // The network is softer than uniform strain.
       CHECK(point.G_vh() < (point.affine[21] + point.affine[28]) / 2);
     }
-    CHECK(next > 2 * scene.eta_step);
+    CHECK(next > 2 * scene.shear.eta_step);
   }
 }
 
@@ -170,7 +171,7 @@ TEST_CASE("what an experiment keeps of a frozen state agrees: probes, cycles, hi
 TEST_CASE("an experiment is the same bits on one and on two threads, and with checkpoints") {
   const Experiment one = run_experiment(small_scene());
   Scene scene = small_scene();
-  scene.threads = 2;
+  scene.study.threads = 2;
   const TemporaryFolder folder;
   check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
   // A finished run is read from its checkpoints.
@@ -202,9 +203,9 @@ TEST_CASE("an experiment that is stopped again and again goes on to the same bit
 
 TEST_CASE("checkpoints of another scene are refused") {
   Scene scene = small_scene();
-  scene.paths = {};
-  scene.pressures = {80e3, 90e3, 100e3};
-  scene.probe_pressures = {};
+  scene.shear.paths = {};
+  scene.study.pressures = {80e3, 90e3, 100e3};
+  scene.study.probe_pressures = {};
   const TemporaryFolder folder;
   REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
   CHECK_THROWS_AS((void)run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "other"}),
@@ -213,8 +214,8 @@ TEST_CASE("checkpoints of another scene are refused") {
 
 TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is refused") {
   Scene scene = small_scene();
-  scene.densities = {Density::dense, Density::loose};
-  scene.seeds = 2;
+  scene.study.densities = {Density::dense, Density::loose};
+  scene.study.seeds = 2;
   const TemporaryFolder folder;
   const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
   REQUIRE(run_experiment(scene, {}, checkpoints).complete());
@@ -243,9 +244,9 @@ TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is
 
 TEST_CASE("checkpoints are removed by their names, and nothing else is") {
   Scene scene = small_scene();
-  scene.contacts = {Shape::power_law};
-  scene.pressures = {80e3, 90e3, 100e3};
-  scene.largest_strain = 0.0005;
+  scene.study.contacts = {Shape::power_law};
+  scene.study.pressures = {80e3, 90e3, 100e3};
+  scene.shear.largest_strain = 0.0005;
   const TemporaryFolder folder;
   const auto files = [&] {
     std::set<std::string> names;
@@ -278,7 +279,7 @@ TEST_CASE("checkpoints are removed by their names, and nothing else is") {
 
 TEST_CASE("a checkpoint that cannot be written ends an experiment with its error") {
   Scene scene = small_scene();
-  scene.paths = {};
+  scene.shear.paths = {};
   const TemporaryFolder folder;
   // The folder of checkpoints is a file.
   const fs::path file = folder.path() / "file";
@@ -288,16 +289,16 @@ TEST_CASE("a checkpoint that cannot be written ends an experiment with its error
 
 TEST_CASE("a scene that no experiment can have is refused") {
   Scene scene = small_scene();
-  scene.eta_step = 0;
+  scene.shear.eta_step = 0;
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
   scene = small_scene();
-  scene.largest_strain = 1;
+  scene.shear.largest_strain = 1;
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
   scene = small_scene();
-  scene.paths = {ShearPath::txc, ShearPath::txc};
+  scene.shear.paths = {ShearPath::txc, ShearPath::txc};
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
   scene = small_scene();
-  scene.wall_friction = -1;
-  scene.walls = true;
+  scene.specimen.wall_friction = -1;
+  scene.specimen.walls = true;
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
 }

@@ -21,6 +21,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using stress::ShearPath;
 using triaxial::Density;
 
@@ -225,7 +226,7 @@ TEST_CASE("microstructure carries its errors on some of its points") {
 
 TEST_CASE("relaxation holds all states of all seeds over the calibrated curve") {
   Experiment experiment = synthetic::experiment();
-  experiment.scene.seeds = 2;
+  experiment.scene.study.seeds = 2;
   experiment.specimens.push_back(dense_sphere(experiment)); // a second seed
   const Panel panel = find_panel(experiment, "more_relaxation");
   const io::Series dense = find_series(panel, "sphere_dense"), loose = find_series(panel, "sphere_loose");

@@ -14,6 +14,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using stress::ShearPath;
 using triaxial::Density;
 
@@ -28,8 +29,8 @@ Cell cell(const std::vector<TableRow>& rows, std::size_t row, const std::string&
 
 Scene one_kind(Shape contact = Shape::sphere, Density density = Density::dense) {
   Scene scene;
-  scene.contacts = {contact};
-  scene.densities = {density};
+  scene.study.contacts = {contact};
+  scene.study.densities = {density};
   return scene;
 }
 
@@ -72,7 +73,7 @@ TEST_CASE("Table 5 looks at |eta| <= 0.6 only, and not at states past the peak t
 
 TEST_CASE("Table 4 turns the peak into a friction angle, and averages over seeds with the scatter as error") {
   Scene scene = one_kind();
-  scene.seeds = 2;
+  scene.study.seeds = 2;
   Experiment experiment{.scene = scene, .specimens = {}};
   std::array<double, 2> angles{25.0, 27.0};
   for (std::size_t k = 0; k < 2; ++k) {

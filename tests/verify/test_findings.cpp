@@ -11,6 +11,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using granum::verify::test::power_law_specimen;
 using triaxial::Density;
 
@@ -20,8 +21,8 @@ const std::vector<double> pressures{10e3, 20e3, 40e3, 100e3};
 
 Scene sphere_scene() {
   Scene scene;
-  scene.contacts = {Shape::sphere};
-  scene.pressures = pressures;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.pressures = pressures;
   return scene;
 }
 
@@ -70,11 +71,11 @@ bool holds_after(const std::string& words, const std::function<void(StateResult&
 
 TEST_CASE("exponents are those of exact power laws") {
   Scene scene;
-  scene.pressures = pressures;
+  scene.study.pressures = pressures;
   std::vector<SpecimenResult> study;
   double s = 0.02;
-  for (const Shape shape : scene.contacts)
-    for (const Density density : scene.densities)
+  for (const Shape shape : scene.study.contacts)
+    for (const Density density : scene.study.densities)
       study.push_back(power_law_specimen(shape, density, 1, s += 0.07, pressures));
   const std::vector<ExponentRow> rows = exponents(scene, study);
   REQUIRE(rows.size() == study.size());
@@ -164,7 +165,7 @@ TEST_CASE("fewer than three states or probes give no exponent") {
 
 TEST_CASE("a shape of one's own has no exponent of the paper's") {
   Scene scene = sphere_scene();
-  scene.contacts = {Shape::power_law};
+  scene.study.contacts = {Shape::power_law};
   const ExponentRow row = exponents(scene, {}).front();
   CHECK_FALSE(row.paper.has_value());
   CHECK(row.contact_law == relative(0.4, 1e-14));

@@ -10,6 +10,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using triaxial::Density;
 
 namespace {
@@ -18,13 +19,13 @@ constexpr double speed = 2e-7; ///< of an imagined machine [s per grain and step
 
 TEST_CASE("the work of a study is that of its parts") {
   Scene scene;
-  scene.contacts = {Shape::cone, Shape::flat};
-  scene.seeds = 3;
+  scene.study.contacts = {Shape::cone, Shape::flat};
+  scene.study.seeds = 3;
   double parts = 0;
-  for (const Shape shape : scene.contacts) {
+  for (const Shape shape : scene.study.contacts) {
     parts += preparation_work(scene);
-    for (const Density density : scene.densities)
-      for (std::size_t stage = 0; stage < scene.pressures.size(); ++stage)
+    for (const Density density : scene.study.densities)
+      for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage)
         parts += stage_work(scene, density, shape, stage);
   }
   CHECK(parts > 0);
@@ -35,16 +36,16 @@ TEST_CASE("more grains, seeds, pressures or probes are more work") {
   const Scene scene;
   const double work = total_work(scene);
   Scene more = scene;
-  more.grains = 8000; // eightfold grains, twice as far for sound
+  more.study.grains = 8000; // eightfold grains, twice as far for sound
   CHECK(total_work(more) == relative(16 * work, 1e-12));
   more = scene;
-  more.seeds = 5;
+  more.study.seeds = 5;
   CHECK(total_work(more) == relative(5 * work, 1e-12));
   more = scene;
-  more.pressures.push_back(200e3);
+  more.study.pressures.push_back(200e3);
   CHECK(total_work(more) > work);
   more = scene;
-  more.probe_pressures.push_back(50e3);
+  more.study.probe_pressures.push_back(50e3);
   CHECK(total_work(more) > work);
   CHECK(stage_work(scene, Density::loose, Shape::sphere, 0) >
         stage_work(scene, Density::dense, Shape::sphere, 0));
@@ -52,8 +53,8 @@ TEST_CASE("more grains, seeds, pressures or probes are more work") {
 
 TEST_CASE("a plan counts what a study runs") {
   Scene scene;
-  scene.seeds = 2;
-  scene.grains = 200;
+  scene.study.seeds = 2;
+  scene.study.grains = 200;
   const Plan planned = plan(scene, speed);
   CHECK(planned.packings == 6);
   CHECK(planned.specimens == 12);
@@ -66,11 +67,11 @@ TEST_CASE("a plan counts what a study runs") {
 
 TEST_CASE("the predicted time shares the work among threads, no more than there are packings") {
   Scene scene;
-  scene.contacts = {Shape::sphere};
-  scene.seeds = 2;
-  scene.grains = 40;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.seeds = 2;
+  scene.study.grains = 40;
   for (const auto& [threads, sharing] : {std::pair{1, 1}, {2, 2}, {64, 2}}) {
-    scene.threads = static_cast<std::size_t>(threads);
+    scene.study.threads = static_cast<std::size_t>(threads);
     const Plan planned = plan(scene, speed);
     CHECK(planned.seconds == relative(total_work(scene) * speed / sharing, 1e-12));
   }
@@ -78,7 +79,7 @@ TEST_CASE("the predicted time shares the work among threads, no more than there 
 
 TEST_CASE("an impossible scene has no plan") {
   Scene scene;
-  scene.pressures = {10e3};
+  scene.study.pressures = {10e3};
   CHECK_THROWS_AS((void)plan(scene, speed), InvalidArgument);
   CHECK_THROWS_AS((void)measured_speed(scene), InvalidArgument);
   for (const double wrong : {0.0, -1.0})
@@ -87,8 +88,8 @@ TEST_CASE("an impossible scene has no plan") {
 
 TEST_CASE("the engine's speed can be measured for every law, with few grains and many") {
   Scene scene;
-  for (const Shape shape : scene.contacts) {
-    scene.contacts = {shape};
+  for (const Shape shape : scene.study.contacts) {
+    scene.study.contacts = {shape};
     const double measured = measured_speed(scene);
     CHECK(measured > 0);
     CHECK(std::isfinite(measured));

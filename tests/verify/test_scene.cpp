@@ -13,6 +13,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 
 namespace {
 
@@ -38,100 +39,100 @@ struct Refused {
 TEST_CASE("the default scene is valid, and so is each contact alone") {
   CHECK(refusal([](Scene&) {}).empty());
   for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat, Shape::power_law})
-    CHECK(refusal([&](Scene& s) { s.contacts = {shape}; }).empty());
+    CHECK(refusal([&](Scene& s) { s.study.contacts = {shape}; }).empty());
 }
 
 TEST_CASE("the edges of what is allowed are allowed") {
-  CHECK(refusal([](Scene& s) { s.grains = 40; }).empty());
-  CHECK(refusal([](Scene& s) { s.grain_poisson_ratio = 0.5; }).empty());
-  CHECK(refusal([](Scene& s) { s.friction_angle = 0; }).empty());
-  CHECK(refusal([](Scene& s) { s.probe_pressures = {}; }).empty());
-  CHECK(refusal([](Scene& s) { s.threads = 1024; }).empty());
-  CHECK(refusal([](Scene& s) { s.seeds = 1000; }).empty());
-  CHECK(refusal([](Scene& s) { s.tangential_ratio = 0; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.grains = 40; }).empty());
+  CHECK(refusal([](Scene& s) { s.grain.poisson_ratio = 0.5; }).empty());
+  CHECK(refusal([](Scene& s) { s.grain.friction_angle = 0; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.probe_pressures = {}; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.threads = 1024; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.seeds = 1000; }).empty());
+  CHECK(refusal([](Scene& s) { s.contact.tangential_ratio = 0; }).empty());
   CHECK(refusal([](Scene& s) {
-          s.contacts = {Shape::power_law};
-          s.alpha = 1;
+          s.study.contacts = {Shape::power_law};
+          s.contact.alpha = 1;
         }).empty());
 }
 
 TEST_CASE("each value that no study can have is refused by its name") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Refused> cases{
-      {"grains = 0 ", [](Scene& s) { s.grains = 0; }},
-      {"grains = 1 ", [](Scene& s) { s.grains = 1; }},
-      {"grains = 39 ", [](Scene& s) { s.grains = 39; }},
-      {"seeds = 0 ", [](Scene& s) { s.seeds = 0; }},
-      {"seeds = 1001 ", [](Scene& s) { s.seeds = 1001; }},
-      {"threads = 1025 ", [](Scene& s) { s.threads = 1025; }},
-      {"pressures: at least 3 ",
+      {"study.grains = 0 ", [](Scene& s) { s.study.grains = 0; }},
+      {"study.grains = 1 ", [](Scene& s) { s.study.grains = 1; }},
+      {"study.grains = 39 ", [](Scene& s) { s.study.grains = 39; }},
+      {"study.seeds = 0 ", [](Scene& s) { s.study.seeds = 0; }},
+      {"study.seeds = 1001 ", [](Scene& s) { s.study.seeds = 1001; }},
+      {"study.threads = 1025 ", [](Scene& s) { s.study.threads = 1025; }},
+      {"study.pressures: at least 3 ",
        [](Scene& s) {
-         s.pressures = {10e3, 20e3};
+         s.study.pressures = {10e3, 20e3};
        }},
-      {"pressures: at least 3 ", [](Scene& s) { s.pressures = {}; }},
-      {"pressures must rise",
+      {"study.pressures: at least 3 ", [](Scene& s) { s.study.pressures = {}; }},
+      {"study.pressures must rise",
        [](Scene& s) {
-         s.pressures = {10e3, 30e3, 20e3};
+         s.study.pressures = {10e3, 30e3, 20e3};
        }},
-      {"pressures must rise",
+      {"study.pressures must rise",
        [](Scene& s) {
-         s.pressures = {10e3, 20e3, 20e3};
+         s.study.pressures = {10e3, 20e3, 20e3};
        }},
-      {"pressures = 0 ",
+      {"study.pressures = 0 ",
        [](Scene& s) {
-         s.pressures = {0, 10e3, 20e3};
+         s.study.pressures = {0, 10e3, 20e3};
        }},
-      {"pressures = -10000 Pa",
+      {"study.pressures = -10000 Pa",
        [](Scene& s) {
-         s.pressures = {-10e3, 10e3, 20e3};
+         s.study.pressures = {-10e3, 10e3, 20e3};
        }},
-      {"pressures = ",
+      {"study.pressures = ",
        [](Scene& s) {
-         s.pressures = {10e3, nan, 20e3};
+         s.study.pressures = {10e3, nan, 20e3};
        }},
-      {"probe_pressures = 15000 Pa",
+      {"study.probe_pressures = 15000 Pa",
        [](Scene& s) {
-         s.probe_pressures = {10e3, 15e3};
+         s.study.probe_pressures = {10e3, 15e3};
        }},
-      {"contacts and densities", [](Scene& s) { s.contacts = {}; }},
-      {"contacts and densities", [](Scene& s) { s.densities = {}; }},
-      {"contacts: sphere ",
+      {"study.contacts and study.densities", [](Scene& s) { s.study.contacts = {}; }},
+      {"study.contacts and study.densities", [](Scene& s) { s.study.densities = {}; }},
+      {"study.contacts: sphere ",
        [](Scene& s) {
-         s.contacts = {Shape::sphere, Shape::cone, Shape::sphere};
+         s.study.contacts = {Shape::sphere, Shape::cone, Shape::sphere};
        }},
-      {"densities: loose ",
+      {"study.densities: loose ",
        [](Scene& s) {
-         s.densities = {triaxial::Density::loose, triaxial::Density::loose};
+         s.study.densities = {triaxial::Density::loose, triaxial::Density::loose};
        }},
-      {"grain_poisson_ratio = 0.6 ", [](Scene& s) { s.grain_poisson_ratio = 0.6; }},
-      {"grain_poisson_ratio = -1 ", [](Scene& s) { s.grain_poisson_ratio = -1; }},
-      {"grain_shear_modulus = 0 ", [](Scene& s) { s.grain_shear_modulus = 0; }},
-      {"radius = -0.0005 ", [](Scene& s) { s.radius = -0.5e-3; }},
-      {"radius = 0 ",
+      {"grain.poisson_ratio = 0.6 ", [](Scene& s) { s.grain.poisson_ratio = 0.6; }},
+      {"grain.poisson_ratio = -1 ", [](Scene& s) { s.grain.poisson_ratio = -1; }},
+      {"grain.shear_modulus = 0 ", [](Scene& s) { s.grain.shear_modulus = 0; }},
+      {"grain.radius = -0.0005 ", [](Scene& s) { s.grain.radius = -0.5e-3; }},
+      {"grain.radius = 0 ",
        [](Scene& s) {
-         s.contacts = {Shape::cone};
-         s.radius = 0;
+         s.study.contacts = {Shape::cone};
+         s.grain.radius = 0;
        }},
-      {"friction_angle = ", [](Scene& s) { s.friction_angle = std::numbers::pi / 2; }},
-      {"friction_angle = ", [](Scene& s) { s.friction_angle = -0.1; }},
-      {"density = 0 ", [](Scene& s) { s.density = 0; }},
-      {"tangential_", [](Scene& s) { s.tangential_ratio = nan; }},
-      {"slope = 0 ", [](Scene& s) { s.cone_slope = 0; }},
-      {"slope = -0.4 ", [](Scene& s) { s.cone_slope = -0.4; }},
-      {"punch_radius = 0 ", [](Scene& s) { s.punch_radius = 0; }},
-      {"alpha = 0.9 ",
+      {"grain.friction_angle = ", [](Scene& s) { s.grain.friction_angle = std::numbers::pi / 2; }},
+      {"grain.friction_angle = ", [](Scene& s) { s.grain.friction_angle = -0.1; }},
+      {"grain.density = 0 ", [](Scene& s) { s.grain.density = 0; }},
+      {"contact.tangential_ratio = ", [](Scene& s) { s.contact.tangential_ratio = nan; }},
+      {"contact.cone_slope = 0 ", [](Scene& s) { s.contact.cone_slope = 0; }},
+      {"contact.cone_slope = -0.4 ", [](Scene& s) { s.contact.cone_slope = -0.4; }},
+      {"contact.punch_radius = 0 ", [](Scene& s) { s.contact.punch_radius = 0; }},
+      {"contact.alpha = 0.9 ",
        [](Scene& s) {
-         s.contacts = {Shape::power_law};
-         s.alpha = 0.9;
+         s.study.contacts = {Shape::power_law};
+         s.contact.alpha = 0.9;
        }},
-      {"profile_constant = 0 ",
+      {"contact.profile_constant = 0 ",
        [](Scene& s) {
-         s.contacts = {Shape::power_law};
-         s.profile_constant = 0;
+         s.study.contacts = {Shape::power_law};
+         s.contact.profile_constant = 0;
        }},
-      {"expansion_void_ratio = 0.4 ", [](Scene& s) { s.expansion_void_ratio = 0.4; }},
-      {"unjamming_strain = 0 ", [](Scene& s) { s.unjamming_strain = 0; }},
-      {"agitation = 0.6 ", [](Scene& s) { s.agitation = 0.6; }},
+      {"specimen.expansion_void_ratio = 0.4 ", [](Scene& s) { s.specimen.expansion_void_ratio = 0.4; }},
+      {"specimen.unjamming_strain = 0 ", [](Scene& s) { s.specimen.unjamming_strain = 0; }},
+      {"specimen.agitation = 0.6 ", [](Scene& s) { s.specimen.agitation = 0.6; }},
   };
   for (const Refused& one : cases) {
     const std::string message = refusal(one.change);
@@ -142,9 +143,9 @@ TEST_CASE("each value that no study can have is refused by its name") {
 
 TEST_CASE("the contact laws are those the scene says") {
   Scene scene;
-  scene.alpha = 3;
-  scene.profile_constant = 5e6;
-  const contact::GrainMaterial grain{scene.grain_shear_modulus, scene.grain_poisson_ratio};
+  scene.contact.alpha = 3;
+  scene.contact.profile_constant = 5e6;
+  const contact::GrainMaterial grain{scene.grain.shear_modulus, scene.grain.poisson_ratio};
   const double overlap = 1e-7;
   const auto same = [&](Shape shape, const contact::PowerLaw& expected) {
     CHECK(law(scene, shape).force(overlap) == expected.force(overlap));
@@ -160,14 +161,14 @@ TEST_CASE("the contact laws are those the scene says") {
 
 TEST_CASE("the recipe takes over every value of the scene") {
   Scene scene;
-  scene.radius = 0.4e-3;
-  scene.density = 2700;
-  scene.friction_angle = 0.3;
-  scene.grains = 77;
-  scene.expansion_void_ratio = 0.6;
-  scene.unjamming_strain = 0.004;
-  scene.agitation = 0.05;
-  scene.pressures = {5e3, 10e3, 20e3};
+  scene.grain.radius = 0.4e-3;
+  scene.grain.density = 2700;
+  scene.grain.friction_angle = 0.3;
+  scene.study.grains = 77;
+  scene.specimen.expansion_void_ratio = 0.6;
+  scene.specimen.unjamming_strain = 0.004;
+  scene.specimen.agitation = 0.05;
+  scene.study.pressures = {5e3, 10e3, 20e3};
   const triaxial::SpecimenRecipe specimen = recipe(scene, Shape::sphere, 9);
   CHECK(specimen.radius == 0.4e-3);
   CHECK(specimen.material.density == 2700);
@@ -181,14 +182,14 @@ TEST_CASE("the recipe takes over every value of the scene") {
   CHECK(specimen.material.law.force(1e-7) == law(scene, Shape::sphere).force(1e-7));
   // 2(1-nu)/(2-nu) at nu = 0.15
   CHECK(specimen.material.tangential_ratio == relative(34.0 / 37.0, 1e-15));
-  scene.tangential_ratio = 0;
+  scene.contact.tangential_ratio = 0;
   CHECK(recipe(scene, Shape::sphere, 9).material.tangential_ratio == 0);
 }
 
 TEST_CASE("threads: as asked, or at least one") {
   Scene scene;
   CHECK(thread_count(scene) >= 1);
-  scene.threads = 3;
+  scene.study.threads = 3;
   CHECK(thread_count(scene) == 3);
 }
 

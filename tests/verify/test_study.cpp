@@ -11,29 +11,30 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using triaxial::Density;
 
 namespace {
 
 Scene small_scene() {
   Scene scene;
-  scene.grains = 120;
+  scene.study.grains = 120;
   // Not flat: a flat contact that barely touches counts whole in the network but half in the probe, which
   // opens it one way, and one such contact in 120 grains is 1 % of G. At 1,000 grains flat is within 1 % as
   // well (validation/verify_default); smooth profiles lose their stiffness before they open.
-  scene.contacts = {Shape::sphere, Shape::cone};
-  scene.pressures = {10e3, 20e3, 40e3};
-  scene.probe_pressures = {20e3};
-  scene.threads = 2;
+  scene.study.contacts = {Shape::sphere, Shape::cone};
+  scene.study.pressures = {10e3, 20e3, 40e3};
+  scene.study.probe_pressures = {20e3};
+  scene.study.threads = 2;
   return scene;
 }
 
 /// Only spheres, dense and loose, on one thread: the cases that look at the order of things.
 Scene smaller_scene() {
   Scene scene = small_scene();
-  scene.contacts = {Shape::sphere};
-  scene.probe_pressures = {};
-  scene.threads = 1;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.probe_pressures = {};
+  scene.study.threads = 1;
   return scene;
 }
 
@@ -82,16 +83,16 @@ TEST_CASE("a study is complete, in order, and within the bounds of theory") {
       run_study(scene, {.report = [&](const Progress& progress) { done.push_back(progress.done); }});
   REQUIRE(study.size() == 4);
   for (std::size_t k = 0; k < study.size(); ++k) {
-    CHECK(study[k].contact == scene.contacts[k / 2]);
-    CHECK(study[k].density == scene.densities[k % 2]);
-    CHECK(study[k].seed == scene.first_seed);
+    CHECK(study[k].contact == scene.study.contacts[k / 2]);
+    CHECK(study[k].density == scene.study.densities[k % 2]);
+    CHECK(study[k].seed == scene.study.first_seed);
     CHECK(study[k].failure == "");
-    REQUIRE(study[k].states.size() == scene.pressures.size());
-    for (std::size_t stage = 0; stage < scene.pressures.size(); ++stage) {
+    REQUIRE(study[k].states.size() == scene.study.pressures.size());
+    for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage) {
       const StateResult& state = study[k].states[stage];
       CAPTURE(k);
       CAPTURE(stage);
-      CHECK(state.pressure == scene.pressures[stage]);
+      CHECK(state.pressure == scene.study.pressures[stage]);
       CHECK(state.probes.has_value() == (stage == 1));
       check_state(state);
       if (state.probes)
@@ -110,7 +111,7 @@ TEST_CASE("a study is complete, in order, and within the bounds of theory") {
 TEST_CASE("the same bits with any number of threads") {
   Scene scene = small_scene();
   const std::vector<SpecimenResult> two = run_study(scene);
-  scene.threads = 1;
+  scene.study.threads = 1;
   const std::vector<SpecimenResult> one = run_study(scene);
   CHECK(state_count(two) == 12);
   CHECK((two == one));
@@ -118,20 +119,20 @@ TEST_CASE("the same bits with any number of threads") {
 
 TEST_CASE("another seed is another specimen, and the same one wherever it stands") {
   Scene scene = smaller_scene();
-  scene.densities = {Density::dense};
-  scene.seeds = 2;
+  scene.study.densities = {Density::dense};
+  scene.study.seeds = 2;
   const std::vector<SpecimenResult> both = run_study(scene);
   REQUIRE(both.size() == 2);
   CHECK(both[1].seed == 2);
   CHECK(both[0].states[0].G_network != both[1].states[0].G_network);
-  scene.seeds = 1;
-  scene.first_seed = 2;
+  scene.study.seeds = 1;
+  scene.study.first_seed = 2;
   CHECK((run_study(scene).front() == both[1]));
 }
 
 TEST_CASE("a stop before the first state leaves specimens that say so") {
   Scene scene = smaller_scene();
-  scene.seeds = 2;
+  scene.study.seeds = 2;
   std::atomic<bool> stop = false;
   std::size_t reports = 0;
   const auto study = run_study(scene, {.report =
@@ -166,7 +167,7 @@ TEST_CASE("a stop after the first state keeps it, to the bit") {
 
 TEST_CASE("a stop after the last state spoils nothing") {
   Scene scene = smaller_scene();
-  scene.densities = {Density::dense};
+  scene.study.densities = {Density::dense};
   std::atomic<bool> stop = false;
   const auto study =
       run_study(scene, {.report = [&](const Progress& p) { stop = p.done > 0.999; }, .stop = &stop});
@@ -177,8 +178,8 @@ TEST_CASE("a stop after the last state spoils nothing") {
 
 TEST_CASE("a specimen that cannot be made fails alone, and throws nothing") {
   Scene scene = smaller_scene();
-  scene.unjamming_strain = 1e-9; // the loose one stays jammed
-  scene.agitation = 0;
+  scene.specimen.unjamming_strain = 1e-9; // the loose one stays jammed
+  scene.specimen.agitation = 0;
   std::vector<SpecimenResult> study;
   REQUIRE_NOTHROW(study = run_study(scene));
   REQUIRE(study.size() == 2);
@@ -190,7 +191,7 @@ TEST_CASE("a specimen that cannot be made fails alone, and throws nothing") {
 
 TEST_CASE("an impossible scene is refused before anything runs") {
   Scene scene = small_scene();
-  scene.grains = 1;
+  scene.study.grains = 1;
   std::size_t reports = 0;
   CHECK_THROWS_AS((void)run_study(scene, {.report = [&](const Progress&) { ++reports; }}), InvalidArgument);
   CHECK(reports == 0);

@@ -9,6 +9,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using triaxial::Density;
 
 namespace {
@@ -22,7 +23,7 @@ std::vector<SpecimenResult> study() {
 
 Scene scene_of_study() {
   Scene scene;
-  scene.contacts = {Shape::sphere, Shape::flat};
+  scene.study.contacts = {Shape::sphere, Shape::flat};
   return scene;
 }
 

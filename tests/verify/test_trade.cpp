@@ -12,6 +12,7 @@
 
 using namespace granum;
 using namespace granum::verify;
+using contact::Shape;
 using triaxial::Density;
 
 namespace {
@@ -19,11 +20,11 @@ namespace {
 /// Every quantity varied once, with as few and small specimens as there can be.
 TradeScene small_trade() {
   TradeScene trade = default_trade();
-  trade.scene.grains = 100;
-  trade.scene.seeds = 2;
-  trade.scene.pressures = {20e3, 40e3, 80e3};
-  trade.scene.densities = {Density::dense};
-  trade.scene.threads = 2;
+  trade.scene.study.grains = 100;
+  trade.scene.study.seeds = 2;
+  trade.scene.study.pressures = {20e3, 40e3, 80e3};
+  trade.scene.study.densities = {Density::dense};
+  trade.scene.study.threads = 2;
   trade.shear_inertial_number = 2e-3;
   trade.grains = {60, 100};
   trade.compression = {1e-3, 5e-4};
@@ -130,12 +131,12 @@ TEST_CASE("a trade study has every value of every varied quantity, whole, and kn
 
 TEST_CASE("a trade study gives the same bits with any number of threads") {
   TradeScene trade = small_trade();
-  trade.scene.threads = 1;
+  trade.scene.study.threads = 1;
   trade.compression = trade.shear = {2e-3};
   trade.time_step = {0.8};
   trade.walls = {};
   const std::vector<TradeSample> one = run_trade(trade);
-  trade.scene.threads = 2;
+  trade.scene.study.threads = 2;
   const std::vector<TradeSample> two = run_trade(trade);
   REQUIRE(one.size() == two.size());
   for (std::size_t k = 0; k < one.size(); ++k) {
@@ -147,7 +148,7 @@ TEST_CASE("a trade study gives the same bits with any number of threads") {
 
 TEST_CASE("a stop keeps what is finished and marks the rest") {
   TradeScene trade = small_trade();
-  trade.scene.threads = 1;
+  trade.scene.study.threads = 1;
   std::atomic<bool> stop = false;
   double last = 0;
   const auto report = [&](const Progress& progress) {
@@ -174,8 +175,8 @@ TEST_CASE("a stop keeps what is finished and marks the rest") {
 
 TEST_CASE("every size has about as many grains in all, and two specimens at least") {
   TradeScene trade = default_trade();
-  trade.scene.grains = 1000;
-  trade.scene.seeds = 4;
+  trade.scene.study.grains = 1000;
+  trade.scene.study.seeds = 4;
   CHECK(specimens_of(trade, 250) == 16);
   CHECK(specimens_of(trade, 1000) == 4);
   CHECK(specimens_of(trade, 2000) == 2);
@@ -208,8 +209,8 @@ TEST_CASE("impossible trade studies are refused") {
     CHECK_THROWS_AS(require_valid(bad), InvalidArgument);
     CHECK_THROWS_AS((void)run_trade(bad), InvalidArgument);
   };
-  refused([](TradeScene& t) { t.scene.contacts = {Shape::sphere, Shape::cone}; });
-  refused([](TradeScene& t) { t.scene.seeds = 1; });
+  refused([](TradeScene& t) { t.scene.study.contacts = {Shape::sphere, Shape::cone}; });
+  refused([](TradeScene& t) { t.scene.study.seeds = 1; });
   refused([](TradeScene& t) { t.grains = {}; });
   refused([](TradeScene& t) { t.grains = {20}; });
   refused([](TradeScene& t) { t.grains = {100, 100}; });

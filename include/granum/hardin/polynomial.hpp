@@ -16,8 +16,8 @@ struct Polynomial {
 /// Assumes   x of order 1, shifted near its middle: powers of large numbers lose digits.
 /// \param    x, y    as many of each, at least degree + 1 points
 /// \param    degree  in [0, 8]
-/// \throws   InvalidArgument outside these ranges, for an x or y that is not finite, and where x to the degree or y is
-///           beyond 1e150; NotConverged if the least squares fail
+/// \throws   InvalidArgument outside these ranges, for an x or y that is not finite, and where x to the
+///           degree or y is beyond 1e150; NotConverged if the least squares fail
 /// GSL reports its errors to this function alone: a handler of the program is neither called nor replaced.
 /// Accuracy  points on a polynomial give its coefficients to 1e-12 where abs(x) <= 2.
 /// Checked by tests/hardin/test_polynomial.cpp

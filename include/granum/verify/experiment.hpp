@@ -87,7 +87,7 @@ struct PathRun {
 [[nodiscard]] std::string_view name(const std::optional<stress::ShearPath>& path);
 
 struct ExperimentSpecimen {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
   dem::State end_of_iso;     ///< from which the paths start; no grains if compression failed

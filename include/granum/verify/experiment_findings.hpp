@@ -32,7 +32,7 @@ struct Cell {
 
 /// The cells of one specimen, over all its seeds.
 struct TableRow {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   std::vector<Cell> cells;
 };

@@ -24,7 +24,7 @@ fitted_exponent(const std::vector<hardin::Measurement>& states,
 
 /// s of G ~ p^s by every route, for one contact and density.
 struct ExponentRow {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   double contact_law = 0;              ///< 1/(1+alpha)
   std::optional<Exponent> closed_form; ///< uniform strain with the measured C_n and e

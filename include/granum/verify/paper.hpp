@@ -28,6 +28,6 @@ struct PrintedSpecimen {
 
 /// \return   nothing for a contact shape that the paper does not have
 /// Checked by tests/verify/test_paper.cpp
-[[nodiscard]] std::optional<PrintedSpecimen> printed(Shape contact, triaxial::Density density);
+[[nodiscard]] std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density density);
 
 } // namespace granum::verify

@@ -12,9 +12,9 @@ namespace granum::verify {
 /// time that sound takes through a specimen.
 [[nodiscard]] double preparation_work(const Scene& scene);
 /// Compression to the pressure of that index, rest, network and, where asked, probes.
-[[nodiscard]] double stage_work(const Scene& scene, triaxial::Density density, Shape shape,
+[[nodiscard]] double stage_work(const Scene& scene, triaxial::Density density, contact::Shape shape,
                                 std::size_t stage);
-[[nodiscard]] double specimen_work(const Scene& scene, triaxial::Density density, Shape shape);
+[[nodiscard]] double specimen_work(const Scene& scene, triaxial::Density density, contact::Shape shape);
 [[nodiscard]] double total_work(const Scene& scene);
 
 /// What a study would run and what it would take here.

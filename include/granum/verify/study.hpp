@@ -59,7 +59,7 @@ struct StateResult {
 
 /// One specimen on its isotropic path.
 struct SpecimenResult {
-  Shape contact = Shape::sphere;
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
   std::vector<StateResult> states; ///< as far as it came

@@ -39,8 +39,8 @@ enum class Boundary { periodic, smooth_walls, rough_walls };
 
 /// The values that each varied quantity takes while the others stand at their defaults.
 struct TradeScene {
-  /// Grains, pressures, first seed and threads of the study, and its first contact shape; scene.grains is the
-  /// default of N, scene.seeds the number of specimens that have it.
+  /// Grains, pressures, first seed and threads of the study, and its contact shape; scene.study.grains is the
+  /// default of N, scene.study.seeds the number of specimens that have it.
   Scene scene;
   double compression_inertial_number = 5e-4;
   double shear_inertial_number = 2e-4;

@@ -121,11 +121,11 @@ States check_probes(const fs::path& folder) {
 
 /// Compression by granum's own engine, from the same start: its last state, and the moduli of two.
 dem::State own_compression(const verify::Scene& scene, triaxial::Density density, States& moduli) {
-  const triaxial::SpecimenRecipe recipe = verify::recipe(scene, verify::Shape::sphere, 1);
+  const triaxial::SpecimenRecipe recipe = verify::recipe(scene, contact::Shape::sphere, 1);
   dem::State last =
       triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, density, recipe);
-  (void)triaxial::isotropic_path(last, recipe.material, scene.pressures, triaxial::compression_options(),
-                                 [&](const triaxial::Snapshot& snapshot) {
+  (void)triaxial::isotropic_path(last, recipe.material, scene.study.pressures,
+                                 triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
                                    last = snapshot.state;
                                    moduli[exact_text(snapshot.pressure / 1e3) + "kPa"] =
                                        network_moduli(dem::freeze(last, recipe.material));
@@ -140,8 +140,8 @@ dem::State own_compression(const verify::Scene& scene, triaxial::Density density
 /// both (0.30 at 4.51, 0.33 at 4.58, 0.35 at 4.65, 0.38 at 4.72), s does not, and is printed only.
 void check_own(const fs::path& folder, triaxial::Density density, const States& probed) {
   verify::Scene scene;
-  scene.grains = packing_of(folder, "30kPa").grain_count();
-  scene.pressures = {30e3, 60e3, 120e3};
+  scene.study.grains = packing_of(folder, "30kPa").grain_count();
+  scene.study.pressures = {30e3, 60e3, 120e3};
   States own;
   const dem::State last = own_compression(scene, density, own);
   for (const std::string name : {"G_vh", "G_hh", "K"}) {
@@ -155,7 +155,7 @@ void check_own(const fs::path& folder, triaxial::Density density, const States& 
   if (!fs::exists(folder / "peak.csv"))
     return;
   const Row peak = rows_of(folder / "peak.csv").at(0);
-  triaxial::ShearTest test(last, verify::recipe(scene, verify::Shape::sphere, 1).material,
+  triaxial::ShearTest test(last, verify::recipe(scene, contact::Shape::sphere, 1).material,
                            {.mean_stress = 120e3, .largest_strain = 0.015});
   while (test.advance() == triaxial::ShearEvent::snapshot) {
   }
