@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <granum/core/bytes.hpp>
 #include <granum/dem/state_bytes.hpp>
@@ -34,6 +39,25 @@ void each_scalar(Data& d, const Visit& visit) {
   visit(d.steps);
 }
 
+/// Whether the loops of an engine of so many grains stay within them: pairs as neighbour_pairs lists them.
+bool are_pairs(const std::vector<Pair>& pairs, std::size_t grains) {
+  constexpr std::uint32_t images = 27;
+  const auto impossible = [&](const Pair& p) { return p.i >= p.j || p.j >= grains || p.image >= images; };
+  const auto before = [](const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); };
+  return std::none_of(pairs.begin(), pairs.end(), impossible) &&
+         std::is_sorted(pairs.begin(), pairs.end(), before);
+}
+
+/// Replaces a list by one of the same length.
+template <class T>
+void take(ByteReader& from, std::vector<T>& list) {
+  std::vector<T> read = from.get_all<T>();
+  if (read.size() != list.size())
+    from.fail("holds a list of " + std::to_string(read.size()) + " where its engine has one of " +
+              std::to_string(list.size()));
+  list = std::move(read);
+}
+
 } // namespace
 
 void Engine::save(ByteWriter& to) const {
@@ -60,14 +84,19 @@ Engine Engine::load(ByteReader& from, const Material& material) {
     from.fail("holds an impossible order of its grains");
   Engine engine(std::make_unique<Data>(std::move(state), material, std::move(order)));
   Data& d = *engine.data_;
-  d.list.restore(from.get_all<Pair>());
+  std::vector<Pair> pairs = from.get_all<Pair>();
+  if (!are_pairs(pairs, d.grains.size()))
+    from.fail("holds impossible pairs of its grains");
+  d.list.restore(std::move(pairs));
   d.lay_out();
-  d.grains.row = from.get_all<MotionRow>();
-  d.grains.spin_y = from.get_all<double>();
-  d.memory = from.get_all<MemoryBlock>();
-  d.load = from.get_all<LoadRow>();
+  if (d.tangential)
+    d.memory.resize(d.parts.pairs.size() / block_size);
+  take(from, d.grains.row);
+  take(from, d.grains.spin_y);
+  take(from, d.memory);
+  take(from, d.load);
   if (d.walls)
-    d.walls->load(from);
+    d.walls->load(from, d.grains.size());
   each_scalar(d, [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); });
   return engine;
 }

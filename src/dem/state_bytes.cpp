@@ -1,7 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/state_bytes.hpp>
 
+#include <algorithm>
+#include <cmath>
+
+#include <granum/dem/walls.hpp>
+
 namespace granum::dem {
+
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool all_finite(const std::vector<Vec3>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), is_finite);
+}
+
+/// Whether every centre is in the cell or so near that it can be brought back without losing its digits.
+bool near_cell(const State& state) {
+  const Mat3 to_fraction = inverse(state.cell);
+  constexpr double far = 1e3;
+  return std::all_of(state.position.begin(), state.position.end(), [&](const Vec3& x) {
+    const Vec3 s = to_fraction * x;
+    return std::abs(s.x) < far && std::abs(s.y) < far && std::abs(s.z) < far;
+  });
+}
+
+/// Whether loops over grains, contacts and cells stay within what is there, whoever wrote the bytes.
+bool is_sound(const State& state) {
+  const std::size_t count = state.grain_count();
+  const double volume = determinant(state.cell);
+  // Grains that fill between 4e-4 and 4 of their cell: what is listed of them is bounded.
+  const double solid = static_cast<double>(count) * std::pow(state.radius, 3);
+  if (!(state.radius > 0 && volume > 0 && std::isfinite(volume) && solid > 1e-4 * volume && solid < volume))
+    return false;
+  const auto fits = [&](const std::vector<Vec3>& of_grains) {
+    return (of_grains.empty() || of_grains.size() == count) && all_finite(of_grains);
+  };
+  const auto of_state = [&](const ContactHistory& contact) {
+    return contact.i < contact.j && contact.j < count && is_finite(contact.tangential_force);
+  };
+  const auto at_wall = [&](const WallHistory& contact) {
+    return contact.grain < count && contact.wall < wall_count && is_finite(contact.tangential_force);
+  };
+  return near_cell(state) && fits(state.velocity) && fits(state.angular_velocity) &&
+         std::all_of(state.history.begin(), state.history.end(), of_state) &&
+         (!state.walls || std::all_of(state.walls->history.begin(), state.walls->history.end(), at_wall));
+}
+
+} // namespace
 
 void save_state(ByteWriter& to, const State& state) {
   to.put(state.cell);
@@ -30,6 +77,8 @@ State load_state(ByteReader& from) {
     state.walls->friction_coefficient = from.get<double>();
     state.walls->history = from.get_all<WallHistory>();
   }
+  if (!is_sound(state))
+    from.fail("holds an impossible state of its grains");
   return state;
 }
 

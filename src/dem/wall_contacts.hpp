@@ -42,8 +42,11 @@ class WallContacts {
     to.put_all(contacts_);
     to.put(forces_);
   }
-  void load(ByteReader& from) {
+  void load(ByteReader& from, std::size_t grains) {
     contacts_ = from.get_all<WallHistory>();
+    for (const WallHistory& contact : contacts_)
+      if (contact.grain >= grains || contact.wall >= wall_count)
+        from.fail("holds a wall contact of a grain that it does not have");
     forces_ = from.get<WallForces>();
   }
 

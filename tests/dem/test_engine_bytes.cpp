@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <random>
+#include <string>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -129,4 +133,60 @@ TEST_CASE("an engine is not loaded for another material, nor from part of its by
                        FileError);
   ByteReader cut(std::string_view(bytes.bytes()).substr(0, bytes.bytes().size() / 2), "cut");
   CHECK_THROWS_AS((void)Engine::load(cut, material), FileError);
+}
+
+TEST_CASE("bytes that were forged are refused, or an engine goes on with them within its own memory") {
+  const Material material = test::quartz(radius, 0.5);
+  std::mt19937_64 random(7);
+  for (const bool walls : {false, true}) {
+    Engine engine(lively(walls), material);
+    run(engine, 20);
+    ByteWriter written;
+    engine.save(written);
+    std::size_t refused = 0, taken = 0;
+    for (int k = 0; k < 500; ++k) {
+      std::string bytes = written.bytes();
+      const std::array<std::uint64_t, 7> values{
+          0, 1, ~std::uint64_t{0}, 0x7fffffff7fffffff, 0x7ff8000000000000, 0x7fefffffffffffff, random()};
+      const std::uint64_t value = values[random() % values.size()];
+      const std::size_t width = random() % 2 == 0 ? 4 : 8;
+      const std::size_t at = random() % (bytes.size() / width) * width;
+      std::memcpy(bytes.data() + at, &value, width); // the sanitizers see what is read or written amiss
+      ByteReader reader(bytes, "forged");
+      try {
+        Engine forged = Engine::load(reader, material);
+        run(forged, 2);
+        (void)forged.state();
+        ++taken;
+      } catch (const FileError&) {
+        ++refused;
+      } catch (const InvalidArgument&) {
+        ++refused;
+      }
+    }
+    CHECK(taken > 0);
+    CHECK(refused > 0);
+  }
+}
+
+TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
+  const Material material = test::quartz(radius, 0.5);
+  const State sound = Engine(lively(true), material).state();
+  const auto refused = [&](auto change) {
+    State bad = sound;
+    change(bad);
+    ByteWriter bytes;
+    save_state(bytes, bad);
+    ByteReader reader(bytes.bytes(), "bad");
+    CHECK_THROWS_WITH_AS((void)load_state(reader), "bad: holds an impossible state of its grains", FileError);
+  };
+  refused([](State& s) { s.position.pop_back(); });
+  refused([](State& s) { s.position.front().x = NAN; });
+  refused([](State& s) { s.position.front().y = 1e9; });
+  refused([](State& s) { s.radius = 0; });
+  refused([](State& s) { s.cell = Mat3{}; });
+  refused([](State& s) { s.cell = 1e6 * s.cell; });
+  refused([](State& s) { s.history.push_back({.i = 1, .j = 100000, .tangential_force = {}}); });
+  refused([](State& s) { s.walls->history.push_back({.grain = 0, .wall = 6, .tangential_force = {}}); });
+  refused([](State& s) { s.velocity.back().z = INFINITY; });
 }

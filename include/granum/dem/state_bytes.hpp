@@ -10,6 +10,8 @@ namespace granum::dem {
 /// Checked by tests/dem/test_engine_bytes.cpp
 void save_state(ByteWriter& to, const State& state);
 /// \throws   FileError if the bytes end too early
+/// \throws   FileError if the bytes end early, or are of a state that no loop could go through safely: grains
+///           that it does not have, cells without volume, numbers that are none
 [[nodiscard]] State load_state(ByteReader& from);
 
 } // namespace granum::dem

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random states at the extremes of what the closed forms take, held against what must be true of any state:
+//   attack_random_states <states> <seed>
+// Exit code 1, with the first states that broke a promise, if any did.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/batch.hpp>
+#include <granum/effective/exponents.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+namespace {
+
+using namespace granum;
+using elastic::TransverselyIsotropic;
+
+/// The same numbers on every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : bits_(seed) {}
+
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+  }
+  double decades(double low, double high) { return std::pow(10, between(low, high)); }
+  bool one_in(std::uint64_t n) { return bits_() % n == 0; }
+  std::uint64_t below(std::uint64_t n) { return bits_() % n; }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+/// A law that can be made again in other units.
+struct Law {
+  int shape = 0;
+  contact::GrainMaterial grain;
+  double alpha = 2;
+  double number = 1; ///< slope, punch radius [m] or profile constant [m^(1-alpha)]
+
+  /// The same grains where the units of length and stress are 1/length and 1/stress of the old ones.
+  [[nodiscard]] contact::PowerLaw in_units(double radius, double length, double stress) const {
+    const contact::GrainMaterial g{grain.shear_modulus * stress, grain.poisson_ratio};
+    switch (shape) {
+    case 0:
+      return contact::PowerLaw::sphere(g, radius * length);
+    case 1:
+      return contact::PowerLaw::cone(g, number);
+    case 2:
+      return contact::PowerLaw::flat(g, number * length);
+    default:
+      return contact::PowerLaw::general(g, alpha, number * std::pow(length, 1 - alpha));
+    }
+  }
+};
+
+struct Sample {
+  Law law;
+  effective::State state;
+  double mechanical = 0; ///< z*
+};
+
+double extreme_ratio(Random& random) {
+  switch (random.below(4)) {
+  case 0:
+    return 0;
+  case 1:
+    return 1;
+  case 2:
+    return random.decades(-12, 2);
+  default:
+    return random.between(0, 4.0 / 3);
+  }
+}
+
+double extreme_fabric(Random& random) {
+  constexpr double low = -7.0 / 3, high = 7.0 / 5;
+  switch (random.below(4)) {
+  case 0:
+    return 0;
+  case 1:
+    return low + random.decades(-10, 0);
+  case 2:
+    return high - random.decades(-10, 0);
+  default:
+    return random.between(low, high);
+  }
+}
+
+Sample sample(Random& random) {
+  const double radius = random.decades(-12, 6);
+  Law law;
+  law.grain = {random.decades(-20, 20),
+               random.one_in(8) ? -1 + random.decades(-12, 0) : random.between(-0.999, 0.5)};
+  law.shape = static_cast<int>(random.below(4));
+  law.alpha = 1 + random.decades(-3, 1);
+  law.number = law.shape == 1   ? random.decades(-6, 6)
+               : law.shape == 2 ? radius * random.decades(-8, 0)
+                                : random.decades(-2, 2) * std::pow(radius, 1 - law.alpha);
+  Sample s{.law = law,
+           .state = {.law = law.in_units(radius, 1, 1),
+                     .tangential_ratio = extreme_ratio(random),
+                     .radius = radius,
+                     .void_ratio = random.decades(-6, 6),
+                     .coordination_number = random.one_in(3) ? random.decades(-6, 4) : random.between(0, 12),
+                     .fabric_anisotropy = extreme_fabric(random),
+                     .stress_v = 0,
+                     .stress_h = 0}};
+  if (!random.one_in(50)) {
+    s.state.stress_h = random.decades(-20, 20);
+    s.state.stress_v = s.state.stress_h * (random.one_in(3) ? 1 : random.decades(-2, 2));
+  }
+  s.mechanical = random.one_in(3) ? random.decades(-3, 3) : random.between(3, 9);
+  return s;
+}
+
+std::array<double, 5> constants(const TransverselyIsotropic& c) {
+  return {c.C11, c.C33, c.C12, c.C13, c.C44};
+}
+
+double largest(const TransverselyIsotropic& c) {
+  double most = 0;
+  for (const double value : constants(c))
+    most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// All constants within `relative` of the largest one.
+bool near(const TransverselyIsotropic& a, const TransverselyIsotropic& b, double factor, double relative) {
+  const double scale = relative * std::max(largest(a), factor * largest(b));
+  const auto x = constants(a), y = constants(b);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (!(std::abs(x[k] - factor * y[k]) <= scale))
+      return false;
+  return true;
+}
+
+bool finite(const TransverselyIsotropic& c) {
+  const auto values = constants(c);
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Whether no strain costs more energy in `soft` than in `stiff`, but for rounding.
+bool not_stiffer(const TransverselyIsotropic& soft, const TransverselyIsotropic& stiff, double relative) {
+  const double slack = relative * largest(stiff);
+  const double c11 = stiff.C11 - soft.C11, c12 = stiff.C12 - soft.C12, c13 = stiff.C13 - soft.C13,
+               c33 = stiff.C33 - soft.C33;
+  // Of the strains (u, u, 0)/sqrt(2) and (0, 0, y): (c11 + c12) u^2 + 2 sqrt(2) c13 u y + c33 y^2.
+  const double a = c11 + c12, b = std::sqrt(2.0) * c13, d = c33;
+  const double lowest = (a + d) / 2 - std::hypot((a - d) / 2, b);
+  return stiff.C44 - soft.C44 >= -slack && (c11 - c12) / 2 >= -slack && lowest >= -slack;
+}
+
+bool is_density(const effective::State& state) { return std::abs(state.fabric_anisotropy) <= 1; }
+
+class Attack {
+ public:
+  explicit Attack(std::uint64_t seed) : random_(seed) {}
+
+  void one() {
+    const Sample s = sample(random_);
+    ++states_;
+    here_ = &s;
+    try {
+      (void)effective::require_valid(s.state);
+    } catch (const InvalidArgument&) {
+      ++refused_;
+      return;
+    }
+    guarded("closed forms", [&] { check(s); });
+    guarded("exponents", [&] { check_exponents(s); });
+    guarded("relaxed", [&] { check_relaxed(s); });
+  }
+
+  /// Rows of a batch do not know of each other.
+  void batch() {
+    const double radius = random_.decades(-9, 3);
+    const contact::PowerLaw law = contact::PowerLaw::sphere({random_.decades(3, 13), 0.2}, radius);
+    const std::size_t rows = 1 + random_.below(70);
+    std::vector<double> p, c, n;
+    for (std::size_t k = 0; k < rows; ++k) {
+      p.push_back(random_.one_in(9) ? -1 : random_.decades(-20, 20));
+      c.push_back(random_.decades(-3, 3));
+      n.push_back(random_.between(0, 1));
+    }
+    const auto results = [&] {
+      std::vector<double> bulk(rows), shear(rows);
+      (void)effective::uniform_strain({law, 0.9, radius, p, c, n}, {bulk, shear});
+      return std::pair{bulk, shear};
+    };
+    auto [bulk, shear] = results();
+    for (std::vector<double>* column : {&p, &c, &n})
+      std::reverse(column->begin(), column->end());
+    auto [back_bulk, back_shear] = results();
+    std::reverse(back_bulk.begin(), back_bulk.end());
+    std::reverse(back_shear.begin(), back_shear.end());
+    here_ = nullptr;
+    demand(bulk == back_bulk && shear == back_shear, "the order of rows changes a batch");
+    const auto sound = [](double value) { return std::isfinite(value) && value >= 0; };
+    demand(std::all_of(bulk.begin(), bulk.end(), sound) && std::all_of(shear.begin(), shear.end(), sound),
+           "a batch holds what is no modulus");
+  }
+
+  [[nodiscard]] int report() const {
+    std::printf("%zu states, %zu of them refused, %zu relations broken\n", states_, refused_, broken_);
+    for (const auto& [relation, count] : count_)
+      std::printf("%9zu  %s\n", count, relation.c_str());
+    return broken_ == 0 && 2 * refused_ < states_ ? 0 : 1;
+  }
+
+ private:
+  void check(const Sample& s) {
+    const effective::State& state = s.state;
+    const TransverselyIsotropic strain = effective::uniform_strain(state).stiffness;
+    const TransverselyIsotropic spin = effective::free_spin(state).stiffness;
+    const TransverselyIsotropic stress = effective::uniform_stress(state).stiffness;
+    const double b = state.law.stiffness_exponent();
+    demand(finite(strain) && finite(spin) && finite(stress), "a constant is not finite");
+    demand(not_stiffer(spin, strain, 1e-11), "free spin is stiffer than none");
+    // The forces of the static hypothesis are admissible, those of free spin the best of these, where the
+    // fabric is a density. Digits that cancel at small k_t/k_n are not what is asked for here.
+    if (is_density(state) && (state.tangential_ratio == 0 || state.tangential_ratio > 1e-4))
+      demand(not_stiffer(stress, spin, 1e-9), "uniform stress is stiffer than uniform strain");
+
+    constexpr double length = 1e-7, pressure = 3e5;
+    effective::State other = state;
+    other.law = s.law.in_units(state.radius, length, pressure);
+    other.radius *= length;
+    other.stress_v *= pressure;
+    other.stress_h *= pressure;
+    demand(near(effective::uniform_strain(other).stiffness, strain, pressure, 1e-10), "other units, strain");
+    demand(near(effective::free_spin(other).stiffness, spin, pressure, 1e-10), "other units, free spin");
+    if (state.tangential_ratio == 0 || state.tangential_ratio > 1e-4)
+      demand(near(effective::uniform_stress(other).stiffness, stress, pressure, 1e-9), "other units, stress");
+
+    other = state;
+    other.stress_v *= 0x1p20;
+    other.stress_h *= 0x1p20;
+    demand(near(effective::uniform_strain(other).stiffness, strain, std::exp2(20 * b), 1e-11),
+           "moduli are no power of the stresses");
+
+    other = state;
+    other.coordination_number *= 2;
+    demand(near(effective::uniform_strain(other).stiffness, strain, std::exp2(1 - b), 1e-11),
+           "twice the contacts do not stiffen as they must");
+
+    if (state.fabric_anisotropy == 0 && state.stress_v == state.stress_h)
+      for (const TransverselyIsotropic& c : {strain, spin, stress}) {
+        const TransverselyIsotropic turned{
+            .C11 = c.C33, .C33 = c.C11, .C12 = c.C13, .C13 = c.C12, .C44 = c.C66()};
+        demand(near(turned, c, 1, 1e-11), "axes that are alike differ");
+      }
+  }
+
+  void check_exponents(const Sample& s) {
+    using enum effective::Modulus;
+    if (s.state.stress_v == 0 || s.state.coordination_number == 0)
+      return;
+    const double b = s.state.law.stiffness_exponent();
+    for (const effective::Modulus which : {K, G_hh, G_vh, C11, C33}) {
+      const double sum = effective::uniform_strain_exponents(s.state, which).sum();
+      demand(std::abs(sum - b) <= 1e-10, "exponents do not add up to s");
+    }
+  }
+
+  void check_relaxed(const Sample& s) {
+    const TransverselyIsotropic strain = effective::uniform_strain(s.state).stiffness;
+    const effective::RelaxedEstimate relaxed = effective::relaxed(s.state, s.mechanical);
+    const effective::RelaxedEstimate more = effective::relaxed(s.state, 1.25 * s.mechanical);
+    demand(finite(relaxed.stiffness) && finite(more.stiffness), "a relaxed constant is not finite");
+    demand(relaxed.stiffness.bulk_modulus() >= 0 && relaxed.stiffness.C44 >= 0,
+           "a relaxed modulus is negative");
+    const effective::Relaxation h =
+        effective::relaxation(s.mechanical, s.state.tangential_ratio, s.state.law.stiffness_exponent());
+    const effective::Relaxation h_more = effective::relaxation(1.25 * s.mechanical, s.state.tangential_ratio,
+                                                               s.state.law.stiffness_exponent());
+    demand(h.shear.value >= 0 && h.shear.value <= 1 + 1e-13, "a factor of G is outside [0, 1]");
+    demand(h.bulk.value >= 0 && h.bulk.value <= 1 + 1e-13, "a factor of K is outside [0, 1]");
+    demand(h_more.shear.value >= h.shear.value * (1 - 1e-13), "more contacts relax G further");
+    if (s.state.fabric_anisotropy == 0 && s.state.stress_v == s.state.stress_h)
+      demand(not_stiffer(relaxed.stiffness, strain, 1e-11), "relaxed is stiffer than uniform strain");
+  }
+
+  template <class Work>
+  void guarded(const std::string& what, const Work& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      demand(false, what + ": refused a valid state: " + std::string(error.what()).substr(0, 60));
+    }
+  }
+
+  void demand(bool holds, const std::string& relation) {
+    if (holds)
+      return;
+    ++broken_;
+    if (++count_[relation] > 3)
+      return;
+    std::printf("%s\n", relation.c_str());
+    if (here_ == nullptr)
+      return;
+    const effective::State& s = here_->state;
+    std::printf(
+        "  G %.17g nu %.17g shape %d alpha %.17g number %.17g\n  k_t/k_n %.17g R %.17g e %.17g C_n %.17g "
+        "a %.17g stress_v %.17g stress_h %.17g z* %.17g\n",
+        here_->law.grain.shear_modulus, here_->law.grain.poisson_ratio, here_->law.shape, here_->law.alpha,
+        here_->law.number, s.tangential_ratio, s.radius, s.void_ratio, s.coordination_number,
+        s.fabric_anisotropy, s.stress_v, s.stress_h, here_->mechanical);
+  }
+
+  Random random_;
+  const Sample* here_ = nullptr;
+  std::size_t states_ = 0, refused_ = 0, broken_ = 0;
+  std::map<std::string, std::size_t> count_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: %s <states> <seed>\n", argv[0]);
+    return 2;
+  }
+  Attack attack(std::strtoull(argv[2], nullptr, 10));
+  const std::uint64_t states = std::strtoull(argv[1], nullptr, 10);
+  for (std::uint64_t k = 0; k < states; ++k) {
+    attack.one();
+    if (k % 50 == 0)
+      attack.batch();
+  }
+  return attack.report();
+}
