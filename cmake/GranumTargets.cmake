@@ -5,7 +5,8 @@
 add_library(granum_warnings INTERFACE)
 target_compile_options(granum_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion
+  -Woverloaded-virtual -Wnull-dereference
+  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # which clang gives for every long double as well
   $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
 # g++ 12 reports -Wrestrict on concatenated strings, wrongly, when it optimises (GCC bug 105651, mended in 13).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what granum needs and this machine lacks:  scripts/setup.sh run|test|tidy|bench|hdf5
-# This is the only place that names the packages. Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
+# This is the only place that names the packages, as Debian 12 and 13 and Ubuntu 24.04 do. What matters is whether the
+# system offers them, not what it is called. Checked by tests/setup/check_setup.cmake
+# Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
 set -euo pipefail
 
 run_packages=(
   g++ cmake ninja-build
   libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
+  libfast-float-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
-test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax)
+test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
+  clang libc++-dev libc++abi-dev dpkg-dev file)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 hdf5_packages=("${test_packages[@]}" libhdf5-dev hdf5-tools python3-h5py)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
@@ -31,32 +34,27 @@ esac
 # dpkg's own scripts need an exported PATH with the sbin folders.
 export PATH="$PATH:/usr/local/sbin:/usr/sbin:/sbin"
 
-missing=()
-if command -v dpkg-query >/dev/null; then
-  for package in "${packages[@]}"; do
-    state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
-    [ "$state" = installed ] || missing+=("$package")
-  done
-  [ "${#missing[@]}" -gt 0 ] || exit 0
-else
-  missing=("${packages[@]}")
-fi
-
 give_up() {
   {
     echo "granum: $1"
-    echo "  needed, by their Debian 12 names: ${missing[*]}"
+    echo "  needed, by their names in Debian and Ubuntu: ${missing[*]}"
     echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, expat, and the small libraries named)"
     echo "  Install them, then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
   } >&2
   exit 3
 }
 
-system=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-0}" || echo "unknown 0")
-case "$system" in
-"debian 12" | "debian 13") ;;
-*) give_up "this system ($system) is not Debian 12, so packages are not installed automatically." ;;
-esac
+missing=("${packages[@]}")
+for tool in dpkg-query apt-get apt-cache; do
+  command -v "$tool" >/dev/null || give_up "this system has no $tool, so packages are not looked up and installed automatically."
+done
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+[ "${#missing[@]}" -gt 0 ] || exit 0
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
@@ -69,10 +67,26 @@ apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null >&2
 }
 
-echo "granum: installing ${missing[*]}" >&2
+# Sets `refused` to the missing packages that the system's lists do not offer.
+look_up() {
+  local package candidate
+  refused=()
+  for package in "${missing[@]}"; do
+    candidate=$(LC_ALL=C apt-cache policy "$package" 2>/dev/null | sed -n 's/^ *Candidate: //p')
+    case "$candidate" in
+    "" | "(none)") refused+=("$package") ;;
+    esac
+  done
+}
+
 # The package lists are fetched only where they do not yet know, or no longer serve, what is missing.
-if ! apt-get -qq -s install --no-install-recommends "${missing[@]}" >/dev/null 2>&1; then
+look_up
+if [ "${#refused[@]}" -gt 0 ] || ! apt-get -qq -s install --no-install-recommends "${missing[@]}" >/dev/null 2>&1; then
   apt update || give_up "the package lists cannot be fetched."
+  look_up
 fi
+[ "${#refused[@]}" -eq 0 ] || give_up "this system offers no package ${refused[*]}."
+
+echo "granum: installing ${missing[*]}" >&2
 install=(install -y --no-install-recommends "${missing[@]}")
 apt "${install[@]}" || { apt update && apt "${install[@]}"; } || give_up "the packages cannot be installed."

@@ -3,7 +3,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <system_error>
+
+#include <fast_float/fast_float.h>
 
 namespace granum {
 
@@ -16,16 +19,25 @@ std::string general_text(double value, int digits) {
   return {buffer, end};
 }
 
+/// Whether a decimal number that was read as 0 has other digits: its magnitude is too small for a double.
+bool is_written_nonzero(std::string_view number) {
+  return number.substr(0, number.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
+}
+
 } // namespace
 
 std::optional<LeadingNumber> leading_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  // Not all standard libraries have std::from_chars of a double.
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || !std::isfinite(value))
     return std::nullopt;
-  return LeadingNumber{value, text.substr(static_cast<std::size_t>(end - text.data()))};
+  const std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.data()));
+  if (value == 0 && is_written_nonzero(number))
+    return std::nullopt;
+  return LeadingNumber{value, text.substr(number.size())};
 }
 
 std::optional<double> parse_number(std::string_view text) {

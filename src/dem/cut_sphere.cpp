@@ -54,7 +54,7 @@ std::vector<double> heights(const Vec3& low, const Vec3& high) {
   }
   for (const double y : {low.y, high.y})
     add(y * y);
-  std::ranges::sort(at);
+  std::sort(at.begin(), at.end());
   return at;
 }
 

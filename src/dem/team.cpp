@@ -36,12 +36,16 @@ bool came_true(const Condition& condition) {
 
 } // namespace
 
-Team::Team(std::size_t members) {
+Team::Team(std::size_t members) : Team() { // complete from here on: a failure below runs the destructor
   for (std::size_t member = 1; member < members; ++member)
     threads_.emplace_back([this, member] { work(member); });
 }
 
-Team::~Team() { start(nullptr, nullptr); }
+Team::~Team() {
+  start(nullptr, nullptr);
+  for (std::thread& thread : threads_)
+    thread.join();
+}
 
 void Team::start(Call call, const void* job) {
   call_ = call;

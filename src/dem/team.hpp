@@ -18,6 +18,7 @@ class Team {
  public:
   /// \param    members   threads, that of the caller among them, at least 1
   explicit Team(std::size_t members);
+  /// The members that are there go, also where one more could not be had.
   ~Team();
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
@@ -34,6 +35,7 @@ class Team {
   }
 
  private:
+  Team() = default;
   using Call = void (*)(const void*, std::size_t);
 
   void start(Call call, const void* job);
@@ -44,7 +46,7 @@ class Team {
   const void* job_ = nullptr;
   alignas(64) std::atomic<std::uint32_t> round_{0};
   alignas(64) std::atomic<std::uint32_t> busy_{0};
-  std::vector<std::jthread> threads_;
+  std::vector<std::thread> threads_;
 };
 
 } // namespace granum::dem

@@ -25,10 +25,15 @@ std::atomic<VectorLevel>& setting() {
 
 bool runs_here(VectorLevel level) {
 #if GRANUM_HAS_VECTOR_LEVELS
-  if (level == VectorLevel::avx512)
-    return __builtin_cpu_supports("x86-64-v4") != 0;
+  const bool avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   if (level == VectorLevel::avx2)
-    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+    return avx2;
+  // x86-64-v4, of which not every compiler knows the name
+  if (level == VectorLevel::avx512)
+    return avx2 && __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
+           __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+           __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+           __builtin_cpu_supports("avx512vl") != 0;
 #endif
   return level == VectorLevel::baseline;
 }

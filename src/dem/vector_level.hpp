@@ -31,7 +31,7 @@ GRANUM_INLINE double fused(double a, double b, double c) {
     return __builtin_fma(a, b, c);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__GNUC__)
 #define GRANUM_HAS_VECTOR_LEVELS 1
 template <class Body>
 [[gnu::target("avx2,fma")]] void run_avx2(const Body& body) {

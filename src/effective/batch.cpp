@@ -201,16 +201,16 @@ void require_length(const char* name, const Column& column, std::size_t rows) {
                           " rows, the results have " + std::to_string(rows));
 }
 
-/// What is wrong with a row that was refused.
+/// What is wrong with a row that was refused; nothing is thrown, which not every target can catch.
 std::string complaint(double pressure, double coordination_number, double porosity) {
-  try {
-    require_closed("pressure", pressure, 0, most_pressure, "Pa");
-    require_closed("coordination_number", coordination_number, 0, most_contacts);
-    require_open("porosity", porosity, 0, 1);
-  } catch (const InvalidArgument& error) {
-    return error.what();
-  }
-  return {};
+  const auto outside = [](const char* name, double value, const char* unit, const std::string& range) {
+    return std::string(InvalidArgument(name, value, unit, range).what());
+  };
+  if (!(pressure >= 0 && pressure <= most_pressure))
+    return outside("pressure", pressure, "Pa", detail::closed_range(0, most_pressure));
+  if (!(coordination_number >= 0 && coordination_number <= most_contacts))
+    return outside("coordination_number", coordination_number, "", detail::closed_range(0, most_contacts));
+  return outside("porosity", porosity, "", detail::open_range(0, 1));
 }
 
 /// Results that exceed the caches are written past them, which saves reading their old content first.

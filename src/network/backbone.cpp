@@ -39,7 +39,7 @@ std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vect
   for (std::uint32_t g = 0; g < neighbours.size(); ++g)
     if (!rattler[g])
       seeds.push_back(g);
-  std::ranges::sort(seeds, fewer_contacts);
+  std::sort(seeds.begin(), seeds.end(), fewer_contacts);
   std::vector<bool> seen(neighbours.size(), false);
   const auto visit = [&](std::uint32_t g) {
     if (!seen[g]) {
@@ -52,8 +52,9 @@ std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vect
     visit(seed);
     for (; head < order.size(); ++head) {
       auto next = neighbours[order[head]];
-      std::ranges::sort(next, fewer_contacts);
-      std::ranges::for_each(next, visit);
+      std::sort(next.begin(), next.end(), fewer_contacts);
+      for (const std::uint32_t g : next)
+        visit(g);
     }
   }
   std::vector<std::uint32_t> number(neighbours.size(), unset);
@@ -117,8 +118,10 @@ Backbone load_bearing_network(const Assembly& assembly, const Options& options) 
     if (number[c.i] != unset)
       backbone.wall_links.push_back(link(c, number[c.i], number[c.i], assembly.radius[c.i], options));
   remove_units(backbone);
-  std::ranges::stable_sort(backbone.links, {}, [](const Link& l) { return std::pair(l.a, l.b); });
-  std::ranges::stable_sort(backbone.wall_links, {}, &Link::a);
+  std::stable_sort(backbone.links.begin(), backbone.links.end(),
+                   [](const Link& l, const Link& m) { return std::pair(l.a, l.b) < std::pair(m.a, m.b); });
+  std::stable_sort(backbone.wall_links.begin(), backbone.wall_links.end(),
+                   [](const Link& l, const Link& m) { return l.a < m.a; });
   return backbone;
 }
 

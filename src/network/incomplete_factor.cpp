@@ -133,8 +133,8 @@ void IncompleteFactor<Dof>::find_pattern(const Backbone& backbone) {
           rows[i].push_back(k);
   row_start_.assign(1, 0);
   for (auto& row : rows) {
-    std::ranges::sort(row);
-    row.erase(std::ranges::unique(row).begin(), row.end());
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
     column_.insert(column_.end(), row.begin(), row.end());
     row_start_.push_back(static_cast<std::uint32_t>(column_.size()));
   }

@@ -61,7 +61,8 @@ InteriorMeasures interior_measures(const dem::State& state, const dem::Material&
       sliding += c.sliding;
     }
   }
-  std::ranges::for_each(assembly.wall_contacts, add_stress);
+  for (const Contact& c : assembly.wall_contacts)
+    add_stress(c);
   const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(normals);
   const auto share = [](std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(whole);

@@ -115,7 +115,8 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   ProbeResult result;
   result.amplitude = specimen.amplitude;
   result.converged = true;
-  const auto [stacked, moving] = plane(mode);
+  const Plane sides = plane(mode);
+  const int stacked = sides.stacked, moving = sides.moving;
   const auto shear_stress = [&](const dem::QuasistaticReport& report) {
     if (report.outcome == dem::Outcome::stopped)
       throw Stopped();

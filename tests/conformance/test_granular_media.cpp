@@ -259,11 +259,13 @@ TEST_CASE("extreme: no contacts give exactly zero moduli") {
 
 TEST_CASE("extreme: a negative coordination number or pressure is refused by its name") {
   for (const auto& [member, name] : {std::pair{&SpherePacking::coordination_number, "coordination_number"},
-                                     {&SpherePacking::pressure, "pressure"}})
+                                     {&SpherePacking::pressure, "pressure"}}) {
+    const SpherePacking negative = with(member, -2);
     for (const auto model : {soft_sand, stiff_sand}) {
-      CHECK(refusal([&] { (void)hertz_mindlin(with(member, -2)); }).find(name) == 0);
-      CHECK(refusal([&] { (void)model(with(member, -2), 0.3); }).find(name) == 0);
+      CHECK(refusal([&] { (void)hertz_mindlin(negative); }).find(name) == 0);
+      CHECK(refusal([&] { (void)model(negative, 0.3); }).find(name) == 0);
     }
+  }
   CHECK(refusal([] { (void)digby(bonded(-1)); }).find("pressure") == 0);
 }
 

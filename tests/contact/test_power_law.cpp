@@ -74,7 +74,8 @@ TEST_CASE(
   };
   for (const auto& [alpha, A] : {Case{1, 0.4}, Case{1.3, 3}, Case{1.5, 180}, Case{2, 1000}, Case{2.7, 1e6},
                                  Case{5, 1e18}, Case{8, 1e38}}) {
-    CAPTURE(alpha);
+    const double exponent = alpha;
+    CAPTURE(exponent);
     const double a = 3e-6;
     // x = a sin t: z'(x)/sqrt(a^2-x^2) dx = alpha A x^(alpha-1) dt; t = u^8 pi/2 smooths the power at 0.
     const auto approach = [&, alpha = alpha, A = A](double radius) {

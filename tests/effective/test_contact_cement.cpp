@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <boost/math/special_functions/ellint_1.hpp>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
@@ -38,7 +39,7 @@ CementedPacking example() {
 double annulus_potential(double r, double inner, double outer) {
   static const std::vector<QuadratureNode> rule = gauss_legendre(16);
   const auto ring = [r](double s) {
-    return 4 * s / (r + s) * std::comp_ellint_1(std::min(2 * std::sqrt(r * s) / (r + s), 1 - 1e-15));
+    return 4 * s / (r + s) * boost::math::ellint_1(std::min(2 * std::sqrt(r * s) / (r + s), 1 - 1e-15));
   };
   double sum = 0;
   const auto from_to = [&](double start, double end) { // the cube grades the nodes towards `start`

@@ -79,7 +79,8 @@ stress::AxialStress followed(const StrainedPacking& p, StrainPath path) {
   const double ratio = p.no_slip_fraction * contact::mindlin_stiffness_ratio(nu);
   static const std::vector<QuadratureNode> time = gauss_legendre(64);
   stress::AxialStress stress;
-  for (const auto& [x, w] : graded_rule(0.05)) {
+  for (const QuadratureNode& point : graded_rule(0.05)) {
+    const double x = point.abscissa, w = point.weight;
     double normal = 0, tangential = 0; // forces along n and along axis 3 minus its part along n
     const auto go = [&](double e0_from, double e3_from, double e0_to, double e3_to) {
       // t = y^2 tames the square root at the unstrained start.
@@ -179,7 +180,8 @@ TEST_CASE("norris johnson: stresses follow from the contact forces along each pa
         const auto closed = norris_johnson_stress(p, path);
         const auto sum = followed(p, path);
         CAPTURE(int(path));
-        CAPTURE(e3 / e0);
+        const double anisotropy = e3 / e0;
+        CAPTURE(anisotropy);
         CHECK(closed.v == relative(sum.v, 1e-11));
         CHECK(std::abs(closed.h - sum.h) < 1e-11 * sum.v);
       }

@@ -77,7 +77,8 @@ TEST_CASE("uncertainty: of a modulus that is linear in its input, first order is
 TEST_CASE("uncertainty: first order agrees with sampling where deviations are small, input by input") {
   for (const Modulus which : {Modulus::G_vh, Modulus::E_h})
     for (const auto& [input, deviation] : small_deviations()) {
-      CAPTURE(int(input));
+      const int number = int(input);
+      CAPTURE(number);
       CAPTURE(int(which));
       Deviations deviations;
       deviations[input] = deviation;
@@ -103,7 +104,8 @@ TEST_CASE("uncertainty: the same of relaxed moduli, whose calibration adds its e
     CHECK(exact.sampled.deviation == relative(slopes.standard_error, error_of(some)));
 
     for (const auto& [input, deviation] : small_deviations()) {
-      CAPTURE(int(input));
+      const int number = int(input);
+      CAPTURE(number);
       CAPTURE(int(which));
       Deviations deviations;
       // As large as the calibration's own error, to be seen beside it, where that is still a small change.

@@ -76,7 +76,8 @@ TEST_CASE("moduli made with the paper's Table 5 give its m and n back") {
                               {100.9, 0.013, 0.013}, {34.11, 0.058, 0.188}, {34.07, 0.180, 0.064}};
   for (const auto& [c, m, n] : table5)
     for (const Weights weights : {Weights::relative, Weights::absolute}) {
-      CAPTURE(c);
+      const double coefficient = c;
+      CAPTURE(coefficient);
       const FitReport report = fit(measured(equation(10 * c, m, n), triaxial_paths()), with(weights));
       const Fit& result = report.fit();
       CHECK(result.coefficient.value == relative(10 * c, 1e-10));

@@ -188,6 +188,9 @@ double distance(const Matrix6& a, const Matrix6& b) {
 
 Matrix6 inverse(const Matrix6& m) { return matrix6(solve(dense(m), dense(Matrix6::Identity()))); }
 
-double smallest_eigenvalue(const Matrix6& m) { return std::ranges::min(eigen_system(dense(m)).values); }
+double smallest_eigenvalue(const Matrix6& m) {
+  const std::vector<double> values = eigen_system(dense(m)).values;
+  return *std::min_element(values.begin(), values.end());
+}
 
 } // namespace granum::twin

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <string_view>
 
 /// Range checks of public functions. Each returns its value, so that a check can stand where the value is
@@ -18,6 +19,9 @@ namespace detail {
                               double high);
 [[noreturn]] void refuse_closed(std::string_view name, double value, std::string_view unit, double low,
                                 double high);
+/// "[low, high]", "(low, high)" as the checks write them.
+[[nodiscard]] std::string closed_range(double low, double high);
+[[nodiscard]] std::string open_range(double low, double high);
 inline constexpr double largest = std::numeric_limits<double>::max();
 } // namespace detail
 
