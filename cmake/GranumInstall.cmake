@@ -21,6 +21,8 @@ install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/
   DESTINATION "${granum_config_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/cmake/GranumLibraries.cmake" DESTINATION "${granum_config_dir}"
   RENAME granumLibraries.cmake)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
+install(FILES "${PROJECT_SOURCE_DIR}/examples/scene.toml" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
 install(FILES "${PROJECT_SOURCE_DIR}/share/yade/granum_export.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum/yade")
 
 if(TARGET granum_cli)
