@@ -25,12 +25,11 @@ void add_closed_forms(FrameAnswer& frame) {
   const verify::Analysis& analysis = frame.analysis;
   if (!analysis.state)
     return;
-  const Packing packing{*analysis.state, analysis.counts.mechanical.coordination_number};
-  for (const Rung& rung : all_rungs()) {
-    const std::string key = rung.key;
-    RungResult result{.name = rung.column, .title = key.size() == 1 ? "rung " + key : key};
+  const effective::RungInputs packing{*analysis.state, analysis.counts.mechanical.coordination_number};
+  for (const effective::Rung& rung : effective::closed_forms()) {
+    RungResult result{.name = rung.column, .title = effective::label(rung)};
     try {
-      const FieldAnswer form = answer(rung, packing);
+      const effective::RungAnswer form = effective::answer(rung, packing);
       result.moduli = moduli_of(form.stiffness);
       result.relative_error = form.relative_error;
       frame.validity.merge(form.validity);
@@ -156,7 +155,7 @@ Validity warnings_of(const AnalyseAnswer& answer) {
     Validity own{frame.analysis.warnings};
     own.merge(frame.validity);
     judge_code_stress(frame, own);
-    keep_each_once(own);
+    own.keep_each_once();
     for (const std::string& note : own.notes)
       out.add(where + note);
   }

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
+#include <granum/effective/rungs.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/packing_files.hpp>
 #include <granum/verify/analysis.hpp>
 #include <granum/verify/frame_series.hpp>
 #include <nlohmann/json.hpp>
-
-#include "rungs.hpp"
 
 /// What granum analyse works out, frame by frame, and how it is put into words.
 namespace granum::cli {

@@ -214,7 +214,7 @@ std::string frames_text(const AnalyseAnswer& answer) {
                         a.fabric ? fmt::format("{:.4f}", a.fabric->by_moment.anisotropy) : "-");
     const Moduli* network = measured(frame);
     const auto relaxed = std::find_if(frame.rungs.begin(), frame.rungs.end(), [](const RungResult& r) {
-      return r.name == relaxed_rung().column && r.moduli && r.moduli->G > 0;
+      return r.name == effective::rung(effective::RungName::relaxed).column && r.moduli && r.moduli->G > 0;
     });
     const bool both = network != nullptr && relaxed != frame.rungs.end();
     text += fmt::format(" {:>14} {:>14} {:>8}\n",

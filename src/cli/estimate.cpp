@@ -39,27 +39,18 @@ EstimateCase resolve(const PackingOptions& o) {
   return question;
 }
 
-/// Of a stiffness that is not positive definite, Young's moduli are the limit or do not exist.
-void note_missing_young_moduli(const FieldAnswer& answer, const char* hypothesis, Validity& validity) {
-  if (!young_modulus(answer.stiffness, Loading::vertical))
-    validity.add(fmt::format("Young's moduli under {} do not exist: the stiffness is not positive definite",
-                             hypothesis));
-}
-
-EstimateAnswer solve(const Packing& packing) {
-  EstimateAnswer all{.uniform_strain = answer(uniform_strain_rung(), packing),
-                     .uniform_stress = answer(uniform_stress_rung(), packing),
-                     .relaxed = std::nullopt,
-                     .validity = {}};
-  all.validity.merge(all.uniform_strain.validity);
-  all.validity.merge(all.uniform_stress.validity);
-  note_missing_young_moduli(all.uniform_strain, "uniform strain", all.validity);
-  note_missing_young_moduli(all.uniform_stress, "uniform stress", all.validity);
-  if (packing.mechanical_coordination_number) {
-    all.relaxed = answer(relaxed_rung(), packing);
-    all.validity.merge(all.relaxed->validity);
+EstimateAnswer solve(const effective::RungInputs& packing) {
+  EstimateAnswer all;
+  for (const ShownForm& form : shown_forms(packing)) {
+    all.forms.push_back({form, effective::answer_with_exponents(*form.rung, packing)});
+    const effective::RungAnswer& answer = all.forms.back().answer;
+    all.validity.merge(answer.validity);
+    const bool own_note = form.rung->name != effective::RungName::relaxed; // stable where uniform strain is
+    if (own_note && !elastic::young_modulus(answer.stiffness, elastic::Loading::vertical))
+      all.validity.add(fmt::format(
+          "Young's moduli under {} do not exist: the stiffness is not positive definite", form.title));
   }
-  keep_each_once(all.validity);
+  all.validity.keep_each_once();
   return all;
 }
 
@@ -84,12 +75,22 @@ ExitCode run(const Options& options) {
     table += ladder_table(ladder);
     json["ladder"] = ladder_json(ladder);
     validity.merge(ladder.validity);
-    keep_each_once(validity);
+    validity.keep_each_once();
   }
   return deliver(options.output, table, json, validity);
 }
 
 } // namespace
+
+std::vector<ShownForm> shown_forms(const effective::RungInputs& packing) {
+  using effective::RungName;
+  std::vector<ShownForm> forms{
+      {"uniform_strain", "uniform strain", &effective::rung(RungName::directional)},
+      {"uniform_stress", "uniform stress", &effective::rung(RungName::uniform_stress)},
+      {"relaxed", "relaxed", &effective::rung(RungName::relaxed)}};
+  std::erase_if(forms, [&](const ShownForm& form) { return !effective::has_inputs(packing, *form.rung); });
+  return forms;
+}
 
 Command add_estimate(CLI::App& program) {
   auto options = std::make_shared<Options>();

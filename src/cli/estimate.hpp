@@ -4,26 +4,37 @@
 #include <string>
 #include <vector>
 
-#include <granum/effective/state.hpp>
+#include <granum/core/validity.hpp>
+#include <granum/effective/rungs.hpp>
 #include <nlohmann/json.hpp>
-
-#include "rungs.hpp"
 
 /// What granum estimate works out, and how it is put into words.
 namespace granum::cli {
 
 /// The question: a state, and where its numbers come from.
 struct EstimateCase {
-  Packing subject;
+  effective::RungInputs subject;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
   std::vector<std::string> assumptions; ///< what was not given, one sentence each
 };
 
+/// A closed form that granum estimate shows, and what it calls it.
+struct ShownForm {
+  const char* key;   ///< in the JSON
+  const char* title; ///< in tables and remarks
+  const effective::Rung* rung;
+};
+/// The two uniform fields side by side, and the relaxed one where z* is given.
+[[nodiscard]] std::vector<ShownForm> shown_forms(const effective::RungInputs& packing);
+
+struct ShownAnswer {
+  ShownForm form;
+  effective::RungAnswer answer;
+};
+
 struct EstimateAnswer {
-  FieldAnswer uniform_strain;
-  FieldAnswer uniform_stress;
-  std::optional<FieldAnswer> relaxed; ///< where z* is given
-  Validity validity;                  ///< notes of all, each once
+  std::vector<ShownAnswer> forms;
+  Validity validity; ///< notes of all, each once
 };
 
 [[nodiscard]] nlohmann::ordered_json estimate_json(const EstimateCase& question,

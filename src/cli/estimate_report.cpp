@@ -17,7 +17,7 @@ ordered_json json_of(const std::optional<double>& value) {
 }
 
 /// For G_hv the direction i is h and j is v.
-ordered_json json_of(const FieldAnswer& answer) {
+ordered_json json_of(const effective::RungAnswer& answer) {
   const elastic::TransverselyIsotropic& c = answer.stiffness;
   ordered_json json = {{"C11", c.C11},
                        {"C33", c.C33},
@@ -28,8 +28,8 @@ ordered_json json_of(const FieldAnswer& answer) {
                        {"K", c.bulk_modulus()},
                        {"G_hh", c.G_hh()},
                        {"G_vh", c.G_vh()},
-                       {"E_v", json_of(young_modulus(c, Loading::vertical))},
-                       {"E_h", json_of(young_modulus(c, Loading::horizontal))}};
+                       {"E_v", json_of(elastic::young_modulus(c, elastic::Loading::vertical))},
+                       {"E_h", json_of(elastic::young_modulus(c, elastic::Loading::horizontal))}};
   const auto& exponents = answer.exponents;
   json["m"] = exponents ? ordered_json(exponents->stress_h) : ordered_json();
   json["n"] = exponents ? ordered_json(exponents->stress_v) : ordered_json();
@@ -147,10 +147,8 @@ std::string relaxation_text(const EstimateCase& question) {
 ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& answer) {
   ordered_json json = json_head("estimate");
   json["inputs"] = inputs(question);
-  json["uniform_strain"] = json_of(answer.uniform_strain);
-  json["uniform_stress"] = json_of(answer.uniform_stress);
-  if (answer.relaxed)
-    json["relaxed"] = json_of(*answer.relaxed);
+  for (const ShownAnswer& shown : answer.forms)
+    json[shown.form.key] = json_of(shown.answer);
   json["notes"] = question.assumptions;
   for (const std::string& note : answer.validity.notes)
     json["notes"].push_back(note);
@@ -158,11 +156,11 @@ ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& a
 }
 
 std::string estimate_table(const EstimateCase& question, const EstimateAnswer& answer) {
-  std::vector<ordered_json> answers{json_of(answer.uniform_strain), json_of(answer.uniform_stress)};
-  std::vector<std::string> titles{"uniform strain", "uniform stress"};
-  if (answer.relaxed) {
-    answers.push_back(json_of(*answer.relaxed));
-    titles.emplace_back("relaxed");
+  std::vector<ordered_json> answers;
+  std::vector<std::string> titles;
+  for (const ShownAnswer& shown : answer.forms) {
+    answers.push_back(json_of(shown.answer));
+    titles.emplace_back(shown.form.title);
   }
   const auto cells = [&answers](const auto& text_of) {
     std::vector<std::string> texts;

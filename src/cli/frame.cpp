@@ -32,6 +32,13 @@ void print(const std::string& text) {
     throw FileError("standard output", 0, "cannot be written");
 }
 
+/// Who reads the JSON need not read standard error as well.
+nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity) {
+  if (json.is_object() && !validity.ok())
+    json["warnings"] = validity.notes;
+  return json;
+}
+
 } // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -100,7 +107,7 @@ nlohmann::ordered_json json_head(std::string_view command) {
 
 ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,
                  const Validity& validity) {
-  const std::string text = options.json ? json.dump(2) + "\n" : table;
+  const std::string text = options.json ? with_warnings(json, validity).dump(2) + "\n" : table;
   if (options.out.empty())
     print(text);
   else

@@ -11,19 +11,19 @@ namespace {
 using effective::LadderEstimate;
 using effective::ModulusErrors;
 using effective::RungAssessment;
-using effective::Verdict;
+using effective::RungVerdict;
 using elastic::TransverselyIsotropic;
 using nlohmann::ordered_json;
 
-const char* name(Verdict verdict) {
+const char* name(RungVerdict verdict) {
   switch (verdict) {
-  case Verdict::chosen:
+  case RungVerdict::chosen:
     return "chosen";
-  case Verdict::cheaper_does:
+  case RungVerdict::cheaper_does:
     return "cheaper_does";
-  case Verdict::beyond_tolerance:
+  case RungVerdict::beyond_tolerance:
     return "beyond_tolerance";
-  case Verdict::error_unknown:
+  case RungVerdict::error_unknown:
     return "error_unknown";
   default:
     return "inputs_missing";
@@ -69,7 +69,7 @@ std::string rung_line(const RungAssessment& rung) {
   const std::string value = rung.stiffness ? pretty(rung.stiffness->G_vh(), Dimension::pressure) : "-";
   return fmt::format("  {}  {:<47} {:>10} {:>8} {:>8}  {}\n", rung.rung, rung.title, value,
                      error ? percent_text(*error) : "-", pretty(rung.typical_time, Dimension::time),
-                     rung.verdict == Verdict::chosen ? "chosen: " + rung.reason : rung.reason);
+                     rung.verdict == RungVerdict::chosen ? "chosen: " + rung.reason : rung.reason);
 }
 
 const char* tolerance_text(const LadderEstimate& ladder) {

@@ -16,9 +16,9 @@ namespace {
 Rungs chosen_rungs(const SweepOptions& o) {
   const bool z_given = o.packing.mechanical_coordination_number.given() || o.packing.rattler_fraction.given();
   Rungs rungs;
-  for (const Rung& rung : all_rungs()) {
+  for (const Rung& rung : effective::closed_forms()) {
     const bool asked_for = std::find(o.rungs.begin(), o.rungs.end(), rung.key) != o.rungs.end();
-    const bool allowed = !rung.needs_mechanical_coordination_number || z_given;
+    const bool allowed = !rung.needs_coordination || z_given;
     if (asked_for && !allowed && o.table.empty())
       throw InvalidArgument(fmt::format("--rungs {} needs --mechanical-coordination-number or "
                                         "--rattler-fraction",
@@ -31,8 +31,8 @@ Rungs chosen_rungs(const SweepOptions& o) {
 
 std::string rungs_help() {
   std::string text = "Rungs:\n";
-  for (const Rung& rung : all_rungs())
-    text += fmt::format("  {:<15} {}; needs {}\n", rung.key, rung.title, rung.needs);
+  for (const Rung& rung : effective::closed_forms())
+    text += fmt::format("  {:<15} {}; needs {}\n", rung.key, rung.description, rung.needs);
   return text + "Columns of a table are named like the options, with underscores and the unit: void_ratio,\n"
                 "stress_v_kPa; or by symbol: e, C_n, a, p_kPa, sigma_v_kPa, sigma_h_kPa.";
 }
@@ -67,7 +67,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember(names_of(all_rungs(), &Rung::key)))
+      ->check(CLI::IsMember(names_of(effective::closed_forms(), &Rung::key)))
       ->default_str("all, 3 if z* is an option");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =

@@ -9,12 +9,12 @@
 
 #include <granum/core/units.hpp>
 #include <granum/core/validity.hpp>
+#include <granum/effective/rungs.hpp>
 #include <granum/io/csv.hpp>
 #include <nlohmann/json.hpp>
 
 #include "frame.hpp"
 #include "packing_options.hpp"
-#include "rungs.hpp"
 
 /// What granum sweep works out, state by state, and how it leaves the program.
 namespace granum::cli {
@@ -35,25 +35,26 @@ struct SweepOptions {
   std::string picture_of = "G_hv";
 };
 
+using effective::Rung;
 using Rungs = std::vector<const Rung*>;
 
 /// A number that each rung gives for a state.
 struct SweptQuantity {
   const char* name;
   Dimension dimension;
-  std::optional<double> (*of)(const FieldAnswer& answer);
+  std::optional<double> (*of)(const effective::RungAnswer& answer);
 };
 [[nodiscard]] std::span<const SweptQuantity> swept_quantities();
 [[nodiscard]] const SweptQuantity& swept_quantity(std::string_view name);
 
 /// What the rungs say of one state, or why they cannot.
 struct StateResult {
-  std::vector<std::optional<FieldAnswer>> answers; ///< one a rung
-  std::vector<std::string> notes;                  ///< of validity, each once
-  std::string error;                               ///< empty: none
+  std::vector<std::optional<effective::RungAnswer>> answers; ///< one a rung
+  std::vector<std::string> notes;                            ///< of validity, each once
+  std::string error;                                         ///< empty: none
 };
 
-[[nodiscard]] StateResult evaluate(const Packing& packing, const Rungs& rungs);
+[[nodiscard]] StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs);
 /// Of a state that is none.
 [[nodiscard]] StateResult failed(const std::string& error, const Rungs& rungs);
 

@@ -135,7 +135,7 @@ PathSweep solve(const SweepOptions& o, const Rungs& rungs) {
   for (const std::string& remark : loose_packing_remark(o.packing, sweep.packing))
     sweep.remarks.push_back(remark);
   for (const PathPoint& point : path.points) {
-    Packing packing{sweep.packing, resolve_mechanical_coordination_number(o.packing)};
+    effective::RungInputs packing{sweep.packing, resolve_mechanical_coordination_number(o.packing)};
     packing.state.stress_v = point.stress.v;
     packing.state.stress_h = point.stress.h;
     sweep.results.push_back(evaluate(packing, rungs));
@@ -179,12 +179,6 @@ ordered_json json_of(const PathSweep& sweep, const Rungs& rungs) {
   return json;
 }
 
-/// "rung 2", "uniform-stress"
-std::string legend(const Rung& rung) {
-  const bool number = std::isdigit(static_cast<unsigned char>(rung.key[0])) != 0;
-  return number ? std::string("rung ") + rung.key : rung.key;
-}
-
 io::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuantity& quantity) {
   const io::Scale scale = sweep.path.logarithmic ? io::Scale::logarithmic : io::Scale::linear;
   const bool modulus = quantity.dimension == Dimension::pressure;
@@ -195,7 +189,7 @@ io::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuanti
   if (modulus)
     chart.y = {.title = quantity.name + std::string(" [MPa]"), .scale = scale, .unit = 1e6};
   for (std::size_t r = 0; r < rungs.size(); ++r) {
-    io::Series series{.name = legend(*rungs[r]), .x = {}, .y = {}};
+    io::Series series{.name = effective::label(*rungs[r]), .x = {}, .y = {}};
     for (std::size_t k = 0; k < sweep.results.size(); ++k) {
       const PathPoint& point = sweep.path.points[k];
       const auto& answer = sweep.results[k].answers[r];

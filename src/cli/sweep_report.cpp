@@ -15,30 +15,33 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::optional<double> exponent(const FieldAnswer& answer, double (*of)(const effective::StressExponents&)) {
+std::optional<double> exponent(const effective::RungAnswer& answer,
+                               double (*of)(const effective::StressExponents&)) {
   return answer.exponents ? std::optional(of(*answer.exponents)) : std::nullopt;
 }
 
 /// For G_hv the direction i is h and j is v.
 constexpr SweptQuantity quantities[] = {
-    {"G_hh", Dimension::pressure, [](const FieldAnswer& a) { return std::optional(a.stiffness.G_hh()); }},
-    {"G_hv", Dimension::pressure, [](const FieldAnswer& a) { return std::optional(a.stiffness.G_vh()); }},
+    {"G_hh", Dimension::pressure,
+     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.G_hh()); }},
+    {"G_hv", Dimension::pressure,
+     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.G_vh()); }},
     {"E_v", Dimension::pressure,
-     [](const FieldAnswer& a) { return young_modulus(a.stiffness, Loading::vertical); }},
+     [](const effective::RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::vertical); }},
     {"E_h", Dimension::pressure,
-     [](const FieldAnswer& a) { return young_modulus(a.stiffness, Loading::horizontal); }},
+     [](const effective::RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::horizontal); }},
     {"K", Dimension::pressure,
-     [](const FieldAnswer& a) { return std::optional(a.stiffness.bulk_modulus()); }},
+     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.bulk_modulus()); }},
     {"m", Dimension::dimensionless,
-     [](const FieldAnswer& a) {
+     [](const effective::RungAnswer& a) {
        return exponent(a, [](const effective::StressExponents& e) { return e.stress_h; });
      }},
     {"n", Dimension::dimensionless,
-     [](const FieldAnswer& a) {
+     [](const effective::RungAnswer& a) {
        return exponent(a, [](const effective::StressExponents& e) { return e.stress_v; });
      }},
     {"s", Dimension::dimensionless,
-     [](const FieldAnswer& a) {
+     [](const effective::RungAnswer& a) {
        return exponent(a, [](const effective::StressExponents& e) { return e.sum(); });
      }},
 };
@@ -64,12 +67,12 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   return *found;
 }
 
-StateResult evaluate(const Packing& packing, const Rungs& rungs) {
+StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs) {
   StateResult result;
   std::vector<std::string> errors;
   for (const Rung* rung : rungs) {
     try {
-      result.answers.emplace_back(answer(*rung, packing));
+      result.answers.emplace_back(answer_with_exponents(*rung, packing));
       for (const std::string& note : result.answers.back()->validity.notes)
         add_once(result.notes, note);
     } catch (const Error& error) {
@@ -82,7 +85,9 @@ StateResult evaluate(const Packing& packing, const Rungs& rungs) {
 }
 
 StateResult failed(const std::string& error, const Rungs& rungs) {
-  return {.answers = std::vector<std::optional<FieldAnswer>>(rungs.size()), .notes = {}, .error = error};
+  return {.answers = std::vector<std::optional<effective::RungAnswer>>(rungs.size()),
+          .notes = {},
+          .error = error};
 }
 
 std::string heading(const SweptQuantity& quantity, const Rung& rung) {
@@ -101,7 +106,7 @@ std::vector<std::string> result_headings(const Rungs& rungs) {
 }
 
 void append_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
-  for (const std::optional<FieldAnswer>& answer : result.answers)
+  for (const std::optional<effective::RungAnswer>& answer : result.answers)
     for (const SweptQuantity& quantity : quantities)
       row.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
   row.emplace_back(joined(result.notes));
@@ -148,7 +153,7 @@ Notes csv_notes(const ordered_json& inputs, const Rungs& rungs, const std::vecto
                  {"signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h"},
                  {"exponents", "local, of G_hv: m of sigma_h, n of sigma_v, s = m + n"}};
   for (const Rung* rung : rungs)
-    notes.emplace_back(rung->column, rung->title);
+    notes.emplace_back(rung->column, rung->description);
   for (const std::string& remark : remarks)
     notes.emplace_back("note", remark);
   return notes;
@@ -158,7 +163,7 @@ ordered_json sweep_json_head(const ordered_json& inputs, const Rungs& rungs) {
   ordered_json json = json_head("sweep");
   json["inputs"] = inputs;
   for (const Rung* rung : rungs)
-    json["rungs"][rung->column] = rung->title;
+    json["rungs"][rung->column] = rung->description;
   return json;
 }
 

@@ -11,6 +11,8 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
+#include "estimate.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -21,7 +23,7 @@ using effective::Modulus;
 /// More rejected draws than this are worth a remark.
 constexpr double many_rejected = 0.01;
 
-Packing packing_of(const PackingOptions& o) {
+effective::RungInputs packing_of(const PackingOptions& o) {
   return {resolve_state(o, resolve_stresses(o)), resolve_mechanical_coordination_number(o)};
 }
 
@@ -42,7 +44,7 @@ std::string key_of(const Number& n) { return n.name.substr(2); }
 /// How the inputs of the closed forms move with a number of the options. A profile moves the coefficient of
 /// the contact law, c ~ G_g A^(-1/alpha), as G_g would.
 std::array<double, effective::input_count> slopes_of(const PackingOptions& o, const Number& n,
-                                                     const Packing& packing) {
+                                                     const effective::RungInputs& packing) {
   const effective::State& s = packing.state;
   const double shear = s.law.grain().shear_modulus, e = s.void_ratio;
   const double z = packing.mechanical_coordination_number.value_or(0);
@@ -94,7 +96,7 @@ double deviation_of(const std::string& name, const std::string& text, const Numb
   return share * std::abs(n.value);
 }
 
-UncertainInput parse(PackingOptions& o, const std::string& setting, const Packing& packing) {
+UncertainInput parse(PackingOptions& o, const std::string& setting, const effective::RungInputs& packing) {
   const std::size_t split = setting.find('=');
   if (split == std::string::npos)
     throw InvalidArgument("--uncertainty " + setting + ": write key=sd, as in coordination-number=0.3");
@@ -119,7 +121,7 @@ UncertainInput parse(PackingOptions& o, const std::string& setting, const Packin
 }
 
 std::vector<UncertainInput> parse_all(PackingOptions options, const std::vector<std::string>& settings,
-                                      const Packing& packing) {
+                                      const effective::RungInputs& packing) {
   std::vector<UncertainInput> inputs;
   for (const std::string& setting : settings) {
     inputs.push_back(parse(options, setting, packing));
@@ -137,43 +139,9 @@ constexpr std::pair<const char*, Modulus> moduli[] = {
     {"E_v", Modulus::E_v}, {"E_h", Modulus::E_h},   {"C11", Modulus::C11},
     {"C33", Modulus::C33}, {"C12", Modulus::C12},   {"C13", Modulus::C13}};
 
-std::optional<double> value_of(const elastic::TransverselyIsotropic& stiffness, Modulus which) {
-  if (which == Modulus::E_v || which == Modulus::E_h)
-    return young_modulus(stiffness, which == Modulus::E_v ? Loading::vertical : Loading::horizontal);
-  return effective::modulus(stiffness, which);
-}
-
-/// A closed form of granum estimate, and the derivatives that belong to it.
-struct Estimate {
-  const char* title;
-  const char* key;
-  const Rung* rung;
-  effective::RelaxedGradient (*gradient)(const Packing& packing, Modulus which);
-};
-
-effective::RelaxedGradient uniform_strain_gradient(const Packing& packing, Modulus which) {
-  return {.gradient = effective::gradient(packing.state, {}, which)};
-}
-effective::RelaxedGradient uniform_stress_gradient(const Packing& packing, Modulus which) {
-  const effective::Model model{.hypothesis = effective::Hypothesis::uniform_stress};
-  return {.gradient = effective::gradient(packing.state, model, which)};
-}
-effective::RelaxedGradient relaxed_gradient(const Packing& packing, Modulus which) {
-  return effective::relaxed_gradient(packing.state, *packing.mechanical_coordination_number, which);
-}
-
-std::vector<Estimate> estimates_of(const Packing& packing) {
-  std::vector<Estimate> estimates{
-      {"uniform strain", "uniform_strain", &uniform_strain_rung(), uniform_strain_gradient},
-      {"uniform stress", "uniform_stress", &uniform_stress_rung(), uniform_stress_gradient}};
-  if (packing.mechanical_coordination_number)
-    estimates.push_back({"relaxed", "relaxed", &relaxed_rung(), relaxed_gradient});
-  return estimates;
-}
-
 /// A modulus that the packing has, and where its uncertainty goes.
 struct Target {
-  const Estimate* estimate;
+  const ShownForm* form;
   Modulus which;
   ModulusUncertainty* uncertainty;
 
@@ -190,15 +158,15 @@ std::vector<effective::UncertainNumber> numbers_of(const std::vector<UncertainIn
   return uncertain;
 }
 
-std::optional<effective::FirstOrder> first_order_of(const Estimate& estimate, const Packing& packing,
-                                                    Modulus which, const UncertaintyAnswer& all,
-                                                    Validity& validity) {
+std::optional<effective::FirstOrder> first_order_of(const ShownForm& form,
+                                                    const effective::RungInputs& packing, Modulus which,
+                                                    const UncertaintyAnswer& all, Validity& validity) {
   try {
-    const auto slopes = estimate.gradient(packing, which);
+    const auto slopes = effective::gradient(*form.rung, packing, which);
     return effective::first_order(slopes.gradient, numbers_of(all.inputs), slopes.standard_error);
   } catch (const InvalidArgument& error) {
-    validity.add(fmt::format("some moduli under {} have no first-order uncertainty: {}", estimate.title,
-                             error.what()));
+    validity.add(
+        fmt::format("some moduli under {} have no first-order uncertainty: {}", form.title, error.what()));
     return std::nullopt;
   }
 }
@@ -210,15 +178,15 @@ std::vector<double> values_at(std::span<const double> drawn, PackingOptions& opt
   const std::vector<Number*> all = numbers(options);
   for (std::size_t k = 0; k < inputs.size(); ++k)
     all[inputs[k].index]->value = drawn[k];
-  const Packing packing = packing_of(options);
+  const effective::RungInputs packing = packing_of(options);
   std::vector<double> values;
-  const Estimate* solved = nullptr;
+  const ShownForm* solved = nullptr;
   elastic::TransverselyIsotropic stiffness;
   for (const Target& target : targets) {
-    if (target.estimate != solved)
-      stiffness = answer(*target.estimate->rung, packing).stiffness;
-    solved = target.estimate;
-    const auto value = value_of(stiffness, target.which);
+    if (target.form != solved)
+      stiffness = effective::answer(*target.form->rung, packing).stiffness;
+    solved = target.form;
+    const auto value = effective::modulus_if_any(stiffness, target.which);
     if (!value)
       throw InvalidArgument("the stiffness is not positive definite");
     values.push_back(*value * (1 + target.calibration() * drawn.back()));
@@ -257,31 +225,31 @@ void add_uncertainty_option(CLI::App& command, std::vector<std::string>& setting
 }
 
 UncertaintyAnswer propagate(const PackingOptions& options, const std::vector<std::string>& settings) {
-  const Packing packing = packing_of(options);
+  const effective::RungInputs packing = packing_of(options);
   UncertaintyAnswer all;
   all.inputs = parse_all(options, settings, packing);
-  const std::vector<Estimate> estimates = estimates_of(packing);
-  for (const Estimate& estimate : estimates) {
-    all.rungs.push_back({.title = estimate.title, .key = estimate.key, .moduli = {}});
+  const std::vector<ShownForm> forms = shown_forms(packing);
+  for (const ShownForm& form : forms) {
+    all.rungs.push_back({.title = form.title, .key = form.key, .moduli = {}});
     for (const auto& [key, which] : moduli)
       all.rungs.back().moduli.push_back({.key = key});
   }
   std::vector<Target> targets;
-  for (std::size_t k = 0; k < estimates.size(); ++k) {
-    const elastic::TransverselyIsotropic stiffness = answer(*estimates[k].rung, packing).stiffness;
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    const elastic::TransverselyIsotropic stiffness = effective::answer(*forms[k].rung, packing).stiffness;
     for (std::size_t i = 0; i < std::size(moduli); ++i) {
       const Modulus which = moduli[i].second;
       ModulusUncertainty& uncertainty = all.rungs[k].moduli[i];
-      const auto value = value_of(stiffness, which);
+      const auto value = effective::modulus_if_any(stiffness, which);
       if (!value)
         continue;
       uncertainty.value = *value;
-      uncertainty.first_order = first_order_of(estimates[k], packing, which, all, all.validity);
-      targets.push_back({&estimates[k], which, &uncertainty});
+      uncertainty.first_order = first_order_of(forms[k], packing, which, all, all.validity);
+      targets.push_back({&forms[k], which, &uncertainty});
     }
   }
   sample_all(options, targets, all);
-  keep_each_once(all.validity);
+  all.validity.keep_each_once();
   return all;
 }
 

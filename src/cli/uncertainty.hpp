@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <granum/effective/rungs.hpp>
 #include <granum/effective/uncertainty.hpp>
 #include <nlohmann/json.hpp>
 
 #include "packing_options.hpp"
-#include "rungs.hpp"
 
 /// What granum estimate --uncertainty works out, and how it is put into words.
 namespace granum::cli {

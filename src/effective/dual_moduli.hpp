@@ -81,8 +81,15 @@ double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
 
 /// The stiffness of a model with its derivatives by the stresses alone. Assumes a checked, loaded state.
 Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model& model);
+/// Whether a modulus of a stiffness is zero but for rounding. C44 is a sum of small terms where it is small; all
+/// others are differences of larger ones.
+inline bool vanishes(double value, double C11, Modulus which) {
+  return std::abs(value) <= (which == Modulus::G_vh ? 0 : 1e-13 * C11);
+}
+/// \throws   InvalidArgument where the modulus vanishes: it has no exponents
+void require_modulus(double value, double C11, Modulus which);
 /// Exponents of a modulus of constants that carry their derivatives by the logarithms of the stresses.
-/// \throws   InvalidArgument as checked_modulus, and where the modulus is zero but for rounding
+/// \throws   InvalidArgument as checked_modulus and require_modulus
 StressExponents exponents_of(const Constants<Dual<stress_seeds>>& constants, Modulus which);
 
 /// The stiffness of a model with its derivatives by all seeds. Assumes a checked, loaded state.

@@ -34,29 +34,20 @@ Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model
   return differentiated<stress_seeds>(state, model);
 }
 
-// C44 is a sum of small terms where it is small; all others are differences of larger ones.
+void require_modulus(double value, double C11, Modulus which) {
+  if (vanishes(value, C11, which))
+    throw InvalidArgument("this modulus vanishes at these values of k_t/k_n and a: it has no exponents");
+}
+
 StressExponents exponents_of(const Constants<Dual<stress_seeds>>& constants, Modulus which) {
   const double value = checked_modulus(constants, which);
-  const double rounding = which == Modulus::G_vh ? 0 : 1e-13 * constants.C11.value();
-  if (std::abs(value) <= rounding)
-    throw InvalidArgument("this modulus vanishes at these values of k_t/k_n and a: it has no exponents");
+  require_modulus(value, constants.C11.value(), which);
   const Dual<stress_seeds> X = modulus(constants, which);
   return {.stress_v = X.derivatives()[log_stress_v] / value,
           .stress_h = X.derivatives()[log_stress_h] / value};
 }
 
 } // namespace kernel
-
-namespace {
-
-StressExponents exponents(const State& state, Hypothesis hypothesis, Modulus which) {
-  kernel::require_differentiable(state, hypothesis, which);
-  return kernel::exponents_of(
-      kernel::stress_derivatives(state, {.hypothesis = hypothesis, .forces = ContactForces::by_direction}),
-      which);
-}
-
-} // namespace
 
 double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which) {
   switch (which) {
@@ -82,16 +73,24 @@ double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which) {
   throw InvalidArgument("modulus is not one of the known ones");
 }
 
+std::optional<double> modulus_if_any(const elastic::TransverselyIsotropic& stiffness, Modulus which) {
+  if (which == Modulus::E_v)
+    return elastic::young_modulus(stiffness, elastic::Loading::vertical);
+  if (which == Modulus::E_h)
+    return elastic::young_modulus(stiffness, elastic::Loading::horizontal);
+  return modulus(stiffness, which);
+}
+
 StressExponents uniform_strain_exponents(const State& state, Modulus which) {
-  return exponents(state, Hypothesis::uniform_strain, which);
+  return uniform_field_exponents(state, {.hypothesis = Hypothesis::uniform_strain}, which);
 }
 
 StressExponents free_spin_exponents(const State& state, Modulus which) {
-  return exponents(state, Hypothesis::free_spin, which);
+  return uniform_field_exponents(state, {.hypothesis = Hypothesis::free_spin}, which);
 }
 
 StressExponents uniform_stress_exponents(const State& state, Modulus which) {
-  return exponents(state, Hypothesis::uniform_stress, which);
+  return uniform_field_exponents(state, {.hypothesis = Hypothesis::uniform_stress}, which);
 }
 
 } // namespace granum::effective

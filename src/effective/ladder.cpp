@@ -8,7 +8,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/effective/uniform_field.hpp>
+#include <granum/effective/rungs.hpp>
 
 namespace granum::effective {
 
@@ -17,7 +17,6 @@ namespace {
 using elastic::TransverselyIsotropic;
 
 constexpr double smallest_specimen = 3.6, largest_specimen = 8.7; // C_n of the estimate of z*
-constexpr std::size_t relaxed_rung = 3;
 
 /// K, G_hh and G_vh, the moduli whose errors are stated, or what belongs to each of them.
 using Triple = std::array<double, 3>;
@@ -78,6 +77,10 @@ struct Relaxed {
   }
 };
 
+RungAnswer rung3(const State& state, double z) {
+  return effective::answer(rung(RungName::relaxed), {.state = state, .mechanical_coordination_number = z});
+}
+
 /// |X_2 - X_1|/X of each modulus.
 Triple differences(const TransverselyIsotropic& first, const TransverselyIsotropic& second,
                    const Triple& middle) {
@@ -91,8 +94,8 @@ Triple differences(const TransverselyIsotropic& first, const TransverselyIsotrop
 Triple error_by_coordination(const State& state, const Measured& z, const Triple& middle) {
   if (z.standard_error == 0)
     return {};
-  Triple shares = differences(relaxed(state, std::max(0.0, z.value - z.standard_error)).stiffness,
-                              relaxed(state, z.value + z.standard_error).stiffness, middle);
+  Triple shares = differences(rung3(state, std::max(0.0, z.value - z.standard_error)).stiffness,
+                              rung3(state, z.value + z.standard_error).stiffness, middle);
   for (double& share : shares)
     share /= 2;
   return shares;
@@ -100,25 +103,25 @@ Triple error_by_coordination(const State& state, const Measured& z, const Triple
 
 /// What a standard error of a makes of each modulus. It is taken to the side where the contact forces are
 /// more alike: to the other they might be more unequal than a State may have them.
-Triple error_by_fabric(const State& state, double z, double error, const RelaxedEstimate& estimate) {
+Triple error_by_fabric(const State& state, double z, double error, const TransverselyIsotropic& estimate) {
   const double a = state.fabric_anisotropy;
   const bool upright_contacts_carry_more = state.stress_v * (5 - 3 * a) > state.stress_h * (5 + a);
   State other = state; // |a| <= 1: a density of contacts that is nowhere negative
   other.fabric_anisotropy = std::clamp(upright_contacts_carry_more ? a + error : a - error, -1.0, 1.0);
-  return differences(estimate.stiffness, relaxed(other, z).stiffness, moduli(estimate.stiffness));
+  return differences(estimate, rung3(other, z).stiffness, moduli(estimate));
 }
 
 Relaxed relax(const State& state, const Measured& z, double fabric_error) {
-  const RelaxedEstimate estimate = relaxed(state, z.value);
+  const RungAnswer estimate = rung3(state, z.value);
   Relaxed answer{.stiffness = estimate.stiffness, .validity = estimate.validity};
   if (!answer.rigid())
     return answer;
   const Triple middle = moduli(estimate.stiffness);
-  const ModulusErrors& own = estimate.relative_error;
+  const ModulusErrors& own = *estimate.relative_error;
   answer.calibration = {own.bulk_modulus, own.G_hh, own.G_vh};
   answer.coordination = error_by_coordination(state, z, middle);
   if (fabric_error > 0)
-    answer.fabric = error_by_fabric(state, z.value, fabric_error, estimate);
+    answer.fabric = error_by_fabric(state, z.value, fabric_error, estimate.stiffness);
   return answer;
 }
 
@@ -145,38 +148,36 @@ double largest(const ModulusErrors& e) { return std::max({e.bulk_modulus, e.G_hh
 
 // --- the rungs ------------------------------------------------------------------------------------------
 
-TransverselyIsotropic isotropic(State state) {
-  state.fabric_anisotropy = 0;
-  return uniform_strain_stiffness(uniform_contacts(state));
+std::size_t place(const Rung& row) { return static_cast<std::size_t>(*row.number); }
+std::size_t relaxed_place() { return place(rung(RungName::relaxed)); }
+
+/// What the rung lacks of this packing.
+std::vector<std::string> missing(const Rung& row, const KnownPacking& packing) {
+  if (row.needs_packing)
+    return {"a packing"};
+  if (row.needs_fabric && !packing.fabric_standard_error)
+    return {"the fabric a"};
+  return {};
 }
 
-std::array<RungAssessment, 6> ladder() {
-  const auto rung = [](int number, const char* title, double time, std::vector<std::string> missing) {
-    RungAssessment assessment;
-    assessment.rung = number;
-    assessment.title = title;
-    assessment.typical_time = time;
-    assessment.missing = std::move(missing);
-    return assessment;
-  };
-  const std::vector<std::string> packing{"a packing"};
-  return {rung(0, "uniform strain, isotropic", 20e-9, {}),
-          rung(1, "uniform strain with fabric", 80e-9, {}),
-          rung(2, "uniform strain, contact stiffness by direction", 0.4e-6, {}),
-          rung(3, "relaxed", 0.9e-6, {}),
-          rung(4, "linear response of the contact network", 0.05, packing),
-          rung(5, "cyclic probe by DEM", 0.3, packing)};
+std::array<RungAssessment, 6> ladder(const KnownPacking& packing) {
+  std::array<RungAssessment, 6> ladder;
+  for (const Rung& row : rungs())
+    if (row.number) {
+      RungAssessment& assessment = ladder[place(row)];
+      assessment.rung = *row.number;
+      assessment.title = row.title;
+      assessment.typical_time = row.typical_time;
+      assessment.missing = missing(row, packing);
+    }
+  return ladder;
 }
 
-void work_out(std::array<RungAssessment, 6>& rungs, const KnownPacking& packing) {
-  const State& state = packing.state;
-  rungs[0].stiffness = isotropic(state);
-  if (!packing.fabric_standard_error) {
-    rungs[1].missing = rungs[2].missing = {"the fabric a"};
-    return;
-  }
-  rungs[1].stiffness = uniform_strain_stiffness(uniform_contacts(state));
-  rungs[2].stiffness = uniform_strain(state).stiffness;
+/// Those below rung 3, which has been worked out before.
+void work_out(std::array<RungAssessment, 6>& ladder, const State& state) {
+  for (const Rung& row : closed_forms())
+    if (row.number && !row.needs_coordination && ladder[place(row)].missing.empty())
+      ladder[place(row)].stiffness = effective::answer(row, {.state = state}).stiffness;
 }
 
 /// "its calibration 2.7 %, z* 10 %": the largest part of each kind.
@@ -190,16 +191,16 @@ std::string parts_text(const Relaxed& truth, const Coordination& z, bool fabric_
   return text;
 }
 
-void state_errors(std::array<RungAssessment, 6>& rungs, const Relaxed& truth, const std::string& parts) {
-  for (RungAssessment& rung : rungs) {
-    if (!rung.stiffness)
+void state_errors(std::array<RungAssessment, 6>& ladder, const Relaxed& truth, const std::string& parts) {
+  for (const Rung& row : rungs()) {
+    if (!row.number)
       continue;
-    rung.relative_error = stated_error(*rung.stiffness, truth);
-    rung.error_source =
-        rung.rung == relaxed_rung ? parts : "distance from rung 3, and the standard error of that";
+    RungAssessment& assessment = ladder[place(row)];
+    if (assessment.stiffness)
+      assessment.relative_error = stated_error(*assessment.stiffness, truth);
+    if (assessment.stiffness || row.needs_packing)
+      assessment.error_source = row.name == RungName::relaxed ? parts : row.error_source;
   }
-  rungs[4].error_source = "none but the solver's: what the other errors are measured against";
-  rungs[5].error_source = "within 0.6 % of rung 4 (validation/verify_default)";
 }
 
 // --- the choice -----------------------------------------------------------------------------------------
@@ -219,19 +220,19 @@ void give_reason(RungAssessment& rung, const LadderEstimate& ladder) {
   const auto error = rung.largest_error();
   const bool chosen = &rung == &ladder.choice();
   if (!rung.missing.empty()) {
-    rung.verdict = Verdict::inputs_missing;
+    rung.verdict = RungVerdict::inputs_missing;
     rung.reason = "needs " + join(rung.missing);
   } else if (!error) {
-    rung.verdict = chosen ? Verdict::chosen : Verdict::error_unknown;
+    rung.verdict = chosen ? RungVerdict::chosen : RungVerdict::error_unknown;
     rung.reason = "its error is not known";
   } else if (chosen) {
-    rung.verdict = Verdict::chosen;
+    rung.verdict = RungVerdict::chosen;
     rung.reason = ladder.tolerance_met ? "the cheapest whose stated error fits" : "the smallest stated error";
   } else if (*error <= ladder.tolerance) {
-    rung.verdict = Verdict::cheaper_does;
+    rung.verdict = RungVerdict::cheaper_does;
     rung.reason = "fits as well, but rung " + std::to_string(ladder.chosen) + " is cheaper";
   } else {
-    rung.verdict = Verdict::beyond_tolerance;
+    rung.verdict = RungVerdict::beyond_tolerance;
     rung.reason = "its stated error exceeds the tolerance";
   }
 }
@@ -300,12 +301,9 @@ void note_tolerance(LadderEstimate& ladder) {
 
 /// Nothing to relax: every rung says zero.
 LadderEstimate without_stiffness(LadderEstimate ladder, const KnownPacking& packing) {
-  for (std::size_t k = 0; k <= relaxed_rung; ++k) {
-    RungAssessment& rung = ladder.rungs[k];
-    if (!packing.fabric_standard_error && (k == 1 || k == 2)) {
-      rung.missing = {"the fabric a"};
+  for (RungAssessment& rung : ladder.rungs) {
+    if (!rung.missing.empty())
       continue;
-    }
     rung.stiffness = TransverselyIsotropic{};
     rung.relative_error = ModulusErrors{};
     rung.error_source = packing.state.coordination_number > 0
@@ -333,12 +331,12 @@ LadderEstimate estimate(const KnownPacking& packing, double tolerance) {
   if (packing.fabric_standard_error)
     require_non_negative("fabric_standard_error", *packing.fabric_standard_error);
   const State& state = packing.state;
-  const Estimate directional = uniform_strain(state);
+  const RungAnswer directional = effective::answer(rung(RungName::directional), {.state = state});
   const Coordination z = coordination(packing);
   LadderEstimate answer{.tolerance = tolerance,
                         .mechanical_coordination_number = z.z,
                         .coordination_estimated = z.estimated,
-                        .rungs = ladder(),
+                        .rungs = ladder(packing),
                         .advice = {},
                         .validity = directional.validity};
   if (directional.stiffness == TransverselyIsotropic{}) {
@@ -347,14 +345,14 @@ LadderEstimate estimate(const KnownPacking& packing, double tolerance) {
     const bool fabric_assumed = !packing.fabric_standard_error;
     const double fabric_error = packing.fabric_standard_error.value_or(assumed_fabric_error(state));
     const Relaxed truth = relax(state, z.z, fabric_error);
-    work_out(answer.rungs, packing);
-    answer.rungs[relaxed_rung].stiffness = truth.stiffness;
+    work_out(answer.rungs, state);
+    answer.rungs[relaxed_place()].stiffness = truth.stiffness;
     answer.validity = truth.validity;
     if (z.estimated &&
         (state.coordination_number < smallest_specimen || state.coordination_number > largest_specimen))
       answer.validity.add("z* is estimated from C_n = " + short_text(state.coordination_number) +
                           ": the specimens behind that had 3.6 to 8.7");
-    answer.chosen = relaxed_rung;
+    answer.chosen = relaxed_place();
     if (truth.rigid()) {
       state_errors(answer.rungs, truth, parts_text(truth, z, fabric_assumed));
       answer.chosen = *choose(answer.rungs, tolerance);

@@ -64,7 +64,7 @@ double standard_error(const RelaxedParts& parts, const Slopes& by) {
 
 } // namespace
 
-RelaxedGradient relaxed_gradient(const State& s, double mechanical_coordination_number, Modulus which) {
+CalibratedGradient relaxed_gradient(const State& s, double mechanical_coordination_number, Modulus which) {
   kernel::require_differentiable(s, Hypothesis::uniform_strain, which);
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const RelaxedParts parts = kernel::relaxed_parts(s, z);

@@ -12,7 +12,6 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/uniform_field.hpp>
 
 namespace granum::effective {
 
@@ -105,19 +104,6 @@ State moved(const State& s, std::span<const double> x) {
           .stress_h = scale * at(Input::stress_h)};
 }
 
-elastic::TransverselyIsotropic stiffness(const State& s, const Model& model) {
-  const bool directional = model.forces == ContactForces::by_direction;
-  switch (model.hypothesis) {
-  case Hypothesis::uniform_strain:
-    return directional ? uniform_strain(s).stiffness : uniform_strain_stiffness(uniform_contacts(s));
-  case Hypothesis::free_spin:
-    return directional ? free_spin(s).stiffness : free_spin_stiffness(uniform_contacts(s));
-  case Hypothesis::uniform_stress:
-    return directional ? uniform_stress(s).stiffness : uniform_stress_stiffness(uniform_contacts(s));
-  }
-  throw InvalidArgument("hypothesis is not one of the known ones");
-}
-
 Uncertainty joined(double value, FirstOrder first, const Sample& sample) {
   return {.value = value,
           .first_order = std::move(first),
@@ -176,7 +162,7 @@ Uncertainty uncertainty(const State& state, const Model& model, Modulus which, c
   const Gradient slopes = gradient(state, model, which);
   const std::vector<UncertainNumber> numbers = numbers_of(state, 0, deviations);
   const auto evaluate = [&](std::span<const double> x) {
-    return std::vector{modulus(stiffness(moved(state, x), model), which)};
+    return std::vector{modulus(uniform_field(moved(state, x), model).stiffness, which)};
   };
   return joined(slopes.value, first_order(slopes, numbers), sample(numbers, evaluate, sampling));
 }

@@ -74,6 +74,13 @@ double TransverselyIsotropic::nu_hh() const {
   return -s.m12 / s.m11;
 }
 
+std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Loading loading) {
+  if (stiffness.positive_definite())
+    return loading == Loading::vertical ? stiffness.E_v() : stiffness.E_h();
+  const bool without_shear_stiffness = stiffness.C44 == 0 && stiffness.C66() == 0;
+  return without_shear_stiffness ? std::optional(0.0) : std::nullopt;
+}
+
 TransverselyIsotropicCompliance compliance(const TransverselyIsotropic& stiffness) {
   const NormalBlock s = inverse(checked(stiffness));
   return {.S11 = s.m11, .S33 = s.m33, .S12 = s.m12, .S13 = s.m13, .S44 = 1 / stiffness.C44};

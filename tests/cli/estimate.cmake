@@ -245,3 +245,6 @@ granum_cli_test("estimate: ladder at k_t = k_n" EXIT 0 JSON "ladder/rung=^3$"
   ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0 --tolerance 10% --json)
 granum_cli_test("estimate: k_t = k_n of grains of nu = 0" EXIT 0 JSON "relaxed/n=^0\\.[1-9]"
   ARGS estimate --void-ratio 0.6 --grain-poisson-ratio 0 --pressure 100kPa --rattler-fraction 2% --json)
+granum_cli_test("estimate: warnings of the ladder stand in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
+  JSON "warnings/0=tolerance of 0.1 % is not met" ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0
+    --tolerance 0.1% --json)

@@ -19,7 +19,7 @@ using effective::estimate;
 using effective::KnownPacking;
 using effective::LadderEstimate;
 using effective::Measured;
-using effective::Verdict;
+using effective::RungVerdict;
 using elastic::TransverselyIsotropic;
 
 namespace {
@@ -155,8 +155,8 @@ TEST_CASE(
   for (const std::size_t k : {1u, 2u})
     CHECK(ladder.rungs[k].stiffness->G_vh() == relative(ladder.rungs[0].stiffness->G_vh(), 1e-14));
   CHECK(ladder.chosen == 0);
-  CHECK(ladder.rungs[0].verdict == Verdict::chosen);
-  CHECK(ladder.rungs[3].verdict == Verdict::cheaper_does);
+  CHECK(ladder.rungs[0].verdict == RungVerdict::chosen);
+  CHECK(ladder.rungs[3].verdict == RungVerdict::cheaper_does);
 }
 
 TEST_CASE("ladder: a looser tolerance never takes a dearer rung") {
@@ -237,7 +237,7 @@ TEST_CASE("ladder: what is missing is named, and what it would bring") {
   packing.fabric_standard_error.reset();
   const LadderEstimate ladder = estimate(packing, 0.05);
   for (const std::size_t k : {1u, 2u}) {
-    CHECK(ladder.rungs[k].verdict == Verdict::inputs_missing);
+    CHECK(ladder.rungs[k].verdict == RungVerdict::inputs_missing);
     CHECK(mentions(ladder.rungs[k].missing, "the fabric a"));
     CHECK_FALSE(ladder.rungs[k].stiffness.has_value());
     CHECK_FALSE(ladder.rungs[k].relative_error.has_value());
@@ -307,7 +307,7 @@ TEST_CASE("ladder: no error is stated where the packing may not be rigid") {
   CHECK(ladder.chosen == 3);
   CHECK_FALSE(ladder.tolerance_met);
   CHECK_FALSE(ladder.choice().largest_error().has_value());
-  CHECK(ladder.rungs[0].verdict == Verdict::error_unknown);
+  CHECK(ladder.rungs[0].verdict == RungVerdict::error_unknown);
   CHECK(mentions(ladder.validity.notes, "may not be rigid"));
   CHECK(mentions(ladder.validity.notes, "isostatic"));
   packing.mechanical_coordination_number.reset();

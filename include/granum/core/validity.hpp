@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace granum {
@@ -14,6 +16,14 @@ struct Validity {
 
   [[nodiscard]] bool ok() const { return notes.empty(); }
   void add(std::string note) { notes.push_back(std::move(note)); }
+  /// Leaves out notes that stand there before.
+  void keep_each_once() {
+    std::vector<std::string> once;
+    for (std::string& note : notes)
+      if (std::find(once.begin(), once.end(), note) == once.end())
+        once.push_back(std::move(note));
+    notes = std::move(once);
+  }
   void merge(const Validity& other) { notes.insert(notes.end(), other.notes.begin(), other.notes.end()); }
 };
 

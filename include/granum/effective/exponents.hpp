@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
@@ -19,7 +21,11 @@ struct StressExponents {
 };
 
 /// The modulus of that name [Pa].
+/// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite
 [[nodiscard]] double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which);
+/// The same for any stiffness: Young's moduli as elastic::young_modulus gives them, nothing where there is none.
+[[nodiscard]] std::optional<double> modulus_if_any(const elastic::TransverselyIsotropic& stiffness,
+                                                   Modulus which);
 
 /// Exponents of a modulus of uniform_strain(state), differentiated exactly under the integral.    [Chung2014]
 /// \throws   InvalidArgument as require_valid(State), without stress or contacts, and where the modulus is

@@ -5,28 +5,11 @@
 #include <cstddef>
 
 #include <granum/effective/exponents.hpp>
+#include <granum/effective/model.hpp>
 #include <granum/effective/state.hpp>
 
 /// Exact derivatives of the closed forms: how much a modulus changes with each of its inputs.
 namespace granum::effective {
-
-/// What the grains are taken to do.
-enum class Hypothesis {
-  uniform_strain, ///< follow the mean strain, no spin
-  free_spin,      ///< follow the mean strain, spin alike as the energy likes best
-  uniform_stress  ///< carry the forces of the mean stress
-};
-
-/// Which force sets the stiffness of a contact.
-enum class ContactForces {
-  mean,        ///< the mean force of all contacts: rungs 0 and 1, uniform_contacts(state)
-  by_direction ///< the static force field: rung 2, uniform_strain(state) and its kin
-};
-
-struct Model {
-  Hypothesis hypothesis = Hypothesis::uniform_strain;
-  ContactForces forces = ContactForces::by_direction;
-};
 
 /// An input that a modulus is differentiated by. Each of them varies alone, except mean_stress, which moves
 /// both stresses at their ratio, and grain_poisson_ratio_mindlin.
@@ -68,10 +51,10 @@ struct Gradient {
 ///           Checked by tests/effective/test_gradients.cpp
 [[nodiscard]] Gradient gradient(const State& state, const Model& model, Modulus which);
 
-/// A relaxed modulus with its derivatives, and what the calibration of the relaxation leaves open of it.
-struct RelaxedGradient {
+/// A modulus with its derivatives, and what the calibration of its estimate leaves open of it.
+struct CalibratedGradient {
   Gradient gradient;
-  double standard_error = 0; ///< of the calibration alone, the inputs taken as exact [Pa]
+  double standard_error = 0; ///< of the calibration alone, the inputs taken as exact; 0 without one [Pa]
 };
 
 /// A modulus of relaxed(state, z*), rung 3, with its exact derivatives by every input; each varies alone: z*
@@ -82,7 +65,7 @@ struct RelaxedGradient {
 ///           modulus vanishes
 /// Accuracy  relative 1e-11 of the largest logarithmic derivative.
 ///           Checked by tests/effective/test_relaxed_gradients.cpp
-[[nodiscard]] RelaxedGradient relaxed_gradient(const State& state, double mechanical_coordination_number,
-                                               Modulus which);
+[[nodiscard]] CalibratedGradient relaxed_gradient(const State& state, double mechanical_coordination_number,
+                                                  Modulus which);
 
 } // namespace granum::effective

@@ -43,7 +43,7 @@ struct KnownPacking {
 };
 
 /// Why a rung was or was not taken.
-enum class Verdict {
+enum class RungVerdict {
   chosen,           ///< the cheapest that fits the tolerance, or the best if none does
   cheaper_does,     ///< fits as well, but a cheaper one does
   beyond_tolerance, ///< its stated error exceeds the tolerance
@@ -61,7 +61,7 @@ struct RungAssessment {
   /// Stated errors of K, G_hh and G_vh against a packing's own contact network, over the latter.
   std::optional<ModulusErrors> relative_error;
   std::string error_source; ///< where they come from
-  Verdict verdict = Verdict::inputs_missing;
+  RungVerdict verdict = RungVerdict::inputs_missing;
   std::string reason; ///< the verdict in words
 
   /// Largest of the three; nothing where none is stated.

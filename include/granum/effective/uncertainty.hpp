@@ -37,7 +37,7 @@ struct FirstOrder {
 /// Standard deviation of a modulus by its gradient: the root of the sum of (dX/d number x deviation)^2 and of
 /// the square of the estimate's own standard error.                                               [JCGM2008a]
 /// Assumes   independent numbers, deviations small against the distance over which the gradient changes.
-/// \param    standard_error   of the estimate at exact inputs, RelaxedGradient::standard_error [Pa]
+/// \param    standard_error   of the estimate at exact inputs, CalibratedGradient::standard_error [Pa]
 /// \throws   InvalidArgument if a deviation or the standard error is negative or not finite
 /// Accuracy  rounding.  Checked by tests/effective/test_uncertainty.cpp
 [[nodiscard]] FirstOrder first_order(const Gradient& gradient, std::span<const UncertainNumber> numbers,

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/rungs.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/model.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
+
+#include "dual_moduli.hpp"
+
+namespace granum::effective {
+
+namespace {
+
+constexpr Model mean_force{.hypothesis = Hypothesis::uniform_strain, .forces = ContactForces::mean};
+constexpr Model uniform_strain_model{.hypothesis = Hypothesis::uniform_strain};
+constexpr Model uniform_stress_model{.hypothesis = Hypothesis::uniform_stress};
+
+// ---- uniform fields
+
+template <const Model& model>
+RungAnswer field(const RungInputs& packing) {
+  Estimate estimate = uniform_field(packing.state, model);
+  return {.stiffness = estimate.stiffness, .validity = std::move(estimate.validity)};
+}
+template <const Model& model>
+StressExponents field_exponents(const RungInputs& packing, Modulus which) {
+  return uniform_field_exponents(packing.state, model, which);
+}
+template <const Model& model>
+CalibratedGradient field_gradient(const RungInputs& packing, Modulus which) {
+  return {.gradient = gradient(packing.state, model, which)};
+}
+
+// ---- rung 0: rung 1 without its fabric
+
+RungInputs without_fabric(RungInputs packing) {
+  packing.state.fabric_anisotropy = 0;
+  return packing;
+}
+RungAnswer isotropic(const RungInputs& packing) { return field<mean_force>(without_fabric(packing)); }
+StressExponents isotropic_exponents(const RungInputs& packing, Modulus which) {
+  return field_exponents<mean_force>(without_fabric(packing), which);
+}
+CalibratedGradient isotropic_gradient(const RungInputs& packing, Modulus which) {
+  CalibratedGradient slopes = field_gradient<mean_force>(without_fabric(packing), which);
+  slopes.gradient[Input::fabric_anisotropy] = 0;
+  return slopes;
+}
+
+// ---- rung 3
+
+RungAnswer relaxed_answer(const RungInputs& packing) {
+  RelaxedEstimate estimate = relaxed(packing.state, *packing.mechanical_coordination_number);
+  return {.stiffness = estimate.stiffness,
+          .validity = std::move(estimate.validity),
+          .relative_error = estimate.relative_error};
+}
+StressExponents frozen_exponents(const RungInputs& packing, Modulus which) {
+  return relaxed_exponents(packing.state, *packing.mechanical_coordination_number, {}, which);
+}
+CalibratedGradient calibrated_gradient(const RungInputs& packing, Modulus which) {
+  return relaxed_gradient(packing.state, *packing.mechanical_coordination_number, which);
+}
+
+// ---- the table
+
+constexpr const char* distance = "distance from rung 3, and the standard error of that";
+
+constexpr Rung table[] = {
+    {.name = RungName::isotropic,
+     .number = 0,
+     .key = "0",
+     .column = "rung0",
+     .title = "uniform strain, isotropic",
+     .description = "uniform strain, isotropic, every contact at the mean force",
+     .needs = "nothing more",
+     .needs_fabric = false,
+     .needs_coordination = false,
+     .needs_packing = false,
+     .typical_time = 20e-9,
+     .error_source = distance,
+     .answer = isotropic,
+     .exponents = isotropic_exponents,
+     .gradient = isotropic_gradient},
+    {.name = RungName::fabric,
+     .number = 1,
+     .key = "1",
+     .column = "rung1",
+     .title = "uniform strain with fabric",
+     .description = "uniform strain with fabric, every contact at the mean force",
+     .needs = "a",
+     .needs_fabric = true,
+     .needs_coordination = false,
+     .needs_packing = false,
+     .typical_time = 80e-9,
+     .error_source = distance,
+     .answer = field<mean_force>,
+     .exponents = field_exponents<mean_force>,
+     .gradient = field_gradient<mean_force>},
+    {.name = RungName::directional,
+     .number = 2,
+     .key = "2",
+     .column = "rung2",
+     .title = "uniform strain, contact stiffness by direction",
+     .description = "uniform strain with fabric, contacts as stiff as the force in their direction",
+     .needs = "a, sigma_v, sigma_h",
+     .needs_fabric = true,
+     .needs_coordination = false,
+     .needs_packing = false,
+     .typical_time = 0.4e-6,
+     .error_source = distance,
+     .answer = field<uniform_strain_model>,
+     .exponents = field_exponents<uniform_strain_model>,
+     .gradient = field_gradient<uniform_strain_model>},
+    {.name = RungName::relaxed,
+     .number = 3,
+     .key = "3",
+     .column = "rung3",
+     .title = "relaxed",
+     .description = "rung 2 relaxed, as contact networks of this coordination do",
+     .needs = "z* as well",
+     .needs_fabric = false,
+     .needs_coordination = true,
+     .needs_packing = false,
+     .typical_time = 0.9e-6,
+     .error_source = "its calibration, and the standard errors of z* and a",
+     .answer = relaxed_answer,
+     .exponents = frozen_exponents,
+     .gradient = calibrated_gradient},
+    {.name = RungName::uniform_stress,
+     .number = std::nullopt,
+     .key = "uniform-stress",
+     .column = "uniform_stress",
+     .title = "uniform stress",
+     .description = "uniform stress with fabric and forces as rung 2",
+     .needs = "a, sigma_v, sigma_h",
+     .needs_fabric = true,
+     .needs_coordination = false,
+     .needs_packing = false,
+     .typical_time = 0.4e-6,
+     .error_source = distance,
+     .answer = field<uniform_stress_model>,
+     .exponents = field_exponents<uniform_stress_model>,
+     .gradient = field_gradient<uniform_stress_model>},
+    {.name = RungName::network,
+     .number = 4,
+     .key = "4",
+     .column = "rung4",
+     .title = "linear response of the contact network",
+     .description = "linear response of the contact network, every grain in equilibrium",
+     .needs = "a packing",
+     .needs_fabric = false,
+     .needs_coordination = false,
+     .needs_packing = true,
+     .typical_time = 0.05,
+     .error_source = "none but the solver's: what the other errors are measured against",
+     .answer = nullptr,
+     .exponents = nullptr,
+     .gradient = nullptr},
+    {.name = RungName::probe,
+     .number = 5,
+     .key = "5",
+     .column = "rung5",
+     .title = "cyclic probe by DEM",
+     .description = "small cyclic shear of the specimen at rest, by DEM",
+     .needs = "a packing",
+     .needs_fabric = false,
+     .needs_coordination = false,
+     .needs_packing = true,
+     .typical_time = 0.3,
+     .error_source = "within 0.6 % of rung 4 (validation/verify_default)",
+     .answer = nullptr,
+     .exponents = nullptr,
+     .gradient = nullptr},
+};
+constexpr std::size_t closed_form_count = 5;
+
+void require_inputs(const Rung& rung, const RungInputs& packing) {
+  if (rung.needs_packing)
+    throw InvalidArgument(std::string("rung ") + rung.key +
+                          " needs a packing of grains: it is no closed form");
+  if (rung.needs_coordination && !packing.mechanical_coordination_number)
+    throw InvalidArgument(std::string("rung ") + rung.key + " needs z*, or the share of rattlers");
+}
+
+/// The state at which exponents are taken: they depend on the stress ratio alone, which at zero stress is
+/// that of the isotropic path.
+RungInputs loaded(RungInputs packing) {
+  if (packing.state.stress_v == 0 && packing.state.stress_h == 0)
+    packing.state.stress_v = packing.state.stress_h = 1;
+  return packing;
+}
+
+} // namespace
+
+std::span<const Rung> rungs() { return table; }
+
+std::span<const Rung> closed_forms() { return rungs().first(closed_form_count); }
+
+const Rung& rung(RungName name) {
+  const auto found =
+      std::find_if(std::begin(table), std::end(table), [name](const Rung& row) { return row.name == name; });
+  if (found == std::end(table))
+    throw InvalidArgument("rung is not one of the known ones");
+  return *found;
+}
+
+std::string label(const Rung& rung) { return (rung.number ? "rung " : "") + std::string(rung.key); }
+
+bool has_inputs(const RungInputs& packing, const Rung& rung) {
+  return !rung.needs_packing && (!rung.needs_coordination || packing.mechanical_coordination_number);
+}
+
+RungAnswer answer(const Rung& rung, const RungInputs& packing) {
+  require_inputs(rung, packing);
+  RungAnswer answer = rung.answer(packing);
+  const elastic::TransverselyIsotropic& c = answer.stiffness;
+  for (const double value : {c.C11, c.C33, c.C12, c.C13, c.C44})
+    if (!std::isfinite(value))
+      throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+  return answer;
+}
+
+std::optional<StressExponents> exponents(const Rung& rung, const RungInputs& packing, Modulus which) {
+  const RungInputs at = loaded(packing);
+  const elastic::TransverselyIsotropic stiffness = answer(rung, at).stiffness;
+  const std::optional<double> value = modulus_if_any(stiffness, which);
+  if (!value || kernel::vanishes(*value, stiffness.C11, which))
+    return std::nullopt;
+  return rung.exponents(at, which);
+}
+
+RungAnswer answer_with_exponents(const Rung& rung, const RungInputs& packing) {
+  RungAnswer with = answer(rung, packing);
+  with.exponents = exponents(rung, packing, Modulus::G_vh);
+  return with;
+}
+
+CalibratedGradient gradient(const Rung& rung, const RungInputs& packing, Modulus which) {
+  require_inputs(rung, packing);
+  return rung.gradient(packing, which);
+}
+
+} // namespace granum::effective
