@@ -97,12 +97,12 @@ int main() {
 
   // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
   const MechanicalCoordination counted = mechanical_coordination(assembly, ContactKind::frictional);
-  packing.rattler_fraction = effective::Measured{counted.rattler_fraction, 0.01};
+  packing.rattler_fraction = Measured{counted.rattler_fraction, 0.01};
   broken += ask("also the rattlers, to 1 % of the grains", packing, network.G_vh());
 
   // 5. Exactly, from the list of contacts; which has the fabric as well.
   packing.rattler_fraction.reset();
-  packing.mechanical_coordination_number = effective::Measured{counted.coordination_number, 0};
+  packing.mechanical_coordination_number = Measured{counted.coordination_number, 0};
   broken += ask("z* from the list of contacts", packing, network.G_vh());
   packing.state.fabric_anisotropy = fabric::estimate_anisotropy(contact_normals(assembly)).anisotropy;
   packing.fabric_standard_error = 0;

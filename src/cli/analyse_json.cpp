@@ -89,7 +89,7 @@ ordered_json json_of(const verify::ForceAnalysis& f) {
   return json;
 }
 
-ordered_json json_of(const std::optional<verify::LawExponent>& exponent) {
+ordered_json json_of(const std::optional<Measured>& exponent) {
   if (!exponent)
     return nullptr;
   return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
@@ -179,7 +179,7 @@ ordered_json json_of(const FrameAnswer& frame) {
   return json;
 }
 
-ordered_json json_of(const hardin::Estimate& estimate) {
+ordered_json json_of(const Measured& estimate) {
   return {{"value", estimate.value}, {"standard_error", estimate.standard_error}};
 }
 

@@ -225,7 +225,7 @@ std::string frames_text(const AnalyseAnswer& answer) {
   return text;
 }
 
-std::string estimate_text(const hardin::Estimate& e) { return with_error(e.value, e.standard_error); }
+std::string estimate_text(const Measured& e) { return with_error(e.value, e.standard_error); }
 
 /// How the moduli grow with stress.
 std::string series_text(const AnalyseAnswer& answer) {

@@ -107,8 +107,7 @@ std::string table_of(const Options& options, const hardin::FitReport& report) {
   const std::string& i = options.stress_i_column;
   const std::string& j = options.stress_j_column;
   std::string text;
-  const auto line = [&text](const char* symbol, const hardin::Estimate& e, int digits,
-                            const std::string& meaning) {
+  const auto line = [&text](const char* symbol, const Measured& e, int digits, const std::string& meaning) {
     text += fmt::format("  {:<9} {:>10.{}f}  +- {:<10.2g} {}\n", symbol, e.value, digits, e.standard_error,
                         meaning);
   };

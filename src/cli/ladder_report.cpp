@@ -92,7 +92,7 @@ std::string coordination_text(const LadderEstimate& ladder) {
 LadderEstimate choose_rung(const PackingOptions& options, const effective::State& state, double tolerance) {
   effective::KnownPacking packing{.state = state};
   if (const auto z = resolve_mechanical_coordination_number(options))
-    packing.mechanical_coordination_number = effective::Measured{*z, 0};
+    packing.mechanical_coordination_number = Measured{*z, 0};
   if (!options.fabric.given())
     packing.fabric_standard_error.reset();
   LadderEstimate ladder = effective::estimate(packing, tolerance);

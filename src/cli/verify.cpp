@@ -36,7 +36,7 @@ struct Options {
 
 constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
 
-ordered_json exponent_json(const std::optional<verify::Exponent>& exponent) {
+ordered_json exponent_json(const std::optional<Measured>& exponent) {
   if (!exponent)
     return nullptr;
   return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};

@@ -266,7 +266,7 @@ Fit make_fit(const Problem& problem, const FitOptions& options, const Eigen::Vec
   covariance.row(0) *= c; // from ln C to C
   covariance.col(0) *= c;
   const auto estimate = [&](Eigen::Index k, double value) {
-    return Estimate{value, std::sqrt(covariance(k, k))};
+    return Measured{value, std::sqrt(covariance(k, k))};
   };
   fit.coefficient = estimate(0, c);
   if (separate) {

@@ -20,7 +20,7 @@ namespace {
 using triaxial::Density;
 
 /// A quantity of one specimen; nothing where it was not measured.
-using Reading = std::function<std::optional<Measured>(const ExperimentSpecimen&)>;
+using Reading = std::function<std::optional<TableValue>(const ExperimentSpecimen&)>;
 
 /// One column of a table: how it is measured, what the paper prints, and how near it should come.
 struct Column {
@@ -38,12 +38,12 @@ std::vector<TableRow> table(const Experiment& experiment, const std::vector<Colu
       TableRow row{.contact = contact, .density = density, .cells = {}};
       const std::optional<PrintedSpecimen> paper = printed(contact, density);
       for (const Column& column : columns) {
-        std::vector<Measured> each;
+        std::vector<TableValue> each;
         for (const ExperimentSpecimen& specimen : experiment.specimens)
           if (specimen.contact == contact && specimen.density == density)
-            if (const std::optional<Measured> one = column.measure(specimen))
+            if (const std::optional<TableValue> one = column.measure(specimen))
               each.push_back(*one);
-        const std::optional<Measured> mean = mean_over_seeds(each);
+        const std::optional<TableValue> mean = mean_over_seeds(each);
         if (!mean)
           continue;
         Cell cell{.quantity = column.quantity, .ours = *mean, .printed = {}, .reach = {}};
@@ -58,27 +58,27 @@ std::vector<TableRow> table(const Experiment& experiment, const std::vector<Colu
   return rows;
 }
 
-std::optional<Measured> initial_coordination(const ExperimentSpecimen& specimen) {
+std::optional<TableValue> initial_coordination(const ExperimentSpecimen& specimen) {
   const std::vector<FrozenPoint>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
-  return Measured{points.front().coordination_number_all, points.front().coordination_error};
+  return TableValue{points.front().coordination_number_all, points.front().coordination_error};
 }
 
 /// Between walls two diameters inside: layers at the walls raise e of 10,000 grains by 0.06.
-std::optional<Measured> initial_void_ratio(const ExperimentSpecimen& specimen) {
+std::optional<TableValue> initial_void_ratio(const ExperimentSpecimen& specimen) {
   const std::vector<FrozenPoint>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
-  return Measured{points.front().interior_void_ratio, {}};
+  return TableValue{points.front().interior_void_ratio, {}};
 }
 
 Reading peak_angle(stress::ShearPath path) {
-  return [path](const ExperimentSpecimen& specimen) -> std::optional<Measured> {
+  return [path](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
     const PathRun* run = find_run(specimen, path);
     if (run == nullptr || !run->failure.empty())
       return std::nullopt;
-    return Measured{stress::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
+    return TableValue{stress::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
   };
 }
 
@@ -105,23 +105,23 @@ std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitO
   return report.status() == hardin::FitStatus::converged ? std::optional(report.fit()) : std::nullopt;
 }
 
-using PartOf = std::function<hardin::Estimate(const hardin::Fit&)>;
+using PartOf = std::function<Measured(const hardin::Fit&)>;
 
 Reading part(FitOf what, PartOf pick) {
   return [what = std::move(what),
-          pick = std::move(pick)](const ExperimentSpecimen& specimen) -> std::optional<Measured> {
+          pick = std::move(pick)](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
     const std::optional<hardin::Fit> fit = fitted(specimen, what);
     if (!fit)
       return std::nullopt;
-    const hardin::Estimate estimate = pick(*fit);
-    return Measured{estimate.value, estimate.standard_error};
+    const Measured estimate = pick(*fit);
+    return TableValue{estimate.value, estimate.standard_error};
   };
 }
 
-hardin::Estimate exponent_m(const hardin::Fit& fit) { return *fit.exponent_i; }
-hardin::Estimate exponent_n(const hardin::Fit& fit) { return *fit.exponent_j; }
-hardin::Estimate exponent_s(const hardin::Fit& fit) { return fit.exponent_sum; }
-hardin::Estimate coefficient(const hardin::Fit& fit) { return fit.coefficient; }
+Measured exponent_m(const hardin::Fit& fit) { return *fit.exponent_i; }
+Measured exponent_n(const hardin::Fit& fit) { return *fit.exponent_j; }
+Measured exponent_s(const hardin::Fit& fit) { return fit.exponent_sum; }
+Measured coefficient(const hardin::Fit& fit) { return fit.coefficient; }
 
 } // namespace
 

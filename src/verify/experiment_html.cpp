@@ -136,7 +136,7 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
 }
 
 /// "0.484 \u00b1 0.007": as many decimals as the two first digits of the error need, at most 4.
-std::string shown(const Measured& measured) {
+std::string shown(const TableValue& measured) {
   if (!measured.standard_error || !(*measured.standard_error > 0))
     return short_text(measured.value);
   const double error = *measured.standard_error;

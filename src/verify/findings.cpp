@@ -25,7 +25,7 @@ std::optional<double> paper_exponent(contact::Shape contact, Density density) {
   return paper ? std::optional(paper->hv.s) : std::nullopt;
 }
 
-std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
+std::optional<Measured> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
                                     hardin::VoidRatioFunction function) {
   std::vector<hardin::Measurement> rows;
   for (const StateResult& state : specimen.states)
@@ -34,16 +34,16 @@ std::optional<Exponent> exponent_of(const SpecimenResult& specimen, const Modulu
   return fitted_exponent(rows, function);
 }
 
-std::optional<Exponent> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
+std::optional<Measured> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
                                             const ModulusOf& modulus_of, hardin::VoidRatioFunction function) {
-  std::vector<Measured> each;
+  std::vector<TableValue> each;
   for (const SpecimenResult* specimen : group)
-    if (const std::optional<Exponent> one = exponent_of(*specimen, modulus_of, function))
+    if (const std::optional<Measured> one = exponent_of(*specimen, modulus_of, function))
       each.push_back({one->value, one->standard_error});
-  const std::optional<Measured> mean = mean_over_seeds(each);
+  const std::optional<TableValue> mean = mean_over_seeds(each);
   if (!mean)
     return std::nullopt;
-  return Exponent{mean->value, mean->standard_error.value_or(0)};
+  return Measured{mean->value, mean->standard_error.value_or(0)};
 }
 
 std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens,
@@ -119,7 +119,7 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
 
 } // namespace
 
-std::optional<Exponent> fitted_exponent(const std::vector<hardin::Measurement>& rows,
+std::optional<Measured> fitted_exponent(const std::vector<hardin::Measurement>& rows,
                                         hardin::VoidRatioFunction function) {
   if (rows.size() < 3)
     return std::nullopt;
@@ -128,8 +128,8 @@ std::optional<Exponent> fitted_exponent(const std::vector<hardin::Measurement>& 
       {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
   if (report.status() != hardin::FitStatus::converged)
     return std::nullopt; // states too near to each other to have a slope
-  const hardin::Estimate& s = report.fit().exponent_sum;
-  return Exponent{s.value, s.standard_error};
+  const Measured& s = report.fit().exponent_sum;
+  return Measured{s.value, s.standard_error};
 }
 
 std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<SpecimenResult>& specimens) {

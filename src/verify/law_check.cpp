@@ -98,11 +98,11 @@ std::optional<Line> robust_line(const std::vector<Point>& points) {
   return second ? second : first;
 }
 
-std::optional<LawExponent> alpha_of(const LawExponent& slope) {
+std::optional<Measured> alpha_of(const Measured& slope) {
   const double excess = slope.value - 1;
   if (!(excess > slope.standard_error))
     return std::nullopt;
-  return LawExponent{1 / excess, slope.standard_error / (excess * excess)};
+  return Measured{1 / excess, slope.standard_error / (excess * excess)};
 }
 
 void measure_misfit(const std::vector<Point>& points, LawCheck& out) {
@@ -129,7 +129,7 @@ LawCheck check_law(const Assembly& assembly, const LawFamily& family, const cont
     return out;
   measure_misfit(points, out);
   if (const auto line = robust_line(points)) {
-    out.force_exponent = LawExponent{line->slope, line->slope_error};
+    out.force_exponent = Measured{line->slope, line->slope_error};
     out.alpha = alpha_of(*out.force_exponent);
   }
   return out;

@@ -10,6 +10,6 @@ namespace granum::verify {
 
 /// Mean of what several specimens gave. Its error is the larger of their scatter and their mean own error,
 /// over the root of their number; one specimen without an error of its own has none. Nothing from none.
-[[nodiscard]] std::optional<Measured> mean_over_seeds(const std::vector<Measured>& each);
+[[nodiscard]] std::optional<TableValue> mean_over_seeds(const std::vector<TableValue>& each);
 
 } // namespace granum::verify

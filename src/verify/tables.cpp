@@ -25,12 +25,12 @@ std::string words(std::string_view view) { return std::string(view); }
   return buffer;
 }
 
-io::CsvCell value(const std::optional<Exponent>& exponent) { return exponent ? exponent->value : nothing; }
-io::CsvCell error(const std::optional<Exponent>& exponent) {
+io::CsvCell value(const std::optional<Measured>& exponent) { return exponent ? exponent->value : nothing; }
+io::CsvCell error(const std::optional<Measured>& exponent) {
   return exponent ? exponent->standard_error : nothing;
 }
 
-std::string shown(const std::optional<Exponent>& exponent) {
+std::string shown(const std::optional<Measured>& exponent) {
   return exponent ? line("%6.3f +- %.3f", exponent->value, exponent->standard_error) : "       -       ";
 }
 

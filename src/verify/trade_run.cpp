@@ -227,7 +227,7 @@ std::optional<double> exponent_of(const TradeScene& trade, const std::vector<dou
     const double pressure = trade.scene.study.pressures.at(k);
     states.push_back({shear_modulus[k], {pressure, pressure, void_ratio.at(k)}});
   }
-  const std::optional<Exponent> s = fitted_exponent(states);
+  const std::optional<Measured> s = fitted_exponent(states);
   return s ? std::optional(s->value) : std::nullopt;
 }
 

@@ -18,7 +18,6 @@ using namespace granum::test;
 using effective::estimate;
 using effective::KnownPacking;
 using effective::LadderEstimate;
-using effective::Measured;
 using effective::RungVerdict;
 using elastic::TransverselyIsotropic;
 

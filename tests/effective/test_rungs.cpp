@@ -170,8 +170,7 @@ TEST_CASE("rungs: no contacts, no stiffness and no exponents; what is missing is
 TEST_CASE("rungs: the ladder says of each rung what the table says") {
   const RungInputs p = packing();
   const auto ladder = effective::estimate(
-      {.state = p.state,
-       .mechanical_coordination_number = effective::Measured{*p.mechanical_coordination_number, 0}},
+      {.state = p.state, .mechanical_coordination_number = Measured{*p.mechanical_coordination_number, 0}},
       0.05);
   for (const Rung& rung : effective::rungs()) {
     if (!rung.number)

@@ -98,7 +98,7 @@ TEST_CASE("noise in the moduli moves the result by what the standard errors say"
   for (const Weights weights : {Weights::relative, Weights::absolute}) {
     struct {
       double sum = 0, squares = 0, said = 0;
-      void add(const Estimate& e) { sum += e.value, squares += e.value * e.value, said += e.standard_error; }
+      void add(const Measured& e) { sum += e.value, squares += e.value * e.value, said += e.standard_error; }
     } c, m, n, s;
     std::mt19937_64 bits(20140123);
     boost::random::normal_distribution<double> normal;

@@ -130,7 +130,7 @@ TEST_CASE("with f(e) the exponent is that at constant void ratio") {
 TEST_CASE("several seeds: the mean, and the scatter between them") {
   const std::vector<SpecimenResult> study{sphere(Density::dense, 0.30, 1), sphere(Density::dense, 0.34, 2),
                                           sphere(Density::dense, 0.38, 3)};
-  const Exponent s = exponents(sphere_scene(), study).front().network.value();
+  const Measured s = exponents(sphere_scene(), study).front().network.value();
   CHECK(s.value == relative(0.34, 1e-9));
   CHECK(s.standard_error == relative(0.04 / std::sqrt(3), 1e-7)); // deviation of 0.04 among 3
 }
@@ -139,8 +139,8 @@ TEST_CASE("several seeds that agree: the mean regression error") {
   SpecimenResult specimen = sphere(Density::dense, 0.3);
   specimen.states[1].G_network *= 1.05;
   const Scene scene = sphere_scene();
-  const Exponent one = exponents(scene, {specimen}).front().network.value();
-  const Exponent four = exponents(scene, {specimen, specimen, specimen, specimen}).front().network.value();
+  const Measured one = exponents(scene, {specimen}).front().network.value();
+  const Measured four = exponents(scene, {specimen, specimen, specimen, specimen}).front().network.value();
   CHECK(one.standard_error > 1e-3);
   CHECK(four.value == relative(one.value, 1e-14));
   CHECK(four.standard_error == relative(one.standard_error / 2, 1e-12));

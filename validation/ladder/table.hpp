@@ -19,8 +19,8 @@
 namespace ladder {
 
 using granum::effective::KnownPacking;
-using granum::effective::Measured;
 using granum::effective::State;
+using granum::Measured;
 
 /// K, G_hh, G_vh, or what belongs to them; NaN: not measured.
 using Moduli = std::array<double, 3>;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/core/measured.hpp>
 #include <granum/core/validity.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>
@@ -15,12 +16,6 @@
 /// Choosing a rung: what each of them says of a packing, how far it may be trusted, and the cheapest that is
 /// good enough.
 namespace granum::effective {
-
-/// A number and its standard error.
-struct Measured {
-  double value = State::unset;
-  double standard_error = 0;
-};
 
 /// z* from C_n alone, for packings whose rattlers were not counted: z* = C_n + x with x = exp(2.732 - 0.961
 /// C_n), the mean of granum's own specimens. Taken to lie anywhere from no rattlers at all to twice x, which

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/core/measured.hpp>
 #include <granum/core/validity.hpp>
 #include <granum/hardin/equation.hpp>
 
@@ -33,18 +34,12 @@ struct FitOptions {
   std::size_t iteration_limit = 100;
 };
 
-/// A fitted number and its standard error.
-struct Estimate {
-  double value = 0;
-  double standard_error = 0;
-};
-
 struct Fit {
   Equation equation;                  ///< with the fitted constants; m = n = s/2 where only s was fitted
-  Estimate coefficient;               ///< C [1]
-  std::optional<Estimate> exponent_i; ///< m [1]; nothing where only s was fitted
-  std::optional<Estimate> exponent_j; ///< n [1]; the same
-  Estimate exponent_sum;              ///< s = m + n [1], its error with the covariance of m and n
+  Measured coefficient;               ///< C [1]
+  std::optional<Measured> exponent_i; ///< m [1]; nothing where only s was fitted
+  std::optional<Measured> exponent_j; ///< n [1]; the same
+  Measured exponent_sum;              ///< s = m + n [1], its error with the covariance of m and n
 
   std::vector<std::string> parameters;         ///< C, m, n or C, s: the order of the covariance
   std::vector<std::vector<double>> covariance; ///< from the scatter of the residuals

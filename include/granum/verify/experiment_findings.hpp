@@ -14,7 +14,7 @@ namespace granum::verify {
 
 /// A measured number, with its standard error where there is one: the larger of the scatter between seeds and
 /// the mean error of each, over the root of the number of seeds.
-struct Measured {
+struct TableValue {
   double value = 0;
   std::optional<double> standard_error;
 };
@@ -22,7 +22,7 @@ struct Measured {
 /// One cell of a table, ours beside the paper's.
 struct Cell {
   std::string quantity; ///< "C_n", "e", "friction angle TXC [deg]", "s of G_hv", ...
-  Measured ours;
+  TableValue ours;
   std::optional<double> printed;
   std::optional<double> reach; ///< |ours - printed| that is asked for
 

@@ -5,20 +5,16 @@
 #include <string>
 #include <vector>
 
+#include <granum/core/measured.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/verify/study.hpp>
 
 namespace granum::verify {
 
-struct Exponent {
-  double value = 0;
-  double standard_error = 0;
-};
-
 /// s of one specimen's path: G ~ p^s by Levenberg-Marquardt on G itself, as in the paper.
 /// \return   nothing with fewer than three states, or if the fit does not converge
 /// \throws   InvalidArgument if a modulus or a stress is not positive
-[[nodiscard]] std::optional<Exponent>
+[[nodiscard]] std::optional<Measured>
 fitted_exponent(const std::vector<hardin::Measurement>& states,
                 hardin::VoidRatioFunction function = hardin::VoidRatioFunction::none);
 
@@ -27,11 +23,11 @@ struct ExponentRow {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   double contact_law = 0;              ///< 1/(1+alpha)
-  std::optional<Exponent> closed_form; ///< uniform strain with the measured C_n and e
-  std::optional<Exponent> network;     ///< relaxed network
-  std::optional<Exponent>
+  std::optional<Measured> closed_form; ///< uniform strain with the measured C_n and e
+  std::optional<Measured> network;     ///< relaxed network
+  std::optional<Measured>
       network_void;              ///< the same with f(e) = (2.17-e)^2/(1+e) in the fit, as Table 5 has it
-  std::optional<Exponent> probe; ///< mean of the three probes
+  std::optional<Measured> probe; ///< mean of the three probes
   std::optional<double> paper;   ///< Table 5, s of G_hv                                      [Chung2014]
 };
 

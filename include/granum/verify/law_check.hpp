@@ -7,6 +7,7 @@
 
 #include <granum/assembly/assembly.hpp>
 #include <granum/contact/power_law.hpp>
+#include <granum/core/measured.hpp>
 
 /// The contact law that a DEM code has used, as its forces and overlaps show it.
 /// Checked by tests/verify/test_law_check.cpp
@@ -14,12 +15,6 @@ namespace granum::verify {
 
 /// The contact law of two equal grains of a material and a radius [m]; contact::PowerLaw::sphere is one.
 using LawFamily = std::function<contact::PowerLaw(const contact::GrainMaterial& grain, double radius)>;
-
-/// A fitted number and its standard error.
-struct LawExponent {
-  double value = 0;
-  double standard_error = 0;
-};
 
 /// f_n against the overlap d of all contacts that press. Contacts of two sizes count as the contact of equal
 /// spheres with the same 1/R_i + 1/R_j, and f_n/R^2 goes as (d/R)^(1+1/alpha): all of similar grains lie on
@@ -30,9 +25,9 @@ struct LawCheck {
   /// 1 + 1/alpha, the slope of ln f_n over ln d by least squares, twice: the second time without the contacts
   /// that lie further from the first line than ten times the median; nothing if the overlaps are all equal or
   /// there are fewer than 3.
-  std::optional<LawExponent> force_exponent = {};
+  std::optional<Measured> force_exponent = {};
   /// alpha = 1/(slope - 1); nothing unless the slope is above 1 by more than its error: punches have 1.
-  std::optional<LawExponent> alpha = {};
+  std::optional<Measured> alpha = {};
   double coefficient_ratio = 0; ///< median of f_n over the law's force at the overlap [1]
   /// |f_n/(coefficient_ratio force) - 1|, what the law's shape leaves unexplained [1]
   double median_misfit = 0;
