@@ -34,7 +34,7 @@ Dual<N> log_seeded(double value, Seed seed) {
 
 /// A modulus of five constants, with the derivatives that they carry.
 template <class T>
-T modulus(const Constants<T>& c, Modulus which) {
+T plain_modulus(const Constants<T>& c, Modulus which) {
   const T determinant = c.C33 * (c.C11 + c.C12) - 2 * c.C13 * c.C13;
   switch (which) {
   case Modulus::K:
@@ -57,6 +57,25 @@ T modulus(const Constants<T>& c, Modulus which) {
     return c.C13;
   }
   return T(0); // not reached: the public function has refused other values
+}
+
+/// The same at any size: Young's moduli are made of products that must stay within the range of a double.
+template <class T>
+T modulus(const Constants<T>& c, Modulus which) {
+  const double size = std::abs(c.C11.value());
+  const bool young = which == Modulus::E_v || which == Modulus::E_h;
+  if (!young || (size > 1e-90 && size < 1e90) || !(size > 0) || !std::isfinite(size))
+    return plain_modulus(c, which);
+  const int half = std::ilogb(size) / 2; // the power of two itself may be beyond the range
+  const double down = std::scalbn(1.0, -half), up = std::scalbn(1.0, half);
+  const auto moved = [down](const T& x) { return T(T(x * down) * down); };
+  const T x = plain_modulus(Constants<T>{.C11 = moved(c.C11),
+                                         .C33 = moved(c.C33),
+                                         .C12 = moved(c.C12),
+                                         .C13 = moved(c.C13),
+                                         .C44 = moved(c.C44)},
+                            which);
+  return T(T(x * up) * up);
 }
 
 /// What derivatives need beyond a valid state: stress and contacts, and for a Young's modulus of uniform

@@ -3,6 +3,7 @@
 // and a shear entry; one inverse of that block serves both ways.
 #include <granum/elastic/transverse_isotropic.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -16,27 +17,47 @@ struct NormalBlock {
   double m11, m12, m13, m33;
 };
 
-NormalBlock block(const TransverselyIsotropic& c) { return {c.C11, c.C12, c.C13, c.C33}; }
-NormalBlock block(const TransverselyIsotropicCompliance& s) { return {s.S11, s.S12, s.S13, s.S33}; }
+/// A block and its shear entry, all of them times 2^exponent. The exponent is 0 unless products of entries would
+/// leave the range of a double.
+struct Scaled {
+  NormalBlock block;
+  double shear;
+  int exponent;
+};
+
+Scaled scaled(const NormalBlock& b, double shear) {
+  const double largest = std::max({std::abs(b.m11), std::abs(b.m33), std::abs(shear)});
+  if ((largest > 1e-90 && largest < 1e90) || !(largest > 0) || !std::isfinite(largest))
+    return {b, shear, 0};
+  const int e = std::ilogb(largest);
+  const auto down = [e](double x) { return std::scalbn(x, -e); };
+  return {{down(b.m11), down(b.m12), down(b.m13), down(b.m33)}, down(shear), e};
+}
+Scaled scaled(const TransverselyIsotropic& c) { return scaled({c.C11, c.C12, c.C13, c.C33}, c.C44); }
+Scaled scaled(const TransverselyIsotropicCompliance& s) {
+  return scaled({s.S11, s.S12, s.S13, s.S33}, s.S44);
+}
 
 /// m33 (m11+m12) - 2 m13^2: the determinant of the block over m11 - m12.
 double axial_determinant(const NormalBlock& b) { return b.m33 * (b.m11 + b.m12) - 2 * b.m13 * b.m13; }
 
-bool positive_definite(const NormalBlock& b, double shear) {
+bool positive_definite(const Scaled& scaled) {
+  const auto& [b, shear, exponent] = scaled;
   return std::isfinite(b.m11) && std::isfinite(b.m33) && std::isfinite(shear) && shear > 0 &&
          b.m11 - b.m12 > 0 && b.m11 + b.m12 > 0 && axial_determinant(b) > 0;
 }
 
-void require_positive_definite(const NormalBlock& b, double shear, const char* what) {
-  if (!positive_definite(b, shear))
+void require_positive_definite(const Scaled& scaled, const char* what) {
+  if (!positive_definite(scaled))
     throw InvalidArgument(std::string("transversely isotropic ") + what +
                           " must be finite and positive definite");
 }
 
-/// The block of the stiffness, once it is known to have an inverse.
-NormalBlock checked(const TransverselyIsotropic& c) {
-  require_positive_definite(block(c), c.C44, "stiffness");
-  return block(c);
+/// The stiffness, once it is known to have an inverse.
+Scaled checked(const TransverselyIsotropic& c) {
+  const Scaled stiffness = scaled(c);
+  require_positive_definite(stiffness, "stiffness");
+  return stiffness;
 }
 
 NormalBlock inverse(const NormalBlock& b) {
@@ -48,29 +69,30 @@ NormalBlock inverse(const NormalBlock& b) {
 
 } // namespace
 
-bool TransverselyIsotropic::positive_definite() const {
-  return elastic::positive_definite(block(*this), C44);
-}
+bool TransverselyIsotropic::positive_definite() const { return elastic::positive_definite(scaled(*this)); }
 
 double TransverselyIsotropic::E_v() const {
-  const NormalBlock b = checked(*this);
-  return axial_determinant(b) / (b.m11 + b.m12);
+  const auto [b, shear, exponent] = checked(*this);
+  return std::scalbn(axial_determinant(b) / (b.m11 + b.m12), exponent);
 }
 
-double TransverselyIsotropic::E_h() const { return 1 / inverse(checked(*this)).m11; }
+double TransverselyIsotropic::E_h() const {
+  const auto [b, shear, exponent] = checked(*this);
+  return std::scalbn(1 / inverse(b).m11, exponent);
+}
 
 double TransverselyIsotropic::nu_vh() const {
-  const NormalBlock b = checked(*this);
+  const NormalBlock b = checked(*this).block;
   return b.m13 / (b.m11 + b.m12);
 }
 
 double TransverselyIsotropic::nu_hv() const {
-  const NormalBlock s = inverse(checked(*this));
+  const NormalBlock s = inverse(checked(*this).block);
   return -s.m13 / s.m11;
 }
 
 double TransverselyIsotropic::nu_hh() const {
-  const NormalBlock s = inverse(checked(*this));
+  const NormalBlock s = inverse(checked(*this).block);
   return -s.m12 / s.m11;
 }
 
@@ -82,14 +104,26 @@ std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Load
 }
 
 TransverselyIsotropicCompliance compliance(const TransverselyIsotropic& stiffness) {
-  const NormalBlock s = inverse(checked(stiffness));
-  return {.S11 = s.m11, .S33 = s.m33, .S12 = s.m12, .S13 = s.m13, .S44 = 1 / stiffness.C44};
+  const auto [c, shear, exponent] = checked(stiffness);
+  const NormalBlock s = inverse(c);
+  const auto back = [e = exponent](double x) { return std::scalbn(x, -e); };
+  return {.S11 = back(s.m11),
+          .S33 = back(s.m33),
+          .S12 = back(s.m12),
+          .S13 = back(s.m13),
+          .S44 = 1 / stiffness.C44};
 }
 
 TransverselyIsotropic stiffness(const TransverselyIsotropicCompliance& compliance) {
-  require_positive_definite(block(compliance), compliance.S44, "compliance");
-  const NormalBlock c = inverse(block(compliance));
-  return {.C11 = c.m11, .C33 = c.m33, .C12 = c.m12, .C13 = c.m13, .C44 = 1 / compliance.S44};
+  const Scaled flexible = scaled(compliance);
+  require_positive_definite(flexible, "compliance");
+  const NormalBlock c = inverse(flexible.block);
+  const auto back = [e = flexible.exponent](double x) { return std::scalbn(x, -e); };
+  return {.C11 = back(c.m11),
+          .C33 = back(c.m33),
+          .C12 = back(c.m12),
+          .C13 = back(c.m13),
+          .C44 = 1 / compliance.S44};
 }
 
 VoigtStiffness voigt(const TransverselyIsotropic& c) {

@@ -9,6 +9,7 @@
 #include <granum/core/error.hpp>
 
 #include "effective/differences.hpp"
+#include "relative.hpp"
 
 using namespace granum;
 using namespace granum::test;
@@ -154,4 +155,20 @@ TEST_CASE("gradients: refused where a derivative does not exist") {
   huge.radius = 1e-9;
   CHECK_THROWS_AS((void)effective::gradient(huge, {}, Modulus::K), InvalidArgument);
   CHECK_THROWS_AS((void)effective::uniform_strain_exponents(huge, Modulus::K), InvalidArgument);
+}
+
+TEST_CASE("gradients: Young's moduli of grains as soft or as hard as numbers allow") {
+  const State s = state_of(infinity, 0.2, 0.15, 1.5e5, 1e5);
+  for (const Modulus which : {Modulus::E_v, Modulus::E_h})
+    for (const int power : {-800, -600, 500, 800}) {
+      State other = s;
+      auto grain = s.law.grain();
+      grain.shear_modulus = std::scalbn(grain.shear_modulus, power);
+      other.law = contact::PowerLaw::flat(grain, 0.0114 * 5e-4);
+      const auto first = effective::gradient(s, {}, which), then = effective::gradient(other, {}, which);
+      CAPTURE(power);
+      CHECK(then.value == relative(std::scalbn(first.value, power), 1e-14));
+      CHECK(then[Input::fabric_anisotropy] ==
+            relative(std::scalbn(first[Input::fabric_anisotropy], power), 1e-12));
+    }
 }

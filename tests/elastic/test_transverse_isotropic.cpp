@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/transverse_isotropic.hpp>
 
+#include <cmath>
+
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -69,4 +71,24 @@ TEST_CASE("a value that is not positive definite has no engineering moduli") {
   soft = sample;
   soft.C44 = 0;
   CHECK_FALSE(soft.positive_definite());
+}
+
+TEST_CASE("transverse isotropy: units change no digit, however small or large the moduli") {
+  const TransverselyIsotropic c{.C11 = 3e8, .C33 = 4.1e8, .C12 = 1.1e8, .C13 = 0.9e8, .C44 = 1.2e8};
+  for (const int power : {-1000, -700, -560, 560, 700, 990}) {
+    CAPTURE(power);
+    const auto unit = [power](double x) { return std::scalbn(x, power); };
+    const TransverselyIsotropic other{
+        .C11 = unit(c.C11), .C33 = unit(c.C33), .C12 = unit(c.C12), .C13 = unit(c.C13), .C44 = unit(c.C44)};
+    REQUIRE(other.positive_definite());
+    CHECK(other.E_v() == unit(c.E_v()));
+    CHECK(other.E_h() == unit(c.E_h()));
+    CHECK(other.nu_hv() == c.nu_hv());
+    CHECK(other.nu_vh() == c.nu_vh());
+    CHECK(other.nu_hh() == c.nu_hh());
+    CHECK(elastic::young_modulus(other, elastic::Loading::vertical) == unit(c.E_v()));
+    const auto s = elastic::compliance(other);
+    CHECK(s.S11 == std::scalbn(elastic::compliance(c).S11, -power));
+    CHECK(elastic::stiffness(s).C13 == relative(other.C13, 1e-14));
+  }
 }

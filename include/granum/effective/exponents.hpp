@@ -40,7 +40,8 @@ struct StressExponents {
 
 /// Exponents of a modulus of uniform_stress(state).
 /// \throws   InvalidArgument as uniform_strain_exponents, and for G and E at k_t = 0, where they vanish
-/// Accuracy  1e-12 absolute.  Checked by tests/effective/test_exponents.cpp
+/// Accuracy  1e-12 absolute; of G_hh, E_v and E_h 1e-12 (1 + 1/r), r = k_t/k_n, and none below r = 1e-13.
+///            Checked by tests/effective/test_exponents.cpp
 [[nodiscard]] StressExponents uniform_stress_exponents(const State& state, Modulus which);
 
 } // namespace granum::effective

@@ -44,7 +44,8 @@ struct Estimate {
 /// call it the lower estimate; a lower bound it is not, since its forces do not balance grain by grain.
 /// [ChangLiao1994] for isotropic fabric, [Chang1995] with fabric; [YimsiriSoga2000].
 /// \throws   InvalidArgument if a member is out of its range
-/// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
+/// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33). G_hh, E_v and E_h, differences of the five
+///           constants, vanish with r = k_t/k_n and lose digits on the way: relative 1e-15 (1 + 1/r).
 /// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts);
 
@@ -73,7 +74,8 @@ struct Estimate {
 /// uniform_stress_stiffness. Adds a note if k_t = 0, where its shear moduli vanish by construction.
 ///                                                                           [ChangLiao1994; YimsiriSoga2000]
 /// \throws   InvalidArgument as require_valid(State)
-/// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
+/// Accuracy  relative 1e-12; G_hh, E_v and E_h, which vanish with r = k_t/k_n, relative 1e-12 (1 + 1/r).
+///            Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_stress(const State& state);
 
 /// A packing that has no directions: State with one stress and no fabric.
