@@ -159,6 +159,16 @@ void note_state(const State& s, double z, Validity& validity) {
                       ratio, s.fabric_anisotropy));
 }
 
+void note_bound(const kernel::RelaxedConstants<double>& strained,
+                const kernel::RelaxedConstants<double>& unbounded, Validity& validity) {
+  const double excess = kernel::bulk_modulus(unbounded) / kernel::bulk_modulus(strained) - 1;
+  if (excess > 1e-12)
+    validity.add(
+        text("the relaxed K would be %.2g %% above that of uniform strain, its upper bound: all moduli "
+             "are scaled down to that",
+             100 * excess));
+}
+
 RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
 
 } // namespace
@@ -208,8 +218,11 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
   if (!(shear.value > 0))
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;
+  const kernel::RelaxedConstants<double> strained{u.C11, u.C33, u.C12, u.C13, u.C44};
   const kernel::RelaxedConstants<double> c =
-      kernel::relax<double>({u.C11, u.C33, u.C12, u.C13, u.C44}, bulk.value, shear.value, stretch.logarithm);
+      kernel::relax(strained, bulk.value, shear.value, stretch.logarithm);
+  note_bound(strained, kernel::unbounded_relax(strained, bulk.value, shear.value, stretch.logarithm),
+             estimate.validity);
   estimate.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
   estimate.relative_error = {.bulk_modulus = bulk.error,
                              .G_hh = std::hypot(shear.error, stretch.error / 3),

@@ -93,7 +93,13 @@ struct RelaxedConstants {
   T C11, C33, C12, C13, C44;
 };
 template <class T>
-RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear, const T& log_stretch) {
+T bulk_modulus(const RelaxedConstants<T>& c) {
+  return (2.0 * c.C11 + c.C33 + 2.0 * c.C12 + 4.0 * c.C13) / 9.0;
+}
+/// Before it is held to its bound.
+template <class T>
+RelaxedConstants<T> unbounded_relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear,
+                                    const T& log_stretch) {
   using std::exp;
   using std::sqrt;
   // M = sqrt(bulk) J + sqrt(shear) (1 - J), J the volumetric projector: s 1 + t J. On the normal block,
@@ -112,6 +118,18 @@ RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& 
   const T axis = sixth * sixth * sixth * sixth;
   return {T(plane * (shear * c.C11 + hh)), T(axis * (shear * c.C33 + vv)), T(plane * (shear * c.C12 + hh)),
           T(sixth * (shear * c.C13 + hv)), T(sixth * shear * c.C44)};
+}
+
+/// A stretch far beyond those of the calibration, by fabric and stresses that both point along the axis,
+/// raises K above that of uniform strain, its upper bound: then all constants are scaled down to it.
+template <class T>
+RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear, const T& log_stretch) {
+  const RelaxedConstants<T> r = unbounded_relax(c, bulk, shear, log_stretch);
+  const T bound = bulk_modulus(c), K = bulk_modulus(r);
+  if (!(K > bound && bound > 0.0))
+    return r;
+  const T share = bound / K;
+  return {T(share * r.C11), T(share * r.C33), T(share * r.C12), T(share * r.C13), T(share * r.C44)};
 }
 
 /// ln of that stretch: directions that hold more contacts, or stiffer ones, relax less than the average.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/relaxation.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/effective/gradients.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/mandel.hpp>
 
@@ -251,4 +255,47 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 3e5, 1e5), 5.9).validity.ok());
   CHECK_FALSE(relaxed(state_of(2, 0.4, 0.15, 1e5, 1e5), 5.9).validity.ok());
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
+}
+
+TEST_CASE("relaxation: K never exceeds that of uniform strain, and a note says where it is held to it") {
+  int held = 0;
+  for (const double z : {4.0, 4.5, 6.2, 8.7, 20.0})
+    for (const double r : {0.0, 0.1, 1.0, 100.0})
+      for (const double alpha : {1.0, 2.0, infinity})
+        for (const double a : {-1.0, -0.25, 0.0, 0.25, 1.0})
+          for (const double ratio : {1e-3, 0.5, 1.0, 2.2, 10.0, 1e3}) {
+            State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
+            s.tangential_ratio = r;
+            if (ratio * (5 - 3 * a) / (5 + a) > 0.9e4 || ratio * (5 - 3 * a) / (5 + a) < 1.1e-4)
+              continue; // forces more unequal than a state may have them
+            const auto estimate = effective::relaxed(s, z);
+            const double K = estimate.stiffness.bulk_modulus();
+            const double bound = effective::uniform_strain(s).stiffness.bulk_modulus();
+            CHECK(K <= bound * (1 + 1e-14));
+            const auto& notes = estimate.validity.notes;
+            const bool noted = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+              return note.find("upper bound") != std::string::npos;
+            });
+            CHECK(noted == (K > 0 && K >= bound * (1 - 1e-14)));
+            held += noted;
+            const bool calibrated = std::abs(a) <= 0.25 && ratio >= 0.5 && ratio <= 2.2 && r <= 1;
+            CHECK_FALSE((noted && calibrated));
+          }
+  CHECK(held > 50);
+}
+
+TEST_CASE("relaxation: slopes of a modulus that is held to its bound") {
+  State s = state_of(2, 1, 0.15, 2e6, 1e5);
+  const double z = 5.5, h = 1e-3;
+  const auto log_G = [&](double step) {
+    State moved = s;
+    moved.stress_v *= std::exp(step);
+    return std::log(effective::relaxed(moved, z).stiffness.C44);
+  };
+  REQUIRE(effective::relaxed(s, z).stiffness.bulk_modulus() ==
+          relative(effective::uniform_strain(s).stiffness.bulk_modulus(), 1e-13));
+  const double slope = (8 * (log_G(h) - log_G(-h)) - (log_G(2 * h) - log_G(-2 * h))) / (12 * h);
+  CHECK(std::abs(effective::relaxed_exponents(s, z, {}, effective::Modulus::G_vh).stress_v - slope) < 1e-9);
+  const auto g = effective::relaxed_gradient(s, z, effective::Modulus::G_vh).gradient;
+  CHECK(std::abs(g[effective::Input::stress_v] * s.stress_v / g.value - slope) < 1e-9);
 }
