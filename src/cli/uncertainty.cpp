@@ -114,7 +114,8 @@ UncertainInput parse(PackingOptions& o, const std::string& setting, const effect
               .index = k,
               .number = {.value = n.value,
                          .deviation = deviation_of("--uncertainty " + key, setting.substr(split + 1), n),
-                         .slopes = slopes_of(o, n, packing)}};
+                         .slopes = slopes_of(o, n, packing),
+                         .key = key}};
   }
   throw InvalidArgument(fmt::format("--uncertainty {}: not an input of this packing, which is made of {}",
                                     key, fmt::join(known, ", ")));
@@ -129,6 +130,9 @@ std::vector<UncertainInput> parse_all(PackingOptions options, const std::vector<
     if (std::count_if(inputs.begin(), inputs.end(), same) > 1)
       throw InvalidArgument("--uncertainty " + inputs.back().key + " is given twice");
   }
+  // In the order of the options of a packing: the order in which they were given changes no digit of a sum.
+  std::sort(inputs.begin(), inputs.end(),
+            [](const UncertainInput& a, const UncertainInput& b) { return a.index < b.index; });
   return inputs;
 }
 
@@ -196,7 +200,7 @@ std::vector<double> values_at(std::span<const double> drawn, PackingOptions& opt
 
 void sample_all(const PackingOptions& options, const std::vector<Target>& targets, UncertaintyAnswer& all) {
   std::vector<effective::UncertainNumber> uncertain = numbers_of(all.inputs);
-  uncertain.push_back({.value = 0, .deviation = 1, .slopes = {}});
+  uncertain.push_back({.value = 0, .deviation = 1, .slopes = {}, .key = "calibration"});
   PackingOptions moved = options;
   const auto evaluate = [&](std::span<const double> drawn) {
     return values_at(drawn, moved, all.inputs, targets);

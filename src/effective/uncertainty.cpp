@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
@@ -32,6 +34,38 @@ constexpr const char* input_names[input_count] = {"mean_stress",
                                                   "mechanical_coordination_number"};
 
 constexpr std::size_t index(Input input) { return static_cast<std::size_t>(input); }
+
+/// FNV-1a, the same on every machine.
+std::uint64_t hash(std::string_view text, std::uint64_t start) {
+  std::uint64_t h = start;
+  for (const char c : text)
+    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return h;
+}
+
+/// The normally distributed numbers that one uncertain number draws.
+class Stream {
+ public:
+  Stream(std::string_view key, std::uint64_t seed)
+      : generator_(hash(key, 0xcbf29ce484222325U) ^ (seed * 0x9e3779b97f4a7c15U)) {}
+  double next() { return normal_(generator_); }
+
+ private:
+  boost::random::mt19937_64 generator_;
+  boost::random::normal_distribution<double> normal_;
+};
+
+std::vector<Stream> streams_of(std::span<const UncertainNumber> numbers, std::uint64_t seed) {
+  std::set<std::string> keys;
+  std::vector<Stream> streams;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::string key = numbers[k].key.empty() ? "number " + std::to_string(k) : numbers[k].key;
+    if (!keys.insert(key).second)
+      throw InvalidArgument("two uncertain numbers have the key " + key + " and would draw the same");
+    streams.emplace_back(key, seed);
+  }
+  return streams;
+}
 
 /// Between the sorted values, linearly.
 double quantile(const std::vector<double>& sorted, double share) {
@@ -75,7 +109,7 @@ std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviatio
   std::vector<UncertainNumber> numbers(input_count);
   for (std::size_t i = 0; i < input_count; ++i) {
     require_non_negative(std::string("deviation of ") + input_names[i], deviations.by[i]);
-    numbers[i] = {.value = values[i], .deviation = deviations.by[i], .slopes = {}};
+    numbers[i] = {.value = values[i], .deviation = deviations.by[i], .slopes = {}, .key = input_names[i]};
     numbers[i].slopes[i] = 1;
   }
   if (std::isinf(s.law.alpha()) && deviations[Input::alpha] > 0)
@@ -131,14 +165,13 @@ FirstOrder first_order(const Gradient& gradient, std::span<const UncertainNumber
 Sample sample(std::span<const UncertainNumber> numbers, const Evaluate& evaluate, const Sampling& sampling) {
   for (const UncertainNumber& number : numbers)
     require_non_negative("deviation", number.deviation);
-  boost::random::mt19937_64 generator(sampling.seed);
-  boost::random::normal_distribution<double> normal;
+  std::vector<Stream> streams = streams_of(numbers, sampling.seed);
   std::vector<double> drawn(numbers.size());
   std::vector<std::vector<double>> values; // of each result
   Sample result;
   for (std::size_t draw = 0; draw < sampling.draws; ++draw) {
     for (std::size_t k = 0; k < numbers.size(); ++k)
-      drawn[k] = numbers[k].value + numbers[k].deviation * normal(generator);
+      drawn[k] = numbers[k].value + numbers[k].deviation * streams[k].next();
     try {
       const std::vector<double> results = evaluate(drawn);
       values.resize(results.size());
@@ -173,7 +206,7 @@ Uncertainty relaxed_uncertainty(const State& state, double mechanical_coordinati
   const std::vector<UncertainNumber> numbers = numbers_of(state, mechanical_coordination_number, deviations);
   const double relative_error = standard_error / slopes.value;
   std::vector<UncertainNumber> drawn = numbers;
-  drawn.push_back({.value = 1, .deviation = relative_error, .slopes = {}}); // what the calibration errs by
+  drawn.push_back({.value = 1, .deviation = relative_error, .slopes = {}, .key = "calibration"});
   const auto evaluate = [&](std::span<const double> x) {
     const auto c = relaxed(moved(state, x), x[index(Input::mechanical_coordination_number)]).stiffness;
     return std::vector{c.C44 > 0 ? x.back() * modulus(c, which) : 0};

@@ -217,6 +217,38 @@ TEST_CASE("uncertainty: numbers that move several inputs") {
   CHECK(first.calibration == 0);
 }
 
+TEST_CASE("uncertainty: what a number draws depends on its key, not on its place or its company") {
+  const auto number = [](double value, const char* key) {
+    return effective::UncertainNumber{.value = value, .deviation = 0.1, .slopes = {}, .key = key};
+  };
+  const effective::UncertainNumber e = number(0.6, "void-ratio"), C_n = number(5.7, "coordination-number"),
+                                   p = number(3, "pressure");
+  // What is drawn for each of them, in the order of the arguments.
+  const auto drawn = [](const std::vector<effective::UncertainNumber>& numbers, std::uint64_t seed = 1) {
+    std::vector<std::vector<double>> draws(numbers.size());
+    (void)effective::sample(numbers,
+                            [&](std::span<const double> x) {
+                              for (std::size_t k = 0; k < x.size(); ++k)
+                                draws[k].push_back(x[k]);
+                              return std::vector{x[0]};
+                            },
+                            {.draws = 100, .seed = seed});
+    return draws;
+  };
+  const auto both = drawn({e, C_n}), turned = drawn({C_n, e}), three = drawn({p, C_n, e});
+  CHECK(both[0] == turned[1]);
+  CHECK(both[1] == turned[0]);
+  CHECK(three[1] == both[1]);
+  CHECK(three[2] == both[0]);
+  CHECK(drawn({e}, 2)[0] != both[0]);
+  // Independent: no two streams are the same numbers.
+  double products = 0;
+  for (std::size_t k = 0; k < 100; ++k)
+    products += (both[0][k] - 0.6) * (both[1][k] - 5.7) / 0.01;
+  CHECK(std::abs(products / 100) < 0.4); // four standard errors
+  CHECK_THROWS_AS((void)drawn({e, e}), InvalidArgument);
+}
+
 TEST_CASE("uncertainty: refuses what is no deviation") {
   Deviations deviations;
   deviations[Input::void_ratio] = -0.01;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <granum/effective/gradients.hpp>
@@ -19,6 +20,9 @@ struct UncertainNumber {
   double value = 0;
   double deviation = 0;                     ///< standard deviation >= 0 [unit of the number]
   std::array<double, input_count> slopes{}; ///< d input/d number in the order of Input
+  /// Its name, which decides what it draws: the same whatever other numbers there are, and in any order. Where
+  /// it is empty its place does.
+  std::string key = {};
 };
 
 /// Uncertainty of a modulus whose inputs move in proportion to their uncertain numbers.
@@ -71,9 +75,10 @@ struct Sample {
 using Evaluate = std::function<std::vector<double>(std::span<const double> numbers)>;
 
 /// Draws the numbers again and again and describes the results. A draw for which `evaluate` throws
-/// InvalidArgument is rejected, so that the rest is the distribution given that the packing is possible.
-///                                                                                            [JCGM2008b]
-/// \throws   InvalidArgument if a deviation is negative or not finite, or if fewer than two draws are left
+/// InvalidArgument is rejected, so that the rest is the distribution given that the packing is possible. Each
+/// number has a stream of random numbers of its own, by its key and the seed.                    [JCGM2008b]
+/// \throws   InvalidArgument if a deviation is negative or not finite, if two keys are the same, or if fewer
+///           than two draws are left
 /// Accuracy  of n draws: the deviation 1/sqrt(2n), low and high 1.5/sqrt(n) deviations.
 ///           Checked by tests/effective/test_uncertainty.cpp
 [[nodiscard]] Sample sample(std::span<const UncertainNumber> numbers, const Evaluate& evaluate,
