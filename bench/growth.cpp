@@ -64,11 +64,11 @@ void prepare(std::size_t size, std::uint64_t seed) {
   const double grains = static_cast<double>(size);
   std::printf("specimen,%.0f,1,%.4g,%.4g,%.0f,%zu,%.2g,%.4f\n", grains, wall, cpu, meter.bytes() / grains,
               preparation.minimiser_steps, preparation.last.unbalanced_force_ratio,
-              2 * static_cast<double>(dem::freeze(state, recipe.material).contacts.size()) / grains);
+              2 * static_cast<double>(dem::contact_network(state, recipe.material).contacts.size()) / grains);
 }
 
 void solve(const dem::State& state, bool copies) {
-  Assembly assembly = dem::freeze(state, material(friction));
+  Assembly assembly = dem::contact_network(state, material(friction));
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> factor(0.5, 1.5);
   if (copies)

@@ -58,7 +58,7 @@ void say_state(const dem::Engine& engine) {
 }
 
 void scene(const dem::State& state) {
-  const Assembly frozen = dem::freeze(state, material(friction));
+  const Assembly frozen = dem::contact_network(state, material(friction));
   // The spring of equal stiffness in all contacts that bears the same mean stress, for laws without Hertz.
   double overlap_stress = 0; // of springs of 1 N/m, in their unit [1/m]
   double stiffness = 0;      // k_n of a contact in the mean [N/m]

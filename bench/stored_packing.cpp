@@ -28,7 +28,7 @@ dem::State load_packing(const std::filesystem::path& path) {
 
 void save_packing(const dem::State& state, const std::filesystem::path& path) {
   const dem::Material of = material(friction);
-  io::write_file(path, io::lammps_data(dem::freeze(state, of), of.density), io::Existing::replace);
+  io::write_file(path, io::lammps_data(dem::contact_network(state, of), of.density), io::Existing::replace);
 }
 
 } // namespace granum::bench

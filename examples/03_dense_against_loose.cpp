@@ -9,10 +9,8 @@
 #include <cstdio>
 #include <vector>
 
-#include <granum/assembly/coordination.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/network/linear_response.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -34,16 +32,17 @@ Measured measure(const triaxial::Snapshot& snapshot, const dem::Material& materi
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
   if (!snapshot.report.converged() || !frozen.report.converged())
     throw NotConverged("a specimen did not come to rest");
-  const Assembly assembly = dem::freeze(frozen.state, material);
-  const network::Response response = network::linear_response(assembly);
+  const analysis::Measurement packing = analysis::measure(
+      dem::contact_network(frozen.state(), material),
+      {.law = material.law, .tangential_ratio = material.tangential_ratio}, {.network = network::Options{}});
+  const analysis::Network& network = packing.solved_network();
   return {
       .pressure = snapshot.pressure,
-      .void_ratio = dem::void_ratio(frozen.state),
-      .coordination_number = coordination_number(assembly),
-      .mechanical_coordination_number =
-          mechanical_coordination(assembly, ContactKind::frictional).coordination_number,
-      .shear_modulus = elastic::isotropic_projection(response.relaxed()).shear_modulus(),
-      .uniform_strain = elastic::isotropic_projection(response.affine()).shear_modulus(),
+      .void_ratio = packing.void_ratio,
+      .coordination_number = packing.counts.coordination_number,
+      .mechanical_coordination_number = packing.counts.mechanical.coordination_number,
+      .shear_modulus = network.isotropic_relaxed().shear_modulus(),
+      .uniform_strain = network.isotropic_affine().shear_modulus(),
   };
 }
 

@@ -11,14 +11,11 @@
 #include <cstdio>
 #include <string>
 
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/core/number.hpp>
 #include <granum/dem/state.hpp>
 #include <granum/effective/ladder.hpp>
 #include <granum/elastic/projection.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
-#include <granum/network/linear_response.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 using namespace granum;
@@ -76,11 +73,14 @@ int main() {
       .radius = 0.5e-3,
       .grains = 500};
   const dem::State specimen = loose_specimen(recipe);
-  const Assembly assembly = dem::freeze(specimen, recipe.material);
+  const analysis::Measurement measured =
+      analysis::measure(dem::contact_network(specimen, recipe.material),
+                        {.law = recipe.material.law, .tangential_ratio = recipe.material.tangential_ratio},
+                        {.network = network::Options{}});
 
   // 2. Rung 4, the answer that all others are measured against.
   const auto network =
-      elastic::transversely_isotropic_projection(network::linear_response(assembly).relaxed());
+      elastic::transversely_isotropic_projection(measured.solved_network().response.relaxed());
   std::printf("contact network of the packing: G_vh = %.1f MPa\n", network.G_vh() / 1e6);
 
   // 3. Known: the contacts, the void ratio, C_n and the stress, as one would have them from a paper. z* is
@@ -88,15 +88,15 @@ int main() {
   effective::KnownPacking packing{.state = {.law = recipe.material.law,
                                             .tangential_ratio = recipe.material.tangential_ratio,
                                             .radius = recipe.radius,
-                                            .void_ratio = dem::void_ratio(specimen),
-                                            .coordination_number = coordination_number(assembly),
+                                            .void_ratio = measured.void_ratio,
+                                            .coordination_number = measured.counts.coordination_number,
                                             .stress_v = pressure,
                                             .stress_h = pressure},
                                   .fabric_standard_error = std::nullopt};
   int broken = ask("known: law, e, C_n, stress", packing, network.G_vh());
 
   // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
-  const MechanicalCoordination counted = mechanical_coordination(assembly, ContactKind::frictional);
+  const MechanicalCoordination& counted = measured.counts.mechanical;
   packing.rattler_fraction = Measured{counted.rattler_fraction, 0.01};
   broken += ask("also the rattlers, to 1 % of the grains", packing, network.G_vh());
 
@@ -104,7 +104,7 @@ int main() {
   packing.rattler_fraction.reset();
   packing.mechanical_coordination_number = Measured{counted.coordination_number, 0};
   broken += ask("z* from the list of contacts", packing, network.G_vh());
-  packing.state.fabric_anisotropy = fabric::estimate_anisotropy(contact_normals(assembly)).anisotropy;
+  packing.state.fabric_anisotropy = measured.microstructure().fabric_anisotropy;
   packing.fabric_standard_error = 0;
   broken += ask("and the fabric", packing, network.G_vh());
 

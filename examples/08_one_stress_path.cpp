@@ -11,9 +11,10 @@
 #include <cstdio>
 #include <numbers>
 
+#include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/triaxial/measures.hpp>
+#include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -53,8 +54,14 @@ int main() {
   while (test.advance() == triaxial::ShearEvent::snapshot) {
     // 4. A frozen copy: its network, and the closed form with what was counted on it.
     const dem::State now = test.engine().state();
-    const triaxial::FrozenModuli moduli = triaxial::frozen_moduli(now, material);
-    const triaxial::Microstructure micro = triaxial::microstructure(dem::freeze(now, material));
+    const triaxial::FrozenState frozen = triaxial::freeze_in_place(now, material);
+    const analysis::Given given{.law = material.law, .tangential_ratio = material.tangential_ratio};
+    const double G_vh = analysis::measure(dem::contact_network(frozen.state(), material), given,
+                                          {.network = network::Options{}})
+                            .solved_network()
+                            .G_vh();
+    const analysis::Microstructure micro =
+        analysis::measure(dem::contact_network(now, material), given).microstructure();
     const double closed =
         effective::uniform_strain({.law = material.law,
                                    .tangential_ratio = material.tangential_ratio,
@@ -62,21 +69,21 @@ int main() {
                                    .void_ratio = dem::void_ratio(now),
                                    .coordination_number = micro.coordination_number,
                                    .fabric_anisotropy = micro.fabric_anisotropy,
-                                   .stress_v = moduli.stress(2, 2),
-                                   .stress_h = (moduli.stress(0, 0) + moduli.stress(1, 1)) / 2})
+                                   .stress_v = frozen.stress()(2, 2),
+                                   .stress_h = (frozen.stress()(0, 0) + frozen.stress()(1, 1)) / 2})
             .stiffness.G_vh();
-    const double ratio = moduli.G_vh() / closed, eta = test.now().stress.ratio();
+    const double ratio = G_vh / closed, eta = test.now().stress.ratio();
     std::printf("%5.2f  %.5f  %5.2f  %6.3f     %8.1f        %8.1f            %.3f\n", eta,
-                test.now().axial_strain, micro.coordination_number, micro.fabric_anisotropy,
-                moduli.G_vh() / 1e6, closed / 1e6, ratio);
+                test.now().axial_strain, micro.coordination_number, micro.fabric_anisotropy, G_vh / 1e6,
+                closed / 1e6, ratio);
     if (first_ratio == 0)
       first_ratio = ratio;
     if (std::abs(test.now().axial_strain) < 0.002 && eta < 0.65) {
       smallest_early = std::min(smallest_early, ratio);
       largest_early = std::max(largest_early, ratio);
     }
-    largest_G = std::max(largest_G, moduli.G_vh());
-    last_G = moduli.G_vh();
+    largest_G = std::max(largest_G, G_vh);
+    last_G = G_vh;
   }
   const double angle = stress::mobilised_friction_angle(test.peak().stress) / degree;
   std::printf("peak: eta = %.3f, friction angle %.1f degrees (26.0 in the paper)\n",

@@ -10,9 +10,8 @@
 #include <numbers>
 #include <optional>
 
-#include <granum/assembly/coordination.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 using namespace granum;
@@ -52,9 +51,14 @@ int main() {
     return 1;
 
   // 2. Whole specimens, and the part of the walled one that keeps two diameters from its walls.
-  const double in_cell = coordination_number(dem::freeze(*periodic, recipe.material));
-  const double in_box = coordination_number(dem::freeze(*walled, recipe.material));
-  const triaxial::InteriorMeasures inside = triaxial::interior_measures(*walled, recipe.material, 4 * radius);
+  const analysis::Given given{.law = recipe.material.law,
+                              .tangential_ratio = recipe.material.tangential_ratio};
+  const double in_cell =
+      analysis::measure(dem::contact_network(*periodic, recipe.material), given).counts.coordination_number;
+  const analysis::Measurement box = analysis::measure(dem::contact_network(*walled, recipe.material), given,
+                                                      {.interior_layer = 4 * radius});
+  const double in_box = box.counts.coordination_number;
+  const analysis::InteriorMeasures& inside = box.interior.value();
   std::printf("                     C_n      e\n");
   std::printf("periodic cell       %5.2f   %.3f\n", in_cell, dem::void_ratio(*periodic));
   std::printf("six walls, all      %5.2f   %.3f\n", in_box, dem::void_ratio(*walled));

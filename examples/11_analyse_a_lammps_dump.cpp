@@ -16,7 +16,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/io/lammps_dump.hpp>
-#include <granum/verify/analysis.hpp>
+#include <granum/verify/measured_frame.hpp>
 
 using namespace granum;
 
@@ -56,8 +56,9 @@ int main(int argc, char** argv) {
     std::printf("- %s\n", note.text.c_str());
 
   // 2. All that it says. Nothing is given, so the material comes out of the forces.
-  const verify::Analysis a = verify::analyse(packing);
-  for (const std::string& warning : a.warnings)
+  const verify::MeasuredFrame frame = verify::measure_frame(packing);
+  const analysis::Measurement& a = frame.packing;
+  for (const std::string& warning : frame.warnings)
     std::printf("warning: %s\n", warning.c_str());
   if (!a.state || !a.network || !a.law_check->alpha) {
     std::printf("the files do not hold enough for stiffnesses\n");
@@ -67,7 +68,7 @@ int main(int argc, char** argv) {
               a.counts.coordination_number, a.counts.mechanical.coordination_number,
               a.counts.mechanical.rattler_count, a.counts.without_contact);
   std::printf("a = %.4f +- %.4f; different from 0 with p = %.2f; E(gamma; a) fits with p = %.2f\n",
-              a.fabric->by_moment.anisotropy, a.fabric->by_moment.standard_error, a.fabric->isotropy.p_value,
+              a.fabric->by_moment.anisotropy, a.fabric->by_moment.standard_error, a.fabric->isotropy->p_value,
               a.fabric->density->chi_square.p_value);
   std::printf("p = %.3f kPa; %.2f %% of the contacts slide\n", a.stress->mean() / 1e3,
               100 * a.forces->sliding_fraction.value_or(0));
@@ -75,8 +76,8 @@ int main(int argc, char** argv) {
               a.law_check->alpha->value, a.law_check->alpha->standard_error, a.grain->shear_modulus / 1e9);
 
   // 3. The ladder, for this very packing.
-  const double measured = elastic::isotropic_projection(a.network->relaxed).shear_modulus();
-  const double affine = elastic::isotropic_projection(a.network->affine).shear_modulus();
+  const double measured = a.network->isotropic_relaxed().shear_modulus();
+  const double affine = a.network->isotropic_affine().shear_modulus();
   const double uniform = shear_modulus(effective::uniform_strain(*a.state).stiffness);
   const double relaxed =
       shear_modulus(effective::relaxed(*a.state, a.counts.mechanical.coordination_number).stiffness);

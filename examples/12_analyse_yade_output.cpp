@@ -14,11 +14,10 @@
 #include <cstdio>
 #include <string>
 
+#include <granum/assembly/stiffness.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/io/stiffness.hpp>
 #include <granum/io/yade_text.hpp>
-#include <granum/verify/analysis.hpp>
+#include <granum/verify/measured_frame.hpp>
 
 using namespace granum;
 
@@ -37,7 +36,7 @@ double difference(const ContactStress& stress, const double (&code)[6]) {
 /// Largest relative difference of k_n and k_t in a packing from Hertz and Mindlin at the overlaps.
 double difference(const Assembly& packing, const contact::GrainMaterial& grain) {
   Assembly expected = packing;
-  io::assign_hertz_stiffness(expected, grain, contact::mindlin_stiffness_ratio(grain.poisson_ratio));
+  assign_hertz_stiffness(expected, grain, contact::mindlin_stiffness_ratio(grain.poisson_ratio));
   double largest = 0;
   for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
     const Contact& is = packing.contacts[c];
@@ -62,8 +61,9 @@ int main(int argc, char** argv) {
     std::printf("- %s\n", note.text.c_str());
 
   // 2. All that it says.
-  const verify::Analysis a = verify::analyse(packing);
-  for (const std::string& warning : a.warnings)
+  const verify::MeasuredFrame frame = verify::measure_frame(packing);
+  const analysis::Measurement& a = frame.packing;
+  for (const std::string& warning : frame.warnings)
     std::printf("warning: %s\n", warning.c_str());
   if (!a.stress || !a.network || !a.law_check->alpha || !a.grain) {
     std::printf("the files do not hold enough for stiffnesses\n");
@@ -76,8 +76,8 @@ int main(int argc, char** argv) {
               a.law_check->alpha->value, a.grain->shear_modulus / 1e9);
 
   // 3. Its network, with the stiffnesses of the files, beside uniform strain.
-  const double measured = elastic::isotropic_projection(a.network->relaxed).shear_modulus();
-  const double affine = elastic::isotropic_projection(a.network->affine).shear_modulus();
+  const double measured = a.network->isotropic_relaxed().shear_modulus();
+  const double affine = a.network->isotropic_affine().shear_modulus();
   std::printf("G = %.1f MPa, %.3f of what uniform strain makes of the same contacts\n", measured / 1e6,
               measured / affine);
 

@@ -14,14 +14,11 @@
 #include <string>
 #include <vector>
 
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/stress.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/io/csv.hpp>
 #include <granum/io/lammps_deck.hpp>
 #include <granum/io/lammps_dump.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/io/stiffness.hpp>
-#include <granum/network/linear_response.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 using namespace granum;
@@ -41,7 +38,7 @@ std::vector<io::DeckFile> deck() {
   triaxial::SpecimenRecipe recipe{.material = material, .radius = radius};
   recipe.grains = 300;
   recipe.first_pressure = 50e3;
-  const Assembly start = dem::freeze(triaxial::frictionless_specimen(recipe).state, material);
+  const Assembly start = dem::contact_network(triaxial::frictionless_specimen(recipe).state, material);
   return io::lammps_deck(start, {.law = law,
                                  .radius = radius,
                                  .tangential_ratio = ratio,
@@ -76,13 +73,16 @@ int main(int argc, char** argv) {
   // 3. Back again: grains and contacts of the state that was probed. The material does not stand in dumps.
   io::LammpsDump dump(io::TextSource(folder / "atoms.100kPa.frozen.dump"),
                       io::TextSource(folder / "contacts.100kPa.frozen.dump"));
-  Assembly packing = dump.next().value().assembly;
-  io::assign_hertz_stiffness(packing, quartz, contact::mindlin_stiffness_ratio(quartz.poisson_ratio));
-  std::printf("%zu grains, C_n %.3f, p = %.3f kPa\n", packing.grain_count(), coordination_number(packing),
-              contact_stress(packing).mean() / 1e3);
+  const io::ImportedPacking packing = dump.next().value();
+  const analysis::Measurement measured = analysis::measure(
+      packing.assembly,
+      {.grain_shear_modulus = quartz.shear_modulus, .grain_poisson_ratio = quartz.poisson_ratio},
+      {.network = network::Options{}});
+  std::printf("%zu grains, C_n %.3f, p = %.3f kPa\n", measured.counts.grains,
+              measured.counts.coordination_number, measured.stress.value().mean() / 1e3);
 
   // 4. Check: what LAMMPS measured by straining the box, and what the network of contacts says.
-  const auto& stiffness = network::linear_response(packing).relaxed().matrix;
+  const auto& stiffness = measured.solved_network().response.relaxed().matrix;
   const double network[] = {stiffness(4, 4), stiffness(5, 5), stiffness.topLeftCorner<3, 3>().sum() / 9};
   const std::vector<double> probed =
       io::read_csv(folder / "moduli.csv").numbers("value", Dimension::pressure);

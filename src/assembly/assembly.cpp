@@ -54,4 +54,12 @@ void require_valid(const Assembly& assembly) {
   }
 }
 
+Vec3 cell_widths(const Mat3& cell) {
+  const double volume = determinant(cell);
+  Vec3 widths;
+  for (int k = 0; k < 3; ++k)
+    widths[k] = volume / norm(cross(column(cell, (k + 1) % 3), column(cell, (k + 2) % 3)));
+  return widths;
+}
+
 } // namespace granum

@@ -14,8 +14,9 @@ std::vector<Vec3> contact_normals(const Assembly& assembly) {
   return normals;
 }
 
-Mat3 fabric_tensor(const Assembly& assembly) {
-  const auto normals = contact_normals(assembly);
+Mat3 fabric_tensor(const Assembly& assembly) { return fabric_tensor(contact_normals(assembly)); }
+
+Mat3 fabric_tensor(std::span<const Vec3> normals) {
   if (normals.empty())
     throw InvalidArgument("fabric_tensor: the assembly has no contacts");
   const auto count = static_cast<double>(normals.size());

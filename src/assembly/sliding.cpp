@@ -59,4 +59,12 @@ double sliding_fraction(const Assembly& assembly, double friction_coefficient) {
   return static_cast<double>(ratios.end() - first) / static_cast<double>(ratios.size());
 }
 
+double sliding_fraction(const Assembly& assembly) {
+  if (assembly.contacts.empty())
+    return 0;
+  const auto sliding = std::count_if(assembly.contacts.begin(), assembly.contacts.end(),
+                                     [](const Contact& c) { return c.sliding; });
+  return static_cast<double>(sliding) / static_cast<double>(assembly.contacts.size());
+}
+
 } // namespace granum

@@ -22,10 +22,10 @@ namespace granum::cli {
 namespace {
 
 void add_closed_forms(FrameAnswer& frame) {
-  const verify::Analysis& analysis = frame.analysis;
-  if (!analysis.state)
+  const analysis::Measurement& measured = frame.measured.packing;
+  if (!measured.state)
     return;
-  const effective::RungInputs packing{*analysis.state, analysis.counts.mechanical.coordination_number};
+  const effective::RungInputs packing{*measured.state, measured.counts.mechanical.coordination_number};
   for (const effective::Rung& rung : effective::closed_forms()) {
     RungResult result{.name = rung.column, .title = effective::label(rung)};
     try {
@@ -41,22 +41,23 @@ void add_closed_forms(FrameAnswer& frame) {
 }
 
 void add_network(FrameAnswer& frame) {
-  if (!frame.analysis.network)
+  if (!frame.measured.packing.network)
     return;
-  const verify::NetworkAnalysis& network = *frame.analysis.network;
+  const network::Response& response = frame.measured.packing.network->response;
   frame.rungs.push_back(
-      {.name = "affine", .title = "this network, affine", .moduli = moduli_of(network.affine)});
+      {.name = "affine", .title = "this network, affine", .moduli = moduli_of(response.affine())});
   RungResult result{.name = network_name, .title = "rung 4, this network"};
-  if (network.report.status == network::Status::converged)
-    result.moduli = moduli_of(network.relaxed);
+  if (response.converged())
+    result.moduli = moduli_of(response.relaxed());
   else
     result.error = "did not converge";
   frame.rungs.push_back(std::move(result));
 }
 
-FrameAnswer analyse_frame(const io::ImportedPacking& packing, const verify::AnalysisOptions& options) {
+FrameAnswer analyse_frame(const io::ImportedPacking& packing, const MeasureOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  FrameAnswer frame{.read = packing.notes, .analysis = verify::analyse(packing, options)};
+  FrameAnswer frame{.read = packing.notes,
+                    .measured = verify::measure_frame(packing, options.given, options.wanted)};
   add_closed_forms(frame);
   add_network(frame);
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -75,8 +76,9 @@ std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
     std::vector<hardin::Measurement> states;
     for (const FrameAnswer& frame : frames)
       for (const RungResult& other : frame.rungs)
-        if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 && frame.analysis.state) {
-          const effective::State& state = *frame.analysis.state;
+        if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 &&
+            frame.measured.packing.state) {
+          const effective::State& state = *frame.measured.packing.state;
           states.push_back({other.moduli->G_vh, {state.stress_v, state.stress_h, state.void_ratio}});
         }
     out.push_back({rung.name, rung.title, verify::fit_series(states)});
@@ -87,7 +89,7 @@ std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
 /// `seen` is called with each frame that is taken and its number.
 template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
-                                        const verify::AnalysisOptions& options, Seen seen) {
+                                        const MeasureOptions& options, Seen seen) {
   std::vector<FrameAnswer> out;
   const auto take = [&](const io::ImportedPacking& packing, std::size_t at) {
     out.push_back(analyse_frame(packing, options));
@@ -114,9 +116,9 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// Of a table of contacts alone: directions and forces.
-AnalyseAnswer answer_contacts(const AnalyseOptions& o, const verify::AnalysisOptions& options) {
+AnalyseAnswer answer_contacts(const AnalyseOptions& o, const MeasureOptions& options) {
   const io::ContactTable table = io::read_contact_csv(io::TextSource(o.files.front()));
-  FrameAnswer frame{.analysis = verify::analyse_contacts(table, options)};
+  FrameAnswer frame{.measured = verify::measure_frame(table, options.given, options.wanted)};
   return {.files = o.files, .kinds = {io::FileKind::csv_contacts}, .frames = {frame}, .series = {}};
 }
 
@@ -126,7 +128,7 @@ io::Existing existing(const AnalyseOptions& o) {
 
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
-  const verify::AnalysisOptions options = analysis_options(o);
+  const MeasureOptions options = measure_options(o);
   if (o.files.size() == 1 && io::recognise(io::TextSource(o.files.front())) == io::FileKind::csv_contacts) {
     if (o.paraview)
       throw InvalidArgument("--paraview needs grains: this file has contacts alone");
@@ -152,7 +154,7 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
   for (const FrameAnswer& frame : answer.frames) {
     const std::string where = answer.frames.size() > 1 ? fmt::format("frame {}: ", frame.number) : "";
-    Validity own{frame.analysis.warnings};
+    Validity own{frame.measured.warnings};
     own.merge(frame.validity);
     judge_code_stress(frame, own);
     own.keep_each_once();
@@ -193,7 +195,7 @@ Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
   return moduli_of(elastic::transversely_isotropic_projection(stiffness));
 }
 
-const Moduli* measured(const FrameAnswer& frame) {
+const Moduli* network_moduli(const FrameAnswer& frame) {
   for (const RungResult& rung : frame.rungs)
     if (rung.name == network_name && rung.moduli)
       return &*rung.moduli;

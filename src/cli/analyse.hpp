@@ -10,8 +10,8 @@
 #include <granum/effective/rungs.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/packing_files.hpp>
-#include <granum/verify/analysis.hpp>
 #include <granum/verify/frame_series.hpp>
+#include <granum/verify/measured_frame.hpp>
 #include <nlohmann/json.hpp>
 
 /// What granum analyse works out, frame by frame, and how it is put into words.
@@ -54,7 +54,7 @@ inline constexpr const char* network_name = "rung4";
 struct FrameAnswer {
   std::size_t number = 0;                ///< of the frame in the files, from 0
   std::vector<io::ImportNote> read = {}; ///< what the reader noted
-  verify::Analysis analysis = {};
+  verify::MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
   std::optional<PrintedStress> code_stress = std::nullopt;
   Validity validity = {}; ///< of the closed forms
@@ -62,7 +62,7 @@ struct FrameAnswer {
 };
 
 /// The moduli that the network itself has, if they were found.
-[[nodiscard]] const Moduli* measured(const FrameAnswer& frame);
+[[nodiscard]] const Moduli* network_moduli(const FrameAnswer& frame);
 
 /// How the G_vh of one rung grows over the frames.
 struct RungSeries {

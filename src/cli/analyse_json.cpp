@@ -20,7 +20,7 @@ ordered_json json_of(const Mat3& m) {
   return rows;
 }
 
-ordered_json json_of(const verify::CountAnalysis& c) {
+ordered_json json_of(const analysis::Counts& c) {
   return {{"grains", c.grains},
           {"contacts", c.contacts},
           {"wall_contacts", c.wall_contacts},
@@ -39,13 +39,15 @@ ordered_json json_of(const fabric::ChiSquareTest& test) {
           {"p_value", test.p_value}};
 }
 
-ordered_json json_of(const verify::FabricAnalysis& f) {
+ordered_json json_of(const analysis::Fabric& f) {
   ordered_json json = {{"tensor", json_of(f.tensor)},
                        {"anisotropy", f.by_moment.anisotropy},
-                       {"anisotropy_standard_error", f.by_moment.standard_error},
-                       {"most_likely_anisotropy", f.by_likelihood.anisotropy},
-                       {"most_likely_anisotropy_standard_error", f.by_likelihood.standard_error},
-                       {"isotropy", {{"z_score", f.isotropy.z_score}, {"p_value", f.isotropy.p_value}}}};
+                       {"anisotropy_standard_error", f.by_moment.standard_error}};
+  if (f.by_likelihood)
+    json.update({{"most_likely_anisotropy", f.by_likelihood->anisotropy},
+                 {"most_likely_anisotropy_standard_error", f.by_likelihood->standard_error}});
+  if (f.isotropy)
+    json["isotropy"] = {{"z_score", f.isotropy->z_score}, {"p_value", f.isotropy->p_value}};
   if (f.density)
     json["density"] = json_of(f.density->chi_square);
   if (f.axisymmetry)
@@ -70,7 +72,7 @@ ordered_json json_of(const FrameAnswer& frame, const ContactStress& stress) {
   return json;
 }
 
-ordered_json json_of(const verify::ForceAnalysis& f) {
+ordered_json json_of(const analysis::Forces& f) {
   const ForceDistribution& d = f.distribution;
   ordered_json json = {{"pressing", d.pressing},
                        {"in_tension", d.in_tension},
@@ -95,7 +97,7 @@ ordered_json json_of(const std::optional<Measured>& exponent) {
   return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
 }
 
-ordered_json json_of(const verify::LawCheck& check) {
+ordered_json json_of(const analysis::LawCheck& check) {
   return {{"contacts", check.contacts},
           {"left_out", check.left_out},
           {"force_exponent", json_of(check.force_exponent)},
@@ -124,12 +126,13 @@ ordered_json json_of(const RungResult& rung, const Moduli* network) {
   return json;
 }
 
-ordered_json json_of(const verify::NetworkAnalysis& n) {
-  return {{"converged", n.report.status == network::Status::converged},
-          {"grains", n.report.grains},
-          {"contacts", n.report.contacts},
-          {"iterations", n.report.iterations},
-          {"residual", n.report.residual},
+ordered_json json_of(const analysis::Network& n) {
+  const network::Response::Report& report = n.response.report();
+  return {{"converged", n.response.converged()},
+          {"grains", report.grains},
+          {"contacts", report.contacts},
+          {"iterations", report.iterations},
+          {"residual", report.residual},
           {"distance_from_isotropy", n.symmetry.isotropic},
           {"distance_from_transverse_isotropy", n.symmetry.transversely_isotropic},
           {"K_lower", n.bulk_bounds.lower},
@@ -145,20 +148,19 @@ ordered_json read_json(const FrameAnswer& frame, bool missing) {
 }
 
 ordered_json json_of(const FrameAnswer& frame) {
-  const verify::Analysis& a = frame.analysis;
+  const analysis::Measurement& a = frame.measured.packing;
   ordered_json json = {{"frame", frame.number},
-                       {"step", a.step},
-                       {"time", or_null(a.time)},
+                       {"step", frame.measured.step},
+                       {"time", or_null(frame.measured.time)},
                        {"found", read_json(frame, false)},
                        {"not_in_the_files", read_json(frame, true)}};
   if (a.counts.grains > 0)
-    json.update({{"volume", a.volume},
-                 {"void_ratio", a.void_ratio},
-                 {"radius",
-                  {{"smallest", a.smallest_radius},
-                   {"largest", a.largest_radius},
-                   {"equivalent", a.equivalent_radius}}},
-                 {"counts", json_of(a.counts)}});
+    json.update(
+        {{"volume", a.volume},
+         {"void_ratio", a.void_ratio},
+         {"radius",
+          {{"smallest", a.sizes.smallest}, {"largest", a.sizes.largest}, {"equivalent", a.sizes.equivalent}}},
+         {"counts", json_of(a.counts)}});
   if (a.fabric)
     json["fabric"] = json_of(*a.fabric);
   if (a.stress)
@@ -170,11 +172,11 @@ ordered_json json_of(const FrameAnswer& frame) {
   if (a.grain)
     json["grain"] = {{"shear_modulus", a.grain->shear_modulus}, {"poisson_ratio", a.grain->poisson_ratio}};
   for (const RungResult& rung : frame.rungs)
-    json["moduli"][rung.name] = json_of(rung, measured(frame));
+    json["moduli"][rung.name] = json_of(rung, network_moduli(frame));
   if (a.network)
     json["network"] = json_of(*a.network);
   json["notes"] = a.notes;
-  json["warnings"] = a.warnings;
+  json["warnings"] = frame.measured.warnings;
   json["seconds"] = frame.seconds;
   return json;
 }

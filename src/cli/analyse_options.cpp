@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -41,7 +42,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 /// The contact law that the options describe, for any material and radius.
-verify::LawFamily law_family(const PackingOptions& options) {
+analysis::LawFamily law_family(const PackingOptions& options) {
   return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
     options.grain_shear_modulus.value = grain.shear_modulus;
     options.grain_poisson_ratio.value = grain.poisson_ratio;
@@ -100,10 +101,9 @@ PrintedStress parse_stress(const std::string& text) {
   return parse_list<6>("--stress", text, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
 }
 
-verify::AnalysisOptions analysis_options(const AnalyseOptions& o) {
-  verify::AnalysisOptions out{.law = law_family(o.packing),
-                              .grain_poisson_ratio = o.packing.grain_poisson_ratio.value,
-                              .solve_network = !o.no_network};
+MeasureOptions measure_options(const AnalyseOptions& o) {
+  analysis::Given out{.law_family = law_family(o.packing),
+                      .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
   if (o.packing.grain_shear_modulus.given())
     out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
   if (o.packing.tangential_ratio.given())
@@ -111,8 +111,12 @@ verify::AnalysisOptions analysis_options(const AnalyseOptions& o) {
   if (o.friction_angle.given())
     out.friction_coefficient = std::tan(o.friction_angle.value);
   if (!o.stiffness_from.empty())
-    out.stiffness_from = o.stiffness_from == "force" ? io::StiffnessFrom::force : io::StiffnessFrom::overlap;
-  return out;
+    out.stiffness_from = o.stiffness_from == "force" ? StiffnessFrom::force : StiffnessFrom::overlap;
+  analysis::Wanted wanted = analysis::everything();
+  wanted.closed_forms = false; // every rung is asked by itself
+  if (o.no_network)
+    wanted.network.reset();
+  return {std::move(out), wanted};
 }
 
 void add_analyse_options(CLI::App& command, AnalyseOptions& o) {

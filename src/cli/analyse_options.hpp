@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <granum/io/packing_csv.hpp>
-#include <granum/verify/analysis.hpp>
+#include <granum/verify/measured_frame.hpp>
 
 #include "analyse.hpp"
 #include "packing_options.hpp"
@@ -59,8 +59,13 @@ struct FrameChoice {
 /// \throws   InvalidArgument
 [[nodiscard]] PrintedStress parse_stress(const std::string& text);
 
-/// What an analysis is to take as given.
+/// What is given of the packings, and what is to be measured.
+struct MeasureOptions {
+  analysis::Given given;
+  analysis::Wanted wanted;
+};
+
 /// \throws   InvalidArgument for options that contradict one another
-[[nodiscard]] verify::AnalysisOptions analysis_options(const AnalyseOptions& options);
+[[nodiscard]] MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

@@ -36,46 +36,47 @@ struct Column {
 
 /// A column that is empty for frames without the part that it is of.
 template <class Part, class Of>
-Column part(std::string heading, std::optional<Part> verify::Analysis::*member, Of of) {
+Column part(std::string heading, std::optional<Part> analysis::Measurement::*member, Of of) {
   return {std::move(heading), [member, of](const FrameAnswer& f) {
-            const std::optional<Part>& value = f.analysis.*member;
+            const std::optional<Part>& value = f.measured.packing.*member;
             return value ? double{of(*value)} : nothing;
           }};
 }
 
 std::vector<Column> state_columns() {
-  using verify::Analysis;
-  using verify::FabricAnalysis;
-  using verify::ForceAnalysis;
+  using analysis::Fabric;
+  using analysis::Forces;
+  using analysis::Measurement;
   return {
       {"frame", [](const FrameAnswer& f) { return number(f.number); }},
-      {"step", [](const FrameAnswer& f) { return static_cast<double>(f.analysis.step); }},
-      {"time_s", [](const FrameAnswer& f) { return f.analysis.time.value_or(nothing); }},
-      {"e", [](const FrameAnswer& f) { return f.analysis.void_ratio; }},
-      {"C_n", [](const FrameAnswer& f) { return f.analysis.counts.coordination_number; }},
-      {"z_star", [](const FrameAnswer& f) { return f.analysis.counts.mechanical.coordination_number; }},
+      {"step", [](const FrameAnswer& f) { return static_cast<double>(f.measured.step); }},
+      {"time_s", [](const FrameAnswer& f) { return f.measured.time.value_or(nothing); }},
+      {"e", [](const FrameAnswer& f) { return f.measured.packing.void_ratio; }},
+      {"C_n", [](const FrameAnswer& f) { return f.measured.packing.counts.coordination_number; }},
+      {"z_star",
+       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.coordination_number; }},
       {"rattler_fraction",
-       [](const FrameAnswer& f) { return f.analysis.counts.mechanical.rattler_fraction; }},
+       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.rattler_fraction; }},
       {"grains_without_contact",
-       [](const FrameAnswer& f) { return number(f.analysis.counts.without_contact); }},
-      {"wall_contacts", [](const FrameAnswer& f) { return number(f.analysis.counts.wall_contacts); }},
-      part("a", &Analysis::fabric, [](const FabricAnalysis& x) { return x.by_moment.anisotropy; }),
-      part("a_error", &Analysis::fabric, [](const FabricAnalysis& x) { return x.by_moment.standard_error; }),
-      part("sigma_v_Pa", &Analysis::stress, [](const ContactStress& x) { return x.symmetric(2, 2); }),
-      part("sigma_h_Pa", &Analysis::stress,
+       [](const FrameAnswer& f) { return number(f.measured.packing.counts.without_contact); }},
+      {"wall_contacts", [](const FrameAnswer& f) { return number(f.measured.packing.counts.wall_contacts); }},
+      part("a", &Measurement::fabric, [](const Fabric& x) { return x.by_moment.anisotropy; }),
+      part("a_error", &Measurement::fabric, [](const Fabric& x) { return x.by_moment.standard_error; }),
+      part("sigma_v_Pa", &Measurement::stress, [](const ContactStress& x) { return x.symmetric(2, 2); }),
+      part("sigma_h_Pa", &Measurement::stress,
            [](const ContactStress& x) { return (x.symmetric(0, 0) + x.symmetric(1, 1)) / 2; }),
-      part("p_Pa", &Analysis::stress, [](const ContactStress& x) { return x.mean(); }),
+      part("p_Pa", &Measurement::stress, [](const ContactStress& x) { return x.mean(); }),
       {"p_by_code_Pa",
        [](const FrameAnswer& f) {
          const auto& s = f.code_stress;
          return s ? ((*s)[0] + (*s)[1] + (*s)[2]) / 3 : nothing;
        }},
-      part("f_n_mean_N", &Analysis::forces, [](const ForceAnalysis& x) { return x.distribution.mean; }),
-      part("Z_2", &Analysis::forces, [](const ForceAnalysis& x) { return x.Z_2; }),
-      part("sliding_fraction", &Analysis::forces,
-           [](const ForceAnalysis& x) { return x.sliding_fraction.value_or(nothing); }),
-      part("unbalanced_force_ratio", &Analysis::forces,
-           [](const ForceAnalysis& x) { return x.unbalance.force_ratio; }),
+      part("f_n_mean_N", &Measurement::forces, [](const Forces& x) { return x.distribution.mean; }),
+      part("Z_2", &Measurement::forces, [](const Forces& x) { return x.Z_2; }),
+      part("sliding_fraction", &Measurement::forces,
+           [](const Forces& x) { return x.sliding_fraction.value_or(nothing); }),
+      part("unbalanced_force_ratio", &Measurement::forces,
+           [](const Forces& x) { return x.unbalance.force_ratio; }),
   };
 }
 
@@ -95,7 +96,7 @@ std::string frames_csv(const AnalyseAnswer& answer) {
     for (const Column& column : columns)
       row.emplace_back(column.of(frame));
     for (std::size_t k = 0; k < std::size(stress_names); ++k)
-      row.emplace_back(frame.analysis.stress ? printed(*frame.analysis.stress)[k] : nothing);
+      row.emplace_back(frame.measured.packing.stress ? printed(*frame.measured.packing.stress)[k] : nothing);
     for (std::size_t k = 0; k < rungs.size(); ++k) {
       const bool there = k < frame.rungs.size() && frame.rungs[k].moduli;
       const Moduli m = there ? *frame.rungs[k].moduli : Moduli{};
@@ -113,8 +114,8 @@ std::string rose_csv(const AnalyseAnswer& answer) {
                                   "expected_count", "density", "density_error", "expected_density"},
                      .rows = {}};
   for (const FrameAnswer& frame : answer.frames)
-    if (frame.analysis.fabric)
-      for (const fabric::RoseBin& bin : frame.analysis.fabric->rose)
+    if (frame.measured.packing.fabric)
+      for (const fabric::RoseBin& bin : frame.measured.packing.fabric->rose)
         csv.rows.push_back({number(frame.number), bin.low * degrees, bin.high * degrees, number(bin.count),
                             bin.count_error, bin.expected_count, bin.density, bin.density_error,
                             bin.expected_density});
@@ -127,8 +128,8 @@ std::string forces_csv(const AnalyseAnswer& answer) {
       .headings = {"frame", "f_over_mean_low", "f_over_mean_high", "count", "density", "density_error"},
       .rows = {}};
   for (const FrameAnswer& frame : answer.frames)
-    if (frame.analysis.forces)
-      for (const ForceBin& bin : frame.analysis.forces->distribution.bins)
+    if (frame.measured.packing.forces)
+      for (const ForceBin& bin : frame.measured.packing.forces->distribution.bins)
         csv.rows.push_back(
             {number(frame.number), bin.low, bin.high, number(bin.count), bin.density, bin.density_error});
   return io::csv_text(csv);
@@ -148,7 +149,7 @@ io::Series density_curve(double anisotropy) {
 }
 
 std::string rose_picture(const FrameAnswer& frame) {
-  const verify::FabricAnalysis& f = *frame.analysis.fabric;
+  const analysis::Fabric& f = *frame.measured.packing.fabric;
   io::Series bins{.name = "contacts, \u221an bars", .mark = io::Mark::marker, .x = {}, .y = {}};
   for (const fabric::RoseBin& bin : f.rose) {
     bins.x.push_back((bin.low + bin.high) / 2 * degrees);
@@ -156,14 +157,14 @@ std::string rose_picture(const FrameAnswer& frame) {
     bins.y_error.push_back(bin.density_error);
   }
   return io::svg({.title = "Contact directions of " + std::to_string(f.contacts) + " contacts, step " +
-                           std::to_string(frame.analysis.step),
+                           std::to_string(frame.measured.step),
                   .x = {.title = "\u03b3 from the vertical [deg]"},
                   .y = {.title = "E [1/sr]"},
-                  .series = {bins, density_curve(f.by_likelihood.anisotropy)}});
+                  .series = {bins, density_curve(f.by_likelihood.value().anisotropy)}});
 }
 
 std::string force_picture(const FrameAnswer& frame) {
-  const ForceDistribution& d = frame.analysis.forces->distribution;
+  const ForceDistribution& d = frame.measured.packing.forces->distribution;
   io::Series bins{.name = "contacts, \u221an bars", .mark = io::Mark::marker, .x = {}, .y = {}};
   for (const ForceBin& bin : d.bins) {
     if (bin.count == 0)
@@ -173,7 +174,7 @@ std::string force_picture(const FrameAnswer& frame) {
     bins.y_error.push_back(bin.count > 1 ? bin.density_error : 0);
   }
   return io::svg({.title = "Normal forces of " + std::to_string(d.pressing) + " contacts, step " +
-                           std::to_string(frame.analysis.step),
+                           std::to_string(frame.measured.step),
                   .x = {.title = "f_n/\u27e8f_n\u27e9"},
                   .y = {.title = "probability density", .scale = io::Scale::logarithmic},
                   .series = {bins}});
@@ -187,11 +188,11 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   };
   const FrameAnswer& last = answer.frames.back();
   write("frames.csv", frames_csv(answer));
-  if (last.analysis.fabric) {
+  if (last.measured.packing.fabric) {
     write("rose.csv", rose_csv(answer));
     write("rose.svg", rose_picture(last));
   }
-  if (last.analysis.forces) {
+  if (last.measured.packing.forces) {
     write("forces.csv", forces_csv(answer));
     write("forces.svg", force_picture(last));
   }

@@ -12,7 +12,7 @@ namespace granum::cli {
 
 namespace {
 
-using verify::Analysis;
+using analysis::Measurement;
 
 /// "number what", on a line of its own.
 std::string item(const std::string& label, const std::string& value, const std::string& meaning = "") {
@@ -36,15 +36,15 @@ std::string reading_text(const FrameAnswer& frame) {
   return text;
 }
 
-std::string counts_text(const Analysis& a) {
-  const verify::CountAnalysis& c = a.counts;
-  const bool equal = a.smallest_radius == a.largest_radius;
+std::string counts_text(const Measurement& a) {
+  const analysis::Counts& c = a.counts;
+  const bool equal = a.sizes.smallest == a.sizes.largest;
   std::string text = "\ngrains and contacts\n";
   text += item("grains", std::to_string(c.grains),
-               equal ? "R = " + pretty(a.largest_radius, Dimension::length)
-                     : "R from " + pretty(a.smallest_radius, Dimension::length) + " to " +
-                           pretty(a.largest_radius, Dimension::length) + ", closed forms with " +
-                           pretty(a.equivalent_radius, Dimension::length));
+               equal ? "R = " + pretty(a.sizes.largest, Dimension::length)
+                     : "R from " + pretty(a.sizes.smallest, Dimension::length) + " to " +
+                           pretty(a.sizes.largest, Dimension::length) + ", closed forms with " +
+                           pretty(a.sizes.equivalent, Dimension::length));
   text += item("void ratio e", fmt::format("{:.4f}", a.void_ratio));
   text += item("C_n", fmt::format("{:.4f}", c.coordination_number),
                fmt::format("2 N_c/N, all grains; {} contacts", c.contacts));
@@ -64,15 +64,18 @@ std::string verdict(double p_value, const char* yes, const char* no) {
   return fmt::format("{}, p = {}", p_value < doubt ? no : yes, short_text(p_value, 2));
 }
 
-std::string fabric_text(const verify::FabricAnalysis& f) {
+std::string fabric_text(const analysis::Fabric& f) {
   std::string text = "\nfabric\n";
   text += item("F_11 F_22 F_33",
                fmt::format("{:.5f} {:.5f} {:.5f}", f.tensor(0, 0), f.tensor(1, 1), f.tensor(2, 2)));
   text += item("F_23 F_13 F_12",
                fmt::format("{:.5f} {:.5f} {:.5f}", f.tensor(1, 2), f.tensor(0, 2), f.tensor(0, 1)));
   text += item("a", with_error(f.by_moment.anisotropy, f.by_moment.standard_error), "from F_33");
-  text += item("a", with_error(f.by_likelihood.anisotropy, f.by_likelihood.standard_error), "most likely");
-  text += item("different from 0?", verdict(f.isotropy.p_value, "no", "yes"));
+  if (f.by_likelihood)
+    text +=
+        item("a", with_error(f.by_likelihood->anisotropy, f.by_likelihood->standard_error), "most likely");
+  if (f.isotropy)
+    text += item("different from 0?", verdict(f.isotropy->p_value, "no", "yes"));
   if (f.density)
     text +=
         item("E(gamma; a) fits?", verdict(f.density->chi_square.p_value, "yes", "no"),
@@ -84,7 +87,7 @@ std::string fabric_text(const verify::FabricAnalysis& f) {
 }
 
 std::string stress_text(const FrameAnswer& frame) {
-  const Analysis& a = frame.analysis;
+  const Measurement& a = frame.measured.packing;
   const PrintedStress stress = printed(*a.stress);
   std::string text = "\nstress [kPa], by contacts";
   text += frame.code_stress ? " against the code's own\n" : "\n";
@@ -105,7 +108,7 @@ std::string stress_text(const FrameAnswer& frame) {
   return text;
 }
 
-std::string forces_text(const verify::ForceAnalysis& f) {
+std::string forces_text(const analysis::Forces& f) {
   const ForceDistribution& d = f.distribution;
   std::string text = "\nforces\n";
   text += item("mean f_n", pretty(d.mean, Dimension::force),
@@ -127,7 +130,7 @@ std::string forces_text(const verify::ForceAnalysis& f) {
   return text;
 }
 
-std::string law_text(const verify::LawCheck& check) {
+std::string law_text(const analysis::LawCheck& check) {
   std::string text = "\ncontact law, from forces against overlaps\n";
   if (check.force_exponent)
     text += item(
@@ -161,7 +164,7 @@ std::string stated_error(const RungResult& rung) {
 std::string moduli_text(const FrameAnswer& frame) {
   std::string text = fmt::format("\n{:<24} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   network/this: K, G\n",
                                  "moduli [MPa]", "K", "G", "G_hh", "G_vh", "C11", "C33");
-  const Moduli* network = measured(frame);
+  const Moduli* network = network_moduli(frame);
   for (const RungResult& rung : frame.rungs) {
     text += fmt::format("  {:<22}", rung.title);
     if (!rung.moduli) {
@@ -177,10 +180,10 @@ std::string moduli_text(const FrameAnswer& frame) {
 }
 
 std::string frame_text(const FrameAnswer& frame) {
-  const Analysis& a = frame.analysis;
-  std::string text = fmt::format("frame {}, step {}", frame.number, a.step);
-  if (a.time)
-    text += fmt::format(", time {} s", short_text(*a.time, 6));
+  const Measurement& a = frame.measured.packing;
+  std::string text = fmt::format("frame {}, step {}", frame.number, frame.measured.step);
+  if (frame.measured.time)
+    text += fmt::format(", time {} s", short_text(*frame.measured.time, 6));
   text += "\n" + reading_text(frame);
   if (a.counts.grains > 0)
     text += counts_text(a);
@@ -207,12 +210,12 @@ std::string frames_text(const AnalyseAnswer& answer) {
       fmt::format("\n{:>6} {:>10} {:>10} {:>8} {:>8} {:>8} {:>9} {:>14} {:>14} {:>8}\n", "frame", "step",
                   "p [kPa]", "e", "C_n", "z*", "a", "G rung 3 [MPa]", "G network", "ratio");
   for (const FrameAnswer& frame : answer.frames) {
-    const Analysis& a = frame.analysis;
-    text += fmt::format("{:>6} {:>10} {:>10} {:>8.4f} {:>8.4f} {:>8.4f} {:>9}", frame.number, a.step,
-                        a.stress ? short_text(a.stress->mean() / 1e3, 5) : "-", a.void_ratio,
-                        a.counts.coordination_number, a.counts.mechanical.coordination_number,
+    const Measurement& a = frame.measured.packing;
+    text += fmt::format("{:>6} {:>10} {:>10} {:>8.4f} {:>8.4f} {:>8.4f} {:>9}", frame.number,
+                        frame.measured.step, a.stress ? short_text(a.stress->mean() / 1e3, 5) : "-",
+                        a.void_ratio, a.counts.coordination_number, a.counts.mechanical.coordination_number,
                         a.fabric ? fmt::format("{:.4f}", a.fabric->by_moment.anisotropy) : "-");
-    const Moduli* network = measured(frame);
+    const Moduli* network = network_moduli(frame);
     const auto relaxed = std::find_if(frame.rungs.begin(), frame.rungs.end(), [](const RungResult& r) {
       return r.name == effective::rung(effective::RungName::relaxed).column && r.moduli && r.moduli->G > 0;
     });

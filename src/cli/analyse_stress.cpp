@@ -31,11 +31,11 @@ std::vector<std::size_t> rows_of(const io::CsvTable& table, const std::string& p
   }
   const std::vector<double> steps = table.numbers("step", Dimension::dimensionless);
   for (const FrameAnswer& frame : frames) {
-    const auto step = static_cast<double>(frame.analysis.step);
+    const auto step = static_cast<double>(frame.measured.step);
     const auto count = std::count(steps.begin(), steps.end(), step);
     if (count != 1)
       throw FileError(path, 0,
-                      fmt::format("expected one row of step {}, found {}", frame.analysis.step, count));
+                      fmt::format("expected one row of step {}, found {}", frame.measured.step, count));
     rows.push_back(static_cast<std::size_t>(std::find(steps.begin(), steps.end(), step) - steps.begin()));
   }
   return rows;
@@ -76,9 +76,9 @@ void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAn
 
 void judge_code_stress(const FrameAnswer& frame, Validity& out) {
   constexpr double agrees = 1e-6;
-  if (!frame.code_stress || !frame.analysis.stress)
+  if (!frame.code_stress || !frame.measured.packing.stress)
     return;
-  const PrintedStress stress = printed(*frame.analysis.stress);
+  const PrintedStress stress = printed(*frame.measured.packing.stress);
   double largest = 0, apart = 0;
   for (std::size_t k = 0; k < stress.size(); ++k) {
     largest = std::max(largest, std::abs((*frame.code_stress)[k]));

@@ -100,8 +100,9 @@ dem::State start_state(const verify::Scene& scene, const Specimen& specimen, io:
 std::vector<io::DeckFile> deck_of(const verify::Scene& scene, const Specimen& specimen,
                                   const Options& options) {
   const io::LammpsExperiment experiment = experiment_of(scene, specimen, options);
-  Assembly grains = dem::freeze(start_state(scene, specimen, start_of(options)),
-                                verify::recipe(scene, contact::Shape::sphere, specimen.seed).material);
+  Assembly grains =
+      dem::contact_network(start_state(scene, specimen, start_of(options)),
+                           verify::recipe(scene, contact::Shape::sphere, specimen.seed).material);
   std::vector<io::DeckFile> files = io::lammps_deck(grains, experiment);
   nlohmann::ordered_json manifest = json_head("export lammps");
   manifest["seed"] = specimen.seed;

@@ -42,33 +42,18 @@ ordered_json exponent_json(const std::optional<Measured>& exponent) {
   return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
 }
 
-ordered_json state_json(const verify::StateResult& s) {
-  ordered_json json = {{"pressure_Pa", s.pressure},
-                       {"pressure_by_contacts_Pa", s.pressure_by_contacts},
-                       {"pressure_by_work_Pa", s.pressure_by_work},
-                       {"void_ratio", s.void_ratio},
-                       {"coordination_number", s.coordination_number},
-                       {"mechanical_coordination_number", s.mechanical_coordination_number},
-                       {"rattler_fraction", s.rattler_fraction},
-                       {"fabric_anisotropy", s.fabric_anisotropy},
-                       {"fabric_anisotropy_standard_error", s.fabric_anisotropy_error},
-                       {"sliding_fraction", s.sliding_fraction},
-                       {"G_closed_Pa", s.G_closed},
-                       {"K_closed_Pa", s.K_closed},
-                       {"G_uniform_strain_Pa", s.G_uniform_strain},
-                       {"K_uniform_strain_Pa", s.K_uniform_strain},
-                       {"G_network_Pa", s.G_network},
-                       {"K_network_Pa", s.K_network},
-                       {"K_lower_Pa", s.K_lower},
-                       {"K_upper_Pa", s.K_upper},
-                       {"steps", s.steps},
-                       {"unbalanced_force_ratio", s.unbalanced_force_ratio},
-                       {"largest_inertial_number", s.largest_inertial_number}};
-  if (s.probes)
-    json["probes"] = {{"G_hh_Pa", s.probes->G_hh},
-                      {"G_hv_Pa", s.probes->G_hv},
-                      {"G_vh_Pa", s.probes->G_vh},
-                      {"shear_strain", s.probes->amplitude}};
+ordered_json state_json(const verify::CompressedState& state) {
+  ordered_json json;
+  for (const auto& column : verify::state_columns()) {
+    const std::optional<double> number = column.of(state);
+    if (column.key.empty() || !number)
+      continue;
+    ordered_json& cell = json[ordered_json::json_pointer("/" + column.key)];
+    if (column.kind == io::ColumnKind::count)
+      cell = static_cast<std::uint64_t>(*number);
+    else
+      cell = *number;
+  }
   return json;
 }
 
@@ -121,7 +106,7 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
                           {"seed", specimen.seed},
                           {"failure", specimen.failure},
                           {"states", ordered_json::array()}};
-    for (const verify::StateResult& state : specimen.states)
+    for (const verify::CompressedState& state : specimen.states)
       entry["states"].push_back(state_json(state));
     json["specimens"].push_back(entry);
   }

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 #include "contact_sweep.hpp"
 #include "grain_motion.hpp"
@@ -79,7 +81,7 @@ class Minimiser {
           list_pairs();
       }
       const Balance balance = forces();
-      report.pressure = balance.virial() / (3 * determinant(state_.cell));
+      report.last_pressure = balance.virial() / (3 * determinant(state_.cell));
       report.unbalanced_force_ratio = unbalanced(balance);
       report.converged = arrived(balance, report);
       if (report.converged)
@@ -157,7 +159,7 @@ class Minimiser {
   [[nodiscard]] bool arrived(const Balance& balance, const RelaxReport& report) const {
     const bool balanced = balance.all > 0 && report.unbalanced_force_ratio < options_.force_tolerance;
     if (pressure_)
-      return balanced && std::abs(report.pressure / *pressure_ - 1) < options_.pressure_tolerance;
+      return balanced && std::abs(report.last_pressure / *pressure_ - 1) < options_.pressure_tolerance;
     return balanced || parted(balance);
   }
 
@@ -265,6 +267,13 @@ RelaxReport minimise(State& state, const contact::PowerLaw& law, std::optional<d
 }
 
 } // namespace
+
+double RelaxReport::pressure() const {
+  if (!converged)
+    throw NotConverged("minimiser: unbalanced force ratio " + short_text(unbalanced_force_ratio) + " after " +
+                       std::to_string(steps) + " steps");
+  return last_pressure;
+}
 
 RelaxReport minimise_energy(State& state, const contact::PowerLaw& law, const MinimiseOptions& options) {
   return minimise(state, law, std::nullopt, options);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <granum/assembly/assembly.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::dem {
@@ -108,14 +109,6 @@ std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
         shifts[static_cast<std::size_t>(image_index(kx, ky, kz))] =
             cell * Vec3{static_cast<double>(kx), static_cast<double>(ky), static_cast<double>(kz)};
   return shifts;
-}
-
-Vec3 cell_widths(const Mat3& cell) {
-  const double volume = determinant(cell);
-  Vec3 widths;
-  for (int k = 0; k < 3; ++k)
-    widths[k] = volume / norm(cross(column(cell, (k + 1) % 3), column(cell, (k + 2) % 3)));
-  return widths;
 }
 
 void wrap(const Mat3& cell, std::span<Vec3> position) {

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 namespace granum::dem {
 
@@ -51,7 +54,7 @@ bool interrupted(const Engine& engine, const QuasistaticOptions& options, Quasis
 
 void conclude(const Engine& engine, QuasistaticReport& report) {
   report.unbalanced_force_ratio = engine.unbalanced_force_ratio();
-  report.stress = engine.figures().stress;
+  report.last_stress = engine.figures().stress;
   if (!engine.finite())
     report.outcome = Outcome::unstable;
 }
@@ -97,6 +100,13 @@ void require_valid(const QuasistaticOptions& options) {
 }
 
 } // namespace
+
+const Mat3& QuasistaticReport::stress() const {
+  if (outcome != Outcome::converged && outcome != Outcome::settled)
+    throw NotConverged("a run of the engine did not come to rest: unbalanced force ratio " +
+                       short_text(unbalanced_force_ratio) + " after " + std::to_string(steps) + " steps");
+  return last_stress;
+}
 
 QuasistaticReport equilibrate(Engine& engine, const Vec3& target, const QuasistaticOptions& options) {
   return shear_at_stress(engine, Mat3{}, 0, target, options);

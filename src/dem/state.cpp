@@ -72,7 +72,7 @@ double void_ratio(const State& state) {
   return determinant(state.cell) / (grain * static_cast<double>(state.grain_count())) - 1;
 }
 
-Assembly freeze(const State& state, const Material& material) {
+Assembly contact_network(const State& state, const Material& material) {
   Assembly assembly;
   assembly.cell = state.cell;
   assembly.position = state.position;

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include <granum/core/bytes.hpp>
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 namespace granum::triaxial {
 
@@ -123,7 +126,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
     result.converged = result.converged && (report.converged() || report.outcome == dem::Outcome::settled);
     result.steps += report.steps;
     result.unbalanced_force_ratio = std::max(result.unbalanced_force_ratio, report.unbalanced_force_ratio);
-    return -(report.stress(moving, stacked) + report.stress(stacked, moving)) / 2;
+    return -(report.last_stress(moving, stacked) + report.last_stress(stacked, moving)) / 2;
   };
   const double start = shear_stress(specimen.start);
   const Vec3 held = engine.figures().boundary_stress;
@@ -133,7 +136,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
     return result;
   const bool keep = options.loop_points > 0;
   if (keep)
-    result.loop.push_back({0, 0});
+    result.last_loop.push_back({0, 0});
   /// To a strain given in quarters of the cycle; returns the stress there.
   const auto leg = [&](int from, int to) {
     const std::size_t pieces = keep ? options.loop_points * static_cast<std::size_t>(std::abs(to - from)) : 1;
@@ -146,7 +149,8 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
                                 ? dem::shear_at_stress(engine, gradient, options.ramp_steps, held, relax)
                                 : dem::deform(engine, gradient, options.ramp_steps, relax));
       if (keep)
-        result.loop.push_back({from * result.amplitude + static_cast<double>(k) * piece, stress - start});
+        result.last_loop.push_back(
+            {from * result.amplitude + static_cast<double>(k) * piece, stress - start});
     }
     return stress;
   };
@@ -163,36 +167,66 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   if (keep)
     leg(0, 1);
   const double swing = up - down + creep * static_cast<double>(at_second_end - at_first_end);
-  result.shear_modulus = swing / (2 * result.amplitude);
-  result.opening = std::abs(end - start) / std::abs(up - down);
+  result.last_shear_modulus = swing / (2 * result.amplitude);
+  result.last_opening = std::abs(end - start) / std::abs(up - down);
   return result;
 }
 
 FrozenState frozen_once(const dem::State& state, const dem::Material& material, double force_tolerance,
                         const StopRequest& stop_requested) {
   dem::Engine engine(sticking(state), sticking(material));
-  FrozenState frozen;
+  FrozenState frozen{.last_state = {}, .report = {}, .force_tolerance = force_tolerance};
   frozen.report = come_to_rest(
       engine, drag(engine, state),
       {.force_tolerance = force_tolerance, .max_steps = 20000, .stop_requested = stop_requested});
   if (frozen.report.outcome == dem::Outcome::stopped)
     throw Stopped();
   engine.rest();
-  frozen.state = engine.state();
+  frozen.last_state = engine.state();
   if (state.walls)
-    frozen.state.walls->friction_coefficient = state.walls->friction_coefficient;
+    frozen.last_state.walls->friction_coefficient = state.walls->friction_coefficient;
   return frozen;
 }
 
+void require_rest(bool at_rest, double unbalanced_force_ratio, const char* what) {
+  if (!at_rest)
+    throw NotConverged(std::string(what) + " did not come to rest: unbalanced force ratio " +
+                       short_text(unbalanced_force_ratio));
+}
+
 } // namespace
+
+double ProbeResult::shear_modulus() const {
+  require_rest(converged, unbalanced_force_ratio, "a probe");
+  return last_shear_modulus;
+}
+
+double ProbeResult::opening() const {
+  require_rest(converged, unbalanced_force_ratio, "a probe");
+  return last_opening;
+}
+
+const std::vector<LoopPoint>& ProbeResult::loop() const {
+  require_rest(converged, unbalanced_force_ratio, "a probe");
+  return last_loop;
+}
+
+const dem::State& FrozenState::state() const {
+  require_rest(at_rest(), report.unbalanced_force_ratio, "a frozen state");
+  return last_state;
+}
+
+const Mat3& FrozenState::stress() const {
+  require_rest(at_rest(), report.unbalanced_force_ratio, "a frozen state");
+  return report.last_stress;
+}
 
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance,
                             const StopRequest& stop_requested) {
   constexpr int tries = 3;
   FrozenState frozen = frozen_once(state, material, force_tolerance, stop_requested);
-  for (int k = 1; k < tries && frozen.report.unbalanced_force_ratio > std::max(rest_bound, force_tolerance);
-       ++k) {
-    FrozenState next = frozen_once(frozen.state, material, force_tolerance, stop_requested);
+  for (int k = 1; k < tries && !frozen.at_rest(); ++k) {
+    FrozenState next = frozen_once(frozen.last_state, material, force_tolerance, stop_requested);
     next.report.steps += frozen.report.steps;
     frozen = std::move(next);
   }

@@ -133,7 +133,7 @@ dem::State unjam(dem::State state, const SpecimenRecipe& recipe, const StopReque
   options.stop_requested = stop_requested;
   const dem::RelaxReport report =
       arrived(dem::minimise_energy(state, linear_law(recipe), options), "unjamming");
-  if (report.unbalanced_force_ratio < options.force_tolerance && report.pressure > 0)
+  if (report.unbalanced_force_ratio < options.force_tolerance && report.pressure() > 0)
     throw NotConverged("unjamming_strain " + std::to_string(recipe.unjamming_strain) +
                        " does not unjam this specimen; make it larger");
   return state;

@@ -12,12 +12,12 @@ const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<
   return found == specimen.runs.end() ? nullptr : &*found;
 }
 
-std::vector<const FrozenPoint*> early_points(const ExperimentSpecimen& specimen) {
+std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen) {
   // A snapshot at a multiple of eta is taken just behind it.
   constexpr double margin = 0.01;
-  std::vector<const FrozenPoint*> out;
+  std::vector<const StateRecord*> out;
   for (const PathRun& run : specimen.runs)
-    for (const FrozenPoint& point : run.points) {
+    for (const StateRecord& point : run.points) {
       // Past the peak eta may fall below the limit again: the path has left the range for good.
       if (!run.path || std::abs(point.at.stress.ratio()) > early_eta + margin)
         break;
@@ -26,23 +26,23 @@ std::vector<const FrozenPoint*> early_points(const ExperimentSpecimen& specimen)
   return out;
 }
 
-std::vector<const FrozenPoint*> fit_points(const ExperimentSpecimen& specimen) {
-  std::vector<const FrozenPoint*> out = early_points(specimen);
-  for (const FrozenPoint& point : specimen.runs.front().points)
+std::vector<const StateRecord*> fit_points(const ExperimentSpecimen& specimen) {
+  std::vector<const StateRecord*> out = early_points(specimen);
+  for (const StateRecord& point : specimen.runs.front().points)
     out.push_back(&point);
   return out;
 }
 
-std::optional<double> network_G_hh(const FrozenPoint& point) { return point.G_hh(); }
-std::optional<double> network_G_vh(const FrozenPoint& point) { return point.G_vh(); }
+std::optional<double> network_G_hh(const StateRecord& point) { return point.G_hh(); }
+std::optional<double> network_G_vh(const StateRecord& point) { return point.G_vh(); }
 
-std::optional<double> probe_G_hh(const FrozenPoint& point) {
+std::optional<double> probe_G_hh(const StateRecord& point) {
   return point.probes ? std::optional(point.probes->G_hh) : std::nullopt;
 }
-std::optional<double> probe_G_hv(const FrozenPoint& point) {
+std::optional<double> probe_G_hv(const StateRecord& point) {
   return point.probes ? std::optional(point.probes->G_hv) : std::nullopt;
 }
-std::optional<double> probe_G_vh(const FrozenPoint& point) {
+std::optional<double> probe_G_vh(const StateRecord& point) {
   return point.probes ? std::optional(point.probes->G_vh) : std::nullopt;
 }
 

@@ -17,20 +17,20 @@ inline constexpr double early_eta = 0.6;
                                       const std::optional<stress::ShearPath>& path);
 
 /// Frozen states of the shear paths with |eta| <= early_eta, not counting those past the peak.
-[[nodiscard]] std::vector<const FrozenPoint*> early_points(const ExperimentSpecimen& specimen);
+[[nodiscard]] std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen);
 /// The same and those of isotropic compression: what Eq. (1) is fitted to.
-[[nodiscard]] std::vector<const FrozenPoint*> fit_points(const ExperimentSpecimen& specimen);
+[[nodiscard]] std::vector<const StateRecord*> fit_points(const ExperimentSpecimen& specimen);
 
 /// Cells of further_exponents that a claim asks for.
 inline constexpr const char* exponent_h_of_G_hh = "exponent of sigma_h in G_hh";
 inline constexpr const char* exponent_v_of_G_hh = "exponent of sigma_v in G_hh";
 
 /// A modulus of a frozen state [Pa]; nothing where it was not measured.
-using ModulusOf = std::optional<double> (*)(const FrozenPoint&);
-[[nodiscard]] std::optional<double> network_G_hh(const FrozenPoint& point);
-[[nodiscard]] std::optional<double> network_G_vh(const FrozenPoint& point);
-[[nodiscard]] std::optional<double> probe_G_hh(const FrozenPoint& point);
-[[nodiscard]] std::optional<double> probe_G_hv(const FrozenPoint& point);
-[[nodiscard]] std::optional<double> probe_G_vh(const FrozenPoint& point);
+using ModulusOf = std::optional<double> (*)(const StateRecord&);
+[[nodiscard]] std::optional<double> network_G_hh(const StateRecord& point);
+[[nodiscard]] std::optional<double> network_G_vh(const StateRecord& point);
+[[nodiscard]] std::optional<double> probe_G_hh(const StateRecord& point);
+[[nodiscard]] std::optional<double> probe_G_hv(const StateRecord& point);
+[[nodiscard]] std::optional<double> probe_G_vh(const StateRecord& point);
 
 } // namespace granum::verify

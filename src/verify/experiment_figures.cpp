@@ -29,7 +29,7 @@ std::vector<io::CsvColumns> columns(const Panel& panel) {
 
 /// Number of frozen states up to the first peak: all before |eta| is lower than it was.
 std::size_t rising(const PathRun& run) {
-  const auto falls = [](const FrozenPoint& a, const FrozenPoint& b) {
+  const auto falls = [](const StateRecord& a, const StateRecord& b) {
     return std::abs(b.at.stress.ratio()) < std::abs(a.at.stress.ratio());
   };
   const auto last = std::adjacent_find(run.points.begin(), run.points.end(), falls);
@@ -38,8 +38,8 @@ std::size_t rising(const PathRun& run) {
   return static_cast<std::size_t>(last - run.points.begin()) + 1;
 }
 
-std::vector<const FrozenPoint*> part(const PathRun& run, std::size_t first, std::size_t end) {
-  std::vector<const FrozenPoint*> out;
+std::vector<const StateRecord*> part(const PathRun& run, std::size_t first, std::size_t end) {
+  std::vector<const StateRecord*> out;
   for (std::size_t k = first; k < end; ++k)
     out.push_back(&run.points[k]);
   return out;
@@ -104,14 +104,14 @@ std::size_t style_of(const std::optional<stress::ShearPath>& path) {
               : paths.size();
 }
 
-std::vector<const FrozenPoint*> up_to_peak(const PathRun& run) { return part(run, 0, rising(run)); }
-std::vector<const FrozenPoint*> past_peak(const PathRun& run) {
+std::vector<const StateRecord*> up_to_peak(const PathRun& run) { return part(run, 0, rising(run)); }
+std::vector<const StateRecord*> past_peak(const PathRun& run) {
   return part(run, rising(run), run.points.size());
 }
 
-std::vector<const FrozenPoint*> from_start(const ExperimentSpecimen& specimen, const PathRun& run) {
-  std::vector<const FrozenPoint*> out;
-  const std::vector<const FrozenPoint*> rest = up_to_peak(run);
+std::vector<const StateRecord*> from_start(const ExperimentSpecimen& specimen, const PathRun& run) {
+  std::vector<const StateRecord*> out;
+  const std::vector<const StateRecord*> rest = up_to_peak(run);
   const PathRun* iso = find_run(specimen, std::nullopt);
   if (run.path && !rest.empty() && iso != nullptr && !iso->points.empty())
     out.push_back(&iso->points.back());
@@ -119,13 +119,13 @@ std::vector<const FrozenPoint*> from_start(const ExperimentSpecimen& specimen, c
   return out;
 }
 
-std::optional<double> eta_of(const FrozenPoint& point) { return point.at.stress.ratio(); }
-std::optional<double> mean_stress_of(const FrozenPoint& point) { return point.at.stress.mean(); }
+std::optional<double> eta_of(const StateRecord& point) { return point.at.stress.ratio(); }
+std::optional<double> mean_stress_of(const StateRecord& point) { return point.at.stress.mean(); }
 
-io::Series series_of(const PathRun& run, const std::vector<const FrozenPoint*>& points, const Coordinate& x,
+io::Series series_of(const PathRun& run, const std::vector<const StateRecord*>& points, const Coordinate& x,
                      const Coordinate& y) {
   io::Series out{.name = std::string(name(run.path)), .x = {}, .y = {}, .style = style_of(run.path)};
-  for (const FrozenPoint* point : points) {
+  for (const StateRecord* point : points) {
     const std::optional<double> across = x(*point), up = y(*point);
     if (across && up) {
       out.x.push_back(*across);

@@ -59,7 +59,7 @@ std::vector<TableRow> table(const Experiment& experiment, const std::vector<Colu
 }
 
 std::optional<TableValue> initial_coordination(const ExperimentSpecimen& specimen) {
-  const std::vector<FrozenPoint>& points = specimen.runs.front().points;
+  const std::vector<StateRecord>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
   return TableValue{points.front().coordination_number_all, points.front().coordination_error};
@@ -67,7 +67,7 @@ std::optional<TableValue> initial_coordination(const ExperimentSpecimen& specime
 
 /// Between walls two diameters inside: layers at the walls raise e of 10,000 grains by 0.06.
 std::optional<TableValue> initial_void_ratio(const ExperimentSpecimen& specimen) {
-  const std::vector<FrozenPoint>& points = specimen.runs.front().points;
+  const std::vector<StateRecord>& points = specimen.runs.front().points;
   if (points.empty())
     return std::nullopt;
   return TableValue{points.front().interior_void_ratio, {}};
@@ -90,7 +90,7 @@ struct FitOf {
 
 std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitOf& what) {
   std::vector<hardin::Measurement> rows;
-  for (const FrozenPoint* point : fit_points(specimen))
+  for (const StateRecord* point : fit_points(specimen))
     if (const std::optional<double> modulus = what.modulus(*point); modulus && *modulus > 0) {
       const double other = what.two_exponents ? point->stress.v : point->stress.h;
       rows.push_back({*modulus, {point->stress.h, other, point->void_ratio}});

@@ -3,7 +3,9 @@
 
 #include <cstdio>
 #include <limits>
+#include <utility>
 
+#include <granum/io/columns.hpp>
 #include <granum/io/csv.hpp>
 #include <granum/verify/version.hpp>
 
@@ -48,20 +50,6 @@ std::string rows_of(const Experiment& experiment, io::CsvContent csv, Items item
   return io::csv_text(csv);
 }
 
-std::vector<std::string> voigt_headings(const std::string& prefix) {
-  std::vector<std::string> out;
-  for (int i = 1; i <= 6; ++i)
-    for (int j = i; j <= 6; ++j)
-      out.push_back(prefix + std::to_string(i) + std::to_string(j) + "_Pa");
-  return out;
-}
-
-void append_voigt(Cells& cells, const std::array<double, 36>& matrix) {
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = i; j < 6; ++j)
-      cells.emplace_back(matrix[6 * i + j]);
-}
-
 std::string number(double value, int digits) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
@@ -86,98 +74,82 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
+io::Columns<StateRecord> frozen_state_columns() {
+  io::Columns<StateRecord> columns;
+  const auto add = [&](std::string heading, std::function<std::optional<double>(const StateRecord&)> of) {
+    columns.emplace_back(std::move(heading), "", std::move(of));
+  };
+  const auto closed = [&](std::string heading, double (*of)(const analysis::ClosedForms&)) {
+    add(std::move(heading),
+        [of](const StateRecord& p) { return p.closed ? std::optional(of(*p.closed)) : std::nullopt; });
+  };
+  const auto probed = [&](std::string heading, double Probes::*of) {
+    add(std::move(heading),
+        [of](const StateRecord& p) { return p.probes ? std::optional((*p.probes).*of) : std::nullopt; });
+  };
+  const auto matrix = [&](const std::string& prefix, std::array<double, 36> StateRecord::*of) {
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j)
+        add(prefix + std::to_string(i + 1) + std::to_string(j + 1) + "_Pa",
+            [=](const StateRecord& p) { return (p.*of)[6 * i + j]; });
+  };
+  using Closed = analysis::ClosedForms;
+  add("eta", [](const StateRecord& p) { return p.at.stress.ratio(); });
+  add("p_Pa", [](const StateRecord& p) { return p.at.stress.mean(); });
+  add("s_v_Pa", [](const StateRecord& p) { return p.at.stress.v; });
+  add("s_h_Pa", [](const StateRecord& p) { return p.at.stress.h; });
+  add("axial_strain", [](const StateRecord& p) { return p.at.axial_strain; });
+  add("volumetric_strain", [](const StateRecord& p) { return p.at.volumetric_strain; });
+  add("frozen_s_v_Pa", [](const StateRecord& p) { return p.stress.v; });
+  add("frozen_s_h_Pa", [](const StateRecord& p) { return p.stress.h; });
+  add("e", [](const StateRecord& p) { return p.void_ratio; });
+  add("e_interior", [](const StateRecord& p) { return p.interior_void_ratio; });
+  add("C_n", [](const StateRecord& p) { return p.micro.coordination_number; });
+  add("C_n_all_grains", [](const StateRecord& p) { return p.coordination_number_all; });
+  add("C_n_all_grains_error", [](const StateRecord& p) { return p.coordination_error; });
+  add("z_star", [](const StateRecord& p) { return p.micro.mechanical_coordination_number; });
+  add("rattler_fraction", [](const StateRecord& p) { return p.micro.rattler_fraction; });
+  add("a", [](const StateRecord& p) { return p.micro.fabric_anisotropy; });
+  add("a_error", [](const StateRecord& p) { return p.micro.fabric_anisotropy_error; });
+  add("sliding_fraction", [](const StateRecord& p) { return p.micro.sliding_fraction; });
+  add("F11", [](const StateRecord& p) { return p.fabric(0, 0); });
+  add("F22", [](const StateRecord& p) { return p.fabric(1, 1); });
+  add("F33", [](const StateRecord& p) { return p.fabric(2, 2); });
+  add("F23", [](const StateRecord& p) { return p.fabric(1, 2); });
+  add("F13", [](const StateRecord& p) { return p.fabric(0, 2); });
+  add("F12", [](const StateRecord& p) { return p.fabric(0, 1); });
+  add("contacts", [](const StateRecord& p) { return static_cast<double>(p.contacts); });
+  add("G_hh_Pa", [](const StateRecord& p) { return p.G_hh(); });
+  add("G_vh_Pa", [](const StateRecord& p) { return p.G_vh(); });
+  closed("G_hh_uniform_strain_Pa", [](const Closed& c) { return c.uniform_strain.G_hh(); });
+  closed("G_vh_uniform_strain_Pa", [](const Closed& c) { return c.uniform_strain.G_vh(); });
+  closed("G_hh_uniform_stress_Pa", [](const Closed& c) { return c.uniform_stress.G_hh(); });
+  closed("G_vh_uniform_stress_Pa", [](const Closed& c) { return c.uniform_stress.G_vh(); });
+  closed("G_hh_relaxed_Pa", [](const Closed& c) { return c.relaxed.G_hh(); });
+  closed("G_hh_relaxed_error_Pa", [](const Closed& c) { return c.G_hh_error * c.relaxed.G_hh(); });
+  closed("G_vh_relaxed_Pa", [](const Closed& c) { return c.relaxed.G_vh(); });
+  closed("G_vh_relaxed_error_Pa", [](const Closed& c) { return c.G_vh_error * c.relaxed.G_vh(); });
+  probed("G_hh_probe_Pa", &Probes::G_hh);
+  probed("G_hv_probe_Pa", &Probes::G_hv);
+  probed("G_vh_probe_Pa", &Probes::G_vh);
+  probed("probe_strain", &Probes::amplitude);
+  add("unbalanced_force_ratio", [](const StateRecord& p) { return p.unbalanced_force_ratio; });
+  add("rest_steps", [](const StateRecord& p) { return static_cast<double>(p.rest_steps); });
+  matrix("network_C", &StateRecord::network);
+  matrix("affine_C", &StateRecord::affine);
+  return columns;
+}
+
 } // namespace
 
 std::string frozen_states_csv(const Experiment& experiment) {
-  std::vector<std::string> headings = {"eta",
-                                       "p_Pa",
-                                       "s_v_Pa",
-                                       "s_h_Pa",
-                                       "axial_strain",
-                                       "volumetric_strain",
-                                       "frozen_s_v_Pa",
-                                       "frozen_s_h_Pa",
-                                       "e",
-                                       "e_interior",
-                                       "C_n",
-                                       "C_n_all_grains",
-                                       "C_n_all_grains_error",
-                                       "z_star",
-                                       "rattler_fraction",
-                                       "a",
-                                       "a_error",
-                                       "sliding_fraction",
-                                       "F11",
-                                       "F22",
-                                       "F33",
-                                       "F23",
-                                       "F13",
-                                       "F12",
-                                       "contacts",
-                                       "G_hh_Pa",
-                                       "G_vh_Pa",
-                                       "G_hh_uniform_strain_Pa",
-                                       "G_vh_uniform_strain_Pa",
-                                       "G_hh_uniform_stress_Pa",
-                                       "G_vh_uniform_stress_Pa",
-                                       "G_hh_relaxed_Pa",
-                                       "G_hh_relaxed_error_Pa",
-                                       "G_vh_relaxed_Pa",
-                                       "G_vh_relaxed_error_Pa",
-                                       "G_hh_probe_Pa",
-                                       "G_hv_probe_Pa",
-                                       "G_vh_probe_Pa",
-                                       "probe_strain",
-                                       "unbalanced_force_ratio",
-                                       "rest_steps"};
-  for (const std::string& prefix : {std::string("network_C"), std::string("affine_C")}) {
-    const std::vector<std::string> more = voigt_headings(prefix);
-    headings.insert(headings.end(), more.begin(), more.end());
-  }
-  return rows_of(experiment, headed(experiment, headings), &PathRun::points,
-                 [](io::CsvContent& csv, Cells cells, const FrozenPoint& p) {
-                   append(cells, {p.at.stress.ratio(),
-                                  p.at.stress.mean(),
-                                  p.at.stress.v,
-                                  p.at.stress.h,
-                                  p.at.axial_strain,
-                                  p.at.volumetric_strain,
-                                  p.stress.v,
-                                  p.stress.h,
-                                  p.void_ratio,
-                                  p.interior_void_ratio,
-                                  p.micro.coordination_number,
-                                  p.coordination_number_all,
-                                  p.coordination_error,
-                                  p.micro.mechanical_coordination_number,
-                                  p.micro.rattler_fraction,
-                                  p.micro.fabric_anisotropy,
-                                  p.micro.fabric_anisotropy_error,
-                                  p.micro.sliding_fraction,
-                                  p.fabric(0, 0),
-                                  p.fabric(1, 1),
-                                  p.fabric(2, 2),
-                                  p.fabric(1, 2),
-                                  p.fabric(0, 2),
-                                  p.fabric(0, 1),
-                                  static_cast<double>(p.contacts),
-                                  p.G_hh(),
-                                  p.G_vh()});
-                   if (const std::optional<ClosedForms>& c = p.closed)
-                     append(cells,
-                            {c->uniform_strain.G_hh(), c->uniform_strain.G_vh(), c->uniform_stress.G_hh(),
-                             c->uniform_stress.G_vh(), c->relaxed.G_hh(), c->G_hh_error * c->relaxed.G_hh(),
-                             c->relaxed.G_vh(), c->G_vh_error * c->relaxed.G_vh()});
-                   else
-                     cells.insert(cells.end(), 8, nothing);
-                   if (const std::optional<Probes>& probes = p.probes)
-                     append(cells, {probes->G_hh, probes->G_hv, probes->G_vh, probes->amplitude});
-                   else
-                     cells.insert(cells.end(), 4, nothing);
-                   append(cells, {p.unbalanced_force_ratio, static_cast<double>(p.rest_steps)});
-                   append_voigt(cells, p.network);
-                   append_voigt(cells, p.affine);
-                   csv.rows.push_back(std::move(cells));
+  const io::Columns<StateRecord> columns = frozen_state_columns();
+  io::CsvContent csv = headed(experiment, {});
+  io::add_headings(csv, columns);
+  return rows_of(experiment, std::move(csv), &PathRun::points,
+                 [&columns](io::CsvContent& to, Cells cells, const StateRecord& point) {
+                   io::add_cells(cells, columns, point);
+                   to.rows.push_back(std::move(cells));
                  });
 }
 
@@ -206,7 +178,7 @@ std::string loops_csv(const Experiment& experiment) {
 std::string histograms_csv(const Experiment& experiment) {
   return rows_of(experiment,
                  headed(experiment, {"eta", "axial_strain", "of", "bin_low", "bin_high", "contacts"}),
-                 &PathRun::points, [](io::CsvContent& csv, const Cells& cells, const FrozenPoint& p) {
+                 &PathRun::points, [](io::CsvContent& csv, const Cells& cells, const StateRecord& p) {
                    const auto add = [&](const char* of, const auto& counts, double width) {
                      for (std::size_t k = 0; k < counts.size(); ++k) {
                        Cells row = cells;

@@ -86,7 +86,7 @@ void judge_vertical_shear(std::vector<Verdict>& out, const Experiment& experimen
   std::size_t states = 0;
   for (const ExperimentSpecimen& specimen : experiment.specimens)
     for (const PathRun& run : specimen.runs)
-      for (const FrozenPoint& point : run.points) {
+      for (const StateRecord& point : run.points) {
         if (run.path && std::abs(point.at.stress.ratio()) > 0.9 * std::abs(run.peak.stress.ratio()))
           break;
         if (!point.probes)
@@ -100,10 +100,10 @@ void judge_vertical_shear(std::vector<Verdict>& out, const Experiment& experimen
 }
 
 /// Largest distance of a figure from its value at the start of the paths, over |eta| <= 0.6.
-double worst_change(const ExperimentSpecimen& specimen, double (*figure)(const FrozenPoint&)) {
+double worst_change(const ExperimentSpecimen& specimen, double (*figure)(const StateRecord&)) {
   const double start = figure(specimen.runs.front().points.back());
   double worst = 0;
-  for (const FrozenPoint* point : early_points(specimen))
+  for (const StateRecord* point : early_points(specimen))
     worst = std::max(worst, std::abs(figure(*point) / start - 1));
   return worst;
 }
@@ -112,9 +112,9 @@ double worst_change(const ExperimentSpecimen& specimen, double (*figure)(const F
 /// are lost and the rest turns towards the larger stress.
 void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
   const double coordination =
-      worst_change(specimen, [](const FrozenPoint& p) { return p.micro.coordination_number; });
+      worst_change(specimen, [](const StateRecord& p) { return p.micro.coordination_number; });
   double anisotropy = 0, error = 0;
-  for (const FrozenPoint* point : early_points(specimen))
+  for (const StateRecord* point : early_points(specimen))
     if (std::abs(point->micro.fabric_anisotropy) > anisotropy) {
       anisotropy = std::abs(point->micro.fabric_anisotropy);
       error = point->micro.fabric_anisotropy_error;
@@ -126,7 +126,7 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
   double kept = 0, turned = 10;
   for (const PathRun& run : specimen.runs)
     if (run.path && !run.points.empty() && run.failure.empty()) {
-      const triaxial::Microstructure &first = specimen.runs.front().points.back().micro,
+      const analysis::Microstructure &first = specimen.runs.front().points.back().micro,
                                      &last = run.points.back().micro;
       const double sense = stress::is_compression(*run.path) ? 1 : -1;
       kept = std::max(kept, last.coordination_number / first.coordination_number);
@@ -138,8 +138,8 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
                    text("at most %.2f of C_n is left, a is %.2f or more", kept, turned)});
 }
 
-double G_vh_of(const FrozenPoint& point) { return point.G_vh(); }
-double G_hh_of(const FrozenPoint& point) { return point.G_hh(); }
+double G_vh_of(const StateRecord& point) { return point.G_vh(); }
+double G_hh_of(const StateRecord& point) { return point.G_hh(); }
 
 /// Flat contacts have one stiffness: G changes only with the structure, which dense specimens keep.
 void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {

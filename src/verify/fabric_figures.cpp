@@ -17,7 +17,7 @@ constexpr std::size_t merged = 2;
 constexpr std::size_t directions = polar_bins / merged;
 
 /// Contacts per solid angle with errors sqrt(n), over polar angle.
-io::Series histogram(const FrozenPoint& point) {
+io::Series histogram(const StateRecord& point) {
   io::Series out{.name = {}, .mark = io::Mark::marker, .x = {}, .y = {}};
   constexpr double width = pi / 2 / static_cast<double>(directions);
   for (std::size_t k = 0; k < directions; ++k) {
@@ -36,7 +36,7 @@ io::Series histogram(const FrozenPoint& point) {
 }
 
 /// E(gamma; a) with a of the same contacts; empty where a is beyond what E can describe.
-io::Series fitted(const FrozenPoint& point) {
+io::Series fitted(const StateRecord& point) {
   constexpr int steps = 60;
   io::Series out{.name = {}, .mark = io::Mark::line, .x = {}, .y = {}};
   const double a = fabric::anisotropy_from_F33(point.fabric(2, 2));
@@ -50,8 +50,8 @@ io::Series fitted(const FrozenPoint& point) {
 }
 
 /// The last frozen state before eta falls, or the last of isotropic compression.
-const FrozenPoint* last_up_to_peak(const PathRun& run) {
-  const std::vector<const FrozenPoint*> points = up_to_peak(run);
+const StateRecord* last_up_to_peak(const PathRun& run) {
+  const std::vector<const StateRecord*> points = up_to_peak(run);
   return points.empty() ? nullptr : points.back();
 }
 
@@ -62,7 +62,7 @@ Panel direction_panel(const Kind& kind) {
   for (const PathRun& run : kind.specimen->runs) {
     const bool drawn =
         !run.path || *run.path == stress::ShearPath::txc || *run.path == stress::ShearPath::rtxe;
-    const FrozenPoint* point = drawn ? last_up_to_peak(run) : nullptr;
+    const StateRecord* point = drawn ? last_up_to_peak(run) : nullptr;
     if (point == nullptr || point->contacts == 0)
       continue;
     const std::string path(name(run.path));
@@ -79,7 +79,7 @@ Panel direction_panel(const Kind& kind) {
 constexpr std::size_t bar_stride = 5;
 std::size_t first_bar(const PathRun& run) { return 1 + 2 * (style_of(run.path) % 2); }
 
-using ErrorOf = std::optional<double> (*)(const FrozenPoint&);
+using ErrorOf = std::optional<double> (*)(const StateRecord&);
 
 Panel microstructure_panel(const Kind& kind, const std::string& stem, const std::string& title,
                            const Quantity& y, const Coordinate& of, ErrorOf error) {
@@ -94,7 +94,7 @@ Panel microstructure_panel(const Kind& kind, const std::string& stem, const std:
     past.tone = io::Tone::faint;
     past.name = "";
     add(out, std::move(past), path + " past the peak");
-    const std::vector<const FrozenPoint*> points = from_start(*kind.specimen, run);
+    const std::vector<const StateRecord*> points = from_start(*kind.specimen, run);
     io::Series line = series_of(run, points, eta_of, of);
     for (std::size_t k = 0; error != nullptr && k < points.size(); ++k)
       line.y_error.push_back(k % bar_stride == first_bar(run) ? error(*points[k]).value_or(0) : 0);
@@ -104,11 +104,11 @@ Panel microstructure_panel(const Kind& kind, const std::string& stem, const std:
   return out;
 }
 
-std::optional<double> coordination(const FrozenPoint& p) { return p.micro.coordination_number; }
-std::optional<double> coordination_error(const FrozenPoint& p) { return p.coordination_error; }
-std::optional<double> mechanical(const FrozenPoint& p) { return p.micro.mechanical_coordination_number; }
-std::optional<double> anisotropy(const FrozenPoint& p) { return p.micro.fabric_anisotropy; }
-std::optional<double> anisotropy_error(const FrozenPoint& p) { return p.micro.fabric_anisotropy_error; }
+std::optional<double> coordination(const StateRecord& p) { return p.micro.coordination_number; }
+std::optional<double> coordination_error(const StateRecord& p) { return p.coordination_error; }
+std::optional<double> mechanical(const StateRecord& p) { return p.micro.mechanical_coordination_number; }
+std::optional<double> anisotropy(const StateRecord& p) { return p.micro.fabric_anisotropy; }
+std::optional<double> anisotropy_error(const StateRecord& p) { return p.micro.fabric_anisotropy_error; }
 
 } // namespace
 

@@ -54,20 +54,20 @@ struct Kind {
 
 /// Frozen states of a run until |eta| falls for the first time, or those behind it: past the first peak eta
 /// goes up and down. Isotropic compression has no peak.
-[[nodiscard]] std::vector<const FrozenPoint*> up_to_peak(const PathRun& run);
-[[nodiscard]] std::vector<const FrozenPoint*> past_peak(const PathRun& run);
+[[nodiscard]] std::vector<const StateRecord*> up_to_peak(const PathRun& run);
+[[nodiscard]] std::vector<const StateRecord*> past_peak(const PathRun& run);
 
 /// The former, and in front of them the end of isotropic compression, where the paths start.
-[[nodiscard]] std::vector<const FrozenPoint*> from_start(const ExperimentSpecimen& specimen,
+[[nodiscard]] std::vector<const StateRecord*> from_start(const ExperimentSpecimen& specimen,
                                                          const PathRun& run);
 
 /// What is drawn over or up a frozen state; nothing where it was not measured.
-using Coordinate = std::function<std::optional<double>(const FrozenPoint&)>;
-[[nodiscard]] std::optional<double> eta_of(const FrozenPoint& point);
-[[nodiscard]] std::optional<double> mean_stress_of(const FrozenPoint& point); ///< [Pa]
+using Coordinate = std::function<std::optional<double>(const StateRecord&)>;
+[[nodiscard]] std::optional<double> eta_of(const StateRecord& point);
+[[nodiscard]] std::optional<double> mean_stress_of(const StateRecord& point); ///< [Pa]
 
 /// The points that have both coordinates, in the style of their run.
-[[nodiscard]] io::Series series_of(const PathRun& run, const std::vector<const FrozenPoint*>& points,
+[[nodiscard]] io::Series series_of(const PathRun& run, const std::vector<const StateRecord*>& points,
                                    const Coordinate& x, const Coordinate& y);
 
 // The figures, file by file.

@@ -17,7 +17,7 @@ namespace granum::verify {
 namespace {
 
 using triaxial::Density;
-using ModulusOf = std::function<std::optional<double>(const StateResult&)>;
+using ModulusOf = std::function<std::optional<double>(const CompressedState&)>;
 
 /// s of G_hv in the paper's Table 5.
 std::optional<double> paper_exponent(contact::Shape contact, Density density) {
@@ -28,9 +28,9 @@ std::optional<double> paper_exponent(contact::Shape contact, Density density) {
 std::optional<Measured> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
                                     hardin::VoidRatioFunction function) {
   std::vector<hardin::Measurement> rows;
-  for (const StateResult& state : specimen.states)
+  for (const CompressedState& state : specimen.states)
     if (const std::optional<double> modulus = modulus_of(state))
-      rows.push_back({*modulus, {state.pressure, state.pressure, state.void_ratio}});
+      rows.push_back({*modulus, {state.pressure, state.pressure, state.packing.void_ratio}});
   return fitted_exponent(rows, function);
 }
 
@@ -74,10 +74,10 @@ struct Worst {
 };
 
 Worst worst_of(const std::vector<SpecimenResult>& specimens,
-               const std::function<std::optional<double>(const StateResult&)>& figure) {
+               const std::function<std::optional<double>(const CompressedState&)>& figure) {
   Worst worst;
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& state : specimen.states)
+    for (const CompressedState& state : specimen.states)
       if (const std::optional<double> value = figure(state))
         worst.take(*value);
   return worst;
@@ -134,9 +134,11 @@ std::optional<Measured> fitted_exponent(const std::vector<hardin::Measurement>& 
 
 std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   using enum hardin::VoidRatioFunction;
-  const ModulusOf closed = [](const StateResult& s) { return std::optional(s.G_closed); };
-  const ModulusOf network = [](const StateResult& s) { return std::optional(s.G_network); };
-  const ModulusOf probe = [](const StateResult& s) -> std::optional<double> {
+  const ModulusOf closed = [](const CompressedState& s) { return std::optional(s.G_closed); };
+  const ModulusOf network = [](const CompressedState& s) {
+    return std::optional(s.network().shear_modulus());
+  };
+  const ModulusOf probe = [](const CompressedState& s) -> std::optional<double> {
     if (!s.probes)
       return std::nullopt;
     return (s.probes->G_hh + s.probes->G_hv + s.probes->G_vh) / 3;
@@ -160,9 +162,9 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
 std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens) {
   std::vector<double> z, ratio;
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& state : specimen.states) {
-      z.push_back(state.mechanical_coordination_number - 5);
-      ratio.push_back(state.G_network / state.G_uniform_strain);
+    for (const CompressedState& state : specimen.states) {
+      z.push_back(state.packing.counts.mechanical.coordination_number - 5);
+      ratio.push_back(state.network().shear_modulus() / state.uniform_strain().shear_modulus());
     }
   if (z.size() < 8)
     return std::nullopt;
@@ -177,23 +179,24 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
                    text("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
   judge_worst(out, "K(uniform stress, refined) <= K <= K(uniform strain)",
               worst_of(specimens,
-                       [](const StateResult& s) {
-                         return std::optional(
-                             std::max(s.K_lower / s.K_network, s.K_network / s.K_uniform_strain) - 1);
+                       [](const CompressedState& s) {
+                         const double K = s.network().bulk_modulus();
+                         const double lower = s.packing.solved_network().bulk_bounds.lower;
+                         return std::optional(std::max(lower / K, K / s.uniform_strain().bulk_modulus()) - 1);
                        }),
               1e-9, "nearest to a bound: %.2g beyond it");
   judge_worst(out, "the probe's moduli are the network's within 1 %",
               worst_of(specimens,
-                       [](const StateResult& s) -> std::optional<double> {
+                       [](const CompressedState& s) -> std::optional<double> {
                          if (!s.probes)
                            return std::nullopt;
-                         return std::max(relative_difference(s.probes->G_hh, s.G_hh_network),
-                                         relative_difference(s.probes->G_hv, s.G_vh_network));
+                         return std::max(relative_difference(s.probes->G_hh, G_hh_network(s)),
+                                         relative_difference(s.probes->G_hv, G_vh_network(s)));
                        }),
               0.01, "worst %.2g");
   judge_worst(out, "G_hv = G_vh within 1 %",
               worst_of(specimens,
-                       [](const StateResult& s) -> std::optional<double> {
+                       [](const CompressedState& s) -> std::optional<double> {
                          if (!s.probes)
                            return std::nullopt;
                          return relative_difference(s.probes->G_hv, s.probes->G_vh);
@@ -201,9 +204,9 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
               0.01, "worst %.2g");
   judge_worst(out, "pressure by contacts = pressure by the work of the cell within 1e-6",
               worst_of(specimens,
-                       [](const StateResult& s) {
-                         return std::optional(
-                             relative_difference(s.pressure_by_work, s.pressure_by_contacts));
+                       [](const CompressedState& s) {
+                         return std::optional(relative_difference(s.packing.pressure_by_work.value(),
+                                                                  s.packing.stress.value().mean()));
                        }),
               1e-6, "worst %.2g");
   for (const SpecimenResult& specimen : specimens)

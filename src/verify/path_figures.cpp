@@ -45,10 +45,10 @@ Figure stress_paths(const Experiment& experiment) {
     Panel paths = panel("fig04_" + kind.key(), kind.title(), mean_stress(),
                         {"q_Pa", {.title = "q [kPa]", .unit = 1e3}});
     for (const PathRun& run : kind.specimen->runs) {
-      std::vector<const FrozenPoint*> points;
-      for (const FrozenPoint& point : run.points)
+      std::vector<const StateRecord*> points;
+      for (const StateRecord& point : run.points)
         points.push_back(&point);
-      io::Series series = series_of(run, points, mean_stress_of, [](const FrozenPoint& point) {
+      io::Series series = series_of(run, points, mean_stress_of, [](const StateRecord& point) {
         return std::optional(point.at.stress.deviator());
       });
       series.mark = io::Mark::marker;

@@ -12,8 +12,9 @@
 #include <granum/triaxial/specimen.hpp>
 #include <granum/verify/study.hpp>
 
-#include "frozen_point.hpp"
 #include "outcome_text.hpp"
+#include "probes.hpp"
+#include "state_record.hpp"
 
 namespace granum::verify {
 
@@ -104,7 +105,7 @@ void save_run(ByteWriter& to, const PathRun& run) {
 PathRun load_run(ByteReader& from, const std::optional<stress::ShearPath>& path) {
   PathRun run;
   run.path = path;
-  run.points = from.get_all<FrozenPoint>();
+  run.points = from.get_all<StateRecord>();
   run.curve = from.get_all<triaxial::PathPoint>();
   for (auto loops = from.get<std::uint64_t>(); loops > 0; --loops) {
     ShearLoop loop{.eta = from.get<double>(), .amplitude = from.get<double>(), .points = {}};
@@ -155,7 +156,7 @@ struct Schedule {
 };
 
 triaxial::PathPoint isotropic_point(const triaxial::Snapshot& snapshot, const Mat3& first_cell) {
-  const Mat3& stress = snapshot.report.stress;
+  const Mat3& stress = snapshot.report.stress();
   const Mat3& cell = snapshot.state.cell;
   return {.stress = {.v = stress(2, 2), .h = (stress(0, 0) + stress(1, 1)) / 2},
           .stress_difference = std::abs(stress(0, 0) - stress(1, 1)),
@@ -224,7 +225,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
       first_cell = snapshot.state.cell;
     iso.run.largest_inertial_number =
         std::max(iso.run.largest_inertial_number, snapshot.report.largest_inertial_number);
-    iso.run.points.push_back(frozen_point(
+    iso.run.points.push_back(state_record(
         snapshot.state, specimen.material, isotropic_point(snapshot, first_cell),
         holds(scene.study.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
     iso.state = snapshot.state;
@@ -324,7 +325,7 @@ class ShearRecord {
   /// the run goes on from the checkpoint before.
   void freeze(bool probed) {
     const std::string failure = failure_of([&] {
-      run_.points.push_back(frozen_point(test_->engine().state(), material_, test_->now(), probed, run_.notes,
+      run_.points.push_back(state_record(test_->engine().state(), material_, test_->now(), probed, run_.notes,
                                          piece_.meter.stop_request()));
     });
     if (!failure.empty())

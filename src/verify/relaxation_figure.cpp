@@ -20,7 +20,7 @@ std::optional<double> isotropic_G(const elastic::VoigtStiffness& stiffness) {
   }
 }
 
-std::optional<double> network_over_uniform_strain(const FrozenPoint& point) {
+std::optional<double> network_over_uniform_strain(const StateRecord& point) {
   if (!point.closed)
     return std::nullopt;
   elastic::VoigtStiffness relaxed;
@@ -38,7 +38,7 @@ io::Series states(const Experiment& experiment, const Kind& kind) {
   for (const ExperimentSpecimen& specimen : experiment.specimens)
     if (specimen.contact == kind.contact && specimen.density == kind.density)
       for (const PathRun& run : specimen.runs)
-        for (const FrozenPoint& point : run.points)
+        for (const StateRecord& point : run.points)
           if (const std::optional<double> ratio = network_over_uniform_strain(point)) {
             out.x.push_back(point.micro.mechanical_coordination_number);
             out.y.push_back(*ratio);

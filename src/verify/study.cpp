@@ -4,66 +4,32 @@
 #include <algorithm>
 #include <numeric>
 
-#include <granum/assembly/cell_work.hpp>
-#include <granum/assembly/force_moments.hpp>
-#include <granum/assembly/stress.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/network/linear_response.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/verify/plan.hpp>
 
-#include "frozen_point.hpp"
 #include "outcome_text.hpp"
+#include "probes.hpp"
 #include "work_sharing.hpp"
 
 namespace granum::verify {
 
 namespace {
 
-void measure_assembly(const Assembly& assembly, const contact::PowerLaw& contact_law, StateResult& out) {
-  const triaxial::Microstructure micro = triaxial::microstructure(assembly);
-  out.coordination_number = micro.coordination_number;
-  out.mechanical_coordination_number = micro.mechanical_coordination_number;
-  out.rattler_fraction = micro.rattler_fraction;
-  out.fabric_anisotropy = micro.fabric_anisotropy;
-  out.fabric_anisotropy_error = micro.fabric_anisotropy_error;
-  out.pressure_by_contacts = contact_stress(assembly).mean();
-  out.pressure_by_work = pressure_by_cell_work(assembly, contact_law);
-}
-
-void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, StateResult& out) {
+void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, CompressedState& out) {
   const effective::Estimate estimate =
       effective::uniform_strain({.law = recipe.material.law,
                                  .tangential_ratio = recipe.material.tangential_ratio,
                                  .radius = recipe.radius,
-                                 .void_ratio = out.void_ratio,
-                                 .coordination_number = out.coordination_number,
+                                 .void_ratio = out.packing.void_ratio,
+                                 .coordination_number = out.packing.counts.coordination_number,
                                  .stress_v = out.pressure,
                                  .stress_h = out.pressure});
   out.G_closed = estimate.stiffness.G_vh();
   out.K_closed = estimate.stiffness.bulk_modulus();
-}
-
-void solve_network(const Assembly& assembly, const StopRequest& stop_requested, StateResult& out) {
-  const network::Response response = network::linear_response(assembly, {.stop_requested = stop_requested});
-  const elastic::Isotropic relaxed = elastic::isotropic_projection(response.relaxed());
-  const elastic::Isotropic affine = elastic::isotropic_projection(response.affine());
-  const BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
-  out.G_network = relaxed.shear_modulus();
-  out.K_network = relaxed.bulk_modulus();
-  out.G_uniform_strain = affine.shear_modulus();
-  out.K_uniform_strain = affine.bulk_modulus();
-  const elastic::Matrix6& c = response.relaxed().matrix;
-  out.G_hh_network = c(5, 5);
-  out.G_vh_network = c(4, 4);
-  out.K_lower = bounds.lower;
-  out.K_upper = bounds.upper;
-  out.network_iterations = response.report().iterations;
-  out.network_residual = response.report().residual;
 }
 
 struct Packing {
@@ -77,26 +43,25 @@ std::string title(contact::Shape contact, triaxial::Density density, std::uint64
   return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
 }
 
-StateResult analyse(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe, bool probed,
-                    const StopRequest& stop_requested) {
+CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe,
+                        bool probed, const StopRequest& stop_requested) {
   const dem::Material& material = recipe.material;
   const triaxial::FrozenState frozen =
-      triaxial::freeze_in_place(snapshot.state, material, 1e-8, stop_requested);
-  require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
-  StateResult out;
-  out.pressure = snapshot.pressure;
-  out.contact_pressure = trace(snapshot.report.stress) / 3;
-  out.void_ratio = dem::void_ratio(frozen.state);
-  out.sliding_fraction = triaxial::microstructure(dem::freeze(snapshot.state, material)).sliding_fraction;
-  out.steps = snapshot.report.steps + frozen.report.steps;
-  out.unbalanced_force_ratio = frozen.report.unbalanced_force_ratio;
-  out.largest_inertial_number = snapshot.report.largest_inertial_number;
-  const Assembly assembly = dem::freeze(frozen.state, material);
-  measure_assembly(assembly, material.law, out);
+      triaxial::freeze_in_place(snapshot.state, material, triaxial::usual_force_tolerance, stop_requested);
+  CompressedState out{.pressure = snapshot.pressure,
+                      .contact_pressure = trace(snapshot.report.stress()) / 3,
+                      .sliding_fraction = sliding_fraction(dem::contact_network(snapshot.state, material)),
+                      .packing = analysis::measure(
+                          dem::contact_network(frozen.state(), material), known_of(frozen.state(), material),
+                          {.work = true, .network = network::Options{.stop_requested = stop_requested}}),
+                      .probes = {},
+                      .steps = snapshot.report.steps + frozen.report.steps,
+                      .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
+                      .largest_inertial_number = snapshot.report.largest_inertial_number};
+  (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
   estimate_closed_form(recipe, out);
-  solve_network(assembly, stop_requested, out);
   if (probed)
-    out.probes = run_probes(frozen.state, material, stop_requested);
+    out.probes = run_probes(frozen.state(), material, stop_requested);
   return out;
 }
 
@@ -116,7 +81,7 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     }
     const bool probed = std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(),
                                   snapshot.pressure) != scene.study.probe_pressures.end();
-    out.states.push_back(analyse(snapshot, specimen, probed, options.stop_requested));
+    out.states.push_back(measure(snapshot, specimen, probed, options.stop_requested));
     meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
               title(out.contact, out.density, out.seed));
     if (meter.stopped() && out.states.size() < scene.study.pressures.size())
@@ -149,6 +114,14 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
 }
 
 } // namespace
+
+double G_hh_network(const CompressedState& state) {
+  return state.packing.solved_network().response.relaxed().matrix(5, 5);
+}
+
+double G_vh_network(const CompressedState& state) {
+  return state.packing.solved_network().response.relaxed().matrix(4, 4);
+}
 
 std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control) {
   require_valid(scene);

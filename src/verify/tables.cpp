@@ -30,84 +30,104 @@ io::CsvCell error(const std::optional<Measured>& exponent) {
   return exponent ? exponent->standard_error : nothing;
 }
 
+std::optional<double> fabric_number(const CompressedState& state, double fabric::AnisotropyEstimate::*of) {
+  return state.packing.fabric ? std::optional(state.packing.fabric->by_moment.*of) : std::nullopt;
+}
+
+const network::Response::Report& report(const CompressedState& state) {
+  return state.packing.network->response.report();
+}
+
 std::string shown(const std::optional<Measured>& exponent) {
   return exponent ? line("%6.3f +- %.3f", exponent->value, exponent->standard_error) : "       -       ";
 }
 
 } // namespace
 
+io::Columns<CompressedState> state_columns() {
+  using State = CompressedState;
+  const auto network = [](double (*of)(const State&)) {
+    return [of](const State& s) { return s.packing.network ? std::optional(of(s)) : std::nullopt; };
+  };
+  const auto probed = [](double Probes::*of) {
+    return [of](const State& s) { return s.probes ? std::optional((*s.probes).*of) : std::nullopt; };
+  };
+  constexpr double kPa = 1e3, MPa = 1e6;
+  return {
+      {"p_Pa", "pressure_Pa", [](const State& s) { return s.pressure; },
+       io::ShownColumn{"p [kPa]", 9, 4, false, kPa}},
+      {"p_contacts_Pa", "pressure_by_contacts_Pa",
+       [](const State& s) {
+         return s.packing.stress ? std::optional(s.packing.stress->mean()) : std::nullopt;
+       }},
+      {"p_work_Pa", "pressure_by_work_Pa", [](const State& s) { return s.packing.pressure_by_work; }},
+      {"e", "void_ratio", [](const State& s) { return s.packing.void_ratio; },
+       io::ShownColumn{"e", 8, 4, true}},
+      {"C_n", "coordination_number", [](const State& s) { return s.packing.counts.coordination_number; },
+       io::ShownColumn{"C_n", 7, 3, true}},
+      {"z_star", "mechanical_coordination_number",
+       [](const State& s) { return s.packing.counts.mechanical.coordination_number; },
+       io::ShownColumn{"z*", 7, 3, true}},
+      {"rattler_fraction", "rattler_fraction",
+       [](const State& s) { return s.packing.counts.mechanical.rattler_fraction; }},
+      {"a", "fabric_anisotropy",
+       [](const State& s) { return fabric_number(s, &fabric::AnisotropyEstimate::anisotropy); }},
+      {"a_error", "fabric_anisotropy_standard_error",
+       [](const State& s) { return fabric_number(s, &fabric::AnisotropyEstimate::standard_error); }},
+      {"sliding_fraction", "sliding_fraction", [](const State& s) { return s.sliding_fraction; }},
+      {"G_closed_Pa", "G_closed_Pa", [](const State& s) { return s.G_closed; },
+       io::ShownColumn{"G closed", 11, 4, false, MPa}},
+      {"K_closed_Pa", "K_closed_Pa", [](const State& s) { return s.K_closed; }},
+      {"G_uniform_strain_Pa", "G_uniform_strain_Pa",
+       network([](const State& s) { return s.uniform_strain().shear_modulus(); })},
+      {"K_uniform_strain_Pa", "K_uniform_strain_Pa",
+       network([](const State& s) { return s.uniform_strain().bulk_modulus(); })},
+      {"G_network_Pa", "G_network_Pa", network([](const State& s) { return s.network().shear_modulus(); }),
+       io::ShownColumn{"G network", 12, 4, false, MPa}},
+      {"", "", network([](const State& s) {
+         return s.network().shear_modulus() / s.uniform_strain().shear_modulus();
+       }),
+       io::ShownColumn{"ratio*", 9, 3, true}},
+      {"K_network_Pa", "K_network_Pa", network([](const State& s) { return s.network().bulk_modulus(); })},
+      {"G_hh_network_Pa", "G_hh_network_Pa", network(G_hh_network)},
+      {"G_vh_network_Pa", "G_vh_network_Pa", network(G_vh_network)},
+      {"K_lower_Pa", "K_lower_Pa",
+       network([](const State& s) { return s.packing.network->bulk_bounds.lower; })},
+      {"K_upper_Pa", "K_upper_Pa",
+       network([](const State& s) { return s.packing.network->bulk_bounds.upper; })},
+      {"G_hh_probe_Pa", "probes/G_hh_Pa", probed(&Probes::G_hh),
+       io::ShownColumn{"G_hh probe", 13, 4, false, MPa}},
+      {"G_hv_probe_Pa", "probes/G_hv_Pa", probed(&Probes::G_hv),
+       io::ShownColumn{"G_hv probe", 12, 4, false, MPa}},
+      {"G_vh_probe_Pa", "probes/G_vh_Pa", probed(&Probes::G_vh),
+       io::ShownColumn{"  G_vh probe [MPa]", 12, 4, false, MPa}},
+      {"probe_strain", "probes/shear_strain", probed(&Probes::amplitude)},
+      {"steps", "steps", [](const State& s) { return static_cast<double>(s.steps); }, io::ColumnKind::count},
+      {"unbalanced_force_ratio", "unbalanced_force_ratio",
+       [](const State& s) { return s.unbalanced_force_ratio; }},
+      {"inertial_number", "largest_inertial_number",
+       [](const State& s) { return s.largest_inertial_number; }},
+      {"network_iterations", "network_iterations",
+       network([](const State& s) { return static_cast<double>(report(s).iterations); }),
+       io::ColumnKind::count},
+      {"network_residual", "network_residual", network([](const State& s) { return report(s).residual; })},
+  };
+}
+
 std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
+  const io::Columns<CompressedState> columns = state_columns();
   io::CsvContent csv;
   csv.notes = {{"program", "granum " + words(version()) + " verify"},
                {"grains", std::to_string(scene.study.grains)},
                {"signs", "compression positive; z is the vertical axis v"}};
-  csv.headings = {"contact",
-                  "density",
-                  "seed",
-                  "p_Pa",
-                  "p_contacts_Pa",
-                  "p_work_Pa",
-                  "e",
-                  "C_n",
-                  "z_star",
-                  "rattler_fraction",
-                  "a",
-                  "a_error",
-                  "sliding_fraction",
-                  "G_closed_Pa",
-                  "K_closed_Pa",
-                  "G_uniform_strain_Pa",
-                  "K_uniform_strain_Pa",
-                  "G_network_Pa",
-                  "K_network_Pa",
-                  "G_hh_network_Pa",
-                  "G_vh_network_Pa",
-                  "K_lower_Pa",
-                  "K_upper_Pa",
-                  "G_hh_probe_Pa",
-                  "G_hv_probe_Pa",
-                  "G_vh_probe_Pa",
-                  "probe_strain",
-                  "steps",
-                  "unbalanced_force_ratio",
-                  "inertial_number",
-                  "network_iterations",
-                  "network_residual"};
+  csv.headings = {"contact", "density", "seed"};
+  io::add_headings(csv, columns);
   for (const SpecimenResult& specimen : specimens)
-    for (const StateResult& s : specimen.states) {
-      const Probes probes = s.probes.value_or(Probes{nothing, nothing, nothing, nothing});
-      csv.rows.push_back({words(name(specimen.contact)),
-                          words(name(specimen.density)),
-                          static_cast<double>(specimen.seed),
-                          s.pressure,
-                          s.pressure_by_contacts,
-                          s.pressure_by_work,
-                          s.void_ratio,
-                          s.coordination_number,
-                          s.mechanical_coordination_number,
-                          s.rattler_fraction,
-                          s.fabric_anisotropy,
-                          s.fabric_anisotropy_error,
-                          s.sliding_fraction,
-                          s.G_closed,
-                          s.K_closed,
-                          s.G_uniform_strain,
-                          s.K_uniform_strain,
-                          s.G_network,
-                          s.K_network,
-                          s.G_hh_network,
-                          s.G_vh_network,
-                          s.K_lower,
-                          s.K_upper,
-                          probes.G_hh,
-                          probes.G_hv,
-                          probes.G_vh,
-                          probes.amplitude,
-                          static_cast<double>(s.steps),
-                          s.unbalanced_force_ratio,
-                          s.largest_inertial_number,
-                          static_cast<double>(s.network_iterations),
-                          s.network_residual});
+    for (const CompressedState& state : specimen.states) {
+      std::vector<io::CsvCell> row{words(name(specimen.contact)), words(name(specimen.density)),
+                                   static_cast<double>(specimen.seed)};
+      io::add_cells(row, columns, state);
+      csv.rows.push_back(std::move(row));
     }
   return io::csv_text(csv);
 }
@@ -129,21 +149,14 @@ std::string exponents_csv(const std::vector<ExponentRow>& rows) {
 }
 
 std::string states_table(const std::vector<SpecimenResult>& specimens) {
+  const io::Columns<CompressedState> columns = state_columns();
   std::string out;
   for (const SpecimenResult& specimen : specimens) {
     out += line("\n%s, %s, seed %llu\n", words(name(specimen.contact)).c_str(),
                 words(name(specimen.density)).c_str(), static_cast<unsigned long long>(specimen.seed));
-    out += "  p [kPa]    C_n     z*       e   G closed   G network   ratio*   G_hh probe  G_hv probe  G_vh "
-           "probe [MPa]\n";
-    for (const StateResult& s : specimen.states) {
-      out += line("  %7.4g  %5.3f  %5.3f  %6.4f  %9.4g   %9.4g   %6.3f", s.pressure / 1e3,
-                  s.coordination_number, s.mechanical_coordination_number, s.void_ratio, s.G_closed / 1e6,
-                  s.G_network / 1e6, s.G_network / s.G_uniform_strain);
-      if (s.probes)
-        out += line("    %9.4g   %9.4g   %9.4g", s.probes->G_hh / 1e6, s.probes->G_hv / 1e6,
-                    s.probes->G_vh / 1e6);
-      out += "\n";
-    }
+    out += io::heading_line(columns) + "\n";
+    for (const CompressedState& state : specimen.states)
+      out += io::number_line(columns, state) + "\n";
     if (!specimen.failure.empty())
       out += "  ended early: " + specimen.failure + "\n";
   }

@@ -5,18 +5,16 @@
 #include <ctime>
 #include <numeric>
 
+#include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/network/linear_response.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 #include <granum/verify/findings.hpp>
 
-#include "frozen_point.hpp"
 #include "outcome_text.hpp"
+#include "probes.hpp"
 #include "trade_parts.hpp"
 #include "work_sharing.hpp"
 
@@ -62,35 +60,46 @@ double probed(const dem::State& state, const dem::Material& material, triaxial::
   const triaxial::ProbeResult result =
       triaxial::probe(state, material, mode, {.amplitude = amplitude, .stop_requested = stop_requested});
   part.steps += result.steps;
-  return modulus_of(result);
+  return result.shear_modulus();
+}
+
+analysis::Measurement measured(const dem::State& state, const dem::Material& material,
+                               const StopRequest& stop_requested) {
+  return analysis::measure(dem::contact_network(state, material), known_of(state, material),
+                           {.network = network::Options{.stop_requested = stop_requested}});
 }
 
 void measure_network(const dem::State& frozen, const dem::Material& material,
                      const StopRequest& stop_requested, Compression& out) {
   const ThreadClock clock;
-  const network::Response response =
-      network::linear_response(dem::freeze(frozen, material), {.stop_requested = stop_requested});
+  const analysis::Measurement packing = measured(frozen, material, stop_requested);
   out.network_seconds += clock.seconds();
-  const elastic::Matrix6& c = response.relaxed().matrix;
-  out.isotropic.push_back(elastic::isotropic_projection(response.relaxed()).shear_modulus());
+  const analysis::Network& network = packing.solved_network();
+  const elastic::Matrix6& c = network.response.relaxed().matrix;
+  out.isotropic.push_back(network.isotropic_relaxed().shear_modulus());
   out.planes.push_back((c(5, 5) + c(4, 4)) / 2);
   out.vertical.push_back(c(4, 4));
 }
 
+triaxial::FrozenState brought_to_rest(const dem::State& state, const dem::Material& material,
+                                      const StopRequest& stop_requested) {
+  return triaxial::freeze_in_place(state, material, triaxial::usual_force_tolerance, stop_requested);
+}
+
 void measure(const dem::State& state, const dem::Material& material, const StopRequest& stop_requested,
              Compression& out) {
-  triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material, 1e-8, stop_requested);
-  require_rest(frozen.report.unbalanced_force_ratio, "a frozen state");
-  out.steps += frozen.report.steps;
-  out.void_ratio.push_back(dem::void_ratio(frozen.state));
-  if (frozen.state.walls)
-    out.planes.push_back((probed(frozen.state, material, triaxial::ShearMode::hh, 0, stop_requested, out) +
-                          probed(frozen.state, material, triaxial::ShearMode::vh, 0, stop_requested, out)) /
+  const triaxial::FrozenState specimen = brought_to_rest(state, material, stop_requested);
+  const dem::State& at_rest = specimen.state();
+  out.steps += specimen.report.steps;
+  out.void_ratio.push_back(dem::void_ratio(at_rest));
+  if (at_rest.walls)
+    out.planes.push_back((probed(at_rest, material, triaxial::ShearMode::hh, 0, stop_requested, out) +
+                          probed(at_rest, material, triaxial::ShearMode::vh, 0, stop_requested, out)) /
                          2);
   else
-    measure_network(frozen.state, material, stop_requested, out);
+    measure_network(at_rest, material, stop_requested, out);
   if (out.probed_later)
-    out.frozen.push_back(std::move(frozen.state));
+    out.frozen.push_back(at_rest);
 }
 
 void compress(const TradeScene& trade, const Packing& packing, const Meter& meter, Compression& out) {
@@ -136,7 +145,10 @@ void shear(const TradeScene& trade, const Compression& start, const dem::Materia
       throw NotConverged("the shear test " + words(dem::Outcome::unstable));
     if (!out.vertical && test.now().stress.ratio() >= measured_ratio)
       out.vertical =
-          triaxial::frozen_moduli(test.engine().state(), material, 1e-8, options.stop_requested).G_vh();
+          measured(brought_to_rest(test.engine().state(), material, options.stop_requested).state(), material,
+                   options.stop_requested)
+              .solved_network()
+              .G_vh();
   }
   out.peak_ratio = test.peak().stress.ratio();
   out.steps = test.now().step;
@@ -144,7 +156,7 @@ void shear(const TradeScene& trade, const Compression& start, const dem::Materia
 
 /// Full approach of two grains under the mean contact force, over their diameter.
 double mean_overlap_ratio(const dem::State& state, const dem::Material& material) {
-  const Assembly assembly = dem::freeze(state, material);
+  const Assembly assembly = dem::contact_network(state, material);
   double sum = 0;
   for (const Contact& contact : assembly.contacts)
     sum += contact.normal_force;

@@ -25,7 +25,7 @@ TEST_CASE("work of the cell and contact forces give one pressure, for every cont
       state.position[g] +=
           1e-7 * Vec3{std::sin(3.0 * static_cast<double>(g)), std::cos(5.0 * static_cast<double>(g)),
                       std::sin(7.0 * static_cast<double>(g))};
-    Assembly assembly = dem::freeze(state, material);
+    Assembly assembly = dem::contact_network(state, material);
     for (Contact& c : assembly.contacts)
       c.tangential_force = 0.3 * c.normal_force * (1 / norm(c.branch)) * cross(c.branch, Vec3{0.6, 0, 0.8});
     const double by_contacts = contact_stress(assembly).mean();
@@ -36,7 +36,7 @@ TEST_CASE("work of the cell and contact forces give one pressure, for every cont
 
 TEST_CASE("no contacts, no pressure") {
   const contact::PowerLaw law = test::quartz_sphere(1e-3);
-  const Assembly apart = dem::freeze(test::fcc(1e-3, 2, -1e-5), test::quartz(1e-3, 0.5));
+  const Assembly apart = dem::contact_network(test::fcc(1e-3, 2, -1e-5), test::quartz(1e-3, 0.5));
   CHECK(apart.contacts.empty());
   CHECK(pressure_by_cell_work(apart, law) == 0);
 }

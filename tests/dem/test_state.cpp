@@ -26,7 +26,7 @@ dem::State chain() {
 } // namespace
 
 TEST_CASE("forces of a three-sphere chain are those that three other codes print") {
-  const Assembly assembly = dem::freeze(chain(), test::quartz(0.5e-3, 0.5));
+  const Assembly assembly = dem::contact_network(chain(), test::quartz(0.5e-3, 0.5));
   REQUIRE(assembly.contacts.size() == 2);
   const Contact& ab = assembly.contacts[0];
   const Contact& bc = assembly.contacts[1];
@@ -45,22 +45,22 @@ TEST_CASE("a frozen state carries tangential forces and says which contacts slid
   dem::State state = chain();
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   state.history = {{0, 1, {0, 0.5 * 0.0235294118 * 1.1, 0}, 1.0}, {1, 2, {1e-3, 0, 0}, 1.0}};
-  const Assembly assembly = dem::freeze(state, material);
+  const Assembly assembly = dem::contact_network(state, material);
   CHECK(assembly.contacts[0].sliding);
   CHECK_FALSE(assembly.contacts[1].sliding);
   CHECK(assembly.contacts[1].tangential_force == Vec3{1e-3, 0, 0});
   dem::Material sticking = material;
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
-  CHECK_FALSE(dem::freeze(state, sticking).contacts[0].sliding);
+  CHECK_FALSE(dem::contact_network(state, sticking).contacts[0].sliding);
 }
 
 TEST_CASE("contacts across the border of the cell have the same branch as inside") {
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   dem::State state = chain();
-  const Assembly inside = dem::freeze(state, material);
+  const Assembly inside = dem::contact_network(state, material);
   for (Vec3& x : state.position)
     x += Vec3{2.5e-3, -2.1e-3, 1.2e-3};
-  const Assembly across = dem::freeze(state, material);
+  const Assembly across = dem::contact_network(state, material);
   REQUIRE(across.contacts.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
     CHECK(norm(across.contacts[k].branch - inside.contacts[k].branch) < 1e-17);

@@ -226,7 +226,7 @@ TEST_CASE("momentum: what the grains gain is what the walls gave") {
 TEST_CASE("no pair is seen across a wall, and no grain leaves") {
   State state = box(8e-3, 8e-3, 8e-3, 0);
   state.position = {{radius, 4e-3, 4e-3}, {8e-3 - radius, 4e-3, 4e-3}};
-  CHECK(freeze(state, test::quartz(radius, 0.5)).contacts.empty());
+  CHECK(contact_network(state, test::quartz(radius, 0.5)).contacts.empty());
   state.velocity = {{-0.02, 0, 0}, {0.03, 0, 0}};
   Engine engine(state, test::quartz(radius, 0.5));
   engine.set_damping(0);
@@ -255,7 +255,7 @@ TEST_CASE(
     REQUIRE(report.converged());
     const StepFigures& figures = engine.figures();
     const Vec3 by_friction = stress_by_wall_friction(engine.state());
-    const Assembly frozen = freeze(engine.state(), material);
+    const Assembly frozen = contact_network(engine.state(), material);
     const ContactStress by_contacts = contact_stress(frozen);
     for (int axis = 0; axis < 3; ++axis) {
       CHECK(figures.boundary_stress[axis] == relative(target[axis], 2e-6));
@@ -309,22 +309,6 @@ TEST_CASE("walls: the same bits on several threads, and wall memories go along w
     const Vec3 before = first.walls->history[k].tangential_force;
     CHECK(norm(again.walls->history[k].tangential_force - before) <= 1e-9 * norm(before));
   }
-}
-
-TEST_CASE("the interior of a box: volume, members, and shares of a branch") {
-  Mat3 cell = Mat3::diagonal(10, 10, 10);
-  const Interior inside(cell, 2);
-  CHECK(inside.volume() == relative(216, 1e-14));
-  CHECK(inside.holds({5, 5, 2.1}));
-  CHECK_FALSE(inside.holds({5, 5, 1.9}));
-  CHECK_FALSE(inside.holds({8.1, 5, 5}));
-  CHECK(inside.share({5, 5, 5}, {1, 0, 0}) == 1);
-  CHECK(inside.share({1, 5, 5}, {4, 0, 0}) == relative(0.75, 1e-14));
-  CHECK(inside.share({1, 5, 5}, {8, 0, 0}) == relative(0.75, 1e-14));
-  CHECK(inside.share({1, 1, 5}, {0.5, 8, 0}) == 0);
-  CHECK(inside.share({9, 5, 5}, {-4, 0, 0}) == relative(0.75, 1e-14));
-  CHECK_THROWS_AS(Interior(cell, 5), InvalidArgument);
-  CHECK_THROWS_AS(Interior(cell, -1), InvalidArgument);
 }
 
 TEST_CASE("impossible walls are refused") {

@@ -45,13 +45,15 @@ TEST_CASE(
   periodic.diagonal() << kn / edge, kn / edge, kn / edge, kt / (2 * edge), kt / (2 * edge), kt / (2 * edge);
   for (const int n : {1, 2, 3, 4}) {
     CAPTURE(n);
-    const auto rough = network::linear_response(dem::freeze(boxed_lattice(n, overlap, 0.5), material));
+    const auto rough =
+        network::linear_response(dem::contact_network(boxed_lattice(n, overlap, 0.5), material));
     CHECK(rough.report().wall_contacts == static_cast<std::size_t>(6 * n * n));
     // Overlaps are differences of lengths 1e4 times as large.
     CHECK(twin::distance(rough.affine().matrix, periodic) < 1e-10);
     CHECK(twin::distance(rough.relaxed().matrix, periodic) < 1e-10);
     // Of n tangential contacts in a row, two halves at the walls are missing.
-    const auto smooth = network::linear_response(dem::freeze(boxed_lattice(n, overlap, 0), material));
+    const auto smooth =
+        network::linear_response(dem::contact_network(boxed_lattice(n, overlap, 0), material));
     Matrix6 affine = periodic;
     affine.bottomRightCorner<3, 3>() *= (n - 1.0) / n;
     CHECK(twin::distance(smooth.affine().matrix, affine) < 1e-10);
@@ -108,7 +110,7 @@ TEST_CASE("smooth walls with prestress: the second derivatives of the energy its
   samples::Uniform uniform(2);
   for (Vec3& x : state.position)
     x += uniform.vector(0.004 * radius);
-  const Assembly a = dem::freeze(state, material);
+  const Assembly a = dem::contact_network(state, material);
   REQUIRE(a.contacts.size() == 12);
   REQUIRE(a.wall_contacts.size() == 24);
   constexpr int unknowns = 3 * 8 + 6;

@@ -3,15 +3,16 @@
 #include <granum/triaxial/probe.hpp>
 
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
+#include "measured_specimen.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -52,18 +53,18 @@ TEST_CASE("probe and network agree on every shear modulus, and G_hv = G_vh") {
       const SpecimenRecipe recipe = recipe_of(law);
       const FrozenState frozen = freeze_in_place(compressed(recipe, density, 40e3), recipe.material);
       REQUIRE(frozen.report.converged());
-      const auto network = network::linear_response(dem::freeze(frozen.state, recipe.material));
+      const auto network = network::linear_response(dem::contact_network(frozen.state(), recipe.material));
       const auto& relaxed = network.relaxed().matrix;
-      const ProbeResult hh = probe(frozen.state, recipe.material, ShearMode::hh);
-      const ProbeResult hv = probe(frozen.state, recipe.material, ShearMode::hv);
-      const ProbeResult vh = probe(frozen.state, recipe.material, ShearMode::vh);
+      const ProbeResult hh = probe(frozen.state(), recipe.material, ShearMode::hh);
+      const ProbeResult hv = probe(frozen.state(), recipe.material, ShearMode::hv);
+      const ProbeResult vh = probe(frozen.state(), recipe.material, ShearMode::vh);
       REQUIRE((hh.converged && hv.converged && vh.converged));
       // 1 %: the prestress terms that only the probe has, of the order overlap/R, times the softening of
       // weakly coordinated networks.
-      CHECK(hh.shear_modulus == relative(relaxed(5, 5), 0.01));
-      CHECK(hv.shear_modulus == relative(relaxed(4, 4), 0.01));
-      CHECK(vh.shear_modulus == relative(hv.shear_modulus, 0.01));
-      CHECK(hv.opening < 0.02);
+      CHECK(hh.shear_modulus() == relative(relaxed(5, 5), 0.01));
+      CHECK(hv.shear_modulus() == relative(relaxed(4, 4), 0.01));
+      CHECK(vh.shear_modulus() == relative(hv.shear_modulus(), 0.01));
+      CHECK(hv.opening() < 0.02);
     }
 }
 
@@ -73,8 +74,8 @@ TEST_CASE("a contact that may slide answers softer, never stiffer, than the stic
   const FrozenState frozen = freeze_in_place(state, recipe.material);
   ProbeOptions sliding;
   sliding.sliding = true;
-  const double free = probe(frozen.state, recipe.material, ShearMode::hv, sliding).shear_modulus;
-  const double stuck = probe(frozen.state, recipe.material, ShearMode::hv).shear_modulus;
+  const double free = probe(frozen.state(), recipe.material, ShearMode::hv, sliding).shear_modulus();
+  const double stuck = probe(frozen.state(), recipe.material, ShearMode::hv).shear_modulus();
   CHECK(free > 0);
   CHECK(free < stuck * 1.002);
 }
@@ -85,12 +86,12 @@ TEST_CASE("a probe does not change the state it is given, and repeats to the bit
   const dem::State copy = state;
   const ProbeResult first = probe(state, recipe.material, ShearMode::hh);
   CHECK(state == copy);
-  CHECK(first.shear_modulus == probe(state, recipe.material, ShearMode::hh).shear_modulus);
+  CHECK(first.shear_modulus() == probe(state, recipe.material, ShearMode::hh).shear_modulus());
   const auto [hh, hv, vh] = probe_all(state, recipe.material);
   CHECK(state == copy);
-  CHECK(first.shear_modulus == hh.shear_modulus);
-  CHECK(probe(state, recipe.material, ShearMode::hv).shear_modulus == hv.shear_modulus);
-  CHECK(probe(state, recipe.material, ShearMode::vh).shear_modulus == vh.shear_modulus);
+  CHECK(first.shear_modulus() == hh.shear_modulus());
+  CHECK(probe(state, recipe.material, ShearMode::hv).shear_modulus() == hv.shear_modulus());
+  CHECK(probe(state, recipe.material, ShearMode::vh).shear_modulus() == vh.shear_modulus());
 }
 
 TEST_CASE("a probe that does not come to rest gives no modulus, unless contacts may slide") {
@@ -98,23 +99,43 @@ TEST_CASE("a probe that does not come to rest gives no modulus, unless contacts 
   const FrozenState frozen =
       freeze_in_place(compressed(recipe, Density::dense, 20e3), recipe.material, 1e-10);
   REQUIRE(frozen.report.converged());
-  dem::State disturbed = frozen.state;
+  dem::State disturbed = frozen.state();
   for (std::size_t g = 0; g < disturbed.grain_count(); g += 2)
     disturbed.position[g].x += 1e-3 * recipe.material.law.overlap(1.0);
   ProbeOptions hasty{.max_steps = 20};
   const ProbeResult at_start = probe(disturbed, recipe.material, ShearMode::hh, hasty);
   CHECK_FALSE(at_start.converged);
-  CHECK(at_start.shear_modulus == 0);
+  CHECK_THROWS_AS((void)at_start.shear_modulus(), NotConverged);
+  CHECK_THROWS_AS((void)at_start.opening(), NotConverged);
+  CHECK_THROWS_AS((void)at_start.loop(), NotConverged);
+  CHECK(at_start.last_shear_modulus == 0);
   CHECK(at_start.steps == 2 * hasty.max_steps);
   CHECK(at_start.unbalanced_force_ratio > hasty.force_tolerance);
-  const ProbeResult in_first_leg = probe(frozen.state, recipe.material, ShearMode::hh, hasty);
+  const ProbeResult in_first_leg = probe(frozen.state(), recipe.material, ShearMode::hh, hasty);
   CHECK_FALSE(in_first_leg.converged);
-  CHECK(in_first_leg.shear_modulus == 0);
+  CHECK(in_first_leg.last_shear_modulus == 0);
   CHECK(in_first_leg.steps == hasty.ramp_steps);
   hasty.sliding = true;
   const ProbeResult sliding = probe(disturbed, recipe.material, ShearMode::hh, hasty);
   CHECK_FALSE(sliding.converged);
-  CHECK(sliding.shear_modulus != 0);
+  CHECK(sliding.last_shear_modulus != 0);
+}
+
+TEST_CASE("a frozen state that is not at rest is there by its other name alone") {
+  FrozenState frozen;
+  frozen.force_tolerance = 1e-8;
+  frozen.report.unbalanced_force_ratio = 1.1e-6;
+  CHECK_FALSE(frozen.at_rest());
+  CHECK_THROWS_AS((void)frozen.state(), NotConverged);
+  CHECK_THROWS_AS((void)frozen.stress(), NotConverged);
+  frozen.report.unbalanced_force_ratio = rest_bound; // an escaping rattler is allowed for
+  CHECK(frozen.at_rest());
+  CHECK_NOTHROW((void)frozen.state());
+  frozen.force_tolerance = creeping_force_tolerance;
+  frozen.report.unbalanced_force_ratio = 0.9e-4;
+  CHECK(frozen.at_rest());
+  frozen.report.unbalanced_force_ratio = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(frozen.at_rest());
 }
 
 TEST_CASE("rest, probes and the network's moduli end at the step at which they are asked to") {
@@ -131,14 +152,19 @@ TEST_CASE("rest, probes and the network's moduli end at the step at which they a
     }
   };
   stops([&](const test::StopAt& stop) { (void)freeze_in_place(state, recipe.material, 1e-8, stop); });
-  stops([&](const test::StopAt& stop) { (void)frozen_moduli(state, recipe.material, 1e-8, stop); });
-  const dem::State frozen = freeze_in_place(state, recipe.material).state;
+  stops([&](const test::StopAt& stop) {
+    const FrozenState rested = freeze_in_place(state, recipe.material, 1e-8, stop);
+    const analysis::Measurement packing = test::measured(
+        rested.state(), recipe.material, {.network = network::Options{.stop_requested = stop}});
+    (void)packing.solved_network().response.relaxed();
+  });
+  const dem::State frozen = freeze_in_place(state, recipe.material).state();
   stops([&](const test::StopAt& stop) {
     (void)probe(frozen, recipe.material, ShearMode::vh, {.stop_requested = stop});
   });
   stops(
       [&](const test::StopAt& stop) { (void)probe_all(frozen, recipe.material, {.stop_requested = stop}); });
-  const Assembly assembly = dem::freeze(frozen, recipe.material);
+  const Assembly assembly = dem::contact_network(frozen, recipe.material);
   stops([&](const test::StopAt& stop) {
     const network::Response response = network::linear_response(assembly, {.stop_requested = stop});
     if (response.report().status == network::Status::stopped)

@@ -7,12 +7,11 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
+#include "measured_specimen.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -70,7 +69,7 @@ std::vector<Point> run(const ShearOptions& options) {
 /// Energy stored in the contacts: f d alpha/(2 alpha + 1) along the normal, f_t^2/(2 k_t) across.
 double stored_energy(const dem::State& state) {
   double sum = 0;
-  for (const Contact& c : dem::freeze(state, material).contacts)
+  for (const Contact& c : dem::contact_network(state, material).contacts)
     sum += material.law.energy(c.overlap) +
            dot(c.tangential_force, c.tangential_force) / (2 * c.tangential_stiffness);
   return sum;
@@ -146,8 +145,7 @@ TEST_CASE("work: what the boundaries put in is stored or dissipated, and dissipa
 }
 
 TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
-  const FrozenModuli frozen = frozen_moduli(specimen(), material);
-  const double G = elastic::isotropic_projection(frozen.relaxed).shear_modulus();
+  const double G = test::frozen_network(specimen(), material).isotropic_relaxed().shear_modulus();
   for (const ShearPath path : all_shear_paths) {
     CAPTURE(name(path));
     ShearOptions options = options_of(path);
@@ -164,14 +162,14 @@ TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
 
 TEST_CASE("past the peak a dense specimen has lost contacts, dilates and is anisotropic") {
   const std::vector<Point> points = run(options_of(ShearPath::txc));
-  const Microstructure before = microstructure(dem::freeze(points.front().state, material));
-  const Microstructure after = microstructure(dem::freeze(points.back().state, material));
+  const analysis::Microstructure before = test::measured(points.front().state, material).microstructure();
+  const analysis::Microstructure after = test::measured(points.back().state, material).microstructure();
   CHECK(before.coordination_number - after.coordination_number > 0.8);
   CHECK(after.fabric_anisotropy > 5 * after.fabric_anisotropy_error);
   CHECK(after.sliding_fraction > before.sliding_fraction);
   CHECK(points.back().path.volumetric_strain < 0);
-  CHECK(frozen_moduli(points.back().state, material).G_vh() <
-        0.7 * frozen_moduli(points.front().state, material).G_vh());
+  CHECK(test::frozen_network(points.back().state, material).G_vh() <
+        0.7 * test::frozen_network(points.front().state, material).G_vh());
 }
 
 TEST_CASE("side by side or one after the other: the same bits") {

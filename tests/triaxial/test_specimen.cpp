@@ -33,14 +33,14 @@ TEST_CASE("a frictionless specimen stands at its first pressure just above the i
   const SpecimenRecipe recipe = small_recipe();
   const Preparation preparation = frictionless_specimen(recipe);
   CHECK(preparation.last.converged);
-  CHECK(preparation.last.pressure == relative(10e3, 2e-5));
+  CHECK(preparation.last.pressure() == relative(10e3, 2e-5));
   CHECK(preparation.last.unbalanced_force_ratio < 1e-5);
   // Random close packing of equal spheres: solid fraction 0.62-0.65 at this size, six contacts a grain less
   // rattlers.
   const double solid_fraction = 1 / (1 + dem::void_ratio(preparation.state));
   CHECK(solid_fraction > 0.62);
   CHECK(solid_fraction < 0.65);
-  const double c_n = coordination(dem::freeze(preparation.state, recipe.material));
+  const double c_n = coordination(dem::contact_network(preparation.state, recipe.material));
   CHECK(c_n > 5.6);
   CHECK(c_n < 6.3);
 }
@@ -51,13 +51,13 @@ TEST_CASE("dense and loose specimens have almost one void ratio but not one coor
   double c_n[2] = {}, e[2] = {};
   for (const Density density : {Density::dense, Density::loose}) {
     const auto kind = static_cast<std::size_t>(density);
-    const bool whole = isotropic_path(start_of_compression(jammed, density, recipe), recipe.material, {10e3},
-                                      compression_options(), [&](const Snapshot& snapshot) {
-                                        c_n[kind] =
-                                            coordination(dem::freeze(snapshot.state, recipe.material));
-                                        e[kind] = dem::void_ratio(snapshot.state);
-                                        return true;
-                                      });
+    const bool whole =
+        isotropic_path(start_of_compression(jammed, density, recipe), recipe.material, {10e3},
+                       compression_options(), [&](const Snapshot& snapshot) {
+                         c_n[kind] = coordination(dem::contact_network(snapshot.state, recipe.material));
+                         e[kind] = dem::void_ratio(snapshot.state);
+                         return true;
+                       });
     CHECK(whole);
   }
   CHECK(c_n[0] - c_n[1] > 1.0);
@@ -68,7 +68,7 @@ TEST_CASE("dense and loose specimens have almost one void ratio but not one coor
 TEST_CASE("opening below jamming leaves no force anywhere") {
   const SpecimenRecipe recipe = small_recipe();
   const dem::State opened = unjam(frictionless_specimen(recipe).state, recipe);
-  for (const Contact& c : dem::freeze(opened, recipe.material).contacts)
+  for (const Contact& c : dem::contact_network(opened, recipe.material).contacts)
     CHECK(c.overlap < 1e-6 * recipe.radius);
 }
 

@@ -9,12 +9,12 @@
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "measured_specimen.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -43,7 +43,7 @@ dem::State made(Density density) {
     state = snapshot.state;
     return true;
   }));
-  return freeze_in_place(state, material).state;
+  return freeze_in_place(state, material).state();
 }
 
 /// Specimens between smooth walls, frozen, each made once and when it is asked for.
@@ -60,8 +60,8 @@ const dem::State& specimen(Density density) {
 /// have no place from which they could answer linearly.
 dem::State firmly_held(dem::State state) {
   while (true) {
-    state = freeze_in_place(state, material, 1e-10).state;
-    const Assembly assembly = dem::freeze(state, material);
+    state = freeze_in_place(state, material, 1e-10).state();
+    const Assembly assembly = dem::contact_network(state, material);
     std::vector<double> largest(state.grain_count());
     for (const Contact& c : assembly.contacts)
       for (const std::size_t grain : {c.i, c.j})
@@ -92,7 +92,7 @@ Mat3 swing(const dem::State& state, const Mat3& direction, double strain) {
     dem::Engine engine(state, sticking);
     const auto report = dem::deform(engine, (sign * strain) * direction, 100,
                                     {.force_tolerance = 1e-10, .max_steps = 100000});
-    sum += (-sign / (2 * strain)) * report.stress;
+    sum += (-sign / (2 * strain)) * report.stress();
   }
   return sum;
 }
@@ -110,9 +110,9 @@ double held_modulus(const Matrix6& c, int k) {
 /// Work that a closed loop leaves in the specimen, per volume, from its first end on.
 double dissipation(const ProbeResult& result, std::size_t loop_points) {
   double sum = 0;
-  for (std::size_t k = loop_points; k + 1 < result.loop.size(); ++k)
-    sum += (result.loop[k].shear_stress + result.loop[k + 1].shear_stress) / 2 *
-           (result.loop[k + 1].shear_strain - result.loop[k].shear_strain);
+  for (std::size_t k = loop_points; k + 1 < result.loop().size(); ++k)
+    sum += (result.loop()[k].shear_stress + result.loop()[k + 1].shear_stress) / 2 *
+           (result.loop()[k + 1].shear_strain - result.loop()[k].shear_strain);
   return sum;
 }
 
@@ -122,12 +122,12 @@ TEST_CASE("between walls: network and moved walls agree on normal and shear modu
   for (const Density density : {Density::dense, Density::loose}) {
     CAPTURE(density == Density::dense);
     const dem::State& state = specimen(density);
-    const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+    const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
     for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
       const ProbeResult result = probe(state, material, mode);
       const int k = mode == ShearMode::hh ? 5 : 4;
       CHECK(result.converged);
-      CHECK(result.shear_modulus == relative(c(k, k), 0.01));
+      CHECK(result.shear_modulus() == relative(c(k, k), 0.01));
     }
     for (int axis = 0; axis < 3; ++axis) {
       Mat3 strain;
@@ -146,22 +146,22 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
   SpecimenRecipe at_pressure = recipe(Density::dense);
   at_pressure.first_pressure = pressure;
   const dem::State state = firmly_held(frictionless_specimen(at_pressure).state);
-  const Assembly assembly = dem::freeze(state, material);
+  const Assembly assembly = dem::contact_network(state, material);
   const Matrix6 c = network::linear_response(assembly, {.prestress = true}).relaxed().matrix;
   const ProbeOptions fine{
       .amplitude = 1e-8, .force_tolerance = 1e-10, .settled_share = 0, .max_steps = 100000};
   for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
     const ProbeResult result = probe(state, material, mode, fine);
     const int k = mode == ShearMode::hh ? 5 : 4;
-    CHECK(result.shear_modulus == relative(c(k, k) - pressure / 2, 2e-4));
+    CHECK(result.shear_modulus() == relative(c(k, k) - pressure / 2, 2e-4));
     // The error that the options name for the default; a tenth of that share leaves far less.
     const ProbeResult settled = probe(state, material, mode, {.amplitude = 1e-8, .force_tolerance = 1e-300});
     CHECK(settled.converged);
-    CHECK(settled.shear_modulus == relative(result.shear_modulus, 5e-3));
+    CHECK(settled.shear_modulus() == relative(result.shear_modulus(), 5e-3));
     const ProbeResult fully =
         probe(state, material, mode, {.amplitude = 1e-8, .force_tolerance = 1e-300, .settled_share = 1e-5});
     CHECK(fully.converged);
-    CHECK(fully.shear_modulus == relative(result.shear_modulus, 3e-4));
+    CHECK(fully.shear_modulus() == relative(result.shear_modulus(), 3e-4));
   }
   for (int axis = 0; axis < 3; ++axis) {
     Mat3 strain;
@@ -177,12 +177,12 @@ TEST_CASE("normal stresses held by servos while walls tilt: the network's modulu
   for (const Density density : {Density::dense, Density::loose}) {
     CAPTURE(density == Density::dense);
     const dem::State& state = specimen(density);
-    const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+    const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
     for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
       const int k = mode == ShearMode::hh ? 5 : 4;
       const ProbeResult held = probe(state, material, mode, {.hold_normal_stress = true});
       CHECK(held.converged);
-      CHECK(held.shear_modulus == relative(held_modulus(c, k), 0.01));
+      CHECK(held.shear_modulus() == relative(held_modulus(c, k), 0.01));
       CHECK(held_modulus(c, k) <= c(k, k));
     }
   }
@@ -190,7 +190,7 @@ TEST_CASE("normal stresses held by servos while walls tilt: the network's modulu
 
 TEST_CASE("a loop: from the network's tangent, closed and elastic while it is tiny, wider as it grows") {
   const dem::State& state = specimen(Density::dense);
-  const Matrix6 c = frozen_moduli(state, material).relaxed.matrix;
+  const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
   constexpr std::size_t points = 3;
   const auto loop = [&](double amplitude, double force_tolerance) {
     return probe(
@@ -199,16 +199,16 @@ TEST_CASE("a loop: from the network's tangent, closed and elastic while it is ti
   };
   constexpr double fine = 1e-9; // forces change by some 1e-5 in the whole of the tiny cycle
   const ProbeResult tiny = loop(0, fine);
-  REQUIRE(tiny.loop.size() == 5 * points + 1);
-  CHECK(tiny.loop.front().shear_strain == 0);
-  CHECK(tiny.loop.front().shear_stress == 0);
-  CHECK(tiny.loop[1].shear_stress / tiny.loop[1].shear_strain == relative(c(4, 4), 0.02));
-  CHECK(tiny.loop[3 * points].shear_strain == relative(-tiny.amplitude, 1e-12));
-  CHECK(std::abs(tiny.loop[4 * points].shear_strain) < 1e-12 * tiny.amplitude);
+  REQUIRE(tiny.loop().size() == 5 * points + 1);
+  CHECK(tiny.loop().front().shear_strain == 0);
+  CHECK(tiny.loop().front().shear_stress == 0);
+  CHECK(tiny.loop()[1].shear_stress / tiny.loop()[1].shear_strain == relative(c(4, 4), 0.02));
+  CHECK(tiny.loop()[3 * points].shear_strain == relative(-tiny.amplitude, 1e-12));
+  CHECK(std::abs(tiny.loop()[4 * points].shear_strain) < 1e-12 * tiny.amplitude);
   const auto swing_of = [&](const ProbeResult& r) {
-    return r.loop[points].shear_stress - r.loop[3 * points].shear_stress;
+    return r.loop()[points].shear_stress - r.loop()[3 * points].shear_stress;
   };
-  CHECK(std::abs(tiny.loop.back().shear_stress - tiny.loop[points].shear_stress) < 0.01 * swing_of(tiny));
+  CHECK(std::abs(tiny.loop().back().shear_stress - tiny.loop()[points].shear_stress) < 0.01 * swing_of(tiny));
   double last = 0;
   for (const double factor : {30.0, 300.0, 3000.0}) {
     const ProbeResult wide = loop(factor * tiny.amplitude, 1e-7);
@@ -218,6 +218,6 @@ TEST_CASE("a loop: from the network's tangent, closed and elastic while it is ti
   }
   // Without loop points the same cycle, and none are kept.
   const ProbeResult plain = probe(state, material, ShearMode::hv, {.sliding = true, .force_tolerance = fine});
-  CHECK(plain.loop.empty());
-  CHECK(plain.shear_modulus == relative(tiny.shear_modulus, 0.01));
+  CHECK(plain.loop().empty());
+  CHECK(plain.shear_modulus() == relative(tiny.shear_modulus(), 0.01));
 }

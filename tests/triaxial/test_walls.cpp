@@ -8,12 +8,12 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/walls.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
+#include "measured_specimen.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -58,7 +58,8 @@ TEST_CASE("a specimen between walls: the walls bear the pressure, and so does it
     // At rest an identity; residual forces are 1e-5 of the mean one.
     CHECK(engine.figures().stress(axis, axis) == relative(pressure, 1e-3));
   }
-  const InteriorMeasures interior = interior_measures(specimen(), material, 3 * radius);
+  const analysis::InteriorMeasures interior =
+      test::measured(specimen(), material, {.interior_layer = 3 * radius}).interior.value();
   CHECK(interior.grains > 60);
   CHECK(interior.grains < 200);
   // Within R of a side wall stand no contacts between grains: the rest of the section, (L - 2 R)^2 of L^2 or
@@ -68,9 +69,10 @@ TEST_CASE("a specimen between walls: the walls bear the pressure, and so does it
   CHECK(trace(interior.stress) / 3 > 0.8 * pressure);
   CHECK(trace(interior.stress) / 3 < 1.2 * crowding * pressure);
   // With no layer left out the interior is all there is between the grains.
-  const InteriorMeasures all = interior_measures(specimen(), material, 0);
-  const Assembly assembly = dem::freeze(specimen(), material);
-  const Microstructure whole = microstructure(assembly);
+  const analysis::InteriorMeasures all =
+      test::measured(specimen(), material, {.interior_layer = 0}).interior.value();
+  const Assembly assembly = dem::contact_network(specimen(), material);
+  const analysis::Microstructure whole = test::measured(specimen(), material).microstructure();
   CHECK(all.grains == 400);
   CHECK(all.micro.coordination_number == relative(whole.coordination_number, 1e-14));
   CHECK(all.micro.mechanical_coordination_number == relative(whole.mechanical_coordination_number, 1e-14));
@@ -116,16 +118,17 @@ TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough wa
     const FrozenState frozen = freeze_in_place(state, material, 1e-7);
     std::array<double, 3> G{};
     for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
-      const ProbeResult result = probe(frozen.state, material, mode, {.force_tolerance = 1e-7});
+      const ProbeResult result = probe(frozen.state(), material, mode, {.force_tolerance = 1e-7});
       CHECK(result.unbalanced_force_ratio < 1e-6);
-      CHECK(result.opening < 0.05);
-      G[static_cast<std::size_t>(mode)] = result.shear_modulus;
+      CHECK(result.opening() < 0.05);
+      G[static_cast<std::size_t>(mode)] = result.shear_modulus();
     }
     return G;
   };
   const std::array<double, 3> smooth = moduli(0), rough = moduli(1e3);
   // Uniform strain is an upper bound; rough walls that are plates add what their grains' slip bears.
-  const double bound = network::linear_response(dem::freeze(specimen(), material)).affine().matrix(3, 3);
+  const double bound =
+      network::linear_response(dem::contact_network(specimen(), material)).affine().matrix(3, 3);
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(smooth[k] > 0.1 * bound);
     // Smooth walls push only where they tilt.
@@ -135,6 +138,7 @@ TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough wa
 }
 
 TEST_CASE("a layer that leaves nothing is refused") {
-  CHECK_THROWS_AS((void)interior_measures(specimen(), material, 10 * radius), InvalidArgument);
-  CHECK_THROWS_AS((void)interior_measures(specimen(), material, -radius), InvalidArgument);
+  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = 10 * radius}),
+                  InvalidArgument);
+  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = -radius}), InvalidArgument);
 }

@@ -16,9 +16,9 @@ struct Synthetic {
   double peak_eta = 1.05; ///< in compression; -0.75 of it in extension
 };
 
-inline FrozenPoint synthetic_point(const Synthetic& s, double stress_v, double stress_h,
+inline StateRecord synthetic_point(const Synthetic& s, double stress_v, double stress_h,
                                    double axial_strain) {
-  FrozenPoint point;
+  StateRecord point;
   point.at.stress = point.stress = {.v = stress_v, .h = stress_h};
   point.at.axial_strain = axial_strain;
   point.void_ratio = point.interior_void_ratio = s.void_ratio;
@@ -68,7 +68,7 @@ inline ExperimentSpecimen synthetic_specimen(const Scene& scene, contact::Shape 
     run.peak = run.points.back().at;
     run.peak.stress = stress::stress_on_path(path, scene.study.pressures.back(), sense * peak);
     // Past the peak: contacts lost, the rest turned towards the larger stress.
-    FrozenPoint last = run.points.back();
+    StateRecord last = run.points.back();
     last.at.axial_strain = strain_sense * scene.shear.largest_strain;
     last.micro.coordination_number *= 0.75;
     last.micro.fabric_anisotropy = sense * 0.4;

@@ -33,7 +33,7 @@ inline std::vector<dem::State> states_at(const std::vector<double>& pressures,
   triaxial::isotropic_path(start, recipe.material, pressures, triaxial::compression_options(),
                            [&](const triaxial::Snapshot& snapshot) {
                              states.push_back(
-                                 triaxial::freeze_in_place(snapshot.state, recipe.material).state);
+                                 triaxial::freeze_in_place(snapshot.state, recipe.material).state());
                              return true;
                            });
   return states;
@@ -43,7 +43,7 @@ inline std::vector<Assembly> specimen_at(const std::vector<double>& pressures, s
   const triaxial::SpecimenRecipe recipe = specimen_recipe(pressures.front(), grains);
   std::vector<Assembly> frozen;
   for (const dem::State& state : states_at(pressures, recipe))
-    frozen.push_back(dem::freeze(state, recipe.material));
+    frozen.push_back(dem::contact_network(state, recipe.material));
   return frozen;
 }
 

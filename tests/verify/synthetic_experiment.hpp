@@ -26,8 +26,8 @@ inline std::array<double, 36> rows(const elastic::TransverselyIsotropic& c) {
 }
 
 /// A frozen state: G = 100 MPa sqrt(p'/100 kPa), half of uniform strain.
-inline FrozenPoint point(const stress::AxialStress& stress) {
-  FrozenPoint out;
+inline StateRecord point(const stress::AxialStress& stress) {
+  StateRecord out;
   const double eta = stress.ratio(), G = 1e8 * std::sqrt(stress.mean() / 1e5);
   out.at.stress = out.stress = stress;
   out.at.axial_strain = 1e-3 * eta;
@@ -43,8 +43,8 @@ inline FrozenPoint point(const stress::AxialStress& stress) {
     out.contacts += out.polar_counts[k] = static_cast<std::uint32_t>(3 + 2 * k);
   out.network = rows(solid(G));
   out.affine = rows(solid(2 * G));
-  out.closed =
-      ClosedForms{.uniform_strain = solid(2 * G), .uniform_stress = solid(G), .relaxed = solid(1.1 * G)};
+  out.closed = analysis::ClosedForms{
+      .uniform_strain = solid(2 * G), .uniform_stress = solid(G), .relaxed = solid(1.1 * G)};
   return out;
 }
 

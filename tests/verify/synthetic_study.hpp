@@ -8,21 +8,38 @@
 
 namespace granum::verify::test {
 
+/// An isotropic solid of these moduli [Pa].
+inline elastic::VoigtStiffness solid(double K, double G) {
+  return elastic::voigt(elastic::Isotropic::from_bulk_and_shear(K, G));
+}
+
+/// Gives the network of a state these moduli [Pa]; what it has under uniform strain and its bounds stay.
+inline void set_network(CompressedState& state, double K, double G) {
+  network::Response& response = state.packing.network.value().response;
+  response = network::Response(response.affine(), solid(K, G), response.report());
+}
+
+/// Gives it these moduli under uniform strain [Pa].
+inline void set_uniform_strain(CompressedState& state, double K, double G) {
+  network::Response& response = state.packing.network.value().response;
+  response = network::Response(solid(K, G), response.last_iterate(), response.report());
+}
+
 /// One state of a specimen whose moduli follow G = 200 MPa (p / 100 kPa)^s, with every figure inside the
 /// limits of the verdicts.
-inline StateResult power_law_state(double s, double pressure) {
-  StateResult state;
-  state.pressure = state.pressure_by_work = state.pressure_by_contacts = pressure;
-  state.void_ratio = 0.6;
-  state.coordination_number = state.mechanical_coordination_number = 5.5;
+inline CompressedState power_law_state(double s, double pressure) {
+  CompressedState state;
+  state.pressure = pressure;
+  state.packing.pressure_by_work = pressure;
+  state.packing.stress =
+      ContactStress{.symmetric = Mat3::diagonal(pressure, pressure, pressure), .tensor = {}};
+  state.packing.void_ratio = 0.6;
+  state.packing.counts.coordination_number = state.packing.counts.mechanical.coordination_number = 5.5;
   const double G = 200e6 * std::pow(pressure / 100e3, s);
   state.G_closed = 1.3 * G;
   state.K_closed = 1.2 * G;
-  state.G_uniform_strain = 1.25 * G;
-  state.K_uniform_strain = state.K_upper = 1.15 * G;
-  state.G_network = state.G_hh_network = state.G_vh_network = G;
-  state.K_network = 1.1 * G;
-  state.K_lower = 0.9 * G;
+  state.packing.network = analysis::Network{.response = {solid(1.15 * G, 1.25 * G), solid(1.1 * G, G), {}},
+                                            .bulk_bounds = {.lower = 0.9 * G, .upper = 1.15 * G}};
   state.probes = Probes{G, G, G, 1e-6};
   return state;
 }

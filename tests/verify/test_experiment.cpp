@@ -95,7 +95,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
     CHECK(run.curve.size() > 2 * run.points.size());
     CHECK(std::abs(run.curve.back().axial_strain) >= scene.shear.largest_strain);
     double next = scene.shear.eta_step;
-    for (const FrozenPoint& point : run.points) {
+    for (const StateRecord& point : run.points) {
       const double eta = sense * point.at.stress.ratio();
       // Frozen just behind the multiple: a snapshot is taken in the step that passes it.
       if (eta >= next) {
@@ -120,7 +120,7 @@ TEST_CASE("what an experiment keeps of a frozen state agrees: probes, cycles, hi
     // Probes agree with the networks.
     std::size_t probed = 0;
     for (const PathRun& run : experiment.specimens.front().runs)
-      for (const FrozenPoint& point : run.points)
+      for (const StateRecord& point : run.points)
         if (point.probes) {
           ++probed;
           CHECK(point.probes->G_hh == relative(point.network[35], 0.01));
@@ -153,7 +153,7 @@ TEST_CASE("what an experiment keeps of a frozen state agrees: probes, cycles, hi
   {
     // Histograms count the contacts.
     for (const PathRun& run : experiment.specimens.front().runs)
-      for (const FrozenPoint& point : run.points) {
+      for (const StateRecord& point : run.points) {
         std::uint32_t by_angle = 0, by_force = 0;
         for (const std::uint32_t count : point.polar_counts)
           by_angle += count;

@@ -15,6 +15,7 @@
 #include <granum/verify/experiment_findings.hpp>
 #include <granum/verify/paper.hpp>
 
+#include "count_pieces.hpp"
 #include "relative.hpp"
 #include "synthetic_experiment.hpp"
 #include "well_formed.hpp"
@@ -51,13 +52,6 @@ io::Series find_series(const Panel& panel, const std::string& key) {
 
 /// Dense spheres: contacts come first, cone before sphere.
 const ExperimentSpecimen& dense_sphere(const Experiment& experiment) { return experiment.specimens[2]; }
-
-std::size_t count(const std::string& text, const std::string& piece) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
-    ++n;
-  return n;
-}
 
 } // namespace
 
@@ -122,7 +116,7 @@ TEST_CASE("a path has the same colour and marker in all figures") {
 
 TEST_CASE("moduli begin at the end of isotropic compression and end at the peak, with the rest as dots") {
   const Experiment experiment = synthetic::experiment();
-  const std::vector<FrozenPoint>& points = dense_sphere(experiment).runs[2].points; // RTXC
+  const std::vector<StateRecord>& points = dense_sphere(experiment).runs[2].points; // RTXC
   const Panel panel = find_panel(experiment, "fig10_sphere_dense_G_hv_p");
   const io::Series network = find_series(panel, "RTXC network");
   REQUIRE(network.x.size() == 9);
@@ -251,7 +245,7 @@ TEST_CASE("an experiment with parts missing gives what it can") {
   experiment.specimens[0].runs[0].failure = "did not come to rest";
   experiment.specimens[1].runs.resize(1);
   for (PathRun& run : experiment.specimens[2].runs)
-    for (FrozenPoint& point : run.points) {
+    for (StateRecord& point : run.points) {
       point.closed = std::nullopt;
       point.probes = std::nullopt;
     }

@@ -62,11 +62,11 @@ TEST_CASE("Table 5 gives back the exponents that the moduli were made with") {
 TEST_CASE("Table 5 looks at |eta| <= 0.6 only, and not at states past the peak that fall below it") {
   Experiment experiment = synthetic_experiment(one_kind());
   for (PathRun& run : experiment.specimens[0].runs)
-    for (FrozenPoint& point : run.points)
+    for (StateRecord& point : run.points)
       if (std::abs(point.at.stress.ratio()) > 0.61)
         for (double& c : point.network)
           c *= 0.1;
-  FrozenPoint residual = synthetic_point({.C = 10}, 120e3, 100e3, 0.03);
+  StateRecord residual = synthetic_point({.C = 10}, 120e3, 100e3, 0.03);
   experiment.specimens[0].runs[1].points.push_back(residual);
   CHECK(cell(table_5(experiment), 0, "s of G_hv").ours.value == relative(0.35, 1e-9));
 }
@@ -123,7 +123,7 @@ TEST_CASE("claims on the structure of dense specimens look at the states they ar
   CHECK(holds("dense sphere #1: C_n within 3 %"));
   CHECK(holds("dense sphere #1: a within 0.03"));
   CHECK(holds("dense sphere #1: past the peak"));
-  FrozenPoint& early = experiment.specimens[0].runs[2].points[4];
+  StateRecord& early = experiment.specimens[0].runs[2].points[4];
   early.micro.coordination_number *= 0.96;
   CHECK_FALSE(holds("dense sphere #1: C_n within 3 %"));
   early.micro.fabric_anisotropy = -0.04;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <granum/verify/experiment_findings.hpp>
 
+#include "count_pieces.hpp"
 #include "synthetic_experiment.hpp"
 #include "well_formed.hpp"
 
@@ -11,13 +12,6 @@ using namespace granum;
 using namespace granum::verify;
 
 namespace {
-
-std::size_t count(const std::string& text, const std::string& piece) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
-    ++n;
-  return n;
-}
 
 std::string report(const Experiment& experiment, const RunTime& time = {.seconds = 90}) {
   return experiment_html(experiment, experiment_verdicts(experiment), experiment_figures(experiment),

@@ -30,14 +30,28 @@ SpecimenResult sphere(Density density, double s, std::uint64_t seed = 1) {
   return power_law_specimen(Shape::sphere, density, seed, s, pressures);
 }
 
+/// Gives G of the network this ratio to that of uniform strain.
+void set_ratio(CompressedState& state, double ratio) {
+  test::set_uniform_strain(state, state.uniform_strain().bulk_modulus(),
+                           state.network().shear_modulus() / ratio);
+}
+
+double ratio_of(const CompressedState& state) {
+  return state.network().shear_modulus() / state.uniform_strain().shear_modulus();
+}
+
+/// Makes G of the network larger by a factor.
+void scale_G(CompressedState& state, double factor) {
+  test::set_network(state, state.network().bulk_modulus(), factor * state.network().shear_modulus());
+}
+
 /// A study of which every claim holds, with its 8 states on one curve of z*: 1 + z/50 + z^2/100 - z^3/200.
 std::vector<SpecimenResult> sound_study(double dense_s = 1.0 / 3, double loose_s = 0.5) {
   std::vector<SpecimenResult> study{sphere(Density::dense, dense_s), sphere(Density::loose, loose_s)};
   for (std::size_t k = 0; k < 8; ++k) {
-    StateResult& state = study[k / 4].states[k % 4];
-    state.mechanical_coordination_number = 4 + 0.25 * static_cast<double>(k);
-    const double z = state.mechanical_coordination_number;
-    state.G_uniform_strain = state.G_network / (1 + z / 50 + z * z / 100 - z * z * z / 200);
+    CompressedState& state = study[k / 4].states[k % 4];
+    const double z = state.packing.counts.mechanical.coordination_number = 4 + 0.25 * static_cast<double>(k);
+    set_ratio(state, 1 + z / 50 + z * z / 100 - z * z * z / 200);
   }
   return study;
 }
@@ -61,7 +75,7 @@ bool holds(const std::vector<SpecimenResult>& study, const std::string& words) {
 }
 
 /// The same after a change of one state, of a loose specimen.
-bool holds_after(const std::string& words, const std::function<void(StateResult&)>& change) {
+bool holds_after(const std::string& words, const std::function<void(CompressedState&)>& change) {
   std::vector<SpecimenResult> study = sound_study();
   change(study[1].states[2]);
   return holds(study, words);
@@ -102,7 +116,7 @@ TEST_CASE("exponents are those of exact power laws") {
 
 TEST_CASE("each route takes its own modulus") {
   SpecimenResult specimen = sphere(Density::dense, 0.2);
-  for (StateResult& state : specimen.states) {
+  for (CompressedState& state : specimen.states) {
     const double p = state.pressure / 100e3;
     state.G_closed = 1e8 * std::pow(p, 0.3);
     // The mean of the probes follows p^0.4, none of them does.
@@ -117,9 +131,9 @@ TEST_CASE("each route takes its own modulus") {
 
 TEST_CASE("with f(e) the exponent is that at constant void ratio") {
   SpecimenResult specimen = sphere(Density::loose, 0.3);
-  for (StateResult& state : specimen.states) {
-    const double e = state.void_ratio = 0.62 - 0.02 * std::log10(state.pressure / 10e3);
-    state.G_network *= (2.17 - e) * (2.17 - e) / (1 + e);
+  for (CompressedState& state : specimen.states) {
+    const double e = state.packing.void_ratio = 0.62 - 0.02 * std::log10(state.pressure / 10e3);
+    scale_G(state, (2.17 - e) * (2.17 - e) / (1 + e));
   }
   const ExponentRow row = exponents(sphere_scene(), {specimen}).back();
   REQUIRE(row.density == Density::loose);
@@ -137,7 +151,7 @@ TEST_CASE("several seeds: the mean, and the scatter between them") {
 
 TEST_CASE("several seeds that agree: the mean regression error") {
   SpecimenResult specimen = sphere(Density::dense, 0.3);
-  specimen.states[1].G_network *= 1.05;
+  scale_G(specimen.states[1], 1.05);
   const Scene scene = sphere_scene();
   const Measured one = exponents(scene, {specimen}).front().network.value();
   const Measured four = exponents(scene, {specimen, specimen, specimen, specimen}).front().network.value();
@@ -180,9 +194,8 @@ TEST_CASE("relaxation curve: a cubic is met, a deviation from it is measured") {
   // Root of the mean of the squares of 1, -7, 21, -35, 35, ...: sqrt(C(14,7)/8) = sqrt(429).
   const double difference[] = {1, -7, 21, -35, 35, -21, 7, -1};
   for (std::size_t k = 0; k < 8; ++k) {
-    StateResult& state = study[k / 4].states[k % 4];
-    const double ratio = state.G_network / state.G_uniform_strain + 1e-3 * difference[k];
-    state.G_uniform_strain = state.G_network / ratio;
+    CompressedState& state = study[k / 4].states[k % 4];
+    set_ratio(state, ratio_of(state) + 1e-3 * difference[k]);
   }
   CHECK(relaxation_curve(study).value().rms == relative(1e-3 * std::sqrt(429.0), 1e-9));
   study[1].states.pop_back();
@@ -217,9 +230,8 @@ TEST_CASE("verdict on the relaxation curve: rms 0.03") {
     const double difference[] = {1, -7, 21, -35, 35, -21, 7, -1};
     std::vector<SpecimenResult> study = sound_study();
     for (std::size_t k = 0; k < 8; ++k) {
-      StateResult& state = study[k / 4].states[k % 4];
-      state.G_uniform_strain = state.G_network / (state.G_network / state.G_uniform_strain +
-                                                  rms / std::sqrt(429.0) * difference[k]);
+      CompressedState& state = study[k / 4].states[k % 4];
+      set_ratio(state, ratio_of(state) + rms / std::sqrt(429.0) * difference[k]);
     }
     return study;
   };
@@ -229,32 +241,43 @@ TEST_CASE("verdict on the relaxation curve: rms 0.03") {
 
 TEST_CASE("verdict on the bounds of K") {
   const char* words = "K(uniform stress, refined) <= K <= K(uniform strain)";
-  CHECK(holds_after(words, [](StateResult& s) { s.K_lower = s.K_network; }));
-  CHECK_FALSE(holds_after(words, [](StateResult& s) { s.K_lower = s.K_network * (1 + 1e-8); }));
-  CHECK(holds_after(words, [](StateResult& s) { s.K_uniform_strain = s.K_network; }));
-  CHECK_FALSE(holds_after(words, [](StateResult& s) { s.K_uniform_strain = s.K_network * (1 - 1e-8); }));
+  const auto lower = [&](double over_K) {
+    return holds_after(words, [=](CompressedState& s) {
+      s.packing.network->bulk_bounds.lower = over_K * s.network().bulk_modulus();
+    });
+  };
+  const auto upper = [&](double over_K) {
+    return holds_after(words, [=](CompressedState& s) {
+      test::set_uniform_strain(s, over_K * s.network().bulk_modulus(), s.uniform_strain().shear_modulus());
+    });
+  };
+  CHECK(lower(1));
+  CHECK_FALSE(lower(1 + 1e-8));
+  CHECK(upper(1));
+  CHECK_FALSE(upper(1 - 1e-8));
 }
 
 TEST_CASE("verdicts on the probes") {
   const char* network = "the probe's moduli are the network's";
   const char* symmetry = "G_hv = G_vh";
   for (const double sign : {1.0, -1.0}) {
-    CHECK(holds_after(network, [&](StateResult& s) { s.probes->G_hh *= 1 + sign * 0.0099; }));
-    CHECK_FALSE(holds_after(network, [&](StateResult& s) { s.probes->G_hh *= 1 + sign * 0.0101; }));
-    CHECK_FALSE(holds_after(network, [&](StateResult& s) {
+    CHECK(holds_after(network, [&](CompressedState& s) { s.probes->G_hh *= 1 + sign * 0.0099; }));
+    CHECK_FALSE(holds_after(network, [&](CompressedState& s) { s.probes->G_hh *= 1 + sign * 0.0101; }));
+    CHECK_FALSE(holds_after(network, [&](CompressedState& s) {
       s.probes->G_hv *= 1 + sign * 0.0101;
       s.probes->G_vh *= 1 + sign * 0.0101;
     }));
-    CHECK(holds_after(symmetry, [&](StateResult& s) { s.probes->G_vh *= 1 + sign * 0.0098; }));
-    CHECK_FALSE(holds_after(symmetry, [&](StateResult& s) { s.probes->G_vh *= 1 + sign * 0.0102; }));
+    CHECK(holds_after(symmetry, [&](CompressedState& s) { s.probes->G_vh *= 1 + sign * 0.0098; }));
+    CHECK_FALSE(holds_after(symmetry, [&](CompressedState& s) { s.probes->G_vh *= 1 + sign * 0.0102; }));
   }
 }
 
 TEST_CASE("verdict on the two routes to the pressure") {
   const char* words = "pressure by contacts";
   for (const double sign : {1.0, -1.0}) {
-    CHECK(holds_after(words, [&](StateResult& s) { s.pressure_by_work *= 1 + sign * 0.99e-6; }));
-    CHECK_FALSE(holds_after(words, [&](StateResult& s) { s.pressure_by_work *= 1 + sign * 1.01e-6; }));
+    CHECK(holds_after(words, [&](CompressedState& s) { *s.packing.pressure_by_work *= 1 + sign * 0.99e-6; }));
+    CHECK_FALSE(
+        holds_after(words, [&](CompressedState& s) { *s.packing.pressure_by_work *= 1 + sign * 1.01e-6; }));
   }
 }
 
@@ -269,7 +292,7 @@ TEST_CASE("a specimen that ended early is a claim that fails, by its name and re
 TEST_CASE("no verdict without data for it") {
   CHECK(verdicts(sphere_scene(), {}).empty());
   std::vector<SpecimenResult> study{sphere(Density::loose, 0.5)}; // no dense one to compare with, 4 states
-  for (StateResult& state : study[0].states)
+  for (CompressedState& state : study[0].states)
     state.probes.reset();
   const std::vector<Verdict> all = verdicts(sphere_scene(), study);
   REQUIRE(all.size() == 2);

@@ -5,6 +5,7 @@
 #include <granum/core/error.hpp>
 #include <granum/io/csv.hpp>
 
+#include "relative.hpp"
 #include "verify/synthetic_study.hpp"
 
 using namespace granum;
@@ -40,62 +41,64 @@ TEST_CASE("states_csv reads back to the same bits") {
   const auto column = [&](const char* name) { return table.numbers(name, Dimension::pressure); };
   std::size_t row = 0;
   for (const SpecimenResult& specimen : study())
-    for (const StateResult& s : specimen.states) {
+    for (const CompressedState& s : specimen.states) {
       CHECK(column("p")[row] == s.pressure);
-      CHECK(column("p_contacts")[row] == s.pressure_by_contacts);
-      CHECK(column("p_work")[row] == s.pressure_by_work);
+      CHECK(column("p_contacts")[row] == s.packing.stress->mean());
+      CHECK(column("p_work")[row] == s.packing.pressure_by_work);
       CHECK(column("G_closed")[row] == s.G_closed);
       CHECK(column("K_closed")[row] == s.K_closed);
-      CHECK(column("G_uniform_strain")[row] == s.G_uniform_strain);
-      CHECK(column("K_uniform_strain")[row] == s.K_uniform_strain);
-      CHECK(column("G_network")[row] == s.G_network);
-      CHECK(column("K_network")[row] == s.K_network);
-      CHECK(column("K_lower")[row] == s.K_lower);
-      CHECK(column("K_upper")[row] == s.K_upper);
+      CHECK(column("G_uniform_strain")[row] == s.uniform_strain().shear_modulus());
+      CHECK(column("K_uniform_strain")[row] == s.uniform_strain().bulk_modulus());
+      CHECK(column("G_network")[row] == s.network().shear_modulus());
+      CHECK(column("K_network")[row] == s.network().bulk_modulus());
+      CHECK(column("K_lower")[row] == s.packing.network->bulk_bounds.lower);
+      CHECK(column("K_upper")[row] == s.packing.network->bulk_bounds.upper);
       CHECK(column("G_hv_probe")[row] == s.probes->G_hv);
       CHECK(table.numbers("seed", Dimension::dimensionless)[row] == static_cast<double>(specimen.seed));
-      CHECK(table.numbers("C_n", Dimension::dimensionless)[row] == s.coordination_number);
-      CHECK(table.numbers("e", Dimension::dimensionless)[row] == s.void_ratio);
+      CHECK(table.numbers("C_n", Dimension::dimensionless)[row] == s.packing.counts.coordination_number);
+      CHECK(table.numbers("e", Dimension::dimensionless)[row] == s.packing.void_ratio);
       ++row;
     }
 }
 
 TEST_CASE("each figure stands in its own column") {
-  SpecimenResult specimen{Shape::cone, Density::dense, 1, {StateResult{}}, {}};
-  StateResult& s = specimen.states[0];
-  double next = 1;
+  SpecimenResult specimen = test::power_law_specimen(Shape::cone, Density::dense, 1, 0.3, {100e3});
+  CompressedState& s = specimen.states[0];
   // In the order of the headings after contact, density and seed.
-  for (double* figure : {&s.pressure,
-                         &s.pressure_by_contacts,
-                         &s.pressure_by_work,
-                         &s.void_ratio,
-                         &s.coordination_number,
-                         &s.mechanical_coordination_number,
-                         &s.rattler_fraction,
-                         &s.fabric_anisotropy,
-                         &s.fabric_anisotropy_error,
-                         &s.sliding_fraction,
-                         &s.G_closed,
-                         &s.K_closed,
-                         &s.G_uniform_strain,
-                         &s.K_uniform_strain,
-                         &s.G_network,
-                         &s.K_network,
-                         &s.G_hh_network,
-                         &s.G_vh_network,
-                         &s.K_lower,
-                         &s.K_upper})
-    *figure = next++;
+  s.pressure = 1;
+  s.packing.stress->symmetric = Mat3::diagonal(2, 2, 2);
+  s.packing.pressure_by_work = 3;
+  s.packing.void_ratio = 4;
+  s.packing.counts.coordination_number = 5;
+  s.packing.counts.mechanical.coordination_number = 6;
+  s.packing.counts.mechanical.rattler_fraction = 7;
+  s.packing.fabric = analysis::Fabric{};
+  s.packing.fabric->by_moment.anisotropy = 8;
+  s.packing.fabric->by_moment.standard_error = 9;
+  s.sliding_fraction = 10;
+  s.G_closed = 11;
+  s.K_closed = 12;
+  elastic::VoigtStiffness relaxed = test::solid(16, 15);
+  relaxed.matrix(5, 5) += 1; // the planes differ, the isotropic part is the same
+  relaxed.matrix(4, 4) += 2;
+  relaxed.matrix(3, 3) -= 3;
+  s.packing.network->response = {test::solid(14, 13), relaxed, {.iterations = 28, .residual = 29}};
+  s.packing.network->bulk_bounds = {.lower = 19, .upper = 20};
   s.probes = Probes{21, 22, 23, 24};
   s.steps = 25;
   s.unbalanced_force_ratio = 26;
   s.largest_inertial_number = 27;
-  s.network_iterations = 28;
-  s.network_residual = 29;
-  std::string numbers;
-  for (int k = 1; k <= 29; ++k)
-    numbers += "," + std::to_string(k);
-  CHECK(contains(states_csv(scene_of_study(), {specimen}), "\ncone,dense,1" + numbers + "\n"));
+  const io::CsvTable table("states.csv", states_csv(scene_of_study(), {specimen}));
+  const std::vector<double> expected{1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
+                                     16, 16, 17, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+  REQUIRE(table.fields(0).size() == 3 + expected.size());
+  CHECK(table.fields(0)[0] == "cone");
+  CHECK(table.fields(0)[1] == "dense");
+  CHECK(table.fields(0)[2] == "1");
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    CAPTURE(table.headings()[3 + k]);
+    CHECK(std::stod(table.fields(0)[3 + k]) == relative(expected[k], 1e-14));
+  }
   s.probes.reset();
   CHECK(contains(states_csv(scene_of_study(), {specimen}), ",20,,,,,25,"));
 }

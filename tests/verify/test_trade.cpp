@@ -79,7 +79,7 @@ void check_against_verify() {
   for (std::size_t k = 0; k < samples.size(); ++k)
     for (std::size_t stage = 0; stage < 3; ++stage) {
       CHECK(samples[k].seed == study[k].seed);
-      CHECK(samples[k].shear_modulus[stage] == study[k].states[stage].G_network);
+      CHECK(samples[k].shear_modulus[stage] == study[k].states[stage].network().shear_modulus());
     }
   CHECK(*samples[0].exponent == rows.front().network->value);
 }

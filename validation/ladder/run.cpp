@@ -11,15 +11,12 @@
 #include <exception>
 #include <fstream>
 
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/fabric_tensor.hpp>
-#include <granum/assembly/stress.hpp>
+#include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -180,7 +177,7 @@ Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Mat
   using triaxial::ShearMode;
   const auto modulus = [&](ShearMode mode) {
     const triaxial::ProbeResult result = triaxial::probe(frozen, material, mode);
-    return result.converged ? result.shear_modulus : effective::State::unset;
+    return result.converged ? result.shear_modulus() : effective::State::unset;
   };
   return {.specimen = specimen,
           .known = "packing",
@@ -191,7 +188,9 @@ Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Mat
 
 Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& frozen,
                  const Assembly& assembly) {
-  const ContactStress stress = contact_stress(assembly);
+  const analysis::Measurement measured = analysis::measure(assembly);
+  const analysis::Microstructure micro = measured.microstructure();
+  const Mat3& stress = measured.stress.value().symmetric;
   return {.contact = c.contact,
           .preparation = c.density == Density::dense ? "dense" : "loose",
           .seed = static_cast<double>(seed),
@@ -199,27 +198,25 @@ Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const de
           .pressure = stage.pressure,
           .stress_ratio = stage.stress_ratio,
           .void_ratio = dem::void_ratio(frozen),
-          .C_n = coordination_number(assembly),
-          .z_star = mechanical_coordination(assembly, ContactKind::frictional).coordination_number,
-          .a = fabric::estimate_anisotropy(contact_normals(assembly)).anisotropy,
-          .stress_v = stress.symmetric(2, 2),
-          .stress_h = (stress.symmetric(0, 0) + stress.symmetric(1, 1)) / 2};
+          .C_n = micro.coordination_number,
+          .z_star = micro.mechanical_coordination_number,
+          .a = micro.fabric_anisotropy,
+          .stress_v = stress(2, 2),
+          .stress_h = (stress(0, 0) + stress(1, 1)) / 2};
 }
 
 void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& state,
                const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
-  if (!(frozen.report.unbalanced_force_ratio < 1e-6))
-    throw std::runtime_error("a frozen state did not come to rest");
-  const Assembly assembly = dem::freeze(frozen.state, material);
-  const Specimen specimen = measure(c, seed, stage, frozen.state, assembly);
+  const Assembly assembly = dem::contact_network(frozen.state(), material);
+  const Specimen specimen = measure(c, seed, stage, frozen.state(), assembly);
   const Network network = solve_network(specimen, assembly);
   add_closed_forms(table, specimen, network.row.value);
   table.add(network.row, network.row.value);
   // A probe shears one plane, the transversely isotropic mean of the network takes in the others.
   const elastic::Matrix6& own = network.stiffness.matrix;
   if (seed == first_seed)
-    table.add(probe_row(specimen, frozen.state, material), {effective::State::unset, own(5, 5), own(4, 4)});
+    table.add(probe_row(specimen, frozen.state(), material), {effective::State::unset, own(5, 5), own(4, 4)});
   std::fprintf(stderr, "%s\n", specimen.name().c_str());
 }
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/io/csv.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 namespace {
@@ -40,7 +40,7 @@ triaxial::SpecimenRecipe recipe(std::size_t grains, std::uint64_t seed) {
 
 /// One specimen at 10 kPa.
 struct Sample {
-  triaxial::Microstructure micro;
+  analysis::Microstructure micro;
   double void_ratio = 0;
   std::size_t steps = 0;
 };
@@ -50,7 +50,10 @@ Sample compressed(const dem::State& packing, const triaxial::SpecimenRecipe& rec
   const bool arrived = triaxial::isotropic_path(
       triaxial::start_of_compression(packing, triaxial::Density::loose, recipe), recipe.material, {pressure},
       triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
-        sample = {.micro = triaxial::microstructure(dem::freeze(snapshot.state, recipe.material)),
+        sample = {.micro = analysis::measure(dem::contact_network(snapshot.state, recipe.material),
+                                             {.law = recipe.material.law,
+                                              .tangential_ratio = recipe.material.tangential_ratio})
+                               .microstructure(),
                   .void_ratio = dem::void_ratio(snapshot.state),
                   .steps = snapshot.report.steps};
         return snapshot.report.converged();

@@ -47,6 +47,10 @@ struct Assembly {
   bool operator==(const Assembly&) const = default;
 };
 
+/// Distances between the opposite faces of a cell [m].
+/// Assumes   a positive volume.
+[[nodiscard]] Vec3 cell_widths(const Mat3& cell);
+
 /// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0,
 /// indices in range and i < j (of walls i alone), branches and stiffnesses finite, forces finite.
 /// \throws   InvalidArgument naming the first grain or contact that is not.

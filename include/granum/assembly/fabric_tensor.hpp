@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <granum/assembly/assembly.hpp>
@@ -17,5 +18,7 @@ namespace granum {
 /// \throws   InvalidArgument for an assembly without contacts: the mean has no value
 /// Accuracy  rounding.  Checked by tests/assembly/test_fabric_tensor.cpp
 [[nodiscard]] Mat3 fabric_tensor(const Assembly& assembly);
+/// The same of normals alone.
+[[nodiscard]] Mat3 fabric_tensor(std::span<const Vec3> normals);
 
 } // namespace granum

@@ -31,4 +31,8 @@ struct FrictionEstimate {
 /// \throws   InvalidArgument for an assembly that require_valid rejects, or a coefficient out of range
 [[nodiscard]] double sliding_fraction(const Assembly& assembly, double friction_coefficient);
 
+/// Share of the contacts that the engine has found at the Coulomb limit, as Contact::sliding says.
+/// \return   sliding over all contacts [1]; 0 without contacts
+[[nodiscard]] double sliding_fraction(const Assembly& assembly);
+
 } // namespace granum

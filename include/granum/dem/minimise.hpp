@@ -23,8 +23,12 @@ struct [[nodiscard]] RelaxReport {
   bool stopped = false; ///< stop_requested said so
   std::size_t steps = 0;
   double unbalanced_force_ratio =
-      0;               ///< mean residual force on a grain / mean contact force; 0 without contacts
-  double pressure = 0; ///< mean contact stress [Pa]
+      0;                    ///< mean residual force on a grain / mean contact force; 0 without contacts
+  double last_pressure = 0; ///< mean contact stress at the end, converged or not [Pa]
+
+  /// Mean contact stress of the relaxed state [Pa].
+  /// \throws   NotConverged unless converged
+  [[nodiscard]] double pressure() const;
 };
 
 /// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.

@@ -22,9 +22,6 @@ struct Pair {
 /// The 27 translations k1 a1 + k2 a2 + k3 a3, k in {-1, 0, 1}, of the cell whose columns are a1 a2 a3 [m].
 [[nodiscard]] std::array<Vec3, 27> shift_vectors(const Mat3& cell);
 
-/// Perpendicular widths of the cell [m].
-[[nodiscard]] Vec3 cell_widths(const Mat3& cell);
-
 /// Moves every centre into the cell by whole edge vectors.
 void wrap(const Mat3& cell, std::span<Vec3> position);
 

@@ -38,9 +38,12 @@ struct [[nodiscard]] QuasistaticReport {
   std::size_t steps = 0;
   double unbalanced_force_ratio = 0;  ///< at the end [1]
   double largest_inertial_number = 0; ///< over the run [1]
-  Mat3 stress;                        ///< at the end [Pa]
+  Mat3 last_stress;                   ///< at the end, whatever the outcome [Pa]
 
   [[nodiscard]] bool converged() const { return outcome == Outcome::converged; }
+  /// Stress of the state that the run has come to [Pa].
+  /// \throws   NotConverged unless the outcome is converged or settled
+  [[nodiscard]] const Mat3& stress() const;
 };
 
 /// Brings the normal stresses at the boundaries (StepFigures::boundary_stress) to their targets, each by a

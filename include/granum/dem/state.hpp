@@ -75,6 +75,6 @@ void require_valid(const Walls& walls);
 
 /// The contacts of the grains of a state, with each other and with its walls, with forces and tangent
 /// stiffnesses from the material's law. Smooth walls have no tangential stiffness.
-[[nodiscard]] Assembly freeze(const State& state, const Material& material);
+[[nodiscard]] Assembly contact_network(const State& state, const Material& material);
 
 } // namespace granum::dem

@@ -50,38 +50,74 @@ struct LoopPoint {
   double shear_stress = 0; ///< beyond that of the start [Pa]
 };
 
+/// How a probe ended, and what it measured.
 struct [[nodiscard]] ProbeResult {
-  bool converged = false;
-  /// Secant between the two ends of the cycle [Pa]. 0 where the cycle is not gone through: unless contacts
-  /// may slide, a start or a first leg that neither rests nor settles ends the probe.
-  double shear_modulus = 0;
-  double amplitude = 0; ///< shear strain used [1]
-  /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
-  double opening = 0;
+  bool converged = false; ///< every leg came to rest, or its stress settled
+  double amplitude = 0;   ///< shear strain used [1]
   /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of
   /// steps: a rattler that is squeezed out of its cage keeps a specimen from rest, but bears no load.
   double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
-  std::vector<LoopPoint> loop; ///< the start and 5 quarters, if options.loop_points ask for them
+  // The last iterates of the functions below. 0, and an empty loop, where the cycle was not gone through:
+  // unless contacts may slide, a start or a first leg that neither rests nor settles ends the probe.
+  double last_shear_modulus = 0;
+  double last_opening = 0;
+  std::vector<LoopPoint> last_loop;
+
+  /// Secant between the two ends of the cycle [Pa].
+  /// \throws   NotConverged unless converged
+  [[nodiscard]] double shear_modulus() const;
+  /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
+  /// \throws   NotConverged unless converged
+  [[nodiscard]] double opening() const;
+  /// The start and 5 quarters, if options.loop_points ask for them.
+  /// \throws   NotConverged unless converged
+  [[nodiscard]] const std::vector<LoopPoint>& loop() const;
 };
 
-/// Unbalanced force ratio up to which a frozen state is good enough for its network [1]: an escaping rattler
-/// may keep it above the tolerance that is aimed at.
+/// The largest unbalanced force ratio of a frozen state that is at rest [1]: rest_bound, for a rattler on its
+/// way out may keep a state above the tolerance that was aimed at, or that tolerance if it is larger.
 inline constexpr double rest_bound = 1e-6;
+[[nodiscard]] constexpr double largest_unbalance_at_rest(double force_tolerance) {
+  return force_tolerance > rest_bound ? force_tolerance : rest_bound;
+}
 
-/// The state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
+/// Unbalanced force ratio that freezing aims at [1].
+inline constexpr double usual_force_tolerance = 1e-8;
+
+/// What studies of a whole path aim at instead: beyond |eta| = 0.6 specimens creep on. Against 1e-5
+/// it moves G of 1,000 spheres by 1e-7 (median) and 0.2 % at most up to |eta| = 0.6, and by 0.2 % (median),
+/// 2 % at most beyond, for a quarter of the steps; 1e-8 takes five times as many again.
+inline constexpr double creeping_force_tolerance = 1e-4;
+
+/// A state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
 /// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
-/// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; all
-/// of that again, and a third time, while more than rest_bound is unbalanced. The report tells what is
-/// unbalanced at the end: a rattler on its way out may keep it from the tolerance.
-/// \throws   Stopped if so asked
 struct [[nodiscard]] FrozenState {
-  dem::State state;
-  dem::QuasistaticReport report;
+  dem::State last_state;         ///< at rest or not
+  dem::QuasistaticReport report; ///< of its rest: steps, what is unbalanced at the end
+  double force_tolerance = 0;    ///< that was aimed at [1]
+
+  [[nodiscard]] bool at_rest() const {
+    return report.unbalanced_force_ratio <= largest_unbalance_at_rest(force_tolerance);
+  }
+  /// \throws   NotConverged unless at_rest()
+  [[nodiscard]] const dem::State& state() const;
+  /// Contact stress of that state [Pa].
+  /// \throws   NotConverged unless at_rest()
+  [[nodiscard]] const Mat3& stress() const;
 };
+
+/// Takes 20,000 steps at most under adaptive drag, and then as many under that of the slowest shear wave; all
+/// of that again, and a third time, until the state is at rest.
+/// \param    force_tolerance  unbalanced force ratio that is aimed at > 0 [1]
+///           1e-6 changes the moduli of 1,000 walled grains by 1e-4 (dense) to 5e-4 (loose), 1e-5 by up to
+///           5e-3; loose ones seldom rest beyond 5e-7, for all of 40,000 steps
+/// \throws   Stopped if so asked
+/// Checked by tests/triaxial/test_probe.cpp
 FrozenState freeze_in_place(const dem::State& state, const dem::Material& material,
-                            double force_tolerance = 1e-8, const StopRequest& stop_requested = {});
+                            double force_tolerance = usual_force_tolerance,
+                            const StopRequest& stop_requested = {});
 
 /// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.

@@ -9,9 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <granum/analysis/measurement.hpp>
 #include <granum/dem/state.hpp>
-#include <granum/elastic/transverse_isotropic.hpp>
-#include <granum/triaxial/measures.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/verify/scene.hpp>
@@ -21,27 +20,17 @@
 /// and again, and each frozen state measured, solved as a network, estimated and probed.         [Chung2014]
 namespace granum::verify {
 
-/// What the closed forms say of a frozen state from its C_n, z*, void ratio, fabric and stress alone.
-struct ClosedForms {
-  elastic::TransverselyIsotropic uniform_strain; ///< rung 2
-  elastic::TransverselyIsotropic uniform_stress; ///< rung 2
-  elastic::TransverselyIsotropic relaxed;        ///< rung 3
-  double G_hh_error = 0;                         ///< standard error of relaxed, relative to it [1]
-  double G_vh_error = 0;
-
-  bool operator==(const ClosedForms&) const = default;
-};
-
 inline constexpr std::size_t polar_bins = 18; ///< of gamma in [0, pi/2]
 inline constexpr std::size_t force_bins = 32; ///< of f_n/<f_n> in [0, 8)
 
-/// One frozen state. Plain numbers, so that checkpoints hold it to the bit.
-struct FrozenPoint {
+/// One frozen state: the part of its analysis::Measurement that the tables and figures are made of, in plain
+/// numbers, so that checkpoints hold it to the bit.
+struct StateRecord {
   triaxial::PathPoint at;         ///< where the specimen was taken from its path
   stress::AxialStress stress;     ///< of the frozen state [Pa]
   double void_ratio = 0;          ///< cell volume over that of the grains, minus 1
   double interior_void_ratio = 0; ///< between walls: two diameters inside; in a periodic cell the same
-  triaxial::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
+  analysis::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
                                   ///< between walls of what lies two diameters inside
   double coordination_number_all = 0; ///< C_n of all grains, near walls as well: the paper's
   double coordination_error = 0; ///< its standard error, by the scatter of the grains' numbers of contacts
@@ -49,17 +38,18 @@ struct FrozenPoint {
   std::array<std::uint32_t, polar_bins> polar_counts{}; ///< all contacts by the polar angle of their normal
   std::array<std::uint32_t, force_bins> force_counts{}; ///< contacts by f_n/<f_n>
   std::uint32_t contacts = 0;
-  std::array<double, 36> network{};  ///< relaxed stiffness, rows of the Voigt matrix [Pa]
-  std::array<double, 36> affine{};   ///< under uniform strain [Pa]
-  std::optional<ClosedForms> closed; ///< nothing where a state has no static force field (near failure)
-  std::optional<Probes> probes;      ///< cyclic shear, where asked
+  std::array<double, 36> network{}; ///< relaxed stiffness, rows of the Voigt matrix [Pa]
+  std::array<double, 36> affine{};  ///< under uniform strain [Pa]
+  std::optional<analysis::ClosedForms>
+      closed;                   ///< nothing where a state has no static force field (near failure)
+  std::optional<Probes> probes; ///< cyclic shear, where asked
   double unbalanced_force_ratio = 0;
   std::size_t rest_steps = 0; ///< to freeze it
 
   [[nodiscard]] double G_hh() const { return network[5 * 6 + 5]; }
   [[nodiscard]] double G_vh() const { return (network[3 * 6 + 3] + network[4 * 6 + 4]) / 2; }
 
-  bool operator==(const FrozenPoint&) const = default;
+  bool operator==(const StateRecord&) const = default;
 };
 
 /// A cycle of horizontal shear (G_hh) with friction, all normal stresses held: the start and 5 quarters.
@@ -72,7 +62,7 @@ struct ShearLoop {
 /// One path of one specimen.
 struct PathRun {
   std::optional<stress::ShearPath> path; ///< nothing: isotropic compression
-  std::vector<FrozenPoint> points;
+  std::vector<StateRecord> points;
   std::vector<triaxial::PathPoint> curve; ///< finer than the points; empty for isotropic compression
   std::vector<ShearLoop> loops;           ///< TXC of the first contact shape, dense: at eta = 0, 0.5, 1
   triaxial::PathPoint peak;               ///< of the largest |eta|

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <granum/analysis/measurement.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/verify/scene.hpp>
 
 namespace granum::verify {
@@ -22,50 +24,38 @@ struct Probes {
   bool operator==(const Probes&) const = default;
 };
 
-/// One frozen state: what was measured on it and what the estimates say of it.
-struct StateResult {
-  double pressure = 0;             ///< target [Pa]
-  double contact_pressure = 0;     ///< mean contact stress at the end of the stage [Pa]
-  double pressure_by_work = 0;     ///< the frozen state's, by the work of the cell [Pa]
-  double pressure_by_contacts = 0; ///< the frozen state's, by its contact forces [Pa]
-  double void_ratio = 0;
-  double coordination_number = 0;            ///< C_n, all grains
-  double mechanical_coordination_number = 0; ///< z*, rattlers left out
-  double rattler_fraction = 0;
-  double fabric_anisotropy = 0;
-  double fabric_anisotropy_error = 0; ///< standard error
-  double sliding_fraction = 0;        ///< contacts at the Coulomb limit when the stage ended
-
-  double G_closed = 0; ///< uniform strain in closed form from C_n, e and p [Pa]
+/// One state of isotropic compression.
+struct CompressedState {
+  double pressure = 0;           ///< asked for [Pa]
+  double contact_pressure = 0;   ///< mean contact stress at the end of the stage [Pa]
+  double sliding_fraction = 0;   ///< contacts at the Coulomb limit when the stage ended
+  analysis::Measurement packing; ///< of the frozen state: network, bounds and the pressure by work as well
+  double G_closed = 0; ///< uniform strain in closed form from C_n, e and the pressure asked for [Pa]
   double K_closed = 0;
-  double G_uniform_strain = 0; ///< uniform strain of the network at hand [Pa]
-  double K_uniform_strain = 0;
-  double G_network = 0; ///< relaxed, isotropic projection [Pa]
-  double K_network = 0;
-  double G_hh_network = 0;
-  double G_vh_network = 0; ///< in the plane of x and z, as the probes shear
-  double K_lower = 0;      ///< refined uniform-stress bound [Pa]
-  double K_upper = 0;      ///< uniform-strain bound [Pa]
-  int network_iterations = 0;
-  double network_residual = 0;
   std::optional<Probes> probes;
 
   std::size_t steps = 0; ///< of the stage and its rest
   double unbalanced_force_ratio = 0;
   double largest_inertial_number = 0;
 
-  bool operator==(const StateResult&) const = default;
+  /// Isotropic part of the network: relaxed, and under uniform strain.
+  [[nodiscard]] elastic::Isotropic network() const { return packing.solved_network().isotropic_relaxed(); }
+  [[nodiscard]] elastic::Isotropic uniform_strain() const {
+    return packing.solved_network().isotropic_affine();
+  }
 };
+
+/// Shear moduli of the network in the planes that the probes shear, 12 and 13 [Pa].
+[[nodiscard]] double G_hh_network(const CompressedState& state);
+[[nodiscard]] double G_vh_network(const CompressedState& state);
 
 /// One specimen on its isotropic path.
 struct SpecimenResult {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
-  std::vector<StateResult> states; ///< as far as it came
-  std::string failure;             ///< empty when the whole path was run
-
-  bool operator==(const SpecimenResult&) const = default;
+  std::vector<CompressedState> states; ///< as far as it came
+  std::string failure;                 ///< empty when the whole path was run
 };
 
 struct Progress {

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include <granum/io/columns.hpp>
 #include <granum/verify/findings.hpp>
 #include <granum/verify/study.hpp>
 
 namespace granum::verify {
+
+/// The columns of a table of states, from which CSV, JSON and screen are written.
+[[nodiscard]] io::Columns<CompressedState> state_columns();
 
 /// All states, a row each; units in the headings. Columns of probes are empty where none was run.
 [[nodiscard]] std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens);

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include <granum/assembly/coordination.hpp>
+#include <granum/assembly/stiffness.hpp>
 #include <granum/assembly/stress.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/csv.hpp>
 #include <granum/io/lammps_dump.hpp>
-#include <granum/io/stiffness.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -56,7 +56,7 @@ Assembly packing_of(const fs::path& folder, const std::string& state) {
   io::LammpsDump dump(io::TextSource(folder / ("atoms." + state + ".dump")),
                       io::TextSource(folder / ("contacts." + state + ".dump")));
   Assembly packing = dump.next().value().assembly;
-  io::assign_hertz_stiffness(packing, quartz, contact::mindlin_stiffness_ratio(quartz.poisson_ratio));
+  assign_hertz_stiffness(packing, quartz, contact::mindlin_stiffness_ratio(quartz.poisson_ratio));
   return packing;
 }
 
@@ -128,7 +128,7 @@ dem::State own_compression(const verify::Scene& scene, triaxial::Density density
                                  triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
                                    last = snapshot.state;
                                    moduli[exact_text(snapshot.pressure / 1e3) + "kPa"] =
-                                       network_moduli(dem::freeze(last, recipe.material));
+                                       network_moduli(dem::contact_network(last, recipe.material));
                                    return snapshot.report.converged();
                                  });
   return last;

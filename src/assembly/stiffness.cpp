@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/stiffness.hpp>
+#include <granum/assembly/stiffness.hpp>
 
 #include <algorithm>
 
-namespace granum::io {
+namespace granum {
 
 namespace {
 
@@ -46,4 +46,4 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
     assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), checked_ratio, from);
 }
 
-} // namespace granum::io
+} // namespace granum

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/verify/law_check.hpp>
+#include <granum/analysis/law_check.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <granum/assembly/force_distribution.hpp>
 
-namespace granum::verify {
+namespace granum::analysis {
 
 namespace {
 
@@ -135,4 +135,4 @@ LawCheck check_law(const Assembly& assembly, const LawFamily& family, const cont
   return out;
 }
 
-} // namespace granum::verify
+} // namespace granum::analysis

@@ -4,7 +4,7 @@
 #include <granum/assembly/assembly.hpp>
 #include <granum/contact/power_law.hpp>
 
-namespace granum::io {
+namespace granum {
 
 /// What k_n of a contact is taken from.
 enum class StiffnessFrom {
@@ -20,14 +20,14 @@ enum class StiffnessFrom {
 /// \param    from       a contact that does not press (overlap or force <= 0) gets k_n at zero: 0, for the
 ///                      flat punch its constant
 /// \throws   InvalidArgument for an assembly that require_valid rejects or a ratio out of range
-/// Accuracy  that of contact::PowerLaw.  Checked by tests/io/test_stiffness.cpp
+/// Accuracy  that of contact::PowerLaw.  Checked by tests/assembly/test_stiffness.cpp
 void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double ratio,
                       StiffnessFrom from = StiffnessFrom::overlap);
 
 /// The same for spheres of any sizes: Hertz with 1/R* = 1/R_i + 1/R_j of each pair. [Hertz1882]
 /// \throws   InvalidArgument also for a material out of range
-/// Accuracy  that of contact::PowerLaw.  Checked by tests/io/test_stiffness.cpp
+/// Accuracy  that of contact::PowerLaw.  Checked by tests/assembly/test_stiffness.cpp
 void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& grain, double ratio,
                             StiffnessFrom from = StiffnessFrom::overlap);
 
-} // namespace granum::io
+} // namespace granum

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/stiffness.hpp>
+#include <granum/assembly/stiffness.hpp>
 
+#include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/io/lammps_dump.hpp>
 
-#include "import_support.hpp"
+#include "relative.hpp"
 
 using namespace granum;
-using namespace granum::io;
-using namespace granum::samples;
 
 namespace {
 
 constexpr contact::GrainMaterial glass{30e9, 0.15};
+constexpr double force_ab = 0.0235294118; // [N], as LAMMPS printed them for these overlaps
+constexpr double force_bc = 0.0665512265;
 
+/// Three spheres of R = 0.5 mm: a touches b, and b touches c.
 Assembly chain() {
-  LammpsDump reader(data_source("lammps_chain.atoms"), data_source("lammps_chain.contacts"));
-  return reader.next()->assembly;
+  return {
+      .cell = Mat3::diagonal(4e-3, 4e-3, 4e-3),
+      .position = {{1e-3, 1e-3, 1e-3}, {1.9999e-3, 1e-3, 1e-3}, {1.9999e-3, 1e-3, 1.9998e-3}},
+      .radius = {0.5e-3, 0.5e-3, 0.5e-3},
+      .contacts = {{.i = 0, .j = 1, .branch = {0.9999e-3, 0, 0}, .overlap = 1e-7, .normal_force = force_ab},
+                   {.i = 1, .j = 2, .branch = {0, 0, 0.9998e-3}, .overlap = 2e-7, .normal_force = force_bc}}};
 }
 
 } // namespace

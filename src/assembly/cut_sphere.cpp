@@ -9,7 +9,7 @@
 
 #include <granum/core/quadrature.hpp>
 
-namespace granum::dem {
+namespace granum {
 
 namespace {
 
@@ -90,4 +90,4 @@ double unit_sphere_in_box(Vec3 low, Vec3 high) {
   return volume;
 }
 
-} // namespace granum::dem
+} // namespace granum

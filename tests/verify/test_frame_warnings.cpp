@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each warning of an analysis, provoked by a file, and not there in the same file without its cause.
+// Each warning of a measured frame, provoked by a file, and not there in the same file without its cause.
 #include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/io/mercury.hpp>
-#include <granum/verify/analysis.hpp>
+#include <granum/verify/measured_frame.hpp>
 
 #include "read_specimen.hpp"
 #include "written_packing.hpp"
 
 using namespace granum;
 using namespace granum::samples;
-using verify::AnalysisOptions;
+using analysis::Given;
 
 namespace {
 
-const AnalysisOptions without_network{.grain_shear_modulus = specimen_grain.shear_modulus,
-                                      .solve_network = false};
+const Given given_modulus{.grain_shear_modulus = specimen_grain.shear_modulus};
 
-bool warns(const io::ImportedPacking& packing, const std::string& words,
-           const AnalysisOptions& options = without_network) {
-  for (const std::string& warning : verify::analyse(packing, options).warnings)
+/// Everything but the network, or with it solved as told.
+analysis::Wanted wanted(const std::optional<network::Options>& network = {}) {
+  analysis::Wanted out = analysis::everything();
+  out.network = network;
+  return out;
+}
+
+bool warns(const io::ImportedPacking& packing, const std::string& words, const Given& given = given_modulus,
+           const analysis::Wanted& measured = wanted()) {
+  for (const std::string& warning : verify::measure_frame(packing, given, measured).warnings)
     if (warning.find(words) != std::string::npos)
       return true;
   return false;
@@ -42,18 +48,18 @@ io::ImportedPacking from_dump(const std::string& grains, const std::string& cont
 
 } // namespace
 
-TEST_CASE("analysis warnings: a specimen at rest has none") {
-  CHECK(verify::analyse(through_dump(specimen())).warnings.empty());
-  CHECK(verify::analyse(through_csv(specimen()), without_network).warnings.empty());
+TEST_CASE("frame warnings: a specimen at rest has none") {
+  CHECK(verify::measure_frame(through_dump(specimen())).warnings.empty());
+  CHECK(verify::measure_frame(through_csv(specimen()), given_modulus, wanted()).warnings.empty());
 }
 
-TEST_CASE("analysis warnings: six digits") {
+TEST_CASE("frame warnings: six digits") {
   const io::ImportedPacking packing = through_dump(specimen(), 6);
   CHECK(warns(packing, "have at most 6 significant digits"));
   CHECK(warns(packing, "forces against overlaps say little"));
 }
 
-TEST_CASE("analysis warnings: a row twice") {
+TEST_CASE("frame warnings: a row twice") {
   const Assembly& a = specimen();
   std::string contacts = dump_contacts(a, 7);
   const std::size_t header = contacts.find("ITEM: ENTRIES id1");
@@ -65,7 +71,7 @@ TEST_CASE("analysis warnings: a row twice") {
   CHECK(warns(from_dump(dump_grains(a, 7), contacts), "1 rows repeat a pair"));
 }
 
-TEST_CASE("analysis warnings: viscous parts show as tension, as scatter and as unrest") {
+TEST_CASE("frame warnings: viscous parts show as tension, as scatter and as unrest") {
   const auto pulled = changed([](Assembly& a) { a.contacts[3].normal_force *= -0.1; });
   CHECK(warns(pulled, "1 contacts are in tension"));
   const auto damped = changed([](Assembly& a) {
@@ -78,16 +84,18 @@ TEST_CASE("analysis warnings: viscous parts show as tension, as scatter and as u
   CHECK_FALSE(warns(nearly, "forces are no function of the overlap"));
 }
 
-TEST_CASE("analysis warnings: another law, another material") {
-  AnalysisOptions cone = without_network;
-  cone.law = [](const contact::GrainMaterial& grain, double) { return contact::PowerLaw::cone(grain, 0.4); };
+TEST_CASE("frame warnings: another law, another material") {
+  Given cone = given_modulus;
+  cone.law_family = [](const contact::GrainMaterial& grain, double) {
+    return contact::PowerLaw::cone(grain, 0.4);
+  };
   CHECK(warns(through_dump(specimen()), "forces are no function of the overlap", cone));
-  AnalysisOptions soft = without_network;
+  Given soft = given_modulus;
   soft.grain_shear_modulus = 20e9;
   CHECK(warns(through_dump(specimen()), "forces are 1.5 times those of the given law", soft));
 }
 
-TEST_CASE("analysis warnings: walls that stand among the grains") {
+TEST_CASE("frame warnings: walls that stand among the grains") {
   const auto large = changed([](Assembly& a) {
     a.position.push_back({0, 0, 0});
     a.radius.push_back(0.1);
@@ -109,7 +117,7 @@ TEST_CASE("analysis warnings: walls that stand among the grains") {
   CHECK_FALSE(warns(few, "grains have exactly the same"));
 }
 
-TEST_CASE("analysis warnings: boxes with walls, or none") {
+TEST_CASE("frame warnings: boxes with walls, or none") {
   const Assembly& a = specimen();
   // the fixed faces cut no contact only where the grains are few
   const std::string three =
@@ -122,7 +130,7 @@ TEST_CASE("analysis warnings: boxes with walls, or none") {
   CHECK_FALSE(warns(through_csv(a), "no box"));
 }
 
-TEST_CASE("analysis warnings: contacts with walls") {
+TEST_CASE("frame warnings: contacts with walls") {
   const std::string data = "2 0 0 0 0 0.004 0.004 0.004\n0.001 0.002 0.0005 0 0 0 0.0005 0 0 0 0 0 0 0\n"
                            "0.0019999 0.002 0.0005 0 0 0 0.0005 0 0 0 0 0 0 0\n";
   const std::string pair = "# 0 1\n# 0 0 0 0.004 0.004 0.004\n# 0.0005 0.0005 0 0 0 0\n"
@@ -137,20 +145,20 @@ TEST_CASE("analysis warnings: contacts with walls") {
   CHECK_FALSE(warns(read(pair), "with walls"));
   const io::ImportedPacking walled = read(pair + wall);
   CHECK(warns(walled, "1 contacts with walls"));
-  const verify::CountAnalysis counts = verify::analyse(walled, without_network).counts;
+  const analysis::Counts counts = verify::measure_frame(walled, given_modulus, wanted()).packing.counts;
   CHECK(counts.wall_contacts == 1);
   CHECK(counts.coordination_number == 1);
   CHECK(counts.coordination_number_with_walls == 1.5);
 }
 
-TEST_CASE("analysis warnings: directions that no E(gamma; a) has") {
+TEST_CASE("frame warnings: directions that no E(gamma; a) has") {
   // every normal at 45 degrees, evenly round the axis: axisymmetric, but no such density
   io::ContactTable cone;
   for (int k = 0; k < 400; ++k)
     cone.normal.push_back(
         {std::sqrt(0.5) * std::cos(0.7 * k), std::sqrt(0.5) * std::sin(0.7 * k), std::sqrt(0.5)});
   const auto warned = [](const io::ContactTable& table, const std::string& words) {
-    for (const std::string& warning : verify::analyse_contacts(table).warnings)
+    for (const std::string& warning : verify::measure_frame(table).warnings)
       if (warning.find(words) != std::string::npos)
         return true;
     return false;
@@ -164,10 +172,8 @@ TEST_CASE("analysis warnings: directions that no E(gamma; a) has") {
   CHECK(warned(plane, "not symmetric about z"));
 }
 
-TEST_CASE("analysis warnings: a network that was given too few iterations") {
-  AnalysisOptions hasty = without_network;
-  hasty.solve_network = true;
-  CHECK_FALSE(warns(through_csv(specimen()), "did not converge", hasty));
-  hasty.network.iteration_limit = 1;
-  CHECK(warns(through_csv(specimen()), "the network did not converge", hasty));
+TEST_CASE("frame warnings: a network that was given too few iterations") {
+  CHECK_FALSE(warns(through_csv(specimen()), "did not converge", given_modulus, wanted(network::Options{})));
+  CHECK(warns(through_csv(specimen()), "the network did not converge", given_modulus,
+              wanted(network::Options{.iteration_limit = 1})));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much of a sphere lies in the interior of a box.
-#include <granum/dem/walls.hpp>
+#include <granum/assembly/interior.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -8,11 +8,10 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "assembly/sample_packings.hpp"
 #include "relative.hpp"
+#include "sample_packings.hpp"
 
 using namespace granum;
-using namespace granum::dem;
 
 namespace {
 
@@ -96,4 +95,20 @@ TEST_CASE(
                 shift + Vec3{static_cast<double>(p), static_cast<double>(q), static_cast<double>(r)}, 0.5);
       CHECK(solid / interior.volume() == relative(std::numbers::pi / 6, 1e-11));
     }
+}
+
+TEST_CASE("the interior of a box: volume, members, and shares of a branch") {
+  Mat3 cell = Mat3::diagonal(10, 10, 10);
+  const Interior inside(cell, 2);
+  CHECK(inside.volume() == relative(216, 1e-14));
+  CHECK(inside.holds({5, 5, 2.1}));
+  CHECK_FALSE(inside.holds({5, 5, 1.9}));
+  CHECK_FALSE(inside.holds({8.1, 5, 5}));
+  CHECK(inside.share({5, 5, 5}, {1, 0, 0}) == 1);
+  CHECK(inside.share({1, 5, 5}, {4, 0, 0}) == relative(0.75, 1e-14));
+  CHECK(inside.share({1, 5, 5}, {8, 0, 0}) == relative(0.75, 1e-14));
+  CHECK(inside.share({1, 1, 5}, {0.5, 8, 0}) == 0);
+  CHECK(inside.share({9, 5, 5}, {-4, 0, 0}) == relative(0.75, 1e-14));
+  CHECK_THROWS_AS(Interior(cell, 5), InvalidArgument);
+  CHECK_THROWS_AS(Interior(cell, -1), InvalidArgument);
 }

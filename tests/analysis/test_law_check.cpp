@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/verify/law_check.hpp>
+#include <granum/analysis/law_check.hpp>
 
 #include <cmath>
 #include <vector>
@@ -10,8 +10,8 @@
 #include "relative.hpp"
 
 using namespace granum;
+using analysis::check_law;
 using contact::PowerLaw;
-using verify::check_law;
 
 namespace {
 
@@ -19,7 +19,7 @@ const contact::GrainMaterial grain{30e9, 0.15};
 
 /// Contacts of a law at overlaps over two decades of force, `noise` of each force at random, grains of radii
 /// between R and `spread` R.
-Assembly contacts_of(const verify::LawFamily& family, double noise = 0, double spread = 1) {
+Assembly contacts_of(const analysis::LawFamily& family, double noise = 0, double spread = 1) {
   samples::Uniform uniform(5);
   Assembly a{.cell = Mat3::identity(), .position = {}, .radius = {}, .contacts = {}};
   for (std::uint32_t k = 0; k < 400; ++k) {
@@ -48,7 +48,7 @@ PowerLaw flat(const contact::GrainMaterial& g, double radius) { return PowerLaw:
 
 TEST_CASE("law check: exact forces give back alpha and the coefficient, whatever the shape") {
   const struct {
-    verify::LawFamily family;
+    analysis::LawFamily family;
     double exponent;
     double alpha;
   } cases[] = {{PowerLaw::sphere, 1.5, 2},
@@ -59,7 +59,7 @@ TEST_CASE("law check: exact forces give back alpha and the coefficient, whatever
                 1 + 1 / 1.5, 1.5}};
   for (const auto& c : cases) {
     INFO(c.alpha);
-    const verify::LawCheck check = check_law(contacts_of(c.family), c.family, grain);
+    const analysis::LawCheck check = check_law(contacts_of(c.family), c.family, grain);
     CHECK(check.contacts + check.left_out == 400);
     CHECK(check.contacts > 300);
     REQUIRE(check.force_exponent);
@@ -73,24 +73,24 @@ TEST_CASE("law check: exact forces give back alpha and the coefficient, whatever
 }
 
 TEST_CASE("law check: punches have slope 1 and no finite alpha") {
-  const verify::LawCheck check = check_law(contacts_of(flat), flat, grain);
+  const analysis::LawCheck check = check_law(contacts_of(flat), flat, grain);
   REQUIRE(check.force_exponent);
   CHECK(check.force_exponent->value == relative(1, 1e-12));
   CHECK_FALSE(check.alpha);
 }
 
 TEST_CASE("law check: grains of several sizes lie on one line, as similar grains do") {
-  const verify::LawCheck check = check_law(contacts_of(PowerLaw::sphere, 0, 3), PowerLaw::sphere, grain);
+  const analysis::LawCheck check = check_law(contacts_of(PowerLaw::sphere, 0, 3), PowerLaw::sphere, grain);
   REQUIRE(check.force_exponent);
   CHECK(check.force_exponent->value == relative(1.5, 1e-12));
   CHECK(check.worst_misfit < 1e-13);
 }
 
 TEST_CASE("law check: the coefficient tells another material, the misfit another law") {
-  const verify::LawCheck soft = check_law(contacts_of(PowerLaw::sphere), PowerLaw::sphere, {15e9, 0.15});
+  const analysis::LawCheck soft = check_law(contacts_of(PowerLaw::sphere), PowerLaw::sphere, {15e9, 0.15});
   CHECK(soft.coefficient_ratio == relative(2, 1e-13));
   CHECK(soft.worst_misfit < 1e-13);
-  const verify::LawCheck wrong = check_law(contacts_of(cone), PowerLaw::sphere, grain);
+  const analysis::LawCheck wrong = check_law(contacts_of(cone), PowerLaw::sphere, grain);
   CHECK(wrong.median_misfit > 0.1);
   REQUIRE(wrong.alpha);
   CHECK(wrong.alpha->value == relative(1, 1e-11)); // of the forces, not of the law they are compared with
@@ -98,7 +98,7 @@ TEST_CASE("law check: the coefficient tells another material, the misfit another
 
 TEST_CASE("law check: scatter gives an error that covers the truth, and outliers do not count") {
   Assembly a = contacts_of(PowerLaw::sphere, 0.1);
-  const verify::LawCheck noisy = check_law(a, PowerLaw::sphere, grain);
+  const analysis::LawCheck noisy = check_law(a, PowerLaw::sphere, grain);
   REQUIRE(noisy.force_exponent);
   CHECK(noisy.force_exponent->standard_error > 1e-3);
   CHECK(std::abs(noisy.force_exponent->value - 1.5) < 4 * noisy.force_exponent->standard_error);
@@ -108,7 +108,7 @@ TEST_CASE("law check: scatter gives an error that covers the truth, and outliers
   a = contacts_of(PowerLaw::sphere, 1e-6);
   for (std::size_t k = 0; k < 10; ++k)
     a.contacts[k].normal_force *= 3; // viscous parts
-  const verify::LawCheck damped = check_law(a, PowerLaw::sphere, grain);
+  const analysis::LawCheck damped = check_law(a, PowerLaw::sphere, grain);
   REQUIRE(damped.force_exponent);
   CHECK(std::abs(damped.force_exponent->value - 1.5) < 1e-6);
   CHECK(damped.worst_misfit == relative(2, 1e-5));
@@ -122,7 +122,7 @@ TEST_CASE("law check: without overlaps, forces or a range of them there is no sl
   a = contacts_of(PowerLaw::sphere);
   for (Contact& c : a.contacts)
     c.overlap = -c.overlap;
-  const verify::LawCheck apart = check_law(a, PowerLaw::sphere, grain);
+  const analysis::LawCheck apart = check_law(a, PowerLaw::sphere, grain);
   CHECK((apart.contacts == 0 && apart.left_out == 400 && !apart.force_exponent));
 
   a = contacts_of(PowerLaw::sphere);
@@ -130,7 +130,7 @@ TEST_CASE("law check: without overlaps, forces or a range of them there is no sl
     c.overlap = 1e-7;
     c.normal_force = PowerLaw::sphere(grain, 0.5e-3).force(1e-7);
   }
-  const verify::LawCheck alike = check_law(a, PowerLaw::sphere, grain);
+  const analysis::LawCheck alike = check_law(a, PowerLaw::sphere, grain);
   CHECK(alike.contacts == 400);
   CHECK_FALSE(alike.force_exponent);
   CHECK(alike.coefficient_ratio == relative(1, 1e-14));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/verify/analysis.hpp>
+#include <granum/verify/measured_frame.hpp>
 
 #include <cmath>
 #include <limits>
@@ -25,29 +25,29 @@ using namespace granum::samples;
 
 namespace {
 
-const AnalysisOptions known{.grain_shear_modulus = specimen_grain.shear_modulus,
+const analysis::Given known{.grain_shear_modulus = specimen_grain.shear_modulus,
                             .friction_coefficient = specimen_friction};
 
 /// What went through a file is what granum has itself. The network is solved to 1e-10 both times.
-void check_same(const Analysis& analysis, const Assembly& own) {
-  CHECK(analysis.counts.grains == own.grain_count());
-  CHECK(analysis.counts.contacts == own.contacts.size());
-  CHECK(analysis.counts.coordination_number == coordination_number(own));
+void check_same(const analysis::Measurement& measured, const Assembly& own) {
+  CHECK(measured.counts.grains == own.grain_count());
+  CHECK(measured.counts.contacts == own.contacts.size());
+  CHECK(measured.counts.coordination_number == coordination_number(own));
   const MechanicalCoordination mechanical = mechanical_coordination(own, ContactKind::frictional);
-  CHECK(analysis.counts.mechanical.rattler_count == mechanical.rattler_count);
-  CHECK(analysis.counts.mechanical.coordination_number == mechanical.coordination_number);
-  CHECK(analysis.void_ratio == relative(void_ratio(own), 1e-14));
+  CHECK(measured.counts.mechanical.rattler_count == mechanical.rattler_count);
+  CHECK(measured.counts.mechanical.coordination_number == mechanical.coordination_number);
+  CHECK(measured.void_ratio == relative(void_ratio(own), 1e-14));
   const ContactStress stress = contact_stress(own);
-  REQUIRE(analysis.stress);
+  REQUIRE(measured.stress);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) // relative to the mean: the tangential parts are far smaller
-      CHECK(std::abs(analysis.stress->tensor(i, j) - stress.tensor(i, j)) < 1e-12 * stress.mean());
+      CHECK(std::abs(measured.stress->tensor(i, j) - stress.tensor(i, j)) < 1e-12 * stress.mean());
   const network::Response response = network::linear_response(own);
-  REQUIRE(analysis.network);
-  CHECK(analysis.network->report.status == network::Status::converged);
-  CHECK((analysis.network->relaxed.matrix - response.relaxed().matrix).norm() <
+  REQUIRE(measured.network);
+  CHECK(measured.network->response.converged());
+  CHECK((measured.network->response.relaxed().matrix - response.relaxed().matrix).norm() <
         1e-8 * response.relaxed().matrix.norm());
-  CHECK((analysis.network->affine.matrix - response.affine().matrix).norm() <
+  CHECK((measured.network->response.affine().matrix - response.affine().matrix).norm() <
         1e-8 * response.affine().matrix.norm());
 }
 
@@ -67,17 +67,17 @@ bool says(const std::vector<std::string>& notes, const std::string& words) {
 
 } // namespace
 
-TEST_CASE("analysis: granum's own specimen through CSV and through a dump is the specimen") {
+TEST_CASE("frame: granum's own specimen through CSV and through a dump is the specimen") {
   const Assembly& own = specimen();
-  check_same(analyse(through_csv(own), known), own);
-  check_same(analyse(through_dump(own), known), own);
+  check_same(measure_frame(through_csv(own), known).packing, own);
+  check_same(measure_frame(through_dump(own), known).packing, own);
 }
 
-TEST_CASE("analysis: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
+TEST_CASE("frame: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
   triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
   recipe.wall_friction = 0.3;
   const dem::State state = states_at({50e3}, recipe).front();
-  const Assembly own = dem::freeze(state, recipe.material);
+  const Assembly own = dem::contact_network(state, recipe.material);
   REQUIRE(own.wall_contacts.size() > 20);
   // The state was frozen with contacts that stick; those at the Coulomb limit would slip by a rounding.
   dem::State sticking = state;
@@ -86,7 +86,7 @@ TEST_CASE("analysis: a packing between walls bears the engine's stress, out of t
       std::numeric_limits<double>::infinity();
   const Mat3 engine = dem::Engine(sticking, material).figures().stress;
   for (const io::ImportedPacking& packing : {through_mercury(own), through_vtk(own)}) {
-    const Analysis a = analyse(packing, known);
+    const analysis::Measurement a = measure_frame(packing, known).packing;
     check_same(a, own);
     for (int k = 0; k < 3; ++k) // sums in another order
       CHECK(a.stress->tensor(k, k) == relative(engine(k, k), 1e-11));
@@ -96,15 +96,15 @@ TEST_CASE("analysis: a packing between walls bears the engine's stress, out of t
   // Without the walls a good part of the stress is missing.
   io::ImportedPacking open = through_vtk(own);
   open.assembly.wall_contacts.clear();
-  CHECK(analyse(open, known).stress->mean() < 0.9 * trace(engine) / 3);
+  CHECK(measure_frame(open, known).packing.stress->mean() < 0.9 * trace(engine) / 3);
 }
 
-TEST_CASE("analysis: G_g comes out of the forces where it is not given, and the closed forms with it") {
-  const Analysis found = analyse(through_dump(specimen()));
+TEST_CASE("frame: G_g comes out of the forces where it is not given, and the closed forms with it") {
+  const analysis::Measurement found = measure_frame(through_dump(specimen())).packing;
   REQUIRE(found.grain);
   CHECK(found.grain->shear_modulus == relative(specimen_grain.shear_modulus, 1e-10));
   CHECK(says(found.notes, "from the forces"));
-  const Analysis given = analyse(through_dump(specimen()), known);
+  const analysis::Measurement given = measure_frame(through_dump(specimen()), known).packing;
   REQUIRE((found.state && given.state));
   CHECK(effective::uniform_strain(*found.state).stiffness.C44 ==
         relative(effective::uniform_strain(*given.state).stiffness.C44, 1e-10));
@@ -115,8 +115,10 @@ TEST_CASE("analysis: G_g comes out of the forces where it is not given, and the 
   CHECK(given.law_check->alpha->value == relative(2, 1e-8));
 }
 
-TEST_CASE("analysis: the closed forms are asked what was measured") {
-  const Analysis a = analyse(through_csv(specimen()), known);
+TEST_CASE("frame: the closed forms are asked what was measured") {
+  const MeasuredFrame frame = measure_frame(through_csv(specimen()), known);
+  CHECK(frame.warnings.empty());
+  const analysis::Measurement& a = frame.packing;
   REQUIRE((a.state && a.fabric && a.stress));
   CHECK(a.state->coordination_number == a.counts.coordination_number);
   CHECK(a.state->fabric_anisotropy == a.fabric->by_moment.anisotropy);
@@ -128,31 +130,34 @@ TEST_CASE("analysis: the closed forms are asked what was measured") {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       CHECK(a.fabric->tensor(i, j) == relative(fabric_tensor(specimen())(i, j), 1e-12));
-  CHECK(a.warnings.empty());
   REQUIRE(a.forces);
   CHECK(a.forces->Z_2 > 1);
   CHECK(a.forces->unbalance.force_ratio < 1e-6);
 }
 
-TEST_CASE("analysis: k_n from forces, another law or another k_t/k_n change the network as they must") {
+TEST_CASE("frame: k_n from forces, another law or another k_t/k_n change the network as they must") {
   const io::ImportedPacking packing = through_csv(specimen());
-  AnalysisOptions options = known;
-  const double K = analyse(packing, options).network->relaxed.matrix.topLeftCorner(3, 3).sum() / 9;
-  options.stiffness_from = io::StiffnessFrom::force; // the forces obey the law
-  CHECK(analyse(packing, options).network->relaxed.matrix.topLeftCorner(3, 3).sum() / 9 == relative(K, 1e-8));
+  analysis::Given options = known;
+  const auto bulk_modulus = [&] {
+    const analysis::Measurement m = measure_frame(packing, options).packing;
+    return m.solved_network().response.relaxed().matrix.topLeftCorner(3, 3).sum() / 9;
+  };
+  const double K = bulk_modulus();
+  options.stiffness_from = StiffnessFrom::force; // the forces obey the law
+  CHECK(bulk_modulus() == relative(K, 1e-8));
   options = known;
   options.grain_shear_modulus = 2 * specimen_grain.shear_modulus;
-  CHECK(analyse(packing, options).network->relaxed.matrix.topLeftCorner(3, 3).sum() / 9 ==
-        relative(2 * K, 1e-8));
+  CHECK(bulk_modulus() == relative(2 * K, 1e-8));
   options = known;
   options.tangential_ratio = 0.5;
-  CHECK(analyse(packing, options).network->relaxed.matrix.topLeftCorner(3, 3).sum() / 9 < K);
+  CHECK(bulk_modulus() < K);
   options = known;
-  options.solve_network = false;
-  CHECK_FALSE(analyse(packing, options).network);
+  analysis::Wanted without_network = analysis::everything();
+  without_network.network.reset();
+  CHECK_FALSE(measure_frame(packing, options, without_network).packing.network);
 }
 
-TEST_CASE("analysis: three frames of one specimen give the exponent of its contacts") {
+TEST_CASE("frame: three frames of one specimen give the exponent of its contacts") {
   const std::vector<Assembly> states = specimen_at({20e3, 40e3, 80e3});
   std::string grains, contacts;
   for (std::size_t k = 0; k < states.size(); ++k) {
@@ -163,11 +168,12 @@ TEST_CASE("analysis: three frames of one specimen give the exponent of its conta
                       io::TextSource::of_text("contacts", contacts));
   std::vector<hardin::Measurement> measured, own;
   while (const auto packing = dump.next()) {
-    const Analysis a = analyse(*packing, known);
+    const MeasuredFrame frame = measure_frame(*packing, known);
+    const analysis::Measurement& a = frame.packing;
     REQUIRE((a.network && a.state));
     const hardin::State state{a.state->stress_v, a.state->stress_h, a.void_ratio};
-    measured.push_back({elastic::isotropic_projection(a.network->relaxed).shear_modulus(), state});
-    const Assembly& direct = states[static_cast<std::size_t>(a.step)];
+    measured.push_back({a.network->isotropic_relaxed().shear_modulus(), state});
+    const Assembly& direct = states[static_cast<std::size_t>(frame.step)];
     own.push_back(
         {elastic::isotropic_projection(network::linear_response(direct).relaxed()).shear_modulus(), state});
   }
@@ -180,8 +186,9 @@ TEST_CASE("analysis: three frames of one specimen give the exponent of its conta
   CHECK(fit.sum->exponent_sum.value < 0.45);
 }
 
-TEST_CASE("analysis: the chain that LAMMPS wrote, by hand") {
-  const Analysis a = analyse(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}), known);
+TEST_CASE("frame: the chain that LAMMPS wrote, by hand") {
+  const analysis::Measurement a =
+      measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}), known).packing;
   CHECK(a.counts.coordination_number == relative(4.0 / 3, 1e-15));
   CHECK(a.counts.mechanical.rattler_count == 3);
   CHECK(a.counts.mechanical.coordination_number == 0);
@@ -198,11 +205,12 @@ TEST_CASE("analysis: the chain that LAMMPS wrote, by hand") {
   CHECK(a.law_check->contacts == 2);
   CHECK(a.law_check->coefficient_ratio == relative(1, 1e-8)); // nine digits of forces
   CHECK_FALSE(a.network);                                     // a chain carries nothing
-  CHECK_FALSE(analyse(from_files({"lammps_chain.atoms", "lammps_chain.contacts"})).grain); // too few to tell
+  CHECK_FALSE(measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}))
+                  .packing.grain); // too few to tell
 }
 
-TEST_CASE("analysis: without contacts, or without forces, the rest is still there") {
-  const Analysis data = analyse(from_files({"lammps_chain.data"}));
+TEST_CASE("frame: without contacts, or without forces, the rest is still there") {
+  const analysis::Measurement data = measure_frame(from_files({"lammps_chain.data"})).packing;
   CHECK(data.counts.without_contact == 3);
   CHECK(data.counts.coordination_number == 0);
   CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
@@ -217,33 +225,34 @@ TEST_CASE("analysis: without contacts, or without forces, the rest is still ther
   const io::ImportedPacking packing =
       io::read_packing_csv(io::TextSource::of_text("g", csv_grains(own)),
                            io::TextSource::of_text("c", contacts), io::CsvBox{own.cell});
-  const Analysis geometry = analyse(packing, known);
+  const analysis::Measurement geometry = measure_frame(packing, known).packing;
   CHECK(geometry.counts.coordination_number == coordination_number(own));
   REQUIRE(geometry.fabric);
   CHECK_FALSE((geometry.forces || geometry.stress || geometry.state));
   REQUIRE(geometry.network); // k_n from the overlaps
-  CHECK((geometry.network->relaxed.matrix - network::linear_response(own).relaxed().matrix).norm() <
-        1e-8 * geometry.network->relaxed.matrix.norm());
+  CHECK(
+      (geometry.network->response.relaxed().matrix - network::linear_response(own).relaxed().matrix).norm() <
+      1e-8 * geometry.network->response.relaxed().matrix.norm());
 }
 
-TEST_CASE("analysis: a table of contacts alone gives fabric and forces") {
+TEST_CASE("frame: a table of contacts alone gives fabric and forces") {
   io::ContactTable table;
   table.normal = fabric::sample_normals(0.3, 20000, 1);
-  Analysis a = analyse_contacts(table);
+  CHECK(measure_frame(table).warnings.empty());
+  analysis::Measurement a = measure_frame(table).packing;
   REQUIRE(a.fabric);
   CHECK(std::abs(a.fabric->by_moment.anisotropy - 0.3) < 4 * a.fabric->by_moment.standard_error);
-  CHECK(std::abs(a.fabric->by_likelihood.anisotropy - 0.3) < 4 * a.fabric->by_likelihood.standard_error);
-  CHECK(a.fabric->isotropy.p_value < 1e-6);
+  CHECK(std::abs(a.fabric->by_likelihood->anisotropy - 0.3) < 4 * a.fabric->by_likelihood->standard_error);
+  CHECK(a.fabric->isotropy->p_value < 1e-6);
   CHECK(a.fabric->density->chi_square.p_value > 0.001);
   CHECK(a.fabric->rose.size() == 18);
   CHECK_FALSE(a.forces);
-  CHECK(a.warnings.empty());
 
   for (std::size_t k = 0; k < table.normal.size(); ++k) {
     table.normal_force.push_back(k % 2 == 0 ? 1.0 : 3.0);
     table.tangential_size.push_back(0.5);
   }
-  a = analyse_contacts(table);
+  a = measure_frame(table).packing;
   REQUIRE(a.forces);
   CHECK(a.forces->distribution.mean == relative(2, 1e-14));
   CHECK(a.forces->Z_2 == relative(5.0 / 4, 1e-14));
@@ -253,25 +262,25 @@ TEST_CASE("analysis: a table of contacts alone gives fabric and forces") {
   table.tangential_size.clear();
   for (const Vec3& n : table.normal)
     table.force.push_back(2 * n);
-  CHECK(analyse_contacts(table).forces->distribution.largest == relative(2, 1e-15));
+  CHECK(measure_frame(table).packing.forces->distribution.largest == relative(2, 1e-15));
 }
 
-TEST_CASE("analysis: the equivalent radius keeps the prefactor of grains of several sizes") {
+TEST_CASE("frame: the equivalent radius keeps the prefactor of grains of several sizes") {
   io::ImportedPacking packing = through_csv(specimen());
   for (std::size_t g = 0; g < packing.assembly.radius.size(); g += 2)
     packing.assembly.radius[g] *= 0.8;
-  const Analysis a = analyse(packing, {.solve_network = false});
+  const analysis::Measurement a = measure_frame(packing, {}, {}).packing;
   const double r = specimen_radius;
-  CHECK(a.smallest_radius == 0.8 * r);
-  CHECK(a.largest_radius == r);
-  CHECK(a.equivalent_radius == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
+  CHECK(a.sizes.smallest == 0.8 * r);
+  CHECK(a.sizes.largest == r);
+  CHECK(a.sizes.equivalent == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
 }
 
-TEST_CASE("analysis: options that cannot be are refused") {
+TEST_CASE("frame: options that cannot be are refused") {
   const io::ImportedPacking packing = through_csv(specimen());
-  CHECK_THROWS_AS((void)analyse(packing, {.grain_shear_modulus = -1}), InvalidArgument);
-  CHECK_THROWS_AS((void)analyse(packing, {.grain_poisson_ratio = 0.7}), InvalidArgument);
-  CHECK_THROWS_AS((void)analyse(packing, {.friction_coefficient = -0.1}), InvalidArgument);
-  CHECK_THROWS_AS((void)analyse(packing, {.tangential_ratio = -0.1}), InvalidArgument);
-  CHECK_THROWS_AS((void)analyse(packing, {.rose_bins = 0}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_shear_modulus = -1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_poisson_ratio = 0.7}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.friction_coefficient = -0.1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.tangential_ratio = -0.1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
 }

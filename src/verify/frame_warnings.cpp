@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame_warnings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <granum/core/number.hpp>
-
-#include "analysis_parts.hpp"
 
 namespace granum::verify {
 
@@ -79,7 +79,7 @@ void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& 
   }
 }
 
-void judge_forces(const ForceAnalysis& forces, std::vector<std::string>& out) {
+void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out) {
   constexpr double at_rest = 1e-3;
   if (forces.distribution.in_tension > 0)
     out.push_back(std::to_string(forces.distribution.in_tension) +
@@ -89,9 +89,8 @@ void judge_forces(const ForceAnalysis& forces, std::vector<std::string>& out) {
                   percent(forces.unbalance.force_ratio) + " of the mean contact force");
 }
 
-void judge_law(const Analysis& analysis, bool few_digits, std::vector<std::string>& out) {
+void judge_law(const analysis::LawCheck& check, bool few_digits, std::vector<std::string>& out) {
   constexpr double scatter = 1e-2;
-  const LawCheck& check = *analysis.law_check;
   if (check.contacts == 0)
     return;
   if (few_digits) {
@@ -107,16 +106,16 @@ void judge_law(const Analysis& analysis, bool few_digits, std::vector<std::strin
                   " times those of the given law: the grains are of another material");
 }
 
-void judge_network(const NetworkAnalysis& network, std::vector<std::string>& out) {
-  if (network.report.status == network::Status::iteration_limit)
-    out.push_back("the network did not converge: residual " + short_text(network.report.residual, 2));
-  if (network.report.status == network::Status::not_positive_definite)
+void judge_network(const network::Response::Report& report, std::vector<std::string>& out) {
+  if (report.status == network::Status::iteration_limit)
+    out.push_back("the network did not converge: residual " + short_text(report.residual, 2));
+  if (report.status == network::Status::not_positive_definite)
     out.emplace_back("the network is unstable: it has no moduli");
 }
 
 } // namespace
 
-void judge_fabric(const FabricAnalysis& fabric, std::vector<std::string>& out) {
+void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out) {
   constexpr double doubt = 0.01;
   if (fabric.density && fabric.density->chi_square.p_value < doubt)
     out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
@@ -126,20 +125,21 @@ void judge_fabric(const FabricAnalysis& fabric, std::vector<std::string>& out) {
                   short_text(fabric.axisymmetry->both.p_value, 2));
 }
 
-void add_warnings(const io::ImportedPacking& packing, Analysis& analysis) {
-  std::vector<std::string>& out = analysis.warnings;
+void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
+  std::vector<std::string>& out = frame.warnings;
+  const analysis::Measurement& measured = frame.packing;
   const bool few_digits = packing.has(Finding::few_digits);
   pass_on(packing, out);
   judge_boundary(packing, out);
   judge_grains(packing, out);
-  if (analysis.fabric)
-    judge_fabric(*analysis.fabric, out);
-  if (analysis.forces)
-    judge_forces(*analysis.forces, out);
-  if (analysis.law_check)
-    judge_law(analysis, few_digits, out);
-  if (analysis.network)
-    judge_network(*analysis.network, out);
+  if (measured.fabric)
+    judge_fabric(*measured.fabric, out);
+  if (measured.forces)
+    judge_forces(*measured.forces, out);
+  if (measured.law_check)
+    judge_law(*measured.law_check, few_digits, out);
+  if (measured.network)
+    judge_network(measured.network->response.report(), out);
 }
 
 } // namespace granum::verify

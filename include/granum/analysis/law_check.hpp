@@ -10,8 +10,8 @@
 #include <granum/core/measured.hpp>
 
 /// The contact law that a DEM code has used, as its forces and overlaps show it.
-/// Checked by tests/verify/test_law_check.cpp
-namespace granum::verify {
+/// Checked by tests/analysis/test_law_check.cpp
+namespace granum::analysis {
 
 /// The contact law of two equal grains of a material and a radius [m]; contact::PowerLaw::sphere is one.
 using LawFamily = std::function<contact::PowerLaw(const contact::GrainMaterial& grain, double radius)>;
@@ -44,4 +44,4 @@ struct LawCheck {
 [[nodiscard]] LawCheck check_law(const Assembly& assembly, const LawFamily& family,
                                  const contact::GrainMaterial& grain);
 
-} // namespace granum::verify
+} // namespace granum::analysis

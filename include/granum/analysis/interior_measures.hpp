@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include <granum/assembly/assembly.hpp>
+#include <granum/assembly/coordination.hpp>
+
+namespace granum::analysis {
+
+/// The contact network in numbers.
+struct Microstructure {
+  double coordination_number = 0;            ///< C_n, all grains
+  double mechanical_coordination_number = 0; ///< z*, rattlers left out
+  double rattler_fraction = 0;
+  double fabric_anisotropy = 0;       ///< a of E(gamma; a)
+  double fabric_anisotropy_error = 0; ///< standard error
+  double sliding_fraction = 0;        ///< contacts at the Coulomb limit, as Contact::sliding says
+
+  bool operator==(const Microstructure&) const = default;
+};
+
+/// The part of a packing between walls that keeps a distance from them, where walls do not order the grains.
+struct InteriorMeasures {
+  std::size_t grains = 0; ///< with their centres inside
+  double void_ratio = 0;  ///< of the inside, from the volumes of all grains there, whole or cut [1]
+  /// C_n, z* and rattlers: of these grains and all their contacts; a and sliding: of contacts whose middle is
+  /// inside.
+  Microstructure micro;
+  Mat3 stress; ///< contact stress, walls', too, each contact with the share of its branch that is inside [Pa]
+};
+
+/// \param    assembly    between six walls that are the faces of its cell
+/// \param    mechanical  of the whole assembly, frictional contacts
+/// \param    layer       left out at every wall [m]; two diameters are the custom
+/// \throws   InvalidArgument if the layers leave too little: no grain, or fewer than 2 contacts
+/// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R
+///           of a side wall no contact between grains bears force along it.
+/// Checked by tests/triaxial/test_walls.cpp
+[[nodiscard]] InteriorMeasures interior_measures(const Assembly& assembly,
+                                                 const MechanicalCoordination& mechanical, double layer);
+
+} // namespace granum::analysis

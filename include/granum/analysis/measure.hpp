@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <granum/analysis/measurement.hpp>
+#include <granum/assembly/assembly.hpp>
+#include <granum/assembly/stiffness.hpp>
+#include <granum/stress/axial_stress.hpp>
+
+/// The one way from a packing to its numbers.
+/// Checked by tests/analysis/test_measure.cpp, tests/verify/test_measured_frame.cpp
+namespace granum::analysis {
+
+/// What is known of a packing beside what the assembly holds.
+struct Given {
+  /// Of all contacts, as one knows it of own specimens: no material is looked for then.
+  std::optional<contact::PowerLaw> law = {};
+  LawFamily law_family =
+      contact::PowerLaw::sphere;                  ///< else: the law of two grains of a material and a radius
+  std::optional<double> grain_shear_modulus = {}; ///< G_g [Pa]; without it, from forces against overlaps
+  double grain_poisson_ratio = 0.15;              ///< nu_g [1]
+  std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
+  std::optional<double> friction_coefficient = {}; ///< [1]; without it estimate_friction
+  std::optional<StiffnessFrom> stiffness_from =
+      {};                                ///< without it overlaps, or forces if those have few digits
+  bool normal_forces = true;             ///< the contacts hold them
+  bool tangential_forces = true;         ///< the contacts hold them
+  bool few_digits = false;               ///< overlaps come from rounded coordinates
+  std::optional<double> void_ratio = {}; ///< where it is known better than by a sum over the grains
+  std::optional<stress::AxialStress> stress =
+      {}; ///< of the closed forms' state; without it that of the contacts
+};
+
+/// Which parts are measured. Volume, sizes, counts, stress, fabric tensor and a always are: they take a
+/// thousandth of what the network takes.
+struct Wanted {
+  bool fabric_tests = false;                  ///< most likely a and the tests of the fabric
+  std::optional<std::size_t> rose_bins = {};  ///< rose of contact normals, so many bins of [0, 90 degrees]
+  std::optional<std::size_t> force_bins = {}; ///< distribution and moments of the forces, friction, unbalance
+  bool law_check = false;                     ///< forces against overlaps
+  bool work = false;                          ///< the pressure by the work of the cell
+  bool closed_forms = false;                  ///< rungs 2 and 3
+  std::optional<double> interior_layer = {};  ///< left out at each wall [m]
+  std::optional<network::Options> network = {}; ///< rung 4, the part that takes time
+};
+
+/// All parts but those that need walls or a known law.
+[[nodiscard]] Wanted everything();
+
+/// Measures a packing.
+/// Assumes   axis 3 is vertical, the axis of symmetry of the closed forms; contacts transmit friction.
+/// \return   the network has the stiffnesses of the contacts if any contact has one (and given.stiffness_from
+///           does not say otherwise), else those of the law
+/// \throws   InvalidArgument for an assembly that is not valid or has no grains, or for values given
+///           or wanted that are out of their ranges
+/// Accuracy  that of the functions whose results it holds.
+[[nodiscard]] Measurement measure(const Assembly& assembly, const Given& given = {},
+                                  const Wanted& wanted = {});
+
+/// Directions of contact normals alone, where that is all there is.
+/// \param    normals   at least 2 unit vectors
+/// \throws   InvalidArgument as fabric::rose and fabric::estimate_anisotropy
+[[nodiscard]] Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted);
+
+/// Forces of an assembly's contacts; moments, friction and sliding are of those that press.
+/// \throws   InvalidArgument for an assembly that require_valid rejects, or for a friction coefficient or
+///           bins out of range
+[[nodiscard]] Forces measure_forces(const Assembly& assembly, const Given& given, std::size_t bins);
+
+/// What the closed forms say of a state; nothing where no static force field has it.
+/// \param    mechanical_coordination_number   z* >= 0 [1]
+[[nodiscard]] std::optional<ClosedForms> closed_forms(const effective::State& state,
+                                                      double mechanical_coordination_number);
+
+} // namespace granum::analysis

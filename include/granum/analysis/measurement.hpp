@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/analysis/interior_measures.hpp>
+#include <granum/analysis/law_check.hpp>
+#include <granum/assembly/coordination.hpp>
+#include <granum/assembly/force_distribution.hpp>
+#include <granum/assembly/force_moments.hpp>
+#include <granum/assembly/sliding.hpp>
+#include <granum/assembly/stress.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/state.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/symmetry.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/fabric/goodness_of_fit.hpp>
+#include <granum/fabric/likelihood_estimate.hpp>
+#include <granum/fabric/rose.hpp>
+#include <granum/network/linear_response.hpp>
+
+/// What one packing tells, whoever made it: granum's own specimens and imported ones alike.
+namespace granum::analysis {
+
+/// Radii of the grains [m].
+struct Sizes {
+  double smallest = 0;
+  double largest = 0;
+  double equivalent = 0; ///< <R^3>/<R^2>: of equal spheres with the same prefactor P
+};
+
+/// Grains and contacts, counted.
+struct Counts {
+  std::size_t grains = 0;
+  std::size_t contacts = 0;
+  std::size_t wall_contacts = 0;
+  std::size_t without_contact = 0;           ///< grains that touch no other
+  double coordination_number = 0;            ///< C_n = 2 N_c/N, all grains
+  double coordination_error = 0;             ///< its standard error, by the scatter of the grains' numbers
+  double touching_coordination_number = 0;   ///< C_n over the grains with a contact
+  double coordination_number_with_walls = 0; ///< (2 N_c + N_w)/N
+  double sliding_fraction = 0;            ///< of the contacts, as Contact::sliding says; 0 without contacts
+  MechanicalCoordination mechanical = {}; ///< z* and rattlers
+};
+
+/// Directions of the contacts. The tests are there where they were wanted.
+struct Fabric {
+  std::size_t contacts = 0;
+  Mat3 tensor = {}; ///< F_ij
+  fabric::AnisotropyEstimate by_moment = {};
+  std::optional<fabric::LikelihoodEstimate> by_likelihood = {};
+  std::optional<fabric::IsotropyTest> isotropy = {}; ///< is a different from 0?
+  std::optional<fabric::DensityTest> density = {};   ///< does E(gamma; a) describe it? From 20 contacts on
+  std::optional<fabric::AxisymmetryTest> axisymmetry = {}; ///< is axis 3 one of symmetry? From 20 contacts on
+  std::vector<fabric::RoseBin> rose = {}; ///< beside E(gamma; a) of the most likely a, of a = 0 without it
+};
+
+/// Forces of the contacts.
+struct Forces {
+  ForceDistribution distribution = {};
+  double Z_2 = 0;   ///< <f_n^2>/<f_n>^2 of the pressing contacts
+  double Z_5_3 = 0; ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
+  std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
+  std::optional<FrictionEstimate> friction = {};
+  std::optional<double> sliding_fraction = {}; ///< at the coefficient given, or else estimated
+  Unbalance unbalance = {};
+};
+
+/// The contact network, rung 4.
+struct Network {
+  network::Response response;               ///< affine and relaxed stiffness; says whether it was solved
+  elastic::SymmetryDistances symmetry = {}; ///< of the relaxed stiffness, its last iterate
+  BulkModulusBounds bulk_bounds = {};
+
+  /// The nearest isotropic solids.
+  /// \throws   NotConverged (relaxed) unless the network is solved
+  [[nodiscard]] elastic::Isotropic isotropic_relaxed() const;
+  [[nodiscard]] elastic::Isotropic isotropic_affine() const;
+  /// Shear moduli of the relaxed network in the horizontal plane, and the mean of both vertical ones [Pa].
+  /// \throws   NotConverged unless the network is solved
+  [[nodiscard]] double G_hh() const;
+  [[nodiscard]] double G_vh() const;
+};
+
+/// What the closed forms say of a packing from its state alone.
+struct ClosedForms {
+  elastic::TransverselyIsotropic uniform_strain; ///< rung 2
+  elastic::TransverselyIsotropic uniform_stress; ///< rung 2
+  elastic::TransverselyIsotropic relaxed;        ///< rung 3
+  double G_hh_error = 0;                         ///< standard error of relaxed, relative to it [1]
+  double G_vh_error = 0;
+
+  bool operator==(const ClosedForms&) const = default;
+};
+
+/// What one packing tells. Parts that were not wanted, or need what nobody knows, are empty; `notes` say what
+/// was missing.
+struct Measurement {
+  double volume = 0;     ///< of the cell [m^3]
+  double void_ratio = 0; ///< of the whole cell
+  Sizes sizes = {};
+  Counts counts = {};
+  std::optional<Fabric> fabric = {};             ///< from 2 contacts on
+  std::optional<InteriorMeasures> interior = {}; ///< between walls
+  std::optional<ContactStress> stress = {};      ///< by the contact forces
+  std::optional<double> pressure_by_work = {};   ///< by the work of the cell [Pa]
+  std::optional<Forces> forces = {};
+  std::optional<LawCheck> law_check = {};
+  std::optional<contact::GrainMaterial> grain = {}; ///< given, or with G_g as the forces show it
+  std::optional<contact::PowerLaw> law = {};        ///< of contacts of grains of the equivalent radius
+  /// What the closed forms are asked: C_n, e and a, of the interior between walls, stress and contact law.
+  std::optional<effective::State> state = {};
+  std::optional<ClosedForms> closed_forms = {}; ///< nothing where no static force field has such a state
+  std::optional<Network> network = {};          ///< nothing where no grain bears load
+  std::vector<std::string> notes = {};          ///< what was assumed or not there, a sentence each
+
+  /// C_n, z*, rattlers, a and sliding: of the interior where it was measured, else of all grains.
+  /// \throws   InvalidArgument for fewer than 2 contacts, which have no fabric
+  [[nodiscard]] Microstructure microstructure() const;
+  /// Its void ratio.
+  [[nodiscard]] double interior_void_ratio() const { return interior ? interior->void_ratio : void_ratio; }
+  /// The network that was asked for.
+  /// \throws   NotConverged if no grain bears load, so that there is none
+  [[nodiscard]] const Network& solved_network() const;
+};
+
+} // namespace granum::analysis

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/analysis/interior_measures.hpp>
+
+#include <vector>
+
+#include <granum/assembly/interior.hpp>
+#include <granum/core/error.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+
+namespace granum::analysis {
+
+InteriorMeasures interior_measures(const Assembly& assembly, const MechanicalCoordination& mechanical,
+                                   double layer) {
+  const Interior interior(assembly.cell, layer);
+  InteriorMeasures out;
+  std::vector<bool> inside(assembly.grain_count());
+  std::size_t rattlers = 0;
+  double solid = 0;
+  for (std::size_t g = 0; g < inside.size(); ++g) {
+    solid += interior.part_of_sphere(assembly.position[g], assembly.radius[g]);
+    inside[g] = interior.holds(assembly.position[g]);
+    out.grains += inside[g];
+    rattlers += inside[g] && mechanical.rattler[g];
+  }
+  if (out.grains == rattlers)
+    throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
+  out.void_ratio = interior.volume() / solid - 1;
+  const auto add_stress = [&](const Contact& c) {
+    out.stress +=
+        interior.share(assembly.position[c.i], c.branch) / interior.volume() * outer(force(c), c.branch);
+  };
+  std::size_t ends = 0, bearing_ends = 0, sliding = 0;
+  std::vector<Vec3> normals;
+  for (const Contact& c : assembly.contacts) {
+    const std::size_t here = static_cast<std::size_t>(inside[c.i]) + static_cast<std::size_t>(inside[c.j]);
+    ends += here;
+    bearing_ends += mechanical.rattler[c.i] || mechanical.rattler[c.j] ? 0 : here;
+    add_stress(c);
+    if (interior.holds(assembly.position[c.i] + 0.5 * c.branch)) {
+      normals.push_back(normal(c));
+      sliding += c.sliding;
+    }
+  }
+  for (const Contact& c : assembly.wall_contacts)
+    add_stress(c);
+  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(normals);
+  const auto share = [](std::size_t part, std::size_t whole) {
+    return static_cast<double>(part) / static_cast<double>(whole);
+  };
+  out.micro = {.coordination_number = share(ends, out.grains),
+               .mechanical_coordination_number = share(bearing_ends, out.grains - rattlers),
+               .rattler_fraction = share(rattlers, out.grains),
+               .fabric_anisotropy = anisotropy.anisotropy,
+               .fabric_anisotropy_error = anisotropy.standard_error,
+               .sliding_fraction = share(sliding, normals.size())};
+  return out;
+}
+
+} // namespace granum::analysis

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/analysis/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <granum/assembly/cell_work.hpp>
+#include <granum/assembly/density.hpp>
+#include <granum/assembly/fabric_tensor.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+namespace granum::analysis {
+
+namespace {
+
+Sizes sizes_of(const std::vector<double>& radii) {
+  const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
+  double squares = 0, cubes = 0;
+  for (const double radius : radii) {
+    const double relative = radius / *largest;
+    squares += relative * relative;
+    cubes += relative * relative * relative;
+  }
+  return {.smallest = *smallest,
+          .largest = *largest,
+          .equivalent = *smallest == *largest ? *largest : *largest * (cubes / squares)};
+}
+
+/// Standard error of the mean of numbers; 0 for one.
+double error_of_mean(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  if (values.size() < 2)
+    return 0;
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values)
+    squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / (count - 1) / count);
+}
+
+Counts count(const Assembly& assembly) {
+  std::vector<double> contacts_of(assembly.grain_count());
+  for (const Contact& c : assembly.contacts) {
+    contacts_of[c.i] += 1;
+    contacts_of[c.j] += 1;
+  }
+  Counts out{.grains = assembly.grain_count(),
+             .contacts = assembly.contacts.size(),
+             .wall_contacts = assembly.wall_contacts.size(),
+             .coordination_number = coordination_number(assembly),
+             .coordination_error = error_of_mean(contacts_of),
+             .sliding_fraction = sliding_fraction(assembly),
+             .mechanical = mechanical_coordination(assembly, ContactKind::frictional)};
+  out.without_contact = static_cast<std::size_t>(std::count(contacts_of.begin(), contacts_of.end(), 0.0));
+  const double grains = static_cast<double>(out.grains);
+  const double touching = grains - static_cast<double>(out.without_contact);
+  if (touching > 0)
+    out.touching_coordination_number = out.coordination_number * (grains / touching);
+  out.coordination_number_with_walls =
+      out.coordination_number + static_cast<double>(out.wall_contacts) / grains;
+  return out;
+}
+
+/// The contacts that press: moments of forces have no meaning in tension.
+Assembly pressing_part(const Assembly& assembly) {
+  Assembly pressing = assembly;
+  std::erase_if(pressing.contacts, [](const Contact& c) { return !(c.normal_force > 0); });
+  return pressing;
+}
+
+/// Whether the law can be read off forces and overlaps, so that its modulus can be as well.
+bool law_is_clear(const LawCheck& check) {
+  constexpr double clear = 1e-2;
+  constexpr std::size_t fewest = 10;
+  return check.contacts >= fewest && check.median_misfit < clear;
+}
+
+/// One packing, part after part: each may need those before.
+class Measuring {
+ public:
+  Measuring(const Assembly& assembly, const Given& given, const Wanted& wanted)
+      : assembly_(assembly), given_(given), wanted_(wanted),
+        forces_known_(given.normal_forces && !assembly.contacts.empty()) {}
+
+  Measurement run() && {
+    out_.volume = assembly_.volume();
+    out_.void_ratio = given_.void_ratio ? *given_.void_ratio : void_ratio(assembly_);
+    out_.sizes = sizes_of(assembly_.radius);
+    out_.counts = count(assembly_);
+    if (out_.counts.contacts >= 2)
+      out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
+    if (wanted_.interior_layer)
+      out_.interior = interior_measures(assembly_, out_.counts.mechanical, *wanted_.interior_layer);
+    measure_load();
+    find_law();
+    if (wanted_.work && out_.law)
+      out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law);
+    make_state();
+    if (wanted_.closed_forms && out_.state)
+      out_.closed_forms = closed_forms(*out_.state, out_.microstructure().mechanical_coordination_number);
+    if (wanted_.network && out_.counts.mechanical.contact_count > 0)
+      solve_network();
+    return std::move(out_);
+  }
+
+ private:
+  void measure_load() {
+    if (!forces_known_)
+      return;
+    if (wanted_.force_bins)
+      out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
+    out_.stress = contact_stress(assembly_);
+  }
+
+  /// Compares forces with the law, and takes the grain's modulus from them if it is not given.
+  void find_law() {
+    constexpr double any_modulus = 1e9; // forces are proportional to it
+    const double nu = given_.grain_poisson_ratio;
+    const double modulus = given_.grain_shear_modulus.value_or(any_modulus);
+    if (given_.law) {
+      out_.law = given_.law;
+      if (wanted_.law_check && forces_known_)
+        out_.law_check = check_law(
+            assembly_, [this](const contact::GrainMaterial&, double) { return *given_.law; }, {modulus, nu});
+      return;
+    }
+    if (forces_known_ && (wanted_.law_check || !given_.grain_shear_modulus))
+      out_.law_check = check_law(assembly_, given_.law_family, {modulus, nu});
+    if (given_.grain_shear_modulus) {
+      out_.grain = contact::GrainMaterial{modulus, nu};
+    } else if (out_.law_check && law_is_clear(*out_.law_check)) {
+      const double found = any_modulus * out_.law_check->coefficient_ratio;
+      out_.grain = contact::GrainMaterial{found, nu};
+      out_.law_check->coefficient_ratio = 1;
+      out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
+                           short_text(nu) + ", from the forces: they fix G_g/(1 - nu_g) alone");
+    } else {
+      out_.notes.emplace_back("no G_g of the grains given, and forces against overlaps do not tell it: "
+                              "no stiffnesses, no closed forms");
+    }
+    if (out_.grain)
+      out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
+  }
+
+  [[nodiscard]] double tangential_ratio() const {
+    return given_.tangential_ratio ? contact::given_stiffness_ratio(*given_.tangential_ratio)
+                                   : contact::mindlin_stiffness_ratio(given_.grain_poisson_ratio);
+  }
+
+  /// What the closed forms need, or a note on what is not there.
+  void make_state() {
+    if (!out_.law)
+      return;
+    if (!out_.stress || !out_.fabric) {
+      out_.notes.emplace_back("no closed forms: they need forces of at least two contacts");
+      return;
+    }
+    const Mat3& by_contacts = out_.stress->symmetric;
+    const stress::AxialStress load = given_.stress.value_or(
+        stress::AxialStress{.v = by_contacts(2, 2), .h = (by_contacts(0, 0) + by_contacts(1, 1)) / 2});
+    const Microstructure micro = out_.microstructure();
+    effective::State state{.law = *out_.law,
+                           .tangential_ratio = tangential_ratio(),
+                           .radius = out_.sizes.equivalent,
+                           .void_ratio = out_.interior_void_ratio(),
+                           .coordination_number = micro.coordination_number,
+                           .fabric_anisotropy = micro.fabric_anisotropy,
+                           .stress_v = load.v,
+                           .stress_h = load.h};
+    try {
+      effective::require_valid(state);
+      out_.state = state;
+    } catch (const InvalidArgument& error) {
+      out_.notes.push_back(std::string("no closed forms: ") + error.what());
+    }
+  }
+
+  [[nodiscard]] bool contacts_have_stiffness() const {
+    return std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
+                       [](const Contact& c) { return c.normal_stiffness > 0; });
+  }
+
+  void solve_network() {
+    if (!given_.stiffness_from && contacts_have_stiffness()) {
+      if (!given_.law)
+        out_.notes.emplace_back("k_n and k_t of the network are those of the files");
+      solve_network(assembly_);
+    } else if (out_.law) {
+      solve_network(with_stiffness());
+    }
+  }
+
+  /// The assembly with k_n and k_t of its contacts by the law.
+  Assembly with_stiffness() {
+    Assembly assembly = assembly_;
+    const bool rough = given_.few_digits && forces_known_;
+    const StiffnessFrom from =
+        given_.stiffness_from.value_or(rough ? StiffnessFrom::force : StiffnessFrom::overlap);
+    if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
+      assign_hertz_stiffness(assembly, *out_.grain, tangential_ratio(), from);
+    else
+      assign_stiffness(assembly, *out_.law, tangential_ratio(), from);
+    out_.notes.emplace_back(from == StiffnessFrom::force ? "k_n of the network from the forces"
+                                                         : "k_n of the network from the overlaps");
+    return assembly;
+  }
+
+  void solve_network(const Assembly& assembly) {
+    const network::Response response = network::linear_response(assembly, *wanted_.network);
+    Network network{.response = response, .symmetry = {}, .bulk_bounds = bulk_modulus_bounds(assembly)};
+    if (response.last_iterate().matrix.norm() > 0)
+      network.symmetry = elastic::symmetry_distances(response.last_iterate());
+    out_.network = network;
+  }
+
+  const Assembly& assembly_;
+  const Given& given_;
+  const Wanted& wanted_;
+  bool forces_known_;
+  Measurement out_;
+};
+
+} // namespace
+
+Wanted everything() {
+  return {.fabric_tests = true,
+          .rose_bins = 18,
+          .force_bins = 32,
+          .law_check = true,
+          .closed_forms = true,
+          .network = network::Options{}};
+}
+
+Measurement measure(const Assembly& assembly, const Given& given, const Wanted& wanted) {
+  return Measuring(assembly, given, wanted).run();
+}
+
+Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
+  constexpr std::size_t enough = 20;
+  Fabric out{.contacts = normals.size(),
+             .tensor = fabric_tensor(normals),
+             .by_moment = fabric::estimate_anisotropy(normals)};
+  if (wanted.fabric_tests) {
+    out.by_likelihood = fabric::estimate_anisotropy_by_likelihood(normals);
+    out.isotropy = fabric::test_isotropy(normals);
+    if (normals.size() >= enough) {
+      out.density = fabric::test_density(normals);
+      out.axisymmetry = fabric::test_axisymmetry(normals);
+    }
+  }
+  if (wanted.rose_bins)
+    out.rose =
+        fabric::rose(normals, out.by_likelihood ? out.by_likelihood->anisotropy : 0, *wanted.rose_bins);
+  return out;
+}
+
+Forces measure_forces(const Assembly& assembly, const Given& given, std::size_t bins) {
+  Forces out{.distribution = force_distribution(normal_forces(assembly), bins)};
+  out.unbalance = unbalance(assembly);
+  if (out.distribution.pressing == 0)
+    return out;
+  const Assembly pressing = pressing_part(assembly);
+  out.Z_2 = normal_force_moment(pressing, 2);
+  out.Z_5_3 = normal_force_moment(pressing, 5.0 / 3);
+  if (!given.tangential_forces)
+    return out;
+  double tangential = 0;
+  for (const Contact& c : pressing.contacts)
+    tangential += norm(c.tangential_force);
+  out.mean_tangential_over_normal =
+      tangential / (out.distribution.mean * static_cast<double>(out.distribution.pressing));
+  out.friction = estimate_friction(pressing);
+  if (given.friction_coefficient)
+    out.sliding_fraction = sliding_fraction(pressing, *given.friction_coefficient);
+  else if (out.friction)
+    out.sliding_fraction = sliding_fraction(pressing, out.friction->coefficient);
+  return out;
+}
+
+std::optional<ClosedForms> closed_forms(const effective::State& state,
+                                        double mechanical_coordination_number) {
+  try {
+    const effective::RelaxedEstimate relaxed = effective::relaxed(state, mechanical_coordination_number);
+    return ClosedForms{.uniform_strain = effective::uniform_strain(state).stiffness,
+                       .uniform_stress = effective::uniform_stress(state).stiffness,
+                       .relaxed = relaxed.stiffness,
+                       .G_hh_error = relaxed.relative_error.G_hh,
+                       .G_vh_error = relaxed.relative_error.G_vh};
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace granum::analysis

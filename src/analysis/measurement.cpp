@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/analysis/measurement.hpp>
+
+#include <granum/core/error.hpp>
+#include <granum/elastic/projection.hpp>
+
+namespace granum::analysis {
+
+elastic::Isotropic Network::isotropic_relaxed() const {
+  return elastic::isotropic_projection(response.relaxed());
+}
+
+elastic::Isotropic Network::isotropic_affine() const {
+  return elastic::isotropic_projection(response.affine());
+}
+
+double Network::G_hh() const { return response.relaxed().matrix(5, 5); }
+
+double Network::G_vh() const {
+  const elastic::Matrix6& c = response.relaxed().matrix;
+  return (c(3, 3) + c(4, 4)) / 2;
+}
+
+Microstructure Measurement::microstructure() const {
+  if (interior)
+    return interior->micro;
+  if (!fabric)
+    throw InvalidArgument("a packing of fewer than 2 contacts has no fabric");
+  return {.coordination_number = counts.coordination_number,
+          .mechanical_coordination_number = counts.mechanical.coordination_number,
+          .rattler_fraction = counts.mechanical.rattler_fraction,
+          .fabric_anisotropy = fabric->by_moment.anisotropy,
+          .fabric_anisotropy_error = fabric->by_moment.standard_error,
+          .sliding_fraction = counts.sliding_fraction};
+}
+
+const Network& Measurement::solved_network() const {
+  if (!network)
+    throw NotConverged("no grain of the packing bears load: it has no network");
+  return *network;
+}
+
+} // namespace granum::analysis

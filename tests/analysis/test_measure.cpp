@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/analysis/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+#include "assembly/sample_packings.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::analysis;
+
+namespace {
+
+constexpr double R = 0.5e-3, edge = 2 * R - 1e-6, k_n = 2e5, k_t = 1e5, f_n = 0.1;
+const contact::PowerLaw law = contact::PowerLaw::sphere({30e9, 0.15}, R);
+
+/// Three spheres in a row: a touches b, and b touches c.
+Assembly row() {
+  return {.cell = Mat3::diagonal(4e-3, 4e-3, 4e-3),
+          .position = {{1e-3, 1e-3, 1e-3}, {1e-3 + edge, 1e-3, 1e-3}, {1e-3 + 2 * edge, 1e-3, 1e-3}},
+          .radius = {R, R, R},
+          .contacts = {{.i = 0, .j = 1, .branch = {edge, 0, 0}, .overlap = 1e-6, .normal_force = f_n},
+                       {.i = 1, .j = 2, .branch = {edge, 0, 0}, .overlap = 1e-6, .normal_force = 3 * f_n}}};
+}
+
+/// 27 spheres on a periodic simple cubic lattice, pressed by the same force along all axes.
+Assembly cubic() {
+  Assembly out{
+      .cell = Mat3::diagonal(3 * edge, 3 * edge, 3 * edge), .position = {}, .radius = {}, .contacts = {}};
+  const auto at = [](int x, int y, int z) {
+    return static_cast<std::uint32_t>((x % 3) * 9 + (y % 3) * 3 + z % 3);
+  };
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z) {
+        out.position.push_back({x * edge, y * edge, z * edge});
+        out.radius.push_back(R);
+        for (int axis = 0; axis < 3; ++axis) {
+          const std::uint32_t here = at(x, y, z),
+                              next = at(x + (axis == 0), y + (axis == 1), z + (axis == 2));
+          Contact c{.i = std::min(here, next), .j = std::max(here, next), .overlap = 2 * R - edge};
+          c.branch[axis] = here < next ? edge : -edge;
+          c.normal_force = f_n;
+          c.normal_stiffness = k_n;
+          c.tangential_stiffness = k_t;
+          out.contacts.push_back(c);
+        }
+      }
+  std::sort(out.contacts.begin(), out.contacts.end(),
+            [](const Contact& a, const Contact& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
+  return out;
+}
+
+const Given own{.law = law, .tangential_ratio = 0.5};
+
+} // namespace
+
+TEST_CASE("counts of three spheres in a row, by hand") {
+  const Measurement m = measure(row());
+  CHECK(m.counts.grains == 3);
+  CHECK(m.counts.contacts == 2);
+  CHECK(m.counts.without_contact == 0);
+  CHECK(m.counts.coordination_number == relative(4.0 / 3, 1e-15));
+  CHECK(m.counts.coordination_error == relative(1.0 / 3, 1e-14)); // of 1, 2 and 1 contacts
+  CHECK(m.counts.mechanical.rattler_count == 3);
+  CHECK(m.sizes.smallest == R);
+  CHECK(m.sizes.equivalent == R);
+  CHECK(m.volume == relative(64e-9, 1e-14));
+  REQUIRE(m.stress);
+  CHECK(m.stress->symmetric(0, 0) == relative(4 * f_n * edge / 64e-9, 1e-13));
+  REQUIRE(m.fabric);
+  CHECK(m.fabric->tensor(0, 0) == relative(1, 1e-15));
+}
+
+TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
+  const Assembly packing = cubic();
+  const Measurement bare = measure(packing, own);
+  CHECK_FALSE((bare.network || bare.forces || bare.law_check || bare.interior || bare.closed_forms));
+  CHECK_FALSE(bare.pressure_by_work);
+  CHECK_FALSE((bare.fabric->by_likelihood || bare.fabric->density));
+  CHECK(bare.fabric->rose.empty());
+  CHECK(bare.notes.empty());
+  const Measurement full = measure(packing, own,
+                                   {.fabric_tests = true,
+                                    .rose_bins = 3,
+                                    .force_bins = 5,
+                                    .law_check = true,
+                                    .work = true,
+                                    .closed_forms = true,
+                                    .interior_layer = R,
+                                    .network = network::Options{}});
+  CHECK((full.network && full.law_check && full.interior && full.closed_forms && full.pressure_by_work));
+  CHECK(full.fabric->rose.size() == 3);
+  REQUIRE(full.forces);
+  CHECK(full.forces->distribution.bins.size() == 5);
+  CHECK(full.forces->distribution.mean == relative(f_n, 1e-14));
+}
+
+TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its springs") {
+  const Measurement m = measure(cubic(), own, {.network = network::Options{}});
+  const elastic::Matrix6& c = m.solved_network().response.relaxed().matrix;
+  // One spring along each axis and cell of edge^3: C11 = k_n/edge, C44 = k_t/(2 edge) once grains may spin.
+  CHECK(c(0, 0) == relative(k_n / edge, 1e-9));
+  CHECK(std::abs(c(0, 1)) < 1e-9 * c(0, 0));
+  CHECK(m.stress->mean() == relative(f_n / (edge * edge), 1e-12));
+  CHECK(m.network->bulk_bounds.upper == relative(k_n / (3 * edge), 1e-12));
+  CHECK(m.network->bulk_bounds.lower == relative(k_n / (3 * edge), 1e-12)); // affine: both bounds are K
+  CHECK(m.network->isotropic_affine().bulk_modulus() == relative(k_n / (3 * edge), 1e-12));
+  CHECK(m.network->G_hh() == c(5, 5));
+  CHECK(m.network->G_vh() == relative((c(3, 3) + c(4, 4)) / 2, 1e-15));
+  const Microstructure micro = m.microstructure();
+  CHECK(micro.coordination_number == relative(6, 1e-15));
+  CHECK(micro.mechanical_coordination_number == relative(6, 1e-15));
+  CHECK(std::abs(micro.fabric_anisotropy) < 1e-12);
+}
+
+TEST_CASE("the closed forms are asked what was measured, or what the caller knows better") {
+  const Measurement m = measure(cubic(), own, {.closed_forms = true});
+  REQUIRE(m.state);
+  CHECK(m.state->stress_v == relative(f_n / (edge * edge), 1e-12));
+  CHECK(m.state->coordination_number == relative(6, 1e-15));
+  CHECK(m.state->void_ratio == m.void_ratio);
+  REQUIRE(m.closed_forms);
+  CHECK(m.closed_forms->uniform_strain == effective::uniform_strain(*m.state).stiffness);
+  Given better = own;
+  better.void_ratio = 0.7;
+  better.stress = {.v = 2e5, .h = 1e5};
+  const Measurement other = measure(cubic(), better, {.closed_forms = true});
+  REQUIRE(other.state);
+  CHECK(other.void_ratio == 0.7);
+  CHECK(other.state->void_ratio == 0.7);
+  CHECK(other.state->stress_v == 2e5);
+  CHECK(other.state->stress_h == 1e5);
+  // No static force field bears tension.
+  better.stress->v = -1;
+  const Measurement none = measure(cubic(), better, {.closed_forms = true});
+  CHECK_FALSE((none.state || none.closed_forms));
+  CHECK(none.notes.size() == 1);
+}
+
+TEST_CASE("contacts without a stiffness get that of the law, others keep theirs unless asked otherwise") {
+  Assembly packing = cubic();
+  for (Contact& c : packing.contacts)
+    c.normal_stiffness = c.tangential_stiffness = 0;
+  const Wanted wanted{.network = network::Options{}};
+  const double by_law = law.stiffness_at_overlap(2 * R - edge);
+  CHECK(measure(packing, own, wanted).solved_network().response.affine().matrix(0, 0) ==
+        relative(by_law / edge, 1e-9));
+  Given by_force = own;
+  by_force.stiffness_from = StiffnessFrom::force;
+  CHECK(measure(cubic(), by_force, wanted).solved_network().response.affine().matrix(0, 0) ==
+        relative(law.stiffness_at_force(f_n) / edge, 1e-9));
+}
+
+TEST_CASE("what is not there is asked for in vain") {
+  Assembly packing = row();
+  const Measurement m = measure(packing, own, {.network = network::Options{}});
+  CHECK_THROWS_AS((void)m.solved_network(), NotConverged); // nothing bears load
+  packing.contacts.pop_back();
+  CHECK_THROWS_AS((void)measure(packing, own).microstructure(), InvalidArgument);
+  CHECK_THROWS_AS((void)measure(cubic(), own, {.rose_bins = 0}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure(cubic(), own, {.interior_layer = 2 * edge}), InvalidArgument);
+}
