@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <granum/effective/rungs.hpp>
+#include <granum/io/columns.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/packing_files.hpp>
 #include <granum/verify/frame_series.hpp>
@@ -78,6 +79,9 @@ struct AnalyseAnswer {
   std::vector<RungSeries> series; ///< for more than one frame
   std::size_t skipped = 0;        ///< frames that stand in one file only
 };
+
+/// The columns of the table of frames, from which frames.csv and the screen are written.
+[[nodiscard]] io::Columns<FrameAnswer> frame_columns(const AnalyseAnswer& answer);
 
 [[nodiscard]] nlohmann::ordered_json analyse_json(const AnalyseAnswer& answer);
 [[nodiscard]] std::string analyse_table(const AnalyseAnswer& answer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <functional>
 #include <numbers>
+#include <utility>
 
 #include <granum/core/number.hpp>
 #include <granum/fabric/orientation.hpp>
@@ -28,81 +28,13 @@ std::vector<std::pair<std::string, std::string>> notes(const AnalyseAnswer& answ
 
 double number(std::size_t count) { return static_cast<double>(count); }
 
-/// A column of frames.csv: a number of each frame, nothing where it has none.
-struct Column {
-  std::string heading;
-  std::function<double(const FrameAnswer&)> of;
-};
-
-/// A column that is empty for frames without the part that it is of.
-template <class Part, class Of>
-Column part(std::string heading, std::optional<Part> analysis::Measurement::*member, Of of) {
-  return {std::move(heading), [member, of](const FrameAnswer& f) {
-            const std::optional<Part>& value = f.measured.packing.*member;
-            return value ? double{of(*value)} : nothing;
-          }};
-}
-
-std::vector<Column> state_columns() {
-  using analysis::Fabric;
-  using analysis::Forces;
-  using analysis::Measurement;
-  return {
-      {"frame", [](const FrameAnswer& f) { return number(f.number); }},
-      {"step", [](const FrameAnswer& f) { return static_cast<double>(f.measured.step); }},
-      {"time_s", [](const FrameAnswer& f) { return f.measured.time.value_or(nothing); }},
-      {"e", [](const FrameAnswer& f) { return f.measured.packing.void_ratio; }},
-      {"C_n", [](const FrameAnswer& f) { return f.measured.packing.counts.coordination_number; }},
-      {"z_star",
-       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.coordination_number; }},
-      {"rattler_fraction",
-       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.rattler_fraction; }},
-      {"grains_without_contact",
-       [](const FrameAnswer& f) { return number(f.measured.packing.counts.without_contact); }},
-      {"wall_contacts", [](const FrameAnswer& f) { return number(f.measured.packing.counts.wall_contacts); }},
-      part("a", &Measurement::fabric, [](const Fabric& x) { return x.by_moment.anisotropy; }),
-      part("a_error", &Measurement::fabric, [](const Fabric& x) { return x.by_moment.standard_error; }),
-      part("sigma_v_Pa", &Measurement::stress, [](const ContactStress& x) { return x.symmetric(2, 2); }),
-      part("sigma_h_Pa", &Measurement::stress,
-           [](const ContactStress& x) { return (x.symmetric(0, 0) + x.symmetric(1, 1)) / 2; }),
-      part("p_Pa", &Measurement::stress, [](const ContactStress& x) { return x.mean(); }),
-      {"p_by_code_Pa",
-       [](const FrameAnswer& f) {
-         const auto& s = f.code_stress;
-         return s ? ((*s)[0] + (*s)[1] + (*s)[2]) / 3 : nothing;
-       }},
-      part("f_n_mean_N", &Measurement::forces, [](const Forces& x) { return x.distribution.mean; }),
-      part("Z_2", &Measurement::forces, [](const Forces& x) { return x.Z_2; }),
-      part("sliding_fraction", &Measurement::forces,
-           [](const Forces& x) { return x.sliding_fraction.value_or(nothing); }),
-      part("unbalanced_force_ratio", &Measurement::forces,
-           [](const Forces& x) { return x.unbalance.force_ratio; }),
-  };
-}
-
 std::string frames_csv(const AnalyseAnswer& answer) {
   io::CsvContent csv{.notes = notes(answer), .headings = {}, .rows = {}};
-  const std::vector<Column> columns = state_columns();
-  for (const Column& column : columns)
-    csv.headings.push_back(column.heading);
-  for (const char* name : stress_names)
-    csv.headings.push_back(std::string("stress_") + name + "_Pa");
-  const std::vector<RungResult>& rungs = answer.frames.front().rungs;
-  for (const RungResult& rung : rungs)
-    for (const char* modulus : {"K", "G", "G_hh", "G_vh"})
-      csv.headings.push_back(modulus + ("_" + rung.name) + "_Pa");
+  const io::Columns<FrameAnswer> columns = frame_columns(answer);
+  io::add_headings(csv, columns);
   for (const FrameAnswer& frame : answer.frames) {
     std::vector<io::CsvCell> row;
-    for (const Column& column : columns)
-      row.emplace_back(column.of(frame));
-    for (std::size_t k = 0; k < std::size(stress_names); ++k)
-      row.emplace_back(frame.measured.packing.stress ? printed(*frame.measured.packing.stress)[k] : nothing);
-    for (std::size_t k = 0; k < rungs.size(); ++k) {
-      const bool there = k < frame.rungs.size() && frame.rungs[k].moduli;
-      const Moduli m = there ? *frame.rungs[k].moduli : Moduli{};
-      for (const double modulus : {m.K, m.G, m.G_hh, m.G_vh})
-        row.emplace_back(there ? modulus : nothing);
-    }
+    io::add_cells(row, columns, frame);
     csv.rows.push_back(std::move(row));
   }
   return io::csv_text(csv);

@@ -206,25 +206,10 @@ std::string frame_text(const FrameAnswer& frame) {
 
 /// One line a frame.
 std::string frames_text(const AnalyseAnswer& answer) {
-  std::string text =
-      fmt::format("\n{:>6} {:>10} {:>10} {:>8} {:>8} {:>8} {:>9} {:>14} {:>14} {:>8}\n", "frame", "step",
-                  "p [kPa]", "e", "C_n", "z*", "a", "G rung 3 [MPa]", "G network", "ratio");
-  for (const FrameAnswer& frame : answer.frames) {
-    const Measurement& a = frame.measured.packing;
-    text += fmt::format("{:>6} {:>10} {:>10} {:>8.4f} {:>8.4f} {:>8.4f} {:>9}", frame.number,
-                        frame.measured.step, a.stress ? short_text(a.stress->mean() / 1e3, 5) : "-",
-                        a.void_ratio, a.counts.coordination_number, a.counts.mechanical.coordination_number,
-                        a.fabric ? fmt::format("{:.4f}", a.fabric->by_moment.anisotropy) : "-");
-    const Moduli* network = network_moduli(frame);
-    const auto relaxed = std::find_if(frame.rungs.begin(), frame.rungs.end(), [](const RungResult& r) {
-      return r.name == effective::rung(effective::RungName::relaxed).column && r.moduli && r.moduli->G > 0;
-    });
-    const bool both = network != nullptr && relaxed != frame.rungs.end();
-    text += fmt::format(" {:>14} {:>14} {:>8}\n",
-                        relaxed != frame.rungs.end() ? short_text(relaxed->moduli->G / 1e6) : "-",
-                        network != nullptr ? short_text(network->G / 1e6) : "-",
-                        both ? fmt::format("{:.3f}", network->G / relaxed->moduli->G) : "-");
-  }
+  const io::Columns<FrameAnswer> columns = frame_columns(answer);
+  std::string text = "\n" + io::heading_line(columns) + "\n";
+  for (const FrameAnswer& frame : answer.frames)
+    text += io::number_line(columns, frame) + "\n";
   return text;
 }
 

@@ -20,7 +20,7 @@ std::string heading_text(const ShownColumn& column) { return to_the_right(column
 
 std::string number_text(const ShownColumn& column, const std::optional<double>& number) {
   if (!number)
-    return std::string(static_cast<std::size_t>(column.width), ' ');
+    return to_the_right(column.absent, column.width);
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, column.fixed ? "%.*f" : "%.*g", column.digits, *number / column.unit);
   return to_the_right(buffer, column.width);

@@ -39,4 +39,5 @@ TEST_CASE("what is wider than its column is shown whole") {
   CHECK(heading_text(narrow) == "a long heading");
   CHECK(number_text(narrow, 123456) == "123456");
   CHECK(number_text(narrow, std::nullopt) == "   ");
+  CHECK(number_text({"a", 3, 4, false, 1, "-"}, std::nullopt) == "  -");
 }

@@ -18,9 +18,9 @@
 
 namespace ladder {
 
+using granum::Measured;
 using granum::effective::KnownPacking;
 using granum::effective::State;
-using granum::Measured;
 
 /// K, G_hh, G_vh, or what belongs to them; NaN: not measured.
 using Moduli = std::array<double, 3>;

@@ -17,10 +17,11 @@ namespace granum::io {
 /// How a column looks on a screen.
 struct ShownColumn {
   std::string heading;
-  int width = 0;      ///< of heading and numbers, both to the right [characters]
-  int digits = 4;     ///< significant ones, or behind the point
-  bool fixed = false; ///< digits behind the point
-  double unit = 1;    ///< that numbers are shown in [SI]
+  int width = 0;           ///< of heading and numbers, both to the right [characters]
+  int digits = 4;          ///< significant ones, or behind the point
+  bool fixed = false;      ///< digits behind the point
+  double unit = 1;         ///< that numbers are shown in [SI]
+  std::string absent = ""; ///< what a row without a number shows
 };
 
 enum class ColumnKind {
@@ -62,7 +63,7 @@ void add_cells(std::vector<CsvCell>& to, const Columns<Row>& columns, const Row&
       to.emplace_back(column.of(row).value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
-/// A heading, or a number in its unit, to the right of the column; blanks for nothing.
+/// A heading, or a number in its unit, to the right of the column; what is shown for nothing.
 [[nodiscard]] std::string heading_text(const ShownColumn& column);
 [[nodiscard]] std::string number_text(const ShownColumn& column, const std::optional<double>& number);
 
