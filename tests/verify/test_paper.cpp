@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 using namespace granum::verify;
-using contact::Shape;
+using granum::contact::Shape;
 using granum::triaxial::Density;
 
 TEST_CASE("every shape of the paper has its printed numbers, others have none") {
