@@ -19,7 +19,7 @@ using namespace granum;
 namespace {
 
 /// What is known of a specimen at one pressure.
-struct Measured {
+struct Compressed {
   double pressure = 0;
   double void_ratio = 0;
   double coordination_number = 0;            // C_n, all grains
@@ -28,7 +28,7 @@ struct Measured {
   double uniform_strain = 0;                 // of the same network if no grain could move freely [Pa]
 };
 
-Measured measure(const triaxial::Snapshot& snapshot, const dem::Material& material) {
+Compressed measure(const triaxial::Snapshot& snapshot, const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
   if (!snapshot.report.converged() || !frozen.report.converged())
     throw NotConverged("a specimen did not come to rest");
@@ -46,9 +46,9 @@ Measured measure(const triaxial::Snapshot& snapshot, const dem::Material& materi
   };
 }
 
-std::vector<Measured> compress(const dem::State& packing, triaxial::Density density,
-                               const triaxial::SpecimenRecipe& recipe) {
-  std::vector<Measured> path;
+std::vector<Compressed> compress(const dem::State& packing, triaxial::Density density,
+                                 const triaxial::SpecimenRecipe& recipe) {
+  std::vector<Compressed> path;
   triaxial::isotropic_path(triaxial::start_of_compression(packing, density, recipe), recipe.material,
                            {10e3, 30e3, 100e3}, triaxial::compression_options(),
                            [&](const triaxial::Snapshot& snapshot) {
@@ -58,22 +58,22 @@ std::vector<Measured> compress(const dem::State& packing, triaxial::Density dens
   return path;
 }
 
-void print(const char* name, const std::vector<Measured>& path) {
-  for (const Measured& at : path)
+void print(const char* name, const std::vector<Compressed>& path) {
+  for (const Compressed& at : path)
     std::printf("%-6s %5.0f kPa   %.3f   %5.2f   %5.2f   %6.1f MPa   %.3f\n", name, at.pressure / 1e3,
                 at.void_ratio, at.coordination_number, at.mechanical_coordination_number,
                 at.shear_modulus / 1e6, at.shear_modulus / at.uniform_strain);
 }
 
 /// Exponent of a quantity ~ p^exponent between the first and the last pressure.
-double exponent(const std::vector<Measured>& path, double Measured::*quantity) {
-  const Measured& low = path.front();
-  const Measured& high = path.back();
+double exponent(const std::vector<Compressed>& path, double Compressed::*quantity) {
+  const Compressed& low = path.front();
+  const Compressed& high = path.back();
   return std::log(high.*quantity / low.*quantity) / std::log(high.pressure / low.pressure);
 }
 
 /// 0 if the two specimens differ as they should.
-int check(const std::vector<Measured>& dense, const std::vector<Measured>& loose) {
+int check(const std::vector<Compressed>& dense, const std::vector<Compressed>& loose) {
   if (dense.size() != 3 || loose.size() != 3)
     return 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -82,7 +82,8 @@ int check(const std::vector<Measured>& dense, const std::vector<Measured>& loose
     if (dense[k].shear_modulus > dense[k].uniform_strain || loose[k].shear_modulus > loose[k].uniform_strain)
       return 1;
   }
-  const double gain = exponent(loose, &Measured::shear_modulus) - exponent(dense, &Measured::shear_modulus);
+  const double gain =
+      exponent(loose, &Compressed::shear_modulus) - exponent(dense, &Compressed::shear_modulus);
   return gain > 0.1 ? 0 : 1;
 }
 
@@ -115,10 +116,10 @@ int main() {
   //    steep there; in the dense one both stand still.
   std::printf("\nfrom 10 to 100 kPa          s of G   of G(uniform strain)   of their ratio   of z*\n");
   for (const auto* path : {&dense, &loose}) {
-    const double s = exponent(*path, &Measured::shear_modulus);
-    const double affine = exponent(*path, &Measured::uniform_strain);
+    const double s = exponent(*path, &Compressed::shear_modulus);
+    const double affine = exponent(*path, &Compressed::uniform_strain);
     std::printf("%-24s %9.3f   %20.3f   %14.3f   %5.3f\n", path == &dense ? "dense" : "loose", s, affine,
-                s - affine, exponent(*path, &Measured::mechanical_coordination_number));
+                s - affine, exponent(*path, &Compressed::mechanical_coordination_number));
   }
 
   // 5. Check: one void ratio, two exponents, and no network stiffer than under uniform strain.
