@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The table of granum's libraries, read by the build and, installed, by granumConfig.cmake: which other libraries each
 # needs, and which packages whoever links it must have. Each library comes after those that it needs.
-set(granum_libraries theory fit packing dem io hdf5 granum)
+set(granum_libraries theory fit packing dem io granum)
 
 set(granum_theory_needs)
 set(granum_theory_packages Eigen3)
@@ -17,9 +17,6 @@ set(granum_dem_packages Threads)
 
 set(granum_io_needs packing)
 set(granum_io_packages ZLIB EXPAT)
-
-set(granum_hdf5_needs io)
-set(granum_hdf5_packages HDF5)
 
 set(granum_granum_needs fit dem io)
 set(granum_granum_packages)
@@ -48,9 +45,6 @@ endfunction()
 macro(granum_find_package package)
   if("${package}" STREQUAL "Eigen3")
     find_package(Eigen3 3.4 NO_MODULE ${ARGN})
-  elseif("${package}" STREQUAL "HDF5")
-    enable_language(C) # FindHDF5 asks a C compiler
-    find_package(HDF5 ${ARGN} COMPONENTS C)
   else()
     find_package(${package} ${ARGN})
   endif()

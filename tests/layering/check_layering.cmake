@@ -22,7 +22,7 @@ set(floor_cli 6)
 # Modules whose headers a user without Eigen can include.
 set(modules_without_eigen core contact stress fabric hardin assembly)
 # Libraries that stay an affair of the sources.
-set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat|hdf5)\\.h")
+set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat)\\.h")
 # What only the program may do: print and exit.
 set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|putchar|perror|exit|_Exit|quick_exit|abort)[ \t]*\\(|fprintf[ \t]*\\([ \t]*(stdout|stderr)")
 
