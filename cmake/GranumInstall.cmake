@@ -23,7 +23,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/cmake/GranumLibraries.cmake" DESTINATION "$
   RENAME granumLibraries.cmake)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
 install(FILES "${PROJECT_SOURCE_DIR}/examples/scene.toml" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
-install(FILES "${PROJECT_SOURCE_DIR}/share/yade/granum_export.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum/yade")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/share/" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum")
 
 if(TARGET granum_cli)
   install(TARGETS granum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")

@@ -4,18 +4,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/lammps_data.hpp>
 
-#include "lammps_scripts.hpp"
-
 namespace granum::io {
 
 namespace {
+
+/// The files of share/lammps in the order of a deck; the same for every scene but for the numbers in
+/// scene.lmp.
+constexpr std::pair<std::string_view, std::string_view> scripts[] = {
+#include "lammps_scripts.inc" // written by CMake
+};
 
 void require_spheres(const contact::PowerLaw& law, double radius) {
   if (law.alpha() != 2)
@@ -64,24 +71,6 @@ void require_valid(const Assembly& start, const LammpsExperiment& experiment) {
     require_valid(*experiment.path);
 }
 
-/// The numbers of a deck, one a line: name, value, and what it is, with its unit.
-class Numbers {
- public:
-  void heading(const std::string& words) { text_ += "\n# " + words + "\n"; }
-  void add(const std::string& name, const std::string& value, const std::string& comment) {
-    std::string line = "variable " + name + " index " + value;
-    line.resize(std::max(line.size(), std::size_t{44}), ' ');
-    text_ += line + " # " + comment + "\n";
-  }
-  void add(const std::string& name, double value, const std::string& comment) {
-    add(name, exact_text(value), comment);
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_{lammps_scripts::scene_head};
-};
-
 std::string list_of(const std::vector<double>& values) {
   std::string text;
   for (const double value : values)
@@ -97,84 +86,76 @@ std::string names_of(const std::vector<double>& pressures) {
   return text.empty() ? "none" : text;
 }
 
+using Numbers = std::map<std::string, std::string, std::less<>>;
+
 /// A test that no deck has been asked for is there with its numbers, under the name none.
-void add_path(Numbers& n, const LammpsExperiment& e) {
+void add_path(Numbers& numbers, const LammpsExperiment& e) {
   const LammpsPath path = e.path.value_or(LammpsPath{.name = "none"});
-  n.heading("Stress path");
-  n.add("path", path.name, "of in.path; none: no path [-]");
-  n.add("path_start", names_of({e.pressures.back()}), "state that it starts from [-]");
-  n.add("path_drives", path.drives_vertical ? "axial" : "lateral", "stress that changes [-]");
-  n.add("path_sense", path.compresses ? "1" : "-1", "1: it grows, -1: it falls [1]");
-  n.add("path_eta_sign", path.drives_vertical == path.compresses ? "1" : "-1", "sign of q/p on the path [1]");
-  n.add("path_eta_step", path.eta_step, "of q/p between snapshots [1]");
-  n.add("path_largest_strain", path.largest_strain, "axial strain, either sense, at the end [1]");
-  n.add("shear_inertial_number", path.inertial_number, "driven strain rate times 2R sqrt(density/p) [1]");
-  n.add("segment_steps", "25", "with constant rates of strain between two looks at the stress [1]");
+  numbers.insert({{"path", path.name},
+                  {"path_start", names_of({e.pressures.back()})},
+                  {"path_drives", path.drives_vertical ? "axial" : "lateral"},
+                  {"path_sense", path.compresses ? "1" : "-1"},
+                  {"path_eta_sign", path.drives_vertical == path.compresses ? "1" : "-1"},
+                  {"path_eta_step", exact_text(path.eta_step)},
+                  {"path_largest_strain", exact_text(path.largest_strain)},
+                  {"shear_inertial_number", exact_text(path.inertial_number)}});
 }
 
-std::string scene_text(const Assembly& start, const LammpsExperiment& e) {
+/// What stands in scene.lmp for each of its placeholders; it says there what they are, with their units.
+Numbers numbers_of(const Assembly& start, const LammpsExperiment& e) {
   const contact::GrainMaterial& grain = e.law.grain();
   const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(e.radius, 3);
   const double solid_fraction = volume * static_cast<double>(start.grain_count()) / start.volume();
   // k_n = 2 G a/(1 - nu) with a the radius of the contact; LAMMPS takes k_t/a.
   const double tangential = e.tangential_ratio * 2 * grain.shear_modulus / (1 - grain.poisson_ratio);
-  Numbers n;
-  n.heading("The experiment");
-  n.add("start", e.start == LammpsStart::packed ? "packed" : "scattered",
-        "packed: grains.data is (nearly) jammed; scattered: far from it [-]");
-  n.add("pressure", list_of(e.pressures), "isotropic states that in.iso stops at [Pa]");
-  n.add("state", names_of(e.pressures), "their names [-]");
-  n.add("probe_state", names_of(e.probe_pressures), "those that in.probe shears [-]");
-  n.add("probed_states", std::to_string(e.probe_pressures.size()), "how many these are; 0: no probe [1]");
-  n.heading("Grains");
-  n.add("radius", e.radius, "of every grain [m]");
-  n.add("density", e.density, "of the grains, sets the time scale alone [kg/m^3]");
-  n.add("young", 2 * grain.shear_modulus * (1 + grain.poisson_ratio), "2 G_g (1 + nu_g) [Pa]");
-  n.add("poisson", grain.poisson_ratio, "nu_g [1]");
-  n.add("hertz", e.law.coefficient(), "c of f_n = c overlap^1.5 [N/m^1.5]");
-  n.add("tangential_stiffness", tangential,
-        "k_t over radius of the contact, " + exact_text(e.tangential_ratio) + " k_n [Pa]");
-  n.add("friction", e.friction_coefficient, "mu from the first pressure on [1]");
-  n.add("prepare_friction", e.friction_while_prepared ? e.friction_coefficient : 0.0,
-        "mu up to the first pressure [1]");
-  n.add("probe_friction", "1e6", "mu in frozen states, in which no contact slides [1]");
-  n.heading("What the motion is steered by; the answer at rest does not depend on it");
-  n.add("solid_fraction", "0.62", "for estimates of force and stiffness only [1]");
-  n.add("coordination", "4", "likewise, contacts per grain [1]");
-  n.add("first_solid_fraction", solid_fraction, "of grains.data [1]");
-  n.add("gathered_solid_fraction", "0.5", "up to which scattered grains are moved together [1]");
-  n.add("gather_steps", "20000", "in that many steps [1]");
-  n.add("gather_inertial_number", "0.005 0.001 0.0003", "of the box until scattered grains jam, in turn [1]");
-  n.add("gather_tolerance", "0.02", "as below, of the servo that packs them without drag [1]");
-  n.add("restitution", "0.5", "of the contacts' damping [1]");
-  n.add("tangential_damping", "0.5", "over the normal one [1]");
-  n.add("time_step_share", "0.1", "of sqrt(m/k_n); LAMMPS does not tell when it is unstable, near 0.18 [1]");
-  n.add("iso_inertial_number", "0.0005", "strain rate times 2R sqrt(density/pressure), at most [1]");
-  n.add("relaxed_share", e.friction_while_prepared ? "0.1" : "0.3",
-        "of the shear modulus under uniform strain that grains at rest have [1]");
-  n.add("prepare_tolerance", "0.001",
-        "of stresses and unbalanced over mean force, up to the first pressure [1]");
-  n.add("iso_tolerance", "0.0001", "the same while the servo works from there on [1]");
-  n.add("rest_tolerance", "1e-08", "of unbalanced over mean force in states at rest [1]");
-  n.add("servo_steps", "400000", "at most for each pressure [1]");
-  n.add("rest_steps", "40000", "at most for each rest [1]");
-  add_path(n, e);
-  n.heading("Probes");
-  n.add("probe_share", "0.0003", "strain of the probes over (mean overlap / diameter) [1]");
-  n.add("ramp_steps", "100", "in which the box takes this strain [1]");
-  return n.text();
+  Numbers numbers{{"start", e.start == LammpsStart::packed ? "packed" : "scattered"},
+                  {"pressure", list_of(e.pressures)},
+                  {"state", names_of(e.pressures)},
+                  {"probe_state", names_of(e.probe_pressures)},
+                  {"probed_states", std::to_string(e.probe_pressures.size())},
+                  {"radius", exact_text(e.radius)},
+                  {"density", exact_text(e.density)},
+                  {"young", exact_text(2 * grain.shear_modulus * (1 + grain.poisson_ratio))},
+                  {"poisson", exact_text(grain.poisson_ratio)},
+                  {"hertz", exact_text(e.law.coefficient())},
+                  {"tangential_stiffness", exact_text(tangential)},
+                  {"tangential_ratio", exact_text(e.tangential_ratio)},
+                  {"friction", exact_text(e.friction_coefficient)},
+                  {"prepare_friction", exact_text(e.friction_while_prepared ? e.friction_coefficient : 0.0)},
+                  {"first_solid_fraction", exact_text(solid_fraction)},
+                  {"relaxed_share", e.friction_while_prepared ? "0.1" : "0.3"}};
+  add_path(numbers, e);
+  return numbers;
+}
+
+/// A script with its placeholders {NAME} filled in; comments begin in one column where values leave room.
+std::string filled(std::string_view script, const Numbers& numbers) {
+  constexpr std::size_t width = 44; // before the comment
+  std::string text;
+  while (!script.empty()) {
+    std::string line(script.substr(0, script.find('\n')));
+    script.remove_prefix(line.size() + 1);
+    for (std::size_t at = line.find('{'); at != std::string::npos; at = line.find('{', at)) {
+      const std::size_t end = line.find('}', at);
+      line.replace(at, end + 1 - at,
+                   numbers.find(std::string_view(line).substr(at + 1, end - at - 1))->second);
+    }
+    const std::size_t comment = line.find(" # ");
+    if (comment != std::string::npos && comment < width)
+      line.insert(comment, width - comment, ' ');
+    text += line + '\n';
+  }
+  return text;
 }
 
 } // namespace
 
 std::vector<DeckFile> lammps_deck(const Assembly& start, const LammpsExperiment& experiment) {
   require_valid(start, experiment);
-  std::vector<DeckFile> files{{"grains.data", lammps_data(start, experiment.density)},
-                              {"scene.lmp", scene_text(start, experiment)}};
-  for (const auto& [name, text] : lammps_scripts::files)
-    files.push_back({std::string(name), std::string(text)});
-  for (const auto& [name, text] : lammps_scripts::path_files)
-    files.push_back({std::string(name), std::string(text)});
+  std::vector<DeckFile> files{{"grains.data", lammps_data(start, experiment.density)}};
+  for (const auto& [name, text] : scripts)
+    files.push_back({std::string(name),
+                     name == "scene.lmp" ? filled(text, numbers_of(start, experiment)) : std::string(text)});
   return files;
 }
 
