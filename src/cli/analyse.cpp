@@ -86,6 +86,9 @@ std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
   return out;
 }
 
+/// Frames of one answer, all of which is in memory until it is written.
+constexpr std::size_t most_frames = 10'000;
+
 /// `seen` is called with each frame that is taken and its number.
 template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
@@ -105,6 +108,12 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
     if (choice.only_last) {
       kept = std::move(packing);
     } else if (choice.takes(number)) {
+      if (out.size() == most_frames) {
+        out.back().validity.add(fmt::format(
+            "no frame behind the {}th was read; choose others with --frames, such as {}: or 0::10",
+            most_frames, number));
+        break;
+      }
       take(*packing, number);
     }
   }
@@ -116,10 +125,9 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// Of a table of contacts alone: directions and forces.
-AnalyseAnswer answer_contacts(const AnalyseOptions& o, const MeasureOptions& options) {
-  const io::ContactTable table = io::read_contact_csv(io::TextSource(o.files.front()));
-  FrameAnswer frame{.measured = verify::measure_frame(table, options.given, options.wanted)};
-  return {.files = o.files, .kinds = {io::FileKind::csv_contacts}, .frames = {frame}, .series = {}};
+FrameAnswer analyse_contacts(io::PackingFile& file, const MeasureOptions& options) {
+  const io::ContactTable table = file.kind().format->read_contacts(file.open());
+  return {.measured = verify::measure_frame(table, options.given, options.wanted)};
 }
 
 io::Existing existing(const AnalyseOptions& o) {
@@ -129,14 +137,19 @@ io::Existing existing(const AnalyseOptions& o) {
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const MeasureOptions options = measure_options(o);
-  if (o.files.size() == 1 && io::recognise(io::TextSource(o.files.front())) == io::FileKind::csv_contacts) {
+  AnalyseAnswer out{.files = o.files, .kinds = {}, .frames = {}, .series = {}, .skipped = 0};
+  std::vector<io::PackingFile> given;
+  for (const std::string& name : o.files)
+    out.kinds.push_back(given.emplace_back(name).kind());
+  const io::FileKind& first = out.kinds.front();
+  if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
     if (o.paraview)
       throw InvalidArgument("--paraview needs grains: this file has contacts alone");
-    return answer_contacts(o, options);
+    out.frames.push_back(analyse_contacts(given.front(), options));
+    return out;
   }
-  io::PackingFiles files({o.files.begin(), o.files.end()},
+  io::PackingFiles files(std::move(given),
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
-  AnalyseAnswer out{.files = o.files, .kinds = files.kinds(), .frames = {}, .series = {}, .skipped = 0};
   ParaviewFrames pictures(o.out, existing(o));
   out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
     if (o.paraview)

@@ -64,6 +64,13 @@ std::array<double, count> parse_list(const std::string& name, const std::string&
   return out;
 }
 
+std::string formats_help() {
+  std::string text = "Formats, plain or gzip, and what they are told by, whatever the name:\n";
+  for (const io::PackingFormat* format : io::packing_formats)
+    text += fmt::format("  {:<30} {}\n", format->name, format->told_by);
+  return text;
+}
+
 } // namespace
 
 FrameChoice parse_frames(const std::string& text) {
@@ -120,6 +127,7 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
 }
 
 void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
+  command.footer(formats_help());
   command.add_option("files", o.files, "Grains, and contacts if there are any, of one format")
       ->required()
       ->type_name("FILE");

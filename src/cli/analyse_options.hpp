@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/io/packing_csv.hpp>
+#include <granum/io/packing_format.hpp>
 #include <granum/verify/measured_frame.hpp>
 
 #include "analyse.hpp"

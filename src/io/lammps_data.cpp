@@ -7,6 +7,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/packing_format.hpp>
 
 #include "packing_builder.hpp"
 #include "text_row.hpp"
@@ -170,5 +171,20 @@ std::string lammps_data(const Assembly& assembly, double density, std::span<cons
   }
   return text;
 }
+
+const PackingFormat lammps_data_format{
+    .name = "LAMMPS data",
+    .told_by = "a line N atoms below the first",
+    .grains = "a LAMMPS data file",
+    .contacts = "",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) // the first line may hold anything
+        if (const auto count = leading_number(trimmed(source.line()));
+            count && trimmed(count->rest) == "atoms")
+          return Holds::grains;
+      return std::nullopt;
+    },
+    .read = [](TextSource grains, std::optional<TextSource>,
+               const PackingFileOptions&) { return one_frame(read_lammps_data(std::move(grains))); }};
 
 } // namespace granum::io

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <granum/io/packing_format.hpp>
+
 #include "contact_layout.hpp"
 #include "dump_file.hpp"
 #include "packing_builder.hpp"
@@ -358,12 +360,11 @@ struct LammpsDump::Impl {
   }
 };
 
-LammpsDump::LammpsDump(TextSource atoms, ColumnMap columns)
-    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(columns), {}, {}, 0, 0}) {}
-
-LammpsDump::LammpsDump(TextSource atoms, TextSource contacts, ColumnMap columns)
-    : impl_(new Impl{
-          DumpFile(std::move(atoms)), DumpFile(std::move(contacts)), std::move(columns), {}, {}, 0, 0}) {}
+LammpsDump::LammpsDump(TextSource atoms, std::optional<TextSource> contacts, ColumnMap columns)
+    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(columns), {}, {}, 0, 0}) {
+  if (contacts)
+    impl_->contacts.emplace(std::move(*contacts));
+}
 
 LammpsDump::LammpsDump(LammpsDump&&) noexcept = default;
 LammpsDump& LammpsDump::operator=(LammpsDump&&) noexcept = default;
@@ -383,5 +384,27 @@ std::optional<ImportedPacking> LammpsDump::next() {
 }
 
 std::size_t LammpsDump::skipped() const { return impl_->skipped; }
+
+const PackingFormat lammps_dump_format{
+    .name = "LAMMPS or LIGGGHTS dumps",
+    .told_by = "ITEM: lines of dump custom (grains) and dump local (contacts)",
+    .grains = "a LAMMPS dump of grains",
+    .contacts = "a LAMMPS dump of contacts",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next() || !source.line().starts_with("ITEM:"))
+        return std::nullopt;
+      source.hold();
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) {
+        if (source.line().starts_with("ITEM: NUMBER OF ATOMS"))
+          return Holds::grains;
+        if (source.line().starts_with("ITEM: NUMBER OF "))
+          return Holds::contacts;
+      }
+      source.fail("a dump without ITEM: NUMBER OF ATOMS or ENTRIES");
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return frames_of(LammpsDump(std::move(grains), std::move(contacts), options.columns));
+        }};
 
 } // namespace granum::io

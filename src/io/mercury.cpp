@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <granum/core/number.hpp>
+#include <granum/io/packing_format.hpp>
 
 #include "packing_builder.hpp"
 #include "text_row.hpp"
@@ -184,6 +185,19 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
   return builder.finish(grains.number, grains.time);
 }
 
+/// Whether a line consists of numbers, at least `fewest` of them.
+bool all_numbers(std::string_view line, std::size_t fewest) {
+  std::size_t count = 0;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    if (!parse_number(line.substr(0, end)))
+      return false;
+    ++count;
+    line.remove_prefix(end);
+  }
+  return count >= fewest;
+}
+
 bool equal_times(double a, double b) {
   return std::abs(a - b) <= same_time * std::max(std::abs(a), std::abs(b));
 }
@@ -199,8 +213,7 @@ struct MercuryOutput::Impl {
   std::optional<DataFrame> next_data() { return read_data(data, frames++); }
 };
 
-MercuryOutput::MercuryOutput(TextSource data) : impl_(new Impl{std::move(data), std::nullopt, 0, 0, 0}) {}
-MercuryOutput::MercuryOutput(TextSource data, TextSource fstat)
+MercuryOutput::MercuryOutput(TextSource data, std::optional<TextSource> fstat)
     : impl_(new Impl{std::move(data), std::move(fstat), 0, 0, 0}) {}
 MercuryOutput::MercuryOutput(MercuryOutput&&) noexcept = default;
 MercuryOutput& MercuryOutput::operator=(MercuryOutput&&) noexcept = default;
@@ -236,5 +249,23 @@ std::optional<ImportedPacking> MercuryOutput::next() {
 }
 
 std::size_t MercuryOutput::skipped() const { return impl_->skipped; }
+
+const PackingFormat mercury_format{
+    .name = "MercuryDPM's .data and .fstat",
+    .told_by = "a first line of numbers alone, behind # in .fstat",
+    .grains = "a MercuryDPM .data file",
+    .contacts = "a MercuryDPM .fstat file",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      constexpr std::size_t numbers_of_data = 6; // N, time and a box in two dimensions
+      if (!source.next())
+        return std::nullopt;
+      if (source.line().starts_with('#') && all_numbers(source.line().substr(1), 2))
+        return Holds::contacts;
+      return all_numbers(source.line(), numbers_of_data) ? std::optional(Holds::grains) : std::nullopt;
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
+          return frames_of(MercuryOutput(std::move(grains), std::move(contacts)));
+        }};
 
 } // namespace granum::io

@@ -24,8 +24,6 @@ constexpr double same_branch = 1e-2;
 /// Grains whose centres are further apart than this many sums of their radii do not touch in any code.
 constexpr double farthest = 2;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 bool same(const Vec3& a, const Vec3& b) { return norm(a - b) <= same_value * std::max(norm(a), norm(b)); }
 
 Contact turned(Contact c) {
@@ -61,7 +59,7 @@ void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& perio
   const Mat3 back = inverse(cell);
   bool usable = volume > 0 && std::isfinite(volume);
   for (int k = 0; k < 3; ++k)
-    usable = usable && finite(column(cell, k)) && finite(column(back, k));
+    usable = usable && in_range(column(cell, k)) && in_range(column(back, k));
   if (!usable)
     throw FileError(grain_file_, line,
                     "expected a box of positive volume, found " + short_text(volume) + " m^3");
@@ -88,11 +86,11 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
       throw FileError(grain_file_, grain.line,
                       "the grain " + std::to_string(grain.id) + " stands on line " +
                           std::to_string(rows[k - 1].line) + " too");
-    if (!(grain.radius > 0) || !std::isfinite(grain.radius))
+    if (!(grain.radius > 0) || !in_range(grain.radius))
       throw FileError(grain_file_, grain.line,
                       "expected a positive radius of grain " + std::to_string(grain.id) + ", found " +
                           short_text(grain.radius));
-    if (!finite(grain.position))
+    if (!in_range(grain.position))
       throw FileError(grain_file_, grain.line, "the position of the grain is beyond all range");
     packing_.id.push_back(grain.id);
     packing_.assembly.position.push_back(grain.position);
@@ -148,10 +146,10 @@ std::string PackingBuilder::pair_text(std::uint32_t a, std::uint32_t b) const {
 template <class Name>
 void PackingBuilder::require_finite(const PairRow& row, const Name& name) const {
   const double length = norm(row.branch);
-  if (!(length > 0) || !std::isfinite(length))
+  if (!(length > 0) || !in_range(length))
     fail_contact(row.line, name() + " has no line of centres");
-  if (!std::isfinite(row.overlap) || !std::isfinite(row.normal_force) ||
-      !std::isfinite(norm(row.tangential_force)))
+  if (!in_range(row.overlap) || !in_range(row.normal_force) || !in_range(row.tangential_force) ||
+      !in_range(row.normal_stiffness) || !in_range(row.tangential_stiffness))
     fail_contact(row.line, name() + " has numbers beyond all range");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,11 @@
 #include "periodic_cell.hpp"
 
 namespace granum::io {
+
+/// Whether a length [m], force [N] or stiffness [N/m] can be a packing's: products of several that are larger
+/// would overflow.
+inline bool in_range(double value) { return std::abs(value) <= 1e60; }
+inline bool in_range(const Vec3& v) { return in_range(v.x) && in_range(v.y) && in_range(v.z); }
 
 /// A grain as a file states it.
 struct GrainRow {

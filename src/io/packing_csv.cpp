@@ -7,6 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/csv.hpp>
+#include <granum/io/packing_format.hpp>
 
 #include "packing_builder.hpp"
 #include "text_row.hpp"
@@ -148,6 +149,11 @@ PairRow pair_row(const PackingBuilder& builder, const ContactTable& table, std::
   return pair;
 }
 
+bool names_a_normal(std::string_view heading) {
+  return heading.starts_with("nx") || heading.find(",nx") != std::string_view::npos ||
+         heading.find(", nx") != std::string_view::npos;
+}
+
 } // namespace
 
 ContactTable read_contact_csv(TextSource source) {
@@ -173,19 +179,26 @@ ContactTable read_contact_csv(TextSource source) {
   table.force = columns.vectors({"fx", "fy", "fz"}, Dimension::force);
   table.branch = columns.vectors({"lx", "ly", "lz"}, Dimension::length);
   table.overlap = optional_numbers(columns, "delta", Dimension::length);
+  for (const auto* numbers : {&table.normal_force, &table.tangential_size, &table.overlap})
+    for (std::size_t k = 0; k < numbers->size(); ++k)
+      if (!in_range((*numbers)[k]))
+        throw FileError(columns.name(), table.line[k], "a force or overlap is beyond all range");
+  for (const auto* vectors : {&table.force, &table.branch})
+    for (std::size_t k = 0; k < vectors->size(); ++k)
+      if (!in_range((*vectors)[k]))
+        throw FileError(columns.name(), table.line[k], "a force or line of centres is beyond all range");
   return table;
 }
 
-ImportedPacking read_packing_csv(TextSource grains, const std::optional<CsvBox>& box) {
-  PackingBuilder builder = grains_built(Columns(std::move(grains)), "", box);
-  builder.note(Finding::contacts_unknown, "no table of contacts was given");
-  return builder.finish(0, std::nullopt);
-}
-
-ImportedPacking read_packing_csv(TextSource grains, TextSource contacts, const std::optional<CsvBox>& box) {
-  const std::string contact_file = contacts.name();
+ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts,
+                                 const std::optional<CsvBox>& box) {
+  const std::string contact_file = contacts ? contacts->name() : "";
   PackingBuilder builder = grains_built(Columns(std::move(grains)), contact_file, box);
-  const ContactTable table = read_contact_csv(std::move(contacts));
+  if (!contacts) {
+    builder.note(Finding::contacts_unknown, "no table of contacts was given");
+    return builder.finish(0, std::nullopt);
+  }
+  const ContactTable table = read_contact_csv(std::move(*contacts));
   if (table.id.empty())
     throw FileError(contact_file, 0, "expected columns id1 and id2 to join contacts with grains");
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in a table");
@@ -200,5 +213,29 @@ ImportedPacking read_packing_csv(TextSource grains, TextSource contacts, const s
     builder.add(pair_row(builder, table, k));
   return builder.finish(0, std::nullopt);
 }
+
+const PackingFormat csv_format{
+    .name = "CSV",
+    .told_by = "headings between commas: nx, ny, nz are contacts, which can stand alone; else grains",
+    .grains = "a CSV table of grains",
+    .contacts = "a CSV table of contacts",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      std::optional<Holds> holds;
+      bool heading_seen = false;
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) {
+        const std::string_view line = trimmed(source.line());
+        if (heading_seen || line.empty() || line.starts_with('#'))
+          continue;
+        heading_seen = true;
+        if (line.find(',') != std::string_view::npos)
+          holds = names_a_normal(line) ? Holds::contacts : Holds::grains;
+      }
+      return holds;
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return one_frame(read_packing_csv(std::move(grains), std::move(contacts), options.box));
+        },
+    .read_contacts = read_contact_csv};
 
 } // namespace granum::io

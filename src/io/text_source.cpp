@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include <zlib.h>
 
@@ -14,8 +15,10 @@ namespace granum::io {
 /// A file that zlib opens; it hands plain text through as it is.
 struct TextSource::Stream {
   gzFile file = nullptr;
+  bool seekable = false; ///< else a pipe
+  bool ended = false;
 
-  explicit Stream(gzFile opened) : file(opened) {}
+  Stream(gzFile opened, bool can_seek) : file(opened), seekable(can_seek) {}
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
   ~Stream() { gzclose(file); }
@@ -26,7 +29,8 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
 
 gzFile opened(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
+  std::error_code unknown; // a name that cannot be is told by opening
+  if (std::filesystem::is_directory(path, unknown))
     throw FileError(path.string(), 0, "cannot be read: it is a folder");
   errno = 0;
   const gzFile file = gzopen(path.c_str(), "rb");
@@ -36,13 +40,18 @@ gzFile opened(const std::filesystem::path& path) {
   return file;
 }
 
+bool is_file(const std::filesystem::path& path) {
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(path, unknown);
+}
+
 } // namespace
 
 TextSource::TextSource(std::string name, std::unique_ptr<Stream> stream)
     : name_(std::move(name)), stream_(std::move(stream)) {}
 
 TextSource::TextSource(const std::filesystem::path& path)
-    : TextSource(path.string(), std::make_unique<Stream>(opened(path))) {
+    : TextSource(path.string(), std::make_unique<Stream>(opened(path), is_file(path))) {
   buffer_.resize(buffer_size);
 }
 
@@ -59,20 +68,21 @@ TextSource::~TextSource() = default;
 
 /// More text behind what is not yet read; false at the end of the file.
 bool TextSource::fill() {
-  if (!stream_)
+  if (!stream_ || stream_->ended)
     return false;
-  if (begin_ > 0) {
+  if (begin_ > 0 && !keeping_) {
+    dropped_ = true;
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
               buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
     end_ -= begin_;
     begin_ = 0;
   }
-  if (end_ >= longest_line)
+  if (end_ - begin_ >= longest_line)
     throw FileError(name_, line_number_ + 1, "a line of more than 64 MiB; expected a text file");
   if (end_ == buffer_.size())
     buffer_.resize(2 * buffer_.size());
-  const int count =
-      gzread(stream_->file, buffer_.data() + end_, static_cast<unsigned>(buffer_.size() - end_));
+  const std::size_t room = std::min(buffer_.size() - end_, longest_line);
+  const int count = gzread(stream_->file, buffer_.data() + end_, static_cast<unsigned>(room));
   int status = Z_OK;
   const char* message = gzerror(stream_->file, &status);
   if (status == Z_BUF_ERROR)
@@ -82,8 +92,7 @@ bool TextSource::fill() {
                     std::string("cannot be read on: ") +
                         (status == Z_ERRNO ? std::strerror(errno) : message));
   end_ += static_cast<std::size_t>(count);
-  if (count == 0)
-    stream_.reset();
+  stream_->ended = count == 0;
   return count > 0;
 }
 
@@ -121,6 +130,19 @@ bool TextSource::next() {
     take(end_, end_);
     return true;
   }
+}
+
+void TextSource::keep_from_start() { keeping_ = stream_ && !stream_->seekable; }
+
+void TextSource::back_to_start() {
+  if (dropped_) {
+    if (gzrewind(stream_->file) != 0)
+      fail("cannot be read anew");
+    stream_->ended = dropped_ = false;
+    end_ = 0;
+  }
+  begin_ = line_number_ = 0;
+  held_ = false;
 }
 
 std::string_view TextSource::next_bytes() {

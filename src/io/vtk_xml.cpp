@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <granum/io/packing_format.hpp>
+
 #include "centre_index.hpp"
 #include "packing_builder.hpp"
 #include "text_row.hpp"
@@ -199,6 +201,15 @@ class ContactLines {
   std::vector<std::size_t> ends_;
 };
 
+/// What the attribute of an element says, on the line where both stand.
+std::string_view attribute(std::string_view line, std::string_view name) {
+  const std::size_t at = line.find(name);
+  if (at == std::string_view::npos)
+    return {};
+  const std::string_view value = line.substr(at + name.size());
+  return value.substr(0, value.find_first_of("\"'"));
+}
+
 void require_type(const VtkDocument& file, const char* type) {
   if (file.type() != type)
     file.fail(0, "expected a VTKFile of type " + std::string(type) + ", found " + shown(file.type()));
@@ -206,19 +217,44 @@ void require_type(const VtkDocument& file, const char* type) {
 
 } // namespace
 
-ImportedPacking read_vtk_xml(TextSource grains) {
+ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts) {
   const VtkDocument file(std::move(grains));
-  PackingBuilder builder = grains_built(file, "");
-  builder.note(Finding::contacts_unknown, "no file of contacts was given");
-  return builder.finish(0, time_of(file));
-}
-
-ImportedPacking read_vtk_xml(TextSource grains, TextSource contacts) {
-  const VtkDocument file(std::move(grains)), lines(std::move(contacts));
+  if (!contacts) {
+    PackingBuilder builder = grains_built(file, "");
+    builder.note(Finding::contacts_unknown, "no file of contacts was given");
+    return builder.finish(0, time_of(file));
+  }
+  const VtkDocument lines(std::move(*contacts));
   require_type(lines, "PolyData");
   PackingBuilder builder = grains_built(file, lines.name());
   ContactLines(lines).add_to(builder);
   return builder.finish(0, time_of(file));
 }
+
+const PackingFormat vtk_xml_format{
+    .name = ".vtu and .vtp",
+    .told_by = "XML with an element Piece: lines are contacts, points alone grains",
+    .grains = "grains as VTK XML",
+    .contacts = "contacts as VTK XML",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next() || !(source.line().starts_with("<?xml") || source.line().starts_with("<VTKFile")))
+        return std::nullopt;
+      source.hold();
+      bool poly_data = false;
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) {
+        const std::string_view line = source.line();
+        poly_data = poly_data || line.find("PolyData") != std::string_view::npos;
+        if (line.find("<Piece") == std::string_view::npos)
+          continue;
+        const bool lines =
+            attribute(line, "NumberOfLines=\"") != "0" || attribute(line, "NumberOfPoints=\"") == "0";
+        return poly_data && lines ? Holds::contacts : Holds::grains;
+      }
+      source.fail("an XML file without an element Piece; expected .vtu or .vtp");
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
+          return one_frame(read_vtk_xml(std::move(grains), std::move(contacts)));
+        }};
 
 } // namespace granum::io

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <granum/core/number.hpp>
+#include <granum/io/packing_format.hpp>
 
 #include "dump_file.hpp"
 #include "packing_builder.hpp"
@@ -261,20 +262,35 @@ class ContactFile {
 
 } // namespace
 
-ImportedPacking read_yade(TextSource grains) {
+ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts) {
   GrainFile file(std::move(grains));
   file.read();
-  PackingBuilder builder = file.builder("");
-  builder.note(Finding::contacts_unknown, "no file of contacts was given");
+  PackingBuilder builder = file.builder(contacts ? contacts->name() : "");
+  if (contacts)
+    ContactFile(std::move(*contacts), builder, file.cell()).read();
+  else
+    builder.note(Finding::contacts_unknown, "no file of contacts was given");
   return builder.finish(file.step(), file.time());
 }
 
-ImportedPacking read_yade(TextSource grains, TextSource contacts) {
-  GrainFile file(std::move(grains));
-  file.read();
-  PackingBuilder builder = file.builder(contacts.name());
-  ContactFile(std::move(contacts), builder, file.cell()).read();
-  return builder.finish(file.step(), file.time());
-}
+const PackingFormat yade_text_format{
+    .name = "YADE's text",
+    .told_by = "the first line of share/yade/granum_export.py or export.text",
+    .grains = "grains of YADE as text",
+    .contacts = "contacts of YADE as text",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next())
+        return std::nullopt;
+      const std::string_view line = source.line();
+      if (line.starts_with("#format") || line.starts_with("# granum: grains of a YADE"))
+        return Holds::grains;
+      if (line.starts_with("# granum: contacts of a YADE") || line.starts_with("# id1 id2 "))
+        return Holds::contacts;
+      return std::nullopt;
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
+          return one_frame(read_yade(std::move(grains), std::move(contacts)));
+        }};
 
 } // namespace granum::io

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include <granum/io/packing_format.hpp>
+
 #include "centre_index.hpp"
 #include "packing_builder.hpp"
 #include "text_row.hpp"
@@ -178,15 +180,14 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
 
 } // namespace
 
-ImportedPacking read_yade_vtk(TextSource spheres) {
-  PackingBuilder builder = grains_built(LegacyVtk(std::move(spheres)), "");
-  builder.note(Finding::contacts_unknown, "no file of interactions was given");
-  return builder.finish(0, std::nullopt);
-}
-
-ImportedPacking read_yade_vtk(TextSource spheres, TextSource interactions) {
+ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions) {
   const LegacyVtk grains(std::move(spheres));
-  const LegacyVtk pairs(std::move(interactions));
+  if (!interactions) {
+    PackingBuilder builder = grains_built(grains, "");
+    builder.note(Finding::contacts_unknown, "no file of interactions was given");
+    return builder.finish(0, std::nullopt);
+  }
+  const LegacyVtk pairs(std::move(*interactions));
   PackingBuilder builder = grains_built(grains, pairs.source().name());
   const Attribute *normal = pairs.attribute("fn", 3), *shear = pairs.attribute("ft", 3);
   const std::size_t count = pairs.lines().size();
@@ -219,5 +220,23 @@ ImportedPacking read_yade_vtk(TextSource spheres, TextSource interactions) {
   }
   return builder.finish(0, std::nullopt);
 }
+
+const PackingFormat yade_vtk_format{
+    .name = "YADE's VTK",
+    .told_by = "a first line # vtk DataFile, of export.VTKExporter",
+    .grains = "grains of YADE as VTK",
+    .contacts = "contacts of YADE as VTK",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next() || !source.line().starts_with("# vtk DataFile"))
+        return std::nullopt;
+      while (source.next())
+        if (source.line().starts_with("LINES"))
+          return Holds::contacts;
+      return Holds::grains;
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
+          return one_frame(read_yade_vtk(std::move(grains), std::move(contacts)));
+        }};
 
 } // namespace granum::io

@@ -7,7 +7,8 @@ using namespace granum;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::run([&] {
-    const io::FileKind kind = io::recognise(io::TextSource::of_text("file", fuzz::text(data, size)));
-    fuzz::demand(!io::description(kind).empty());
+    io::TextSource source = io::TextSource::of_text("file", fuzz::text(data, size));
+    fuzz::demand(!io::description(io::recognise(source)).empty());
+    fuzz::demand(source.next() && source.line_number() == 1);
   });
 }

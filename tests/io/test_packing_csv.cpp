@@ -44,6 +44,15 @@ TEST_CASE(
   CHECK(scalar.has(Finding::tangential_unknown));
 }
 
+TEST_CASE("CSV: numbers whose products overflow are refused, with grains and without") {
+  const std::string huge = with(contacts, "0.0235294118", "1e305");
+  CHECK(refused(grains, huge).find("beyond all range") != std::string::npos);
+  CHECK(refusal([&] { (void)table(huge); }).find("c:3: ") != std::string::npos);
+  CHECK(refusal([] { (void)table("nx,ny,nz,fn_N\n1,0,0,1e200\n"); }).find("c:2: ") != std::string::npos);
+  CHECK(refused(with(grains, "1.9999", "1e90")).find("beyond all range") != std::string::npos);
+  CHECK(refused(with(grains, "2,0.5", "2,1e90")).find("expected a positive radius") != std::string::npos);
+}
+
 TEST_CASE("CSV: normals alone are enough for a table of contacts") {
   const ContactTable t = table("nx,ny,nz\n0,0,2\n3,4,0\n");
   REQUIRE(t.normal.size() == 2);

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/packing_files.hpp>
 
+#include <thread>
+#include <tuple>
+
+#include <sys/stat.h>
+
+#include <zlib.h>
+
 #include "import_support.hpp"
+#include "temporary_folder.hpp"
 
 using namespace granum;
 using namespace granum::io;
@@ -9,11 +17,11 @@ using namespace granum::samples;
 
 namespace {
 
-std::vector<std::filesystem::path> data(const std::vector<std::string>& names) {
-  std::vector<std::filesystem::path> paths;
+std::vector<PackingFile> data(const std::vector<std::string>& names) {
+  std::vector<PackingFile> files;
   for (const std::string& name : names)
-    paths.emplace_back(data_path(name));
-  return paths;
+    files.emplace_back(data_path(name));
+  return files;
 }
 
 std::size_t count_states(const std::vector<std::string>& names) {
@@ -27,44 +35,64 @@ std::size_t count_states(const std::vector<std::string>& names) {
 } // namespace
 
 TEST_CASE("packing files: each format is told by what stands in it") {
-  using enum FileKind;
-  const std::pair<const char*, FileKind> expected[] = {
-      {"lammps_chain.atoms", dump_grains},      {"lammps_chain.contacts", dump_contacts},
-      {"lammps_label.contacts", dump_contacts}, {"lammps_tilted.atoms", dump_grains},
-      {"liggghts_chain.atoms", dump_grains},    {"liggghts_chain.contacts", dump_contacts},
-      {"lammps_chain.data", lammps_data},       {"lammps_tilted.data", lammps_data},
-      {"mercury_chain.data", mercury_data},     {"mercury_chain.fstat", mercury_fstat},
-      {"yade_text.txt", yade_grains},           {"yade_text_ext.txt", yade_grains},
-      {"yade_script.grains", yade_grains},      {"yade_script.contacts", yade_contacts},
-      {"yade_chain.contacts", yade_contacts},   {"yade_chain.vtk", vtk_contacts},
-      {"yade_chain.vtu", vtk_xml_grains},       {"yade_chain.vtp", vtk_xml_contacts},
-      {"vtk_raw.vtu", vtk_xml_grains},          {"vtk_appended.vtp", vtk_xml_contacts}};
-  for (const auto& [name, kind] : expected) {
+  const std::tuple<const char*, const PackingFormat*, Holds> expected[] = {
+      {"lammps_chain.atoms", &lammps_dump_format, Holds::grains},
+      {"lammps_chain.contacts", &lammps_dump_format, Holds::contacts},
+      {"lammps_label.contacts", &lammps_dump_format, Holds::contacts},
+      {"lammps_tilted.atoms", &lammps_dump_format, Holds::grains},
+      {"liggghts_chain.atoms", &lammps_dump_format, Holds::grains},
+      {"liggghts_chain.contacts", &lammps_dump_format, Holds::contacts},
+      {"lammps_chain.data", &lammps_data_format, Holds::grains},
+      {"lammps_tilted.data", &lammps_data_format, Holds::grains},
+      {"mercury_chain.data", &mercury_format, Holds::grains},
+      {"mercury_chain.fstat", &mercury_format, Holds::contacts},
+      {"yade_text.txt", &yade_text_format, Holds::grains},
+      {"yade_text_ext.txt", &yade_text_format, Holds::grains},
+      {"yade_script.grains", &yade_text_format, Holds::grains},
+      {"yade_script.contacts", &yade_text_format, Holds::contacts},
+      {"yade_chain.contacts", &yade_text_format, Holds::contacts},
+      {"yade_chain.vtk", &yade_vtk_format, Holds::contacts},
+      {"yade_chain.vtu", &vtk_xml_format, Holds::grains},
+      {"yade_chain.vtp", &vtk_xml_format, Holds::contacts},
+      {"vtk_raw.vtu", &vtk_xml_format, Holds::grains},
+      {"vtk_appended.vtp", &vtk_xml_format, Holds::contacts}};
+  for (const auto& [name, format, holds] : expected) {
     INFO(name);
-    CHECK(recognise(data_source(name)) == kind);
-    CHECK(holds_contacts(kind) ==
-          (std::string(description(kind)).find("contacts") != std::string::npos || kind == mercury_fstat));
+    CHECK(PackingFile(data_path(name)).kind() == FileKind{format, holds});
+  }
+}
+
+TEST_CASE("packing files: every format says what it is, and files of its own kinds are told by no other") {
+  for (const PackingFormat* format : packing_formats) {
+    INFO(format->name);
+    CHECK_FALSE((format->name.empty() || format->told_by.empty() || format->grains.empty()));
+    CHECK(description({format, Holds::grains}) == format->grains);
+    CHECK(description({format, Holds::contacts}) == format->contacts);
   }
 }
 
 TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these") {
-  const auto kind_of = [](const std::string& text) { return recognise(text_source("file", text)); };
-  CHECK(kind_of("id,x_mm,y_mm,z_mm,radius_mm\n") == FileKind::csv_grains);
-  CHECK(kind_of("# units: SI\nid1,id2,nx,ny,nz\n") == FileKind::csv_contacts);
-  CHECK(kind_of("nx,ny,nz\n") == FileKind::csv_contacts);
+  const auto kind_of = [](const std::string& text) {
+    TextSource source = text_source("file", text);
+    return recognise(source);
+  };
+  const auto kind = [](const PackingFormat& format, Holds holds) { return FileKind{&format, holds}; };
+  CHECK(kind_of("id,x_mm,y_mm,z_mm,radius_mm\n") == kind(csv_format, Holds::grains));
+  CHECK(kind_of("# units: SI\nid1,id2,nx,ny,nz\n") == kind(csv_format, Holds::contacts));
+  CHECK(kind_of("nx,ny,nz\n") == kind(csv_format, Holds::contacts));
   CHECK(kind_of("# vtk DataFile Version 3.0.\ncomment\nASCII\n\nDATASET POLYDATA\nPOINTS 0 double\n") ==
-        FileKind::vtk_grains);
+        kind(yade_vtk_format, Holds::grains));
   const std::string points = "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"3\"";
-  CHECK(kind_of(points + " NumberOfLines=\"0\">") == FileKind::vtk_xml_grains);
-  CHECK(kind_of(points + " NumberOfLines=\"2\">") == FileKind::vtk_xml_contacts);
-  CHECK(kind_of(with(points, "3", "0") + " NumberOfLines=\"0\">") == FileKind::vtk_xml_contacts);
+  CHECK(kind_of(points + " NumberOfLines=\"0\">") == kind(vtk_xml_format, Holds::grains));
+  CHECK(kind_of(points + " NumberOfLines=\"2\">") == kind(vtk_xml_format, Holds::contacts));
+  CHECK(kind_of(with(points, "3", "0") + " NumberOfLines=\"0\">") == kind(vtk_xml_format, Holds::contacts));
   CHECK(refusal([&] { (void)kind_of("<?xml?>\n<html/>\n"); }).find("without an element Piece") !=
         std::string::npos);
   CHECK(refusal([&] { (void)kind_of("Lorem ipsum\n"); }).find("of no format that granum reads") !=
         std::string::npos);
   CHECK(refusal([&] { (void)kind_of(""); }).find("is empty") != std::string::npos);
   CHECK(refusal([&] { (void)kind_of("ITEM: TIMESTEP\n0\n"); }).find("a dump without") != std::string::npos);
-  CHECK(kind_of("packing, made by LAMMPS\n\n3 atoms\n") == FileKind::lammps_data);
+  CHECK(kind_of("packing, made by LAMMPS\n\n3 atoms\n") == kind(lammps_data_format, Holds::grains));
   CHECK(refusal([] { (void)PackingFiles(data({"none"})); }).find("none") != std::string::npos);
 }
 
@@ -78,7 +106,6 @@ TEST_CASE("packing files: the chain out of every format, files in any order") {
     const auto packing = files.next();
     REQUIRE(packing);
     check_chain(*packing, 1e-9, 1e-7);
-    CHECK(files.kinds().size() == 2);
   }
   PackingFiles vtk(data({"yade_chain.vtp", "yade_chain.vtu"}));
   const auto recorded = vtk.next();
@@ -87,6 +114,37 @@ TEST_CASE("packing files: the chain out of every format, files in any order") {
   PackingFiles yade(data({"yade_script.contacts", "yade_script.grains"}));
   REQUIRE(yade.next());
   CHECK_FALSE(yade.next());
+}
+
+TEST_CASE("packing files: a pipe is read once, plain or gzip, however much it takes to tell its format") {
+  const TemporaryFolder folder;
+  const std::string grains =
+      "# vtk DataFile Version 3.0.\ncomment\nASCII\n\nDATASET POLYDATA\nPOINTS 20000 double\n";
+  std::string points, radii;
+  for (int k = 0; k < 20000; ++k) {
+    points += std::to_string(k) + " 0 0\n";
+    radii += "0.5\n";
+  }
+  const std::string text =
+      grains + points + "\nPOINT_DATA 20000\nSCALARS radius double 1\nLOOKUP_TABLE default\n" + radii;
+  for (const bool packed : {false, true}) {
+    INFO(packed);
+    const auto pipe = folder.path() / (packed ? "packed" : "plain");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    std::thread writer([&] {
+      const gzFile file = gzopen(pipe.c_str(), packed ? "wb" : "wbT");
+      gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+      gzclose(file);
+    });
+    std::vector<PackingFile> files;
+    files.emplace_back(pipe);
+    writer.join();
+    PackingFiles states(std::move(files));
+    const auto packing = states.next();
+    REQUIRE(packing);
+    CHECK(packing->assembly.grain_count() == 20000);
+    CHECK_FALSE(states.next());
+  }
 }
 
 TEST_CASE("packing files: frames of one file, then those of the next") {

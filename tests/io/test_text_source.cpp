@@ -50,6 +50,27 @@ std::string numbered_lines(int count) {
 
 } // namespace
 
+TEST_CASE("a source that keeps what it reads begins anew, as often as asked") {
+  const TemporaryFolder folder;
+  const std::string text = "\xEF\xBB\xBFhead\n" + numbered_lines(100'000);
+  for (const std::string& bytes : {text, packed(text)}) {
+    TextSource source(written(folder, bytes));
+    source.keep_from_start();
+    for (const int few : {1, 3, 90'000}) {
+      for (int k = 0; k < few; ++k)
+        REQUIRE(source.next());
+      source.hold();
+      source.back_to_start();
+    }
+    source.stop_keeping();
+    CHECK((source.next() && source.line() == "head" && source.line_number() == 1));
+    std::size_t count = 0;
+    while (source.next())
+      CHECK(source.line() == "line " + std::to_string(count++));
+    CHECK(count == 100'000);
+  }
+}
+
 TEST_CASE("lines come without their ends, counted from 1, with or without a last line end") {
   using Lines = std::vector<std::string>;
   CHECK(lines(TextSource::of_text("t", "")) == Lines{});

@@ -31,10 +31,9 @@ namespace granum::io {
 /// Checked by tests/io/test_lammps_dump.cpp and tests/io/test_liggghts_dump.cpp
 class LammpsDump {
  public:
-  /// Grains alone. `columns` names what the headings do not tell (see ColumnMap).
-  explicit LammpsDump(TextSource atoms, ColumnMap columns = {});
-  /// Grains and contacts; frames of equal time step belong together.
-  LammpsDump(TextSource atoms, TextSource contacts, ColumnMap columns = {});
+  /// Grains, and contacts if there are any; frames of equal time step belong together. `columns` names what
+  /// the headings do not tell (see ColumnMap).
+  explicit LammpsDump(TextSource atoms, std::optional<TextSource> contacts = {}, ColumnMap columns = {});
   LammpsDump(LammpsDump&&) noexcept;
   LammpsDump& operator=(LammpsDump&&) noexcept;
   ~LammpsDump();

@@ -23,9 +23,7 @@ namespace granum::io {
 /// Checked by tests/io/test_mercury.cpp
 class MercuryOutput {
  public:
-  /// Grains alone.
-  explicit MercuryOutput(TextSource data);
-  MercuryOutput(TextSource data, TextSource fstat);
+  explicit MercuryOutput(TextSource data, std::optional<TextSource> fstat = {});
   MercuryOutput(MercuryOutput&&) noexcept;
   MercuryOutput& operator=(MercuryOutput&&) noexcept;
   ~MercuryOutput();

@@ -46,15 +46,13 @@ struct CsvBox {
   std::array<bool, 3> periodic{true, true, true};
 };
 
-/// Grains alone. Without a box the smallest upright one stands for it, with a note.
-/// \throws   FileError also for ids twice, a radius that is not positive, a box without volume
-[[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, const std::optional<CsvBox>& box = {});
-
-/// Grains and contacts; id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
+/// Grains, and contacts if there are any. Without a box the smallest upright one stands for it, with a note.
+/// Of contacts id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
 /// positions; overlaps are delta, or come from the radii.
-/// \throws   FileError also for an unknown grain, a grain in contact with itself, a line of centres that does
-///           not fit the positions or the normal, one pair with two forces
-[[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, TextSource contacts,
+/// \throws   FileError also for ids twice, a radius that is not positive, a box without volume, an unknown
+///            grain, a grain in contact with itself, a line of centres that does not fit the positions or
+///            the normal, one pair with two forces
+[[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts = {},
                                                const std::optional<CsvBox>& box = {});
 
 } // namespace granum::io

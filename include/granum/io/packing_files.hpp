@@ -3,75 +3,78 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include <granum/io/column_map.hpp>
-#include <granum/io/imported_packing.hpp>
-#include <granum/io/packing_csv.hpp>
-#include <granum/io/text_source.hpp>
+#include <granum/io/packing_format.hpp>
 
 /// Packings out of files of any format that granum reads, told apart by what stands in them.
 /// Checked by tests/io/test_packing_files.cpp
 namespace granum::io {
 
-/// What a file holds.
-enum class FileKind {
-  dump_grains,   ///< LAMMPS or LIGGGHTS, dump custom
-  dump_contacts, ///< LAMMPS or LIGGGHTS, dump local
-  lammps_data,
-  mercury_data,
-  mercury_fstat,
-  yade_grains,
-  yade_contacts,
-  vtk_grains,
-  vtk_contacts,
-  vtk_xml_grains,
-  vtk_xml_contacts,
-  csv_grains,
-  csv_contacts,
+/// What a file is: its format, and which of the format's files.
+struct FileKind {
+  const PackingFormat* format = nullptr;
+  Holds holds = Holds::grains;
+
+  bool operator==(const FileKind&) const = default;
 };
 
 /// "a LAMMPS dump of grains" and so on.
-[[nodiscard]] std::string_view description(FileKind kind);
-/// Whether such a file holds contacts, not grains.
-[[nodiscard]] bool holds_contacts(FileKind kind);
+[[nodiscard]] std::string_view description(const FileKind& kind);
 
-/// Looks at the beginning of a file, plain or gzip; the name does not matter.
-/// \throws   FileError if reading fails or it is of no known kind
-[[nodiscard]] FileKind recognise(TextSource source);
+/// Looks at the beginning of a file, plain or gzip; the name does not matter. The source stands before its
+/// first line again afterwards.
+/// \throws   FileError if reading fails or it is of no known format
+[[nodiscard]] FileKind recognise(TextSource& source);
 
-/// What files of some formats do not tell.
-struct PackingFileOptions {
-  ColumnMap columns = {};         ///< of dumps
-  std::optional<CsvBox> box = {}; ///< of CSV files
+/// A file whose kind is known. A pipe, which can be read only once, stays open; of other files only the path
+/// is kept.
+class PackingFile {
+ public:
+  /// \throws   FileError as recognise
+  explicit PackingFile(std::filesystem::path path);
+
+  [[nodiscard]] const FileKind& kind() const { return kind_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The file from its beginning; once.
+  /// \throws   FileError if it cannot be opened
+  [[nodiscard]] TextSource open();
+
+ private:
+  std::filesystem::path path_;
+  FileKind kind_;
+  std::optional<TextSource> source_; ///< of a pipe
 };
 
-/// All states of a packing that some files hold, one after the other. Files of grains and of contacts may be
-/// mixed: the first file of grains goes with the first of contacts, the second with the second.
+/// All states of a packing that some files hold, one after the other; in memory no more than one. Files of
+/// grains and of contacts may be mixed: the first file of grains goes with the first of contacts, the second
+/// with the second.
 class PackingFiles {
  public:
   /// \param    files   at least one; as many of contacts as of grains, or none of contacts; all of one format
-  /// \throws   InvalidArgument for files that do not go together; FileError as recognise
-  explicit PackingFiles(const std::vector<std::filesystem::path>& files, PackingFileOptions options = {});
-  PackingFiles(PackingFiles&&) noexcept;
-  PackingFiles& operator=(PackingFiles&&) noexcept;
-  ~PackingFiles();
+  /// \throws   InvalidArgument for files that do not go together
+  explicit PackingFiles(std::vector<PackingFile> files, PackingFileOptions options = {});
+  /// \throws   FileError also, as recognise
+  explicit PackingFiles(const std::vector<std::filesystem::path>& files, PackingFileOptions options = {})
+      : PackingFiles(std::vector<PackingFile>(files.begin(), files.end()), std::move(options)) {}
 
   /// The next state; nothing at the end of the last file.
   /// \throws   FileError as the reader of the format
   [[nodiscard]] std::optional<ImportedPacking> next();
 
-  /// Kinds of the files, in the order in which they were given.
-  [[nodiscard]] const std::vector<FileKind>& kinds() const;
   /// Frames passed over so far because another file has none of that time step.
   [[nodiscard]] std::size_t skipped() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  PackingFrames open_next();
+
+  PackingFileOptions options_;
+  std::vector<PackingFile> grains_, contacts_;
+  std::size_t opened_ = 0, skipped_ = 0; ///< skipped in files that have been read to their end
+  std::optional<PackingFrames> frames_;
 };
 
 } // namespace granum::io

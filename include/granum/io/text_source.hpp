@@ -39,6 +39,15 @@ class TextSource {
   /// \throws   FileError as next
   [[nodiscard]] std::string_view next_bytes();
 
+  /// From here on all that is read of a pipe stays in memory, so that even a pipe can be read anew: for a
+  /// look at what a file holds. To be called before anything is read.
+  void keep_from_start();
+  /// Before the first line again, from behind keep_from_start().
+  /// \throws   FileError if the file does not let itself be read anew
+  void back_to_start();
+  /// What is read from here on is not kept.
+  void stop_keeping() { keeping_ = false; }
+
   /// Number of the line here, from 1; after the end that of the last line.
   [[nodiscard]] std::size_t line_number() const { return line_number_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -53,13 +62,15 @@ class TextSource {
   void take(std::size_t end, std::size_t next);
 
   std::string name_;
-  std::unique_ptr<Stream> stream_; ///< none once all is in the buffer
+  std::unique_ptr<Stream> stream_; ///< none for a text in memory
   std::vector<char> buffer_;
   std::size_t begin_ = 0; ///< of what is not yet read, in the buffer
   std::size_t end_ = 0;
   std::string_view line_;
   std::size_t line_number_ = 0;
   bool held_ = false;
+  bool keeping_ = false;
+  bool dropped_ = false; ///< of the buffer's beginning, to make room
 };
 
 } // namespace granum::io

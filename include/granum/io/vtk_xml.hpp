@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text_source.hpp>
 
@@ -18,9 +20,8 @@ namespace granum::io {
 /// \throws   FileError with path and line for what is no such file or no XML; more than one piece; arrays
 ///           that are missing, too short or too long, damaged, compressed otherwise; a radius that is not
 ///           positive, an id that is no integer or stands there twice
-[[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains);
-
-/// The same with contacts, lines of two points each, of either kind:
+///
+/// And contacts, where there are any, lines of two points each, of either kind:
 ///   granum   cell data "grains", the two ids; "wall", at least 0 for a contact of the first of them with
 ///            that wall; "normal_force", "tangential_force", "overlap", "sliding", "normal_stiffness",
 ///            "tangential_stiffness"; each where it is there. The line is the line of centres, or goes from
@@ -31,6 +32,6 @@ namespace granum::io {
 ///            share/yade/granum_export.py.
 /// \throws   FileError also for a line of other than two points, a line that ends at no grain, an unknown
 ///           grain, and as read_yade for contacts
-[[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, TextSource contacts);
+[[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts = {});
 
 } // namespace granum::io
