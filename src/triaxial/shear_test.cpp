@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::triaxial {
 
@@ -172,6 +173,11 @@ ShearTest ShearTest::load(ByteReader& from, const dem::Material& material, StopR
   const auto read = [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); };
   each(read, o.path, o.mean_stress, o.inertial_number, o.eta_step, o.strain_step, o.largest_strain,
        o.time_step_fraction);
+  try {
+    require_valid(o);
+  } catch (const InvalidArgument& error) {
+    from.fail(error.what());
+  }
   ShearTest test(std::move(engine), o);
   each(read, test.start_cell_, test.held_, test.held_y_, test.trim_, test.now_, test.peak_, test.path_error_,
        test.largest_inertial_number_, test.next_eta_, test.next_strain_);

@@ -139,6 +139,8 @@ std::string assembly_svg(const dem::State& state) {
   svg += io::svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
   svg += gradients() + edges(view, state.cell, true);
   const std::vector<Seen> grains = drawn_grains(state);
+  if (grains.empty())
+    throw InvalidArgument("a picture was asked for of a specimen with no grain near the faces that are seen");
   const double far = grains.front().depth, near = grains.back().depth;
   const std::string radius = io::svg_number(state.radius * view.scale());
   std::string painted, same_shade;

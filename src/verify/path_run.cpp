@@ -140,6 +140,11 @@ struct Schedule {
   Multiples eta, strain, probe_eta;
   Multiples loop_eta{.step = 0.5};
 
+  [[nodiscard]] bool same_steps(const Schedule& other) const {
+    return eta.step == other.eta.step && strain.step == other.strain.step &&
+           probe_eta.step == other.probe_eta.step && loop_eta.step == other.loop_eta.step;
+  }
+
   struct Due {
     bool frozen = false;
     bool probed = false;
@@ -208,6 +213,8 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
     iso.state = dem::load_state(from);
     first_cell = from.get<Mat3>();
     iso.run = load_run(from, std::nullopt);
+    if (iso.run.points.size() > scene.study.pressures.size())
+      from.fail("holds more states than the scene has pressures");
     piece.meter.found(work * static_cast<double>(iso.run.points.size()), title(piece, std::nullopt));
   } else {
     iso.state = triaxial::start_of_compression(packing, piece.density, specimen, piece.meter.stop_request());
@@ -355,7 +362,9 @@ class ShearRecord {
   void take_up(const std::string& bytes) {
     ByteReader from(bytes, store_.name());
     const bool under_way = from.get<bool>();
-    schedule_ = from.get<Schedule>();
+    const Schedule planned = std::exchange(schedule_, from.get<Schedule>());
+    if (!planned.same_steps(schedule_))
+      from.fail("was written for other distances between its states");
     run_ = load_run(from, path_);
     if (under_way)
       test_ = triaxial::ShearTest::load(from, material_, piece_.meter.stop_request());

@@ -52,6 +52,8 @@ class ByteReader {
   /// \throws   FileError if the bytes end before the value does
   template <Plain T>
   [[nodiscard]] T get() {
+    if constexpr (std::is_same_v<T, bool>) // any other byte than 0 and 1 would be undefined
+      return get<unsigned char>() != 0;
     T value;
     take(&value, sizeof value);
     return value;
