@@ -115,20 +115,21 @@ std::string force_picture(const FrameAnswer& frame) {
 } // namespace
 
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer, io::Existing existing) {
-  const auto write = [&](const char* name, const std::string& text) {
-    io::write_file(folder / name, text, existing);
-  };
+  std::vector<std::pair<const char*, std::string>> files; // all made before the first is written
+  const auto add = [&](const char* name, std::string text) { files.emplace_back(name, std::move(text)); };
   const FrameAnswer& last = answer.frames.back();
-  write("frames.csv", frames_csv(answer));
+  add("frames.csv", frames_csv(answer));
   if (last.measured.packing.fabric) {
-    write("rose.csv", rose_csv(answer));
-    write("rose.svg", rose_picture(last));
+    add("rose.csv", rose_csv(answer));
+    add("rose.svg", rose_picture(last));
   }
   if (last.measured.packing.forces) {
-    write("forces.csv", forces_csv(answer));
-    write("forces.svg", force_picture(last));
+    add("forces.csv", forces_csv(answer));
+    add("forces.svg", force_picture(last));
   }
-  write("analysis.json", analyse_json(answer).dump(2) + "\n");
+  add("analysis.json", json_text(analyse_json(answer)));
+  for (const auto& [name, text] : files)
+    io::write_file(folder / name, text, existing);
 }
 
 } // namespace granum::cli

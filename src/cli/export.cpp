@@ -108,7 +108,7 @@ std::vector<io::DeckFile> deck_of(const verify::Scene& scene, const Specimen& sp
   manifest["seed"] = specimen.seed;
   manifest["density"] = verify::name(specimen.density);
   manifest["scene"] = json_of(scene);
-  files.push_back({"manifest.json", manifest.dump(2) + "\n"});
+  files.push_back({"manifest.json", json_text(manifest)});
   return files;
 }
 

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+#include <granum/core/utf8.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/verify/version.hpp>
 
@@ -79,7 +80,7 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {
   for (const char* name : names)
-    if (!force && std::filesystem::exists(folder / name))
+    if (!force && io::is_taken(folder / name))
       throw FileError((folder / name).string(), 0, "exists already and is kept; --force replaces it");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -105,11 +106,16 @@ nlohmann::ordered_json json_head(std::string_view command) {
           {"command", command}};
 }
 
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         (indent >= 0 ? "\n" : "");
+}
+
 ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,
                  const Validity& validity) {
-  const std::string text = options.json ? with_warnings(json, validity).dump(2) + "\n" : table;
+  const std::string text = options.json ? json_text(with_warnings(json, validity)) : table;
   if (options.out.empty())
-    print(text);
+    print(options.json ? text : printable(text));
   else
     io::write_file(options.out, text, options.force ? io::Existing::replace : io::Existing::keep);
   for (const std::string& note : validity.notes)

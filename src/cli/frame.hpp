@@ -80,6 +80,10 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);
 
+/// A result as it is written, with U+FFFD for what is no UTF-8 in names and headings.
+/// \param    indent  of each level; -1 for one line without an end
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+
 /// Makes the folder that results go to, before any work is done.
 /// \param    names   of the files that will be written there
 /// \throws   FileError if it cannot be made or written to, or holds one of the files and force is not set

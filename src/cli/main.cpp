@@ -2,6 +2,8 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -52,6 +54,14 @@ ExitCode parse_and_run(int argc, char** argv) {
   return fail(ExitCode::usage, "a subcommand is required; see granum --help");
 }
 
+/// What the command line asked for, for messages.
+std::string asked_for(int argc, char** argv) {
+  std::string words = "granum";
+  for (int k = 1; k < argc; ++k)
+    words += std::string(" ") + argv[k];
+  return words;
+}
+
 } // namespace
 
 /// The one place where errors become messages and exit codes.
@@ -70,6 +80,9 @@ int main(int argc, char** argv) {
     code = fail(ExitCode::not_converged, error.what());
   } catch (const Stopped& error) {
     code = fail(exit_code_of_stop(), error.what());
+  } catch (const std::bad_alloc&) {
+    code = fail(ExitCode::fell_short, "out of memory: there is not enough for " + asked_for(argc, argv) +
+                                          "; fewer grains, states or frames need less");
   } catch (const std::exception& error) {
     code = fail(ExitCode::fell_short, error.what());
   }

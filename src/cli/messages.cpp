@@ -9,6 +9,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <granum/core/utf8.hpp>
+
 namespace granum::cli {
 
 namespace {
@@ -56,7 +58,7 @@ void say(std::string_view kind, std::string_view message) noexcept {
     std::string line = "granum: ";
     if (!kind.empty())
       line.append(kind).append(": ");
-    to_standard_error(line.append(message).append("\n"));
+    to_standard_error(line.append(printable(message)).append("\n"));
   } catch (...) { // no memory for the line
     to_standard_error(message);
   }

@@ -15,7 +15,8 @@ void open_missing_streams() noexcept;
 /// Writes the text as it is.
 void to_standard_error(std::string_view text) noexcept;
 
-/// A line "granum: <kind>: <message>"; without the kind where it is empty.
+/// A line "granum: <kind>: <message>"; without the kind where it is empty. Control characters, as of
+/// names, are written out.
 void say(std::string_view kind, std::string_view message) noexcept;
 
 } // namespace granum::cli

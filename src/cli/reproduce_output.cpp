@@ -121,7 +121,7 @@ void write_results(const fs::path& folder, const verify::Experiment& experiment,
   write("report.html", verify::experiment_html(experiment, verdicts, figures, assembly,
                                                {.seconds = manifest.at("wall_time_s").get<double>(),
                                                 .resumed = manifest.at("resumed").get<bool>()}));
-  write("manifest.json", manifest.dump(2) + "\n");
+  write("manifest.json", json_text(manifest));
 }
 
 std::string report_of(const verify::Experiment& experiment, const std::vector<verify::Verdict>& verdicts,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
 #include <granum/verify/version.hpp>
 
 #include "messages.hpp"
@@ -149,7 +149,7 @@ ExitCode Tally::conclude(ExitCode code) const {
 
 Notes csv_notes(const ordered_json& inputs, const Rungs& rungs, const std::vector<std::string>& remarks) {
   Notes notes = {{"program", fmt::format("granum {} sweep", verify::version())},
-                 {"inputs", inputs.dump()},
+                 {"inputs", json_text(inputs, -1)},
                  {"signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h"},
                  {"exponents", "local, of G_hv: m of sigma_h, n of sigma_v, s = m + n"}};
   for (const Rung* rung : rungs)
@@ -169,7 +169,7 @@ ordered_json sweep_json_head(const ordered_json& inputs, const Rungs& rungs) {
 
 void require_free(const OutputOptions& output, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (!output.force && !file.empty() && std::filesystem::exists(file))
+    if (!output.force && !file.empty() && io::is_taken(file))
       throw FileError(file, 0, "exists already and is kept; --force replaces it");
 }
 

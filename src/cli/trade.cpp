@@ -105,7 +105,7 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
   io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
   io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
   io::write_file(folder / file_names[2], trade_picture(outcome.rows), existing);
-  io::write_file(folder / file_names[3], manifest_of(outcome, options).dump(2) + "\n", existing);
+  io::write_file(folder / file_names[3], json_text(manifest_of(outcome, options)), existing);
 }
 
 ExitCode run(const Options& options) {

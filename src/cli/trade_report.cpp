@@ -186,7 +186,7 @@ std::string trade_csv(const std::vector<TradeRow>& rows) {
 std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>& samples) {
   io::CsvContent csv;
   csv.notes = {{"program", "granum " + text(verify::version()) + " trade"},
-               {"scene", json_of(trade).dump()},
+               {"scene", json_text(json_of(trade), -1)},
                {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}};
   csv.headings = {"varied", "boundary", "value", "density", "seed"};
   for (const double pressure : trade.scene.study.pressures)

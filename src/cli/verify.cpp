@@ -138,7 +138,7 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
   const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
   io::write_file(folder / file_names[0], verify::states_csv(outcome.scene, outcome.specimens), existing);
   io::write_file(folder / file_names[1], verify::exponents_csv(outcome.exponents), existing);
-  io::write_file(folder / file_names[2], manifest_of(outcome, options).dump(2) + "\n", existing);
+  io::write_file(folder / file_names[2], json_text(manifest_of(outcome, options)), existing);
 }
 
 ExitCode run(const Options& options) {

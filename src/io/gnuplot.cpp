@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include <granum/core/error.hpp>
@@ -20,6 +21,14 @@ std::string quoted(std::string text) {
   for (const char c : text)
     escaped += c == '\'' ? "''" : std::string(1, c);
   return escaped + "'";
+}
+
+/// The name of a file. gnuplot runs names that begin with < or | as commands and gives -, + and ~ meanings of
+/// their own.
+std::string quoted_file(const std::string& name) {
+  const bool plain = name.starts_with('/') || name.starts_with('.') || name.starts_with('_') ||
+                     (!name.empty() && std::isalnum(static_cast<unsigned char>(name[0])) != 0);
+  return quoted((plain ? "" : "./") + name);
 }
 
 constexpr int point_types[] = {7, 5, 13, 9}; // filled circle, square, diamond, triangle
@@ -67,10 +76,10 @@ std::string plots(const Chart& chart, const std::string& csv, const std::vector<
     const Series& series = chart.series[k];
     const std::string number = std::to_string(k + 1);
     const std::string xy = column(c.x, chart.x.unit) + ":" + column(c.y, chart.y.unit);
-    parts.push_back(quoted(csv) + " using " + xy + " with " + style(series) + " linestyle " + number +
+    parts.push_back(quoted_file(csv) + " using " + xy + " with " + style(series) + " linestyle " + number +
                     (series.name.empty() ? " notitle" : " title " + quoted(series.name)));
     if (!c.y_error.empty())
-      parts.push_back(quoted(csv) + " using " + xy + ":" + column(c.y_error, chart.y.unit) +
+      parts.push_back(quoted_file(csv) + " using " + xy + ":" + column(c.y_error, chart.y.unit) +
                       " with yerrorbars linestyle " + number + " dashtype 1" +
                       (series.mark == Mark::line ? " pointtype 0" : "") + " notitle");
   }
@@ -88,12 +97,12 @@ std::string gnuplot_script(const Chart& chart, const std::string& csv, const std
   if (columns.size() != chart.series.size())
     throw InvalidArgument("there are columns for " + std::to_string(columns.size()) + " series, and " +
                           std::to_string(chart.series.size()) + " series");
-  std::string text = "# Redraws the picture from " + quoted(csv) +
+  std::string text = "# Redraws the picture from " + quoted_file(csv) +
                      " in the folder where gnuplot runs.\n"
                      "set terminal svg noenhanced size 900,500 background rgb 'white'\n"
                      "set encoding utf8\n"
                      "set output " +
-                     quoted(picture) +
+                     quoted_file(picture) +
                      "\nset datafile separator comma\n"
                      "set datafile commentschars '#'\n"
                      "set datafile columnheaders\n"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
 #include <granum/stress/shear_path.hpp>
 
 #include "path_run.hpp"
@@ -59,14 +60,14 @@ bool is_piece(std::string_view stem) {
   return false;
 }
 
-/// A checkpoint, or what a writer that was killed left of one: "<piece>.checkpoint.part<process>".
+/// A checkpoint, or what a writer that was killed left of one: "<piece>.checkpoint.granum.part".
 bool is_checkpoint(std::string_view file) {
-  constexpr std::string_view ending = ".checkpoint", part = ".part";
+  constexpr std::string_view ending = ".checkpoint";
   const std::size_t at = file.find(ending);
   if (at == std::string_view::npos || !is_piece(file.substr(0, at)))
     return false;
-  std::string_view rest = file.substr(at + ending.size());
-  return rest.empty() || (skip(rest, part) && all_digits(rest));
+  const std::string_view rest = file.substr(at + ending.size());
+  return rest.empty() || rest == io::part_ending;
 }
 
 } // namespace

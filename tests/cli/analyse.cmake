@@ -80,6 +80,11 @@ granum_cli_test("analyse: one of two stresses does not agree" EXIT 0 STDOUT "fra
   ARGS analyse ${both} --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa
     --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa)
 
+# the formats of the table stand in the help
+foreach(format "LAMMPS or LIGGGHTS dumps +ITEM: lines" "MercuryDPM's .data and .fstat" "CSV +headings")
+  granum_cli_test("analyse: help names ${format}" EXIT 0 STDOUT "Formats, plain or gzip.*${format}" ARGS analyse --help)
+endforeach()
+
 # what is refused
 function(granum_analyse_refuses what code message)
   granum_cli_test("analyse: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS analyse ${ARGN})
@@ -111,6 +116,10 @@ granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" ST
 add_test(NAME "cli: analyse: files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DIO=${io}"
   "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/analysis" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analysis_files.cmake")
 set_tests_properties("cli: analyse: files" PROPERTIES LABELS cli)
+add_test(NAME "cli: hostile files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
+  "-DDATA=${CMAKE_CURRENT_SOURCE_DIR}/data" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/hostile_files"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_hostile_files.cmake")
+set_tests_properties("cli: hostile files" PROPERTIES LABELS cli)
 add_test(NAME "cli: analyse: 10,000 grains of LAMMPS" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
   "-DDATA=${PROJECT_SOURCE_DIR}/examples/data" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_real_packing.cmake")
 set_tests_properties("cli: analyse: 10,000 grains of LAMMPS" PROPERTIES LABELS slow)

@@ -267,6 +267,19 @@ TEST_CASE("the gnuplot script names file, columns, units, scales and errors, quo
   CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
 }
 
+TEST_CASE("the gnuplot script takes no name of a file for a command") {
+  const Chart chart = chart_of({1, 2}, {1, 2});
+  for (const char* name : {"< touch x; cat a.csv", "| touch x", "-", "~/a.csv", "+"}) {
+    CAPTURE(name);
+    const std::string script = gnuplot_script(chart, name, {{"x", "y"}}, name);
+    CHECK(script.find("plot './" + std::string(name) + "'") != std::string::npos);
+    CHECK(script.find("set output './" + std::string(name) + "'") != std::string::npos);
+  }
+  for (const char* name : {"a.csv", "../a.csv", "/a.csv", "_a.csv", "1.csv"})
+    CHECK(gnuplot_script(chart, name, {{"x", "y"}}, "a.svg").find("plot '" + std::string(name)) !=
+          std::string::npos);
+}
+
 TEST_CASE("series of one style look alike, and tones differ from the full one") {
   Chart chart = chart_of({1, 2}, {1, 2});
   chart.series[0].style = 3;

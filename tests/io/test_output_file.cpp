@@ -5,6 +5,8 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -45,6 +47,69 @@ TEST_CASE("an existing file is kept unless it may be replaced") {
   write_file(path, "new", Existing::replace);
   CHECK(content(path) == "new");
   CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("a file that is replaced hands its mode on, and a new one has the usual") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "secret.csv";
+  const auto mode = [&] { return std::filesystem::status(path).permissions(); };
+  using std::filesystem::perms;
+  write_file(path, "old", Existing::keep);
+  const perms usual = mode();
+  CHECK((usual & perms::owner_write) != perms::none);
+  for (const perms own : {perms(0600), perms(0640), perms(0444)}) {
+    std::filesystem::permissions(path, own);
+    write_file(path, "new", Existing::replace);
+    CHECK(mode() == own);
+  }
+}
+
+TEST_CASE("a link is something that exists, also where it leads nowhere") {
+  const TemporaryFolder folder;
+  const auto link = folder.path() / "link";
+  std::filesystem::create_symlink("nowhere", link);
+  CHECK(is_taken(link));
+  CHECK_FALSE(is_taken(folder.path() / "nowhere"));
+  CHECK_THROWS_AS(write_file(link, "x", Existing::keep), FileError);
+  CHECK(std::filesystem::is_symlink(link));
+  write_file(link, "x", Existing::replace);
+  CHECK(content(link) == "x");
+  CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("what a killed run left of a file is removed by the next that writes it") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "out.csv";
+  const auto part = folder.path() / "out.csv.granum.part";
+  std::ofstream(part) << "half a file, longer than the whole one";
+  write_file(path, "whole", Existing::keep);
+  CHECK(content(path) == "whole");
+  CHECK_FALSE(std::filesystem::exists(part));
+  // not through a link that someone put there
+  std::ofstream(folder.path() / "other") << "kept";
+  std::filesystem::create_symlink("other", part);
+  CHECK_THROWS_AS(write_file(path, "new", Existing::replace), FileError);
+  CHECK(content(folder.path() / "other") == "kept");
+}
+
+TEST_CASE("two runs that write one file leave one of the two texts") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "out.csv";
+  const std::string texts[] = {std::string(100'000, 'a'), std::string(50'000, 'b')};
+  std::vector<std::thread> writers;
+  for (const std::string& text : texts)
+    writers.emplace_back([&] {
+      for (int k = 0; k < 20; ++k)
+        write_file(path, text, Existing::replace);
+    });
+  for (std::thread& writer : writers)
+    writer.join();
+  CHECK((content(path) == texts[0] || content(path) == texts[1]));
+  CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("a name that no file can have is an error of the file") {
+  CHECK_THROWS_AS(write_file(std::string(5000, 'n'), "x", Existing::keep), FileError);
 }
 
 TEST_CASE("a place that cannot be written to is named, and no part of the file stays") {

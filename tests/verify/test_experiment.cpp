@@ -257,7 +257,7 @@ TEST_CASE("checkpoints are removed by their names, and nothing else is") {
   REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
   REQUIRE(files().size() >= 3);
   // As a run with another seed leaves them that was killed while it wrote.
-  std::ofstream(folder.path() / "sphere-loose-12-rtxe.checkpoint.part4711") << "x";
+  std::ofstream(folder.path() / "sphere-loose-12-rtxe.checkpoint.granum.part") << "x";
   std::ofstream(folder.path() / "flat-7-packing.checkpoint") << "x";
   const std::set<std::string> foreign{"notes.txt",
                                       "sphere-dense-1-txc.checkpoint.bak",

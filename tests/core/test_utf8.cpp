@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/core/utf8.hpp>
+
+#include <string>
+
+#include <doctest/doctest.h>
+
+using namespace granum;
+
+TEST_CASE("utf8: lengths of characters, 0 for what is none") {
+  for (const auto& [text, length] :
+       {std::pair{"a", 1}, {"\u03b3", 2}, {"\u2264", 3}, {"\U0001F600", 4}, {"", 0}})
+    CHECK(utf8_length(text) == static_cast<std::size_t>(length));
+  for (const char* wrong : {"\x80", "\xC3", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80",
+                            "\xEF\xBF\xBF", "\xF0\x80\x80\xAF", "\xF4\x90\x80\x80", "\xFF"})
+    CHECK_MESSAGE(utf8_length(wrong) == 0, static_cast<int>(static_cast<unsigned char>(wrong[0])));
+}
+
+TEST_CASE("utf8: what a terminal would obey is written out, and nothing else is changed") {
+  CHECK(printable("\x1b[2Ja\rb\x07\x7f") == "\\x1b[2Ja\\x0db\\x07\\x7f");
+  CHECK(printable(std::string("\0", 1)) == "\\x00");
+  CHECK(printable("\x9b"
+                  "1m \xC2\x9b"
+                  "1m") == "\\x9b1m \\xc2\\x9b1m"); // the terminal's other way to say ESC [
+  const std::string harmless = "p\u2032 = 1\tkPa\n\u03c3_v, H\xF6he, \u00df, \xE4";
+  CHECK(printable(harmless) == harmless);
+}
