@@ -100,8 +100,8 @@ double checked_modulus(const Constants<Dual<N>>& c, Modulus which) {
 
 /// The stiffness of a model with its derivatives by the stresses alone. Assumes a checked, loaded state.
 Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model& model);
-/// Whether a modulus of a stiffness is zero but for rounding. C44 is a sum of small terms where it is small; all
-/// others are differences of larger ones.
+/// Whether a modulus of a stiffness is zero but for rounding. C44 is a sum of small terms where it is small;
+/// all others are differences of larger ones.
 inline bool vanishes(double value, double C11, Modulus which) {
   return std::abs(value) <= (which == Modulus::G_vh ? 0 : 1e-13 * C11);
 }

@@ -17,8 +17,8 @@ struct NormalBlock {
   double m11, m12, m13, m33;
 };
 
-/// A block and its shear entry, all of them times 2^exponent. The exponent is 0 unless products of entries would
-/// leave the range of a double.
+/// A block and its shear entry, all of them times 2^exponent. The exponent is 0 unless products of entries
+/// would leave the range of a double.
 struct Scaled {
   NormalBlock block;
   double shear;

@@ -23,7 +23,8 @@ struct StressExponents {
 /// The modulus of that name [Pa].
 /// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite
 [[nodiscard]] double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which);
-/// The same for any stiffness: Young's moduli as elastic::young_modulus gives them, nothing where there is none.
+/// The same for any stiffness: Young's moduli as elastic::young_modulus gives them, nothing where there is
+/// none.
 [[nodiscard]] std::optional<double> modulus_if_any(const elastic::TransverselyIsotropic& stiffness,
                                                    Modulus which);
 

@@ -26,8 +26,8 @@ struct Model {
   ContactForces forces = ContactForces::by_direction;
 };
 
-/// The stiffness of a model: uniform_strain(state) and its kin, or the same of uniform_contacts(state). Without
-/// contacts (C_n = 0): 0.
+/// The stiffness of a model: uniform_strain(state) and its kin, or the same of uniform_contacts(state).
+/// Without contacts (C_n = 0): 0.
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  as the functions named.  Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] Estimate uniform_field(const State& state, const Model& model);

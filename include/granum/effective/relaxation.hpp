@@ -64,9 +64,9 @@ struct RelaxedEstimate {
 
 /// uniform_strain(state), relaxed: its volumetric and its deviatoric part by the two factors; then, where
 /// fabric or stresses are anisotropic, C33/C11 by exp((1 - h)(A ln(F33/F11) + B b ln(stress_v/stress_h))) at
-/// constant volume, h the factor of G, because directions of many or stiff contacts relax less. Far beyond the
-/// calibration that could raise K above that of uniform strain, its upper bound: then all constants are scaled
-/// down to it, with a note. Transversely
+/// constant volume, h the factor of G, because directions of many or stiff contacts relax less. Far beyond
+/// the calibration that could raise K above that of uniform strain, its upper bound: then all constants are
+/// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains

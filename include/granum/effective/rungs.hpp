@@ -75,23 +75,25 @@ struct Rung {
 [[nodiscard]] bool has_inputs(const RungInputs& packing, const Rung& rung);
 
 /// What a closed form says of a packing. No contacts, no stiffness.
-/// \throws   InvalidArgument as require_valid(State) and relaxed, if the packing lacks what the rung needs, or
-///           if the moduli are beyond what a double holds
+/// \throws   InvalidArgument as require_valid(State) and relaxed, if the packing lacks what the rung needs,
+///           or if the moduli are beyond what a double holds
 /// Accuracy  as uniform_strain, uniform_stress and relaxed.  Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] RungAnswer answer(const Rung& rung, const RungInputs& packing);
 /// The same with the exponents of G_vh.
 [[nodiscard]] RungAnswer answer_with_exponents(const Rung& rung, const RungInputs& packing);
 
-/// Exponents of a modulus at frozen contacts: C_n, z* and a do not grow. At zero stress those of the isotropic
-/// path, their limit. Nothing where the modulus vanishes whatever the stress: without contacts, shear moduli
-/// of uniform stress at k_t = 0, C12 and C13 of uniform strain at k_t = k_n, or below the isostatic point.
+/// Exponents of a modulus at frozen contacts: C_n, z* and a do not grow. At zero stress those of the
+/// isotropic path, their limit. Nothing where the modulus vanishes whatever the stress: without contacts,
+/// shear moduli of uniform stress at k_t = 0, C12 and C13 of uniform strain at k_t = k_n, or below the
+/// isostatic point.
 /// \throws   InvalidArgument as answer
 /// Accuracy  1e-12 absolute, 1e-10 of rung 3.  Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] std::optional<StressExponents> exponents(const Rung& rung, const RungInputs& packing,
                                                        Modulus which);
 
 /// A modulus with its exact derivatives by every input and the standard error of its calibration.
-/// \throws   InvalidArgument as answer; without stress or contacts; for rung 3 at or below the isostatic point
+/// \throws   InvalidArgument as answer; without stress or contacts; for rung 3 at or below the isostatic
+/// point
 /// Accuracy  relative 1e-11 of the largest logarithmic derivative.
 ///           Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] CalibratedGradient gradient(const Rung& rung, const RungInputs& packing, Modulus which);

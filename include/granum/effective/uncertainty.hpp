@@ -20,8 +20,8 @@ struct UncertainNumber {
   double value = 0;
   double deviation = 0;                     ///< standard deviation >= 0 [unit of the number]
   std::array<double, input_count> slopes{}; ///< d input/d number in the order of Input
-  /// Its name, which decides what it draws: the same whatever other numbers there are, and in any order. Where
-  /// it is empty its place does.
+  /// Its name, which decides what it draws: the same whatever other numbers there are, and in any order.
+  /// Where it is empty its place does.
   std::string key = {};
 };
 

@@ -48,8 +48,8 @@ struct TransverselyIsotropic {
 /// Direction of a load along one axis.
 enum class Loading { vertical, horizontal };
 
-/// Young's modulus of any stiffness [Pa]: E_v or E_h, 0 in the limit of vanishing shear stiffness (C44 = C66 =
-/// 0), nothing if no stable material has this stiffness.
+/// Young's modulus of any stiffness [Pa]: E_v or E_h, 0 in the limit of vanishing shear stiffness (C44 = C66
+/// = 0), nothing if no stable material has this stiffness.
 [[nodiscard]] std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Loading loading);
 
 /// The five Voigt compliances [1/Pa]: e11 = S11 s11 + S12 s22 + S13 s33 and so on, 2 e23 = S44 s23.
