@@ -32,9 +32,10 @@ FrameColumns state_columns() {
   using analysis::Measurement;
   using io::ShownColumn;
   return {
-      {"frame", "", [](const FrameAnswer& f) { return number(f.number); }, ShownColumn{"frame", 6, 10}},
+      {"frame", "", [](const FrameAnswer& f) { return number(f.number); },
+       ShownColumn{.heading = "frame", .width = 6, .digits = 10, .ahead = true}},
       {"step", "", [](const FrameAnswer& f) { return static_cast<double>(f.measured.step); },
-       ShownColumn{"step", 11, 10}},
+       ShownColumn{.heading = "step", .width = 11, .digits = 10, .ahead = true}},
       {"time_s", "", [](const FrameAnswer& f) { return f.measured.time; }},
       {"e", "", [](const FrameAnswer& f) { return f.measured.packing.void_ratio; },
        ShownColumn{"e", 9, 4, true}},
@@ -58,7 +59,7 @@ FrameColumns state_columns() {
        part(&Measurement::stress,
             [](const ContactStress& x) { return (x.symmetric(0, 0) + x.symmetric(1, 1)) / 2; })},
       {"p_Pa", "", part(&Measurement::stress, [](const ContactStress& x) { return x.mean(); }),
-       ShownColumn{"p [kPa]", 11, 5, false, 1e3, "-"}},
+       ShownColumn{"p [kPa]", 11, 5, false, 1e3, "-", true}},
       {"p_by_code_Pa", "",
        [](const FrameAnswer& f) -> std::optional<double> {
          if (!f.code_stress)

@@ -55,7 +55,7 @@ io::Columns<CompressedState> state_columns() {
   constexpr double kPa = 1e3, MPa = 1e6;
   return {
       {"p_Pa", "pressure_Pa", [](const State& s) { return s.pressure; },
-       io::ShownColumn{"p [kPa]", 9, 4, false, kPa}},
+       io::ShownColumn{"p [kPa]", 9, 4, false, kPa, "", true}},
       {"p_contacts_Pa", "pressure_by_contacts_Pa",
        [](const State& s) {
          return s.packing.stress ? std::optional(s.packing.stress->mean()) : std::nullopt;
@@ -64,10 +64,10 @@ io::Columns<CompressedState> state_columns() {
       {"e", "void_ratio", [](const State& s) { return s.packing.void_ratio; },
        io::ShownColumn{"e", 8, 4, true}},
       {"C_n", "coordination_number", [](const State& s) { return s.packing.counts.coordination_number; },
-       io::ShownColumn{"C_n", 7, 3, true}},
+       io::ShownColumn{"C_n", 7, 3, true, 1, "", true}},
       {"z_star", "mechanical_coordination_number",
        [](const State& s) { return s.packing.counts.mechanical.coordination_number; },
-       io::ShownColumn{"z*", 7, 3, true}},
+       io::ShownColumn{"z*", 7, 3, true, 1, "", true}},
       {"rattler_fraction", "rattler_fraction",
        [](const State& s) { return s.packing.counts.mechanical.rattler_fraction; }},
       {"a", "fabric_anisotropy",

@@ -34,6 +34,16 @@ TEST_CASE("one list of columns makes the CSV and the screen") {
   CHECK(number_line(columns, Grain{0.25}) == "  250.00    0.5");
 }
 
+TEST_CASE("on the screen some columns stand ahead, in the CSV all stand as they are listed") {
+  Columns<Grain> ordered = columns;
+  ordered[2].shown->ahead = true;
+  CHECK(heading_line(ordered) == " m [kg]  R [mm]  d [m]");
+  CHECK(number_line(ordered, Grain{0.5, 2}) == "      2  500.00      1");
+  CsvContent csv;
+  add_headings(csv, ordered);
+  CHECK(csv.headings == std::vector<std::string>{"R_m", "m_kg"});
+}
+
 TEST_CASE("what is wider than its column is shown whole") {
   const ShownColumn narrow{"a long heading", 3, 6};
   CHECK(heading_text(narrow) == "a long heading");

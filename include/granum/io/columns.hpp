@@ -22,6 +22,7 @@ struct ShownColumn {
   bool fixed = false;      ///< digits behind the point
   double unit = 1;         ///< that numbers are shown in [SI]
   std::string absent = ""; ///< what a row without a number shows
+  bool ahead = false;      ///< stands before those that are not, wherever it is in the list
 };
 
 enum class ColumnKind {
@@ -67,21 +68,28 @@ void add_cells(std::vector<CsvCell>& to, const Columns<Row>& columns, const Row&
 [[nodiscard]] std::string heading_text(const ShownColumn& column);
 [[nodiscard]] std::string number_text(const ShownColumn& column, const std::optional<double>& number);
 
+/// Calls visit(column, how it is shown) for the columns of a screen, from left to right.
+template <class Row, class Visit>
+void for_each_shown(const Columns<Row>& columns, const Visit& visit) {
+  for (const bool ahead : {true, false})
+    for (const Column<Row>& column : columns)
+      if (column.shown && column.shown->ahead == ahead)
+        visit(column, *column.shown);
+}
+
 /// The lines of a table on a screen, without their ends and blanks there.
 template <class Row>
 [[nodiscard]] std::string heading_line(const Columns<Row>& columns) {
   std::string line;
-  for (const Column<Row>& column : columns)
-    if (column.shown)
-      line += heading_text(*column.shown);
+  for_each_shown(columns, [&](const Column<Row>&, const ShownColumn& shown) { line += heading_text(shown); });
   return line;
 }
 template <class Row>
 [[nodiscard]] std::string number_line(const Columns<Row>& columns, const Row& row) {
   std::string line;
-  for (const Column<Row>& column : columns)
-    if (column.shown)
-      line += number_text(*column.shown, column.of(row));
+  for_each_shown(columns, [&](const Column<Row>& column, const ShownColumn& shown) {
+    line += number_text(shown, column.of(row));
+  });
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }
