@@ -33,7 +33,7 @@ granum_cli_test("analyse: grains alone" EXIT 0 STDOUT "grains without contact +3
 
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
-  STDOUT "frame +step .* 0 +0 .* 0\\.46909 .* 1 +20 .* 0\\.42956 "
+  STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts)
 granum_cli_test("analyse: the last frame" EXIT 0 STDERR "not at rest" JSON "frames/0/step=^20$"
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames last --json)
