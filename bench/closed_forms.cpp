@@ -15,10 +15,10 @@
 #include <granum/core/number.hpp>
 #include <granum/effective/batch.hpp>
 #include <granum/effective/exponents.hpp>
-#include <granum/effective/gradients.hpp>
-#include <granum/effective/hertz_mindlin.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/uniform_field.hpp>
+#include <granum/rock_physics/hertz_mindlin.hpp>
 
 #include "machine_limits.hpp"
 

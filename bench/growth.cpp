@@ -68,11 +68,11 @@ void prepare(std::size_t size, std::uint64_t seed) {
 }
 
 void solve(const dem::State& state, bool copies) {
-  Assembly assembly = dem::contact_network(state, material(friction));
+  packing::Assembly assembly = dem::contact_network(state, material(friction));
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> factor(0.5, 1.5);
   if (copies)
-    for (Contact& c : assembly.contacts) {
+    for (packing::Contact& c : assembly.contacts) {
       const double by = factor(random);
       c.normal_stiffness *= by;
       c.tangential_stiffness *= by;

@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include <granum/assembly/stress.hpp>
 #include <granum/core/number.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/io/lammps_data.hpp>
+#include <granum/io/lammps/data.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/packing/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "stored_packing.hpp"
@@ -58,11 +58,11 @@ void say_state(const dem::Engine& engine) {
 }
 
 void scene(const dem::State& state) {
-  const Assembly frozen = dem::contact_network(state, material(friction));
+  const packing::Assembly frozen = dem::contact_network(state, material(friction));
   // The spring of equal stiffness in all contacts that bears the same mean stress, for laws without Hertz.
   double overlap_stress = 0; // of springs of 1 N/m, in their unit [1/m]
   double stiffness = 0;      // k_n of a contact in the mean [N/m]
-  for (const Contact& c : frozen.contacts) {
+  for (const packing::Contact& c : frozen.contacts) {
     overlap_stress += c.overlap * norm(c.branch) / (3 * frozen.volume());
     stiffness += c.normal_stiffness / static_cast<double>(frozen.contacts.size());
   }

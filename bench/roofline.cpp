@@ -14,11 +14,11 @@
 
 #include <granum/dem/engine.hpp>
 
-#include "contact_sweep.hpp"
-#include "grain_order.hpp"
+#include "dem/sweep/contact_sweep.hpp"
+#include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/verlet_list.hpp"
 #include "machine_limits.hpp"
 #include "specimens.hpp"
-#include "verlet_list.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include <granum/core/number.hpp>
-#include <granum/io/lammps_data.hpp>
+#include <granum/io/lammps/data.hpp>
 #include <granum/io/output_file.hpp>
 
 namespace granum::bench {
@@ -18,7 +18,7 @@ std::size_t count_of(const std::string& text) {
 }
 
 dem::State load_packing(const std::filesystem::path& path) {
-  const Assembly grains = io::read_lammps_data(io::TextSource(path)).assembly;
+  const packing::Assembly grains = io::read_lammps_data(io::TextSource(path)).assembly;
   dem::State state;
   state.cell = grains.cell;
   state.radius = radius;

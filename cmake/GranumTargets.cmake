@@ -14,12 +14,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
-# every machine computes the same bits. The engine's sweep names its own (src/dem/vector_level.hpp).
+# every machine computes the same bits. The engine's sweep names its own (src/dem/sweep/vector_level.hpp).
 function(granum_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
+  # Private headers are named by their path below src; tests/layering says who may include whose.
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
 endfunction()
 
 # granum_precompile(<target> [<header>...]): Eigen, the standard headers that most sources begin with, and the named ones
@@ -51,7 +53,7 @@ function(granum_library name)
 endfunction()
 
 # granum_module(<library> <module> <concept>...): each concept is include/granum/<module>/<concept>.hpp and,
-# where it exists, src/<module>/<concept>.cpp.
+# where it exists, src/<module>/<concept>.cpp. In a module with rooms a concept is <room>/<concept>.
 function(granum_module library module)
   foreach(concept IN LISTS ARGN)
     set(header_set lone_headers)
@@ -64,12 +66,19 @@ function(granum_module library module)
   endforeach()
 endfunction()
 
+# granum_private(<library> <module> <source>...): sources without a public header, src/<module>/<source>.cpp.
+function(granum_private library module)
+  list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/${module}/\\1.cpp" OUTPUT_VARIABLE sources)
+  target_sources(granum_${library} PRIVATE ${sources})
+endfunction()
+
 # granum_tests(<module> <concept>...): program test_<module> from tests/<module>/test_<concept>.cpp; each doctest
-# case becomes a ctest of label "unit".
+# case becomes a ctest of label "unit". The test of <room>/<concept> is tests/<module>/<room>/test_<concept>.cpp.
 function(granum_tests module)
   set(sources "")
   foreach(concept IN LISTS ARGN)
-    list(APPEND sources "${PROJECT_SOURCE_DIR}/tests/${module}/test_${concept}.cpp")
+    string(REGEX REPLACE "([^/]+)$" "test_\\1" file "${concept}")
+    list(APPEND sources "${PROJECT_SOURCE_DIR}/tests/${module}/${file}.cpp")
   endforeach()
   list(SORT sources)
   add_executable(test_${module} ${sources})
@@ -80,14 +89,14 @@ function(granum_tests module)
   target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   # Tests that compute much themselves would take minutes unoptimised, as the sanitized ones are otherwise.
   set(headers granum_test_headers)
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND module MATCHES "^(effective|fabric|network|dem|triaxial|verify)$")
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND module MATCHES "^(effective|fabric|network|dem|triaxial|studies)$")
     target_compile_options(test_${module} PRIVATE -O1)
     set(headers granum_optimised_test_headers)
   endif()
   if(GRANUM_PRECOMPILED_HEADERS)
     target_precompile_headers(test_${module} REUSE_FROM ${headers})
   endif()
-  if(module STREQUAL "verify")
+  if(module STREQUAL "studies")
     granum_unity_build(test_${module} 4)
   endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)

@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/uncertainty.hpp>
+#include <granum/effective/sensitivity/uncertainty.hpp>
 
 using namespace granum;
 using effective::Input;

@@ -96,7 +96,7 @@ int main() {
   int broken = ask("known: law, e, C_n, stress", packing, network.G_vh());
 
   // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
-  const MechanicalCoordination& counted = measured.counts.mechanical;
+  const packing::MechanicalCoordination& counted = measured.counts.mechanical;
   packing.rattler_fraction = Measured{counted.rattler_fraction, 0.01};
   broken += ask("also the rattlers, to 1 % of the grains", packing, network.G_vh());
 

@@ -15,8 +15,8 @@
 
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/io/chart.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/plot/chart.hpp>
 #include <granum/stress/shear_path.hpp>
 
 using namespace granum;
@@ -57,7 +57,7 @@ void print(const Row& row) {
 }
 
 /// Adds a point to the curves of G_hh, G_hv and E_v.
-void add(io::Chart& chart, const Row& row) {
+void add(plot::Chart& chart, const Row& row) {
   const double moduli[] = {row.G_hh, row.G_hv, row.E_v};
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
     chart.series[k].x.push_back(row.eta);
@@ -85,12 +85,12 @@ int main(int argc, char** argv) {
   const double end = stress::failure_ratio(stress::ShearPath::txc, angle);
 
   // 3. Walk along it.
-  io::Chart chart{.title = "Uniform strain along TXC from 100 kPa",
-                  .x = {.title = "\u03b7 = q/p'"},
-                  .y = {.title = "modulus [MPa]", .unit = 1e6},
-                  .series = {{.name = "G_hh", .x = {}, .y = {}},
-                             {.name = "G_hv", .x = {}, .y = {}},
-                             {.name = "E_v", .x = {}, .y = {}}}};
+  plot::Chart chart{.title = "Uniform strain along TXC from 100 kPa",
+                    .x = {.title = "\u03b7 = q/p'"},
+                    .y = {.title = "modulus [MPa]", .unit = 1e6},
+                    .series = {{.name = "G_hh", .x = {}, .y = {}},
+                               {.name = "G_hv", .x = {}, .y = {}},
+                               {.name = "E_v", .x = {}, .y = {}}}};
   std::printf("                kPa                      MPa      G_hv ~ sigma_h^m sigma_v^n\n"
               "  eta       p'  sigma_v     G_hh    G_hv     E_v        m +      n =      s\n");
   double worst = 0;
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
 
   // 4. A picture, if asked for.
   if (argc > 1)
-    io::write_file(argv[1], io::svg(chart), io::Existing::replace);
+    io::write_file(argv[1], plot::svg(chart), io::Existing::replace);
 
   // 5. Check: m and n change with the stress ratio, their sum does not. It is s = 1/(1+alpha) of the contact
   //    law, by exact derivative and between the paths from 100 and from 800 kPa.

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "studies/analyse/measured_frame.hpp"
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
-#include <granum/io/lammps_dump.hpp>
-#include <granum/verify/measured_frame.hpp>
+#include <granum/io/lammps/dump.hpp>
 
 using namespace granum;
 
@@ -33,7 +33,7 @@ double shear_modulus(const elastic::TransverselyIsotropic& stiffness) {
 
 /// Largest difference of a stress from the six pressures that a code printed, over the mean stress. LAMMPS
 /// prints sum d_a f_b, of which f_i l_j of the analysis is the transpose.
-double difference(const ContactStress& stress, const double (&code)[6]) {
+double difference(const packing::ContactStress& stress, const double (&code)[6]) {
   const Mat3& s = stress.tensor;
   const double own[6] = {s(0, 0), s(1, 1), s(2, 2), s(1, 0), s(2, 0), s(2, 1)};
   double largest = 0;
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     std::printf("- %s\n", note.text.c_str());
 
   // 2. All that it says. Nothing is given, so the material comes out of the forces.
-  const verify::MeasuredFrame frame = verify::measure_frame(packing);
+  const studies::MeasuredFrame frame = studies::measure_frame(packing);
   const analysis::Measurement& a = frame.packing;
   for (const std::string& warning : frame.warnings)
     std::printf("warning: %s\n", warning.c_str());

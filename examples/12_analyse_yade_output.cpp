@@ -14,17 +14,17 @@
 #include <cstdio>
 #include <string>
 
-#include <granum/assembly/stiffness.hpp>
+#include "studies/analyse/measured_frame.hpp"
 #include <granum/contact/power_law.hpp>
-#include <granum/io/yade_text.hpp>
-#include <granum/verify/measured_frame.hpp>
+#include <granum/io/yade/text.hpp>
+#include <granum/packing/stiffness.hpp>
 
 using namespace granum;
 
 namespace {
 
 /// Largest difference of a stress from the six that YADE's getStress() gives, over the mean stress.
-double difference(const ContactStress& stress, const double (&code)[6]) {
+double difference(const packing::ContactStress& stress, const double (&code)[6]) {
   const Mat3& s = stress.tensor;
   const double own[6] = {s(0, 0), s(1, 1), s(2, 2), s(1, 0), s(2, 0), s(2, 1)};
   double largest = 0;
@@ -34,13 +34,13 @@ double difference(const ContactStress& stress, const double (&code)[6]) {
 }
 
 /// Largest relative difference of k_n and k_t in a packing from Hertz and Mindlin at the overlaps.
-double difference(const Assembly& packing, const contact::GrainMaterial& grain) {
-  Assembly expected = packing;
+double difference(const packing::Assembly& packing, const contact::GrainMaterial& grain) {
+  packing::Assembly expected = packing;
   assign_hertz_stiffness(expected, grain, contact::mindlin_stiffness_ratio(grain.poisson_ratio));
   double largest = 0;
   for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
-    const Contact& is = packing.contacts[c];
-    const Contact& should = expected.contacts[c];
+    const packing::Contact& is = packing.contacts[c];
+    const packing::Contact& should = expected.contacts[c];
     largest = std::max({largest, std::abs(is.normal_stiffness / should.normal_stiffness - 1),
                         std::abs(is.tangential_stiffness / should.tangential_stiffness - 1)});
   }
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     std::printf("- %s\n", note.text.c_str());
 
   // 2. All that it says.
-  const verify::MeasuredFrame frame = verify::measure_frame(packing);
+  const studies::MeasuredFrame frame = studies::measure_frame(packing);
   const analysis::Measurement& a = frame.packing;
   for (const std::string& warning : frame.warnings)
     std::printf("warning: %s\n", warning.c_str());

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/io/csv.hpp>
-#include <granum/io/lammps_deck.hpp>
-#include <granum/io/lammps_dump.hpp>
+#include <granum/io/csv/table.hpp>
+#include <granum/io/lammps/deck.hpp>
+#include <granum/io/lammps/dump.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -38,7 +38,8 @@ std::vector<io::DeckFile> deck() {
   triaxial::SpecimenRecipe recipe{.material = material, .radius = radius};
   recipe.grains = 300;
   recipe.first_pressure = 50e3;
-  const Assembly start = dem::contact_network(triaxial::frictionless_specimen(recipe).state, material);
+  const packing::Assembly start =
+      dem::contact_network(triaxial::frictionless_specimen(recipe).state, material);
   return io::lammps_deck(start, {.law = law,
                                  .radius = radius,
                                  .tangential_ratio = ratio,

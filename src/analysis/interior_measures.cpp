@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include <granum/assembly/interior.hpp>
 #include <granum/core/error.hpp>
 #include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/packing/interior.hpp>
 
 namespace granum::analysis {
 
-InteriorMeasures interior_measures(const Assembly& assembly, const MechanicalCoordination& mechanical,
-                                   double layer) {
-  const Interior interior(assembly.cell, layer);
+InteriorMeasures interior_measures(const packing::Assembly& assembly,
+                                   const packing::MechanicalCoordination& mechanical, double layer) {
+  const packing::Interior interior(assembly.cell, layer);
   InteriorMeasures out;
   std::vector<bool> inside(assembly.grain_count());
   std::size_t rattlers = 0;
@@ -25,13 +25,13 @@ InteriorMeasures interior_measures(const Assembly& assembly, const MechanicalCoo
   if (out.grains == rattlers)
     throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
   out.void_ratio = interior.volume() / solid - 1;
-  const auto add_stress = [&](const Contact& c) {
+  const auto add_stress = [&](const packing::Contact& c) {
     out.stress +=
         interior.share(assembly.position[c.i], c.branch) / interior.volume() * outer(force(c), c.branch);
   };
   std::size_t ends = 0, bearing_ends = 0, sliding = 0;
   std::vector<Vec3> normals;
-  for (const Contact& c : assembly.contacts) {
+  for (const packing::Contact& c : assembly.contacts) {
     const std::size_t here = static_cast<std::size_t>(inside[c.i]) + static_cast<std::size_t>(inside[c.j]);
     ends += here;
     bearing_ends += mechanical.rattler[c.i] || mechanical.rattler[c.j] ? 0 : here;
@@ -41,7 +41,7 @@ InteriorMeasures interior_measures(const Assembly& assembly, const MechanicalCoo
       sliding += c.sliding;
     }
   }
-  for (const Contact& c : assembly.wall_contacts)
+  for (const packing::Contact& c : assembly.wall_contacts)
     add_stress(c);
   const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(normals);
   const auto share = [](std::size_t part, std::size_t whole) {

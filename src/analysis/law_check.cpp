@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <granum/assembly/force_distribution.hpp>
+#include <granum/packing/force_distribution.hpp>
 
 namespace granum::analysis {
 
@@ -18,12 +18,12 @@ struct Point {
   double ratio = 0;
 };
 
-std::vector<Point> points_of(const Assembly& assembly, const LawFamily& family,
+std::vector<Point> points_of(const packing::Assembly& assembly, const LawFamily& family,
                              const contact::GrainMaterial& grain) {
   constexpr double hardly = 1e-3;
-  const double mean = force_distribution(normal_forces(assembly), 1).mean;
+  const double mean = packing::force_distribution(normal_forces(assembly), 1).mean;
   std::vector<Point> points;
-  for (const Contact& c : assembly.contacts) {
+  for (const packing::Contact& c : assembly.contacts) {
     if (!(c.overlap > 0) || !(c.normal_force > 0) || !(c.normal_force >= hardly * mean))
       continue;
     const double ri = assembly.radius[c.i], rj = assembly.radius[c.j];
@@ -119,7 +119,8 @@ void measure_misfit(const std::vector<Point>& points, LawCheck& out) {
 
 } // namespace
 
-LawCheck check_law(const Assembly& assembly, const LawFamily& family, const contact::GrainMaterial& grain) {
+LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
+                   const contact::GrainMaterial& grain) {
   require_valid(assembly);
   const std::vector<Point> points = points_of(assembly, family, grain);
   LawCheck out;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-#include <granum/assembly/cell_work.hpp>
-#include <granum/assembly/density.hpp>
-#include <granum/assembly/fabric_tensor.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/uniform_field.hpp>
+#include <granum/packing/cell_work.hpp>
+#include <granum/packing/density.hpp>
+#include <granum/packing/fabric_tensor.hpp>
 
 namespace granum::analysis {
 
@@ -42,9 +42,9 @@ double error_of_mean(const std::vector<double>& values) {
   return std::sqrt(squares / (count - 1) / count);
 }
 
-Counts count(const Assembly& assembly) {
+Counts count(const packing::Assembly& assembly) {
   std::vector<double> contacts_of(assembly.grain_count());
-  for (const Contact& c : assembly.contacts) {
+  for (const packing::Contact& c : assembly.contacts) {
     contacts_of[c.i] += 1;
     contacts_of[c.j] += 1;
   }
@@ -54,7 +54,7 @@ Counts count(const Assembly& assembly) {
              .coordination_number = coordination_number(assembly),
              .coordination_error = error_of_mean(contacts_of),
              .sliding_fraction = sliding_fraction(assembly),
-             .mechanical = mechanical_coordination(assembly, ContactKind::frictional)};
+             .mechanical = mechanical_coordination(assembly, packing::ContactKind::frictional)};
   out.without_contact = static_cast<std::size_t>(std::count(contacts_of.begin(), contacts_of.end(), 0.0));
   const double grains = static_cast<double>(out.grains);
   const double touching = grains - static_cast<double>(out.without_contact);
@@ -66,9 +66,9 @@ Counts count(const Assembly& assembly) {
 }
 
 /// The contacts that press: moments of forces have no meaning in tension.
-Assembly pressing_part(const Assembly& assembly) {
-  Assembly pressing = assembly;
-  std::erase_if(pressing.contacts, [](const Contact& c) { return !(c.normal_force > 0); });
+packing::Assembly pressing_part(const packing::Assembly& assembly) {
+  packing::Assembly pressing = assembly;
+  std::erase_if(pressing.contacts, [](const packing::Contact& c) { return !(c.normal_force > 0); });
   return pressing;
 }
 
@@ -82,7 +82,7 @@ bool law_is_clear(const LawCheck& check) {
 /// One packing, part after part: each may need those before.
 class Measuring {
  public:
-  Measuring(const Assembly& assembly, const Given& given, const Wanted& wanted)
+  Measuring(const packing::Assembly& assembly, const Given& given, const Wanted& wanted)
       : assembly_(assembly), given_(given), wanted_(wanted),
         forces_known_(given.normal_forces && !assembly.contacts.empty()) {}
 
@@ -181,7 +181,7 @@ class Measuring {
 
   [[nodiscard]] bool contacts_have_stiffness() const {
     return std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
-                       [](const Contact& c) { return c.normal_stiffness > 0; });
+                       [](const packing::Contact& c) { return c.normal_stiffness > 0; });
   }
 
   void solve_network() {
@@ -195,21 +195,21 @@ class Measuring {
   }
 
   /// The assembly with k_n and k_t of its contacts by the law.
-  Assembly with_stiffness() {
-    Assembly assembly = assembly_;
+  packing::Assembly with_stiffness() {
+    packing::Assembly assembly = assembly_;
     const bool rough = given_.few_digits && forces_known_;
-    const StiffnessFrom from =
-        given_.stiffness_from.value_or(rough ? StiffnessFrom::force : StiffnessFrom::overlap);
+    const packing::StiffnessFrom from = given_.stiffness_from.value_or(
+        rough ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
       assign_hertz_stiffness(assembly, *out_.grain, tangential_ratio(), from);
     else
       assign_stiffness(assembly, *out_.law, tangential_ratio(), from);
-    out_.notes.emplace_back(from == StiffnessFrom::force ? "k_n of the network from the forces"
-                                                         : "k_n of the network from the overlaps");
+    out_.notes.emplace_back(from == packing::StiffnessFrom::force ? "k_n of the network from the forces"
+                                                                  : "k_n of the network from the overlaps");
     return assembly;
   }
 
-  void solve_network(const Assembly& assembly) {
+  void solve_network(const packing::Assembly& assembly) {
     const network::Response response = network::linear_response(assembly, *wanted_.network);
     Network network{.response = response, .symmetry = {}, .bulk_bounds = bulk_modulus_bounds(assembly)};
     if (response.last_iterate().matrix.norm() > 0)
@@ -217,7 +217,7 @@ class Measuring {
     out_.network = network;
   }
 
-  const Assembly& assembly_;
+  const packing::Assembly& assembly_;
   const Given& given_;
   const Wanted& wanted_;
   bool forces_known_;
@@ -235,14 +235,14 @@ Wanted everything() {
           .network = network::Options{}};
 }
 
-Measurement measure(const Assembly& assembly, const Given& given, const Wanted& wanted) {
+Measurement measure(const packing::Assembly& assembly, const Given& given, const Wanted& wanted) {
   return Measuring(assembly, given, wanted).run();
 }
 
 Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
   constexpr std::size_t enough = 20;
   Fabric out{.contacts = normals.size(),
-             .tensor = fabric_tensor(normals),
+             .tensor = packing::fabric_tensor(normals),
              .by_moment = fabric::estimate_anisotropy(normals)};
   if (wanted.fabric_tests) {
     out.by_likelihood = fabric::estimate_anisotropy_by_likelihood(normals);
@@ -258,18 +258,18 @@ Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
   return out;
 }
 
-Forces measure_forces(const Assembly& assembly, const Given& given, std::size_t bins) {
-  Forces out{.distribution = force_distribution(normal_forces(assembly), bins)};
+Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins) {
+  Forces out{.distribution = packing::force_distribution(normal_forces(assembly), bins)};
   out.unbalance = unbalance(assembly);
   if (out.distribution.pressing == 0)
     return out;
-  const Assembly pressing = pressing_part(assembly);
+  const packing::Assembly pressing = pressing_part(assembly);
   out.Z_2 = normal_force_moment(pressing, 2);
   out.Z_5_3 = normal_force_moment(pressing, 5.0 / 3);
   if (!given.tangential_forces)
     return out;
   double tangential = 0;
-  for (const Contact& c : pressing.contacts)
+  for (const packing::Contact& c : pressing.contacts)
     tangential += norm(c.tangential_force);
   out.mean_tangential_over_normal =
       tangential / (out.distribution.mean * static_cast<double>(out.distribution.pressing));

@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/verify/version.hpp>
+#include <granum/core/version.hpp>
 
-#include "frame.hpp"
-#include "messages.hpp"
-#include "stop_signal.hpp"
+#include "cli/frame/frame.hpp"
+#include "cli/frame/messages.hpp"
+#include "cli/frame/stop_signal.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ ExitCode parse_and_run(int argc, char** argv) {
       "How stiff is this packing of grains, how does that depend on stress, and how far can you trust "
       "the number?",
       "granum");
-  program.set_version_flag("--version", fmt::format("granum {} ({})", verify::version(), verify::compiler()));
+  program.set_version_flag("--version", fmt::format("granum {} ({})", version(), compiler()));
   program.require_subcommand(0, 1); // none at all is reported below, after unknown words
   program.footer(
       "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file, 4 not converged, or\n"

@@ -14,8 +14,8 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+#include "dem/sweep/frequency_bound.hpp"
 #include "engine_data.hpp"
-#include "frequency_bound.hpp"
 
 namespace granum::dem {
 

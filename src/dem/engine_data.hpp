@@ -9,13 +9,13 @@
 
 #include <granum/dem/engine.hpp>
 
-#include "contact_sweep.hpp"
-#include "grain_motion.hpp"
-#include "grain_order.hpp"
-#include "partition.hpp"
-#include "team.hpp"
-#include "verlet_list.hpp"
-#include "wall_contacts.hpp"
+#include "dem/sweep/contact_sweep.hpp"
+#include "dem/sweep/grain_motion.hpp"
+#include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/partition.hpp"
+#include "dem/sweep/team.hpp"
+#include "dem/sweep/verlet_list.hpp"
+#include "dem/sweep/wall_contacts.hpp"
 
 namespace granum::dem {
 

@@ -13,11 +13,11 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "contact_sweep.hpp"
-#include "grain_motion.hpp"
-#include "grain_order.hpp"
-#include "verlet_list.hpp"
-#include "wall_contacts.hpp"
+#include "dem/sweep/contact_sweep.hpp"
+#include "dem/sweep/grain_motion.hpp"
+#include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/verlet_list.hpp"
+#include "dem/sweep/wall_contacts.hpp"
 
 namespace granum::dem {
 

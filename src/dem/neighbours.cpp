@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/core/error.hpp>
+#include <granum/packing/assembly.hpp>
 
 namespace granum::dem {
 
@@ -35,7 +35,7 @@ std::array<int, 3> bin_of(const Bins& bins, const Vec3& s) {
 }
 
 Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
-  const Vec3 widths = cell_widths(cell);
+  const Vec3 widths = packing::cell_widths(cell);
   Bins bins;
   for (int k = 0; k < 3; ++k)
     bins.count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(widths[k] / cutoff), 1, 512);
@@ -123,7 +123,7 @@ void wrap(const Mat3& cell, std::span<Vec3> position) {
 
 std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff,
                                   Images images) {
-  const Vec3 widths = cell_widths(cell);
+  const Vec3 widths = packing::cell_widths(cell);
   const double narrowest = images == Images::periodic ? std::min({widths.x, widths.y, widths.z})
                                                       : std::numeric_limits<double>::infinity();
   if (!(cutoff > 0) || !(2 * cutoff <= narrowest))

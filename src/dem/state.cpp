@@ -11,8 +11,8 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 
-#include "verlet_list.hpp"
-#include "wall_contacts.hpp"
+#include "dem/sweep/verlet_list.hpp"
+#include "dem/sweep/wall_contacts.hpp"
 
 namespace granum::dem {
 
@@ -23,16 +23,16 @@ bool at_limit(const Vec3& tangential_force, double limit) {
   return norm(tangential_force) >= (1 - 1e-9) * limit;
 }
 
-std::vector<Contact> wall_contacts(const State& state, const Material& material) {
+std::vector<packing::Contact> wall_contacts(const State& state, const Material& material) {
   const std::array<WallPlane, wall_count> planes = wall_planes(state.cell);
   const contact::NormalKernel kernel = material.law.kernel();
   const bool rough = state.walls->friction_coefficient > 0;
-  std::vector<Contact> contacts;
+  std::vector<packing::Contact> contacts;
   auto memory = state.walls->history.begin();
   for (std::uint32_t g = 0; g < state.grain_count(); ++g)
     for (std::uint32_t w = 0; w < wall_count; ++w) {
       const double distance = wall_distance(planes[w], state.position[g]);
-      Contact c{.i = g, .j = w, .overlap = state.radius - distance, .tangential_force = {}};
+      packing::Contact c{.i = g, .j = w, .overlap = state.radius - distance, .tangential_force = {}};
       if (!(c.overlap > 0))
         continue;
       const contact::NormalResponse response =
@@ -72,8 +72,8 @@ double void_ratio(const State& state) {
   return determinant(state.cell) / (grain * static_cast<double>(state.grain_count())) - 1;
 }
 
-Assembly contact_network(const State& state, const Material& material) {
-  Assembly assembly;
+packing::Assembly contact_network(const State& state, const Material& material) {
+  packing::Assembly assembly;
   assembly.cell = state.cell;
   assembly.position = state.position;
   assembly.radius.assign(state.grain_count(), state.radius);
@@ -84,7 +84,7 @@ Assembly contact_network(const State& state, const Material& material) {
   auto memory = state.history.begin();
   for (const Pair& pair :
        neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius, images(state))) {
-    Contact c;
+    packing::Contact c;
     c.i = pair.i;
     c.j = pair.j;
     c.branch = assembly.position[pair.j] + shifts[pair.image] - assembly.position[pair.i];

@@ -6,7 +6,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "differentiated.hpp"
+#include "effective/sensitivity/differentiated.hpp"
 
 namespace granum::effective {
 

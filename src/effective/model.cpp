@@ -3,7 +3,7 @@
 
 #include <granum/core/error.hpp>
 
-#include "dual_moduli.hpp"
+#include "effective/sensitivity/dual_moduli.hpp"
 
 namespace granum::effective {
 

@@ -13,8 +13,8 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "effective/sensitivity/relaxed_parts.hpp"
 #include "relaxation_kernel.hpp"
-#include "relaxed_parts.hpp"
 
 namespace granum::effective {
 

@@ -10,7 +10,7 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "checked_state.hpp"
-#include "dual_moduli.hpp"
+#include "effective/sensitivity/dual_moduli.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {

@@ -10,7 +10,7 @@
 #include <granum/effective/model.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 
-#include "dual_moduli.hpp"
+#include "effective/sensitivity/dual_moduli.hpp"
 
 namespace granum::effective {
 

@@ -10,7 +10,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "text_row.hpp"
+#include "io/text/row.hpp"
 
 namespace granum::io {
 
@@ -26,14 +26,14 @@ constexpr double farthest = 2;
 
 bool same(const Vec3& a, const Vec3& b) { return norm(a - b) <= same_value * std::max(norm(a), norm(b)); }
 
-Contact turned(Contact c) {
+packing::Contact turned(packing::Contact c) {
   std::swap(c.i, c.j);
   c.branch = -c.branch;
   c.tangential_force = -c.tangential_force;
   return c;
 }
 
-Contact contact_of(const PairRow& row) {
+packing::Contact contact_of(const PairRow& row) {
   return {.i = row.a,
           .j = row.b,
           .branch = row.branch,
@@ -160,7 +160,7 @@ void PackingBuilder::add_wall(const PairRow& row, long wall) {
     return "the contact of grain " + std::to_string(packing_.id[row.a]) + " with wall " +
            std::to_string(wall);
   });
-  Contact contact = contact_of(row);
+  packing::Contact contact = contact_of(row);
   contact.j = static_cast<std::uint32_t>(wall);
   packing_.assembly.wall_contacts.push_back(contact);
 }
@@ -181,11 +181,11 @@ void PackingBuilder::add(const PairRow& row) {
                  pair_text(row.a, row.b) + " is in contact across a gap: are the right faces periodic?");
   if (norm(row.branch - straight(row.a, row.b)) > same_branch * radius_sum(row.a, row.b))
     ++through_faces_;
-  const Contact as_read = contact_of(row);
+  const packing::Contact as_read = contact_of(row);
   const bool turn = row.a > row.b;
-  const Contact contact = turn ? turned(as_read) : as_read;
+  const packing::Contact contact = turn ? turned(as_read) : as_read;
   if (!entries_.empty() && !both_sides_) {
-    const Contact& last = entries_.back().contact;
+    const packing::Contact& last = entries_.back().contact;
     unsorted_ = unsorted_ || std::tie(contact.i, contact.j) < std::tie(last.i, last.j);
   }
   entries_.push_back({contact, {turn, row.line}});
@@ -194,11 +194,11 @@ void PackingBuilder::add(const PairRow& row) {
 /// Takes the rows of one pair, by their numbers, in as one contact.
 void PackingBuilder::merge(std::span<const std::uint32_t> group) {
   const Entry& front = entries_[group.front()];
-  const Contact& first = front.contact;
+  const packing::Contact& first = front.contact;
   std::size_t turned_rows = 0;
   for (const std::uint32_t number : group) {
     const Entry& entry = entries_[number];
-    const Contact& c = entry.contact;
+    const packing::Contact& c = entry.contact;
     if (!same(c.branch, first.branch) || !same(force(c), force(first)))
       fail_contact(entry.side.line, pair_text(c.i, c.j) + " stands on line " +
                                         std::to_string(front.side.line) +
@@ -242,7 +242,7 @@ void PackingBuilder::note_counts() {
 
 ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   const auto pair = [this](std::uint32_t number) {
-    const Contact& c = entries_[number].contact;
+    const packing::Contact& c = entries_[number].contact;
     return std::pair(c.i, c.j);
   };
   std::vector<std::uint32_t> order(entries_.size());
@@ -257,7 +257,7 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   }
   entries_ = {};
   std::ranges::stable_sort(packing_.assembly.wall_contacts, {},
-                           [](const Contact& c) { return std::pair(c.i, c.j); });
+                           [](const packing::Contact& c) { return std::pair(c.i, c.j); });
   note_counts();
   packing_.step = step;
   packing_.time = time;

@@ -109,7 +109,7 @@ class PackingBuilder {
     std::size_t line;
   };
   struct Entry {
-    Contact contact;
+    packing::Contact contact;
     Side side;
   };
 

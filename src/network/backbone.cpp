@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include <granum/assembly/coordination.hpp>
+#include <granum/packing/coordination.hpp>
 
 namespace granum::network {
 
@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::uint32_t unset = ~std::uint32_t{0};
 
-double effective_tangential_stiffness(const Contact& c, SlidingContacts sliding) {
+double effective_tangential_stiffness(const packing::Contact& c, SlidingContacts sliding) {
   return c.sliding && sliding == SlidingContacts::release ? 0 : c.tangential_stiffness;
 }
 
 /// Neighbours of every grain that bears load.
-std::vector<std::vector<std::uint32_t>> adjacency(const Assembly& assembly,
+std::vector<std::vector<std::uint32_t>> adjacency(const packing::Assembly& assembly,
                                                   const std::vector<bool>& rattler) {
   std::vector<std::vector<std::uint32_t>> neighbours(assembly.grain_count());
-  for (const Contact& c : assembly.contacts) {
+  for (const packing::Contact& c : assembly.contacts) {
     if (rattler[c.i] || rattler[c.j])
       continue;
     neighbours[c.i].push_back(c.j);
@@ -30,7 +30,7 @@ std::vector<std::vector<std::uint32_t>> adjacency(const Assembly& assembly,
 }
 
 /// New number of every grain by reverse Cuthill-McKee, component after component; `unset` for rattlers.
-std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vector<bool>& rattler) {
+std::vector<std::uint32_t> renumbering(const packing::Assembly& assembly, const std::vector<bool>& rattler) {
   auto neighbours = adjacency(assembly, rattler);
   const auto fewer_contacts = [&](std::uint32_t g, std::uint32_t h) {
     return std::tuple(neighbours[g].size(), g) < std::tuple(neighbours[h].size(), h);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> renumbering(const Assembly& assembly, const std::vect
 }
 
 /// With the units of the contact.
-Link link(const Contact& c, std::uint32_t i, std::uint32_t j, double radii, const Options& options) {
+Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii, const Options& options) {
   const double length = norm(c.branch);
   return {.a = std::min(i, j),
           .b = std::max(i, j),
@@ -98,23 +98,23 @@ void remove_units(Backbone& backbone) {
 
 } // namespace
 
-Backbone load_bearing_network(const Assembly& assembly, const Options& options) {
+Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options) {
   Backbone backbone;
   for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
-    for (const Contact& c : *contacts)
+    for (const packing::Contact& c : *contacts)
       backbone.rotations |= effective_tangential_stiffness(c, options.sliding) > 0;
-  const auto mechanics = mechanical_coordination(assembly, backbone.rotations ? ContactKind::frictional
-                                                                              : ContactKind::frictionless);
+  const auto mechanics = mechanical_coordination(
+      assembly, backbone.rotations ? packing::ContactKind::frictional : packing::ContactKind::frictionless);
   const auto number = renumbering(assembly, mechanics.rattler);
   backbone.grain_count = assembly.grain_count() - mechanics.rattler_count;
   if (mechanics.contact_count + mechanics.wall_contact_count == 0)
     return backbone;
 
-  for (const Contact& c : assembly.contacts)
+  for (const packing::Contact& c : assembly.contacts)
     if (number[c.i] != unset && number[c.j] != unset)
       backbone.links.push_back(
           link(c, number[c.i], number[c.j], assembly.radius[c.i] + assembly.radius[c.j], options));
-  for (const Contact& c : assembly.wall_contacts)
+  for (const packing::Contact& c : assembly.wall_contacts)
     if (number[c.i] != unset)
       backbone.wall_links.push_back(link(c, number[c.i], number[c.i], assembly.radius[c.i], options));
   remove_units(backbone);

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/assembly.hpp>
 
 namespace granum::network {
 
@@ -35,6 +35,6 @@ struct Backbone {
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.
-[[nodiscard]] Backbone load_bearing_network(const Assembly& assembly, const Options& options);
+[[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options);
 
 } // namespace granum::network

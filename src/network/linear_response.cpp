@@ -49,7 +49,7 @@ const elastic::VoigtStiffness& Response::relaxed() const {
   return relaxed_;
 }
 
-Response linear_response(const Assembly& assembly, const Options& options) {
+Response linear_response(const packing::Assembly& assembly, const Options& options) {
   require_valid(assembly);
   require_open("tolerance", options.tolerance, 0, 1);
   require_positive("iteration_limit", options.iteration_limit);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <assembly/sample_packings.hpp>
+#include "packing/sample_packings.hpp"
 #include <doctest/doctest.h>
 
 #include "relative.hpp"
@@ -19,9 +19,9 @@ const contact::GrainMaterial grain{30e9, 0.15};
 
 /// Contacts of a law at overlaps over two decades of force, `noise` of each force at random, grains of radii
 /// between R and `spread` R.
-Assembly contacts_of(const analysis::LawFamily& family, double noise = 0, double spread = 1) {
+packing::Assembly contacts_of(const analysis::LawFamily& family, double noise = 0, double spread = 1) {
   samples::Uniform uniform(5);
-  Assembly a{.cell = Mat3::identity(), .position = {}, .radius = {}, .contacts = {}};
+  packing::Assembly a{.cell = Mat3::identity(), .position = {}, .radius = {}, .contacts = {}};
   for (std::uint32_t k = 0; k < 400; ++k) {
     const double r1 = 0.5e-3 * uniform(1, spread), r2 = 0.5e-3 * uniform(1, spread);
     a.position.push_back({});
@@ -97,7 +97,7 @@ TEST_CASE("law check: the coefficient tells another material, the misfit another
 }
 
 TEST_CASE("law check: scatter gives an error that covers the truth, and outliers do not count") {
-  Assembly a = contacts_of(PowerLaw::sphere, 0.1);
+  packing::Assembly a = contacts_of(PowerLaw::sphere, 0.1);
   const analysis::LawCheck noisy = check_law(a, PowerLaw::sphere, grain);
   REQUIRE(noisy.force_exponent);
   CHECK(noisy.force_exponent->standard_error > 1e-3);
@@ -115,18 +115,18 @@ TEST_CASE("law check: scatter gives an error that covers the truth, and outliers
 }
 
 TEST_CASE("law check: without overlaps, forces or a range of them there is no slope") {
-  Assembly a = contacts_of(PowerLaw::sphere);
-  for (Contact& c : a.contacts)
+  packing::Assembly a = contacts_of(PowerLaw::sphere);
+  for (packing::Contact& c : a.contacts)
     c.normal_force = 0;
   CHECK(check_law(a, PowerLaw::sphere, grain).contacts == 0);
   a = contacts_of(PowerLaw::sphere);
-  for (Contact& c : a.contacts)
+  for (packing::Contact& c : a.contacts)
     c.overlap = -c.overlap;
   const analysis::LawCheck apart = check_law(a, PowerLaw::sphere, grain);
   CHECK((apart.contacts == 0 && apart.left_out == 400 && !apart.force_exponent));
 
   a = contacts_of(PowerLaw::sphere);
-  for (Contact& c : a.contacts) {
+  for (packing::Contact& c : a.contacts) {
     c.overlap = 1e-7;
     c.normal_force = PowerLaw::sphere(grain, 0.5e-3).force(1e-7);
   }

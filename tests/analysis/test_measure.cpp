@@ -9,7 +9,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "assembly/sample_packings.hpp"
+#include "packing/sample_packings.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -21,7 +21,7 @@ constexpr double R = 0.5e-3, edge = 2 * R - 1e-6, k_n = 2e5, k_t = 1e5, f_n = 0.
 const contact::PowerLaw law = contact::PowerLaw::sphere({30e9, 0.15}, R);
 
 /// Three spheres in a row: a touches b, and b touches c.
-Assembly row() {
+packing::Assembly row() {
   return {.cell = Mat3::diagonal(4e-3, 4e-3, 4e-3),
           .position = {{1e-3, 1e-3, 1e-3}, {1e-3 + edge, 1e-3, 1e-3}, {1e-3 + 2 * edge, 1e-3, 1e-3}},
           .radius = {R, R, R},
@@ -30,8 +30,8 @@ Assembly row() {
 }
 
 /// 27 spheres on a periodic simple cubic lattice, pressed by the same force along all axes.
-Assembly cubic() {
-  Assembly out{
+packing::Assembly cubic() {
+  packing::Assembly out{
       .cell = Mat3::diagonal(3 * edge, 3 * edge, 3 * edge), .position = {}, .radius = {}, .contacts = {}};
   const auto at = [](int x, int y, int z) {
     return static_cast<std::uint32_t>((x % 3) * 9 + (y % 3) * 3 + z % 3);
@@ -44,7 +44,7 @@ Assembly cubic() {
         for (int axis = 0; axis < 3; ++axis) {
           const std::uint32_t here = at(x, y, z),
                               next = at(x + (axis == 0), y + (axis == 1), z + (axis == 2));
-          Contact c{.i = std::min(here, next), .j = std::max(here, next), .overlap = 2 * R - edge};
+          packing::Contact c{.i = std::min(here, next), .j = std::max(here, next), .overlap = 2 * R - edge};
           c.branch[axis] = here < next ? edge : -edge;
           c.normal_force = f_n;
           c.normal_stiffness = k_n;
@@ -53,7 +53,9 @@ Assembly cubic() {
         }
       }
   std::sort(out.contacts.begin(), out.contacts.end(),
-            [](const Contact& a, const Contact& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
+            [](const packing::Contact& a, const packing::Contact& b) {
+              return std::tie(a.i, a.j) < std::tie(b.i, b.j);
+            });
   return out;
 }
 
@@ -79,7 +81,7 @@ TEST_CASE("counts of three spheres in a row, by hand") {
 }
 
 TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
-  const Assembly packing = cubic();
+  const packing::Assembly packing = cubic();
   const Measurement bare = measure(packing, own);
   CHECK_FALSE((bare.network || bare.forces || bare.law_check || bare.interior || bare.closed_forms));
   CHECK_FALSE(bare.pressure_by_work);
@@ -145,21 +147,21 @@ TEST_CASE("the closed forms are asked what was measured, or what the caller know
 }
 
 TEST_CASE("contacts without a stiffness get that of the law, others keep theirs unless asked otherwise") {
-  Assembly packing = cubic();
-  for (Contact& c : packing.contacts)
+  packing::Assembly packing = cubic();
+  for (packing::Contact& c : packing.contacts)
     c.normal_stiffness = c.tangential_stiffness = 0;
   const Wanted wanted{.network = network::Options{}};
   const double by_law = law.stiffness_at_overlap(2 * R - edge);
   CHECK(measure(packing, own, wanted).solved_network().response.affine().matrix(0, 0) ==
         relative(by_law / edge, 1e-9));
   Given by_force = own;
-  by_force.stiffness_from = StiffnessFrom::force;
+  by_force.stiffness_from = packing::StiffnessFrom::force;
   CHECK(measure(cubic(), by_force, wanted).solved_network().response.affine().matrix(0, 0) ==
         relative(law.stiffness_at_force(f_n) / edge, 1e-9));
 }
 
 TEST_CASE("what is not there is asked for in vain") {
-  Assembly packing = row();
+  packing::Assembly packing = row();
   const Measurement m = measure(packing, own, {.network = network::Options{}});
   CHECK_THROWS_AS((void)m.solved_network(), NotConverged); // nothing bears load
   packing.contacts.pop_back();

@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/reproduce/experiment.hpp"
 #include <granum/core/error.hpp>
-#include <granum/verify/experiment.hpp>
 
 namespace {
 
 using namespace granum;
-using namespace granum::verify;
+using namespace granum::studies;
 namespace fs = std::filesystem;
 
 Scene small_scene() {

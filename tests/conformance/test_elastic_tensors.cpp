@@ -11,8 +11,6 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/fabric_tensor.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -25,6 +23,8 @@
 #include <granum/fabric/measures.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/fabric/sampling.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/fabric_tensor.hpp>
 #include <relative.hpp>
 
 using namespace granum;
@@ -39,8 +39,8 @@ const TransverselyIsotropic soil{
     .C11 = 100e6, .C33 = 100.9e6, .C12 = 100e6 - 2 * 1.03 * 35e6, .C13 = 29e6, .C44 = 35e6};
 
 /// Four grains in a bent row: three contacts, along axes 1, 3 and 2.
-Assembly row_of_four() {
-  Assembly row;
+packing::Assembly row_of_four() {
+  packing::Assembly row;
   row.cell = Mat3::diagonal(8, 8, 8);
   row.position = {{1, 1, 1}, {3, 1, 1}, {3, 1, 3}, {3, 3, 3}};
   row.radius = {1, 1, 1, 1};
@@ -98,9 +98,9 @@ TEST_CASE("W17: Thomsen parameters go by name, and a round trip permutes none of
 
 TEST_CASE("W20: a contact that is left out leaves the sums of the others whole, wherever it stands") {
   for (std::size_t left_out = 0; left_out < 3; ++left_out) {
-    Assembly row = row_of_four();
+    packing::Assembly row = row_of_four();
     row.contacts.erase(row.contacts.begin() + static_cast<std::ptrdiff_t>(left_out));
-    const Mat3 F = fabric_tensor(row);
+    const Mat3 F = packing::fabric_tensor(row);
     CHECK(trace(F) == relative(1, 1e-15));
     // the three contacts run along axes 1, 3 and 2
     CHECK(F(0, 0) == (left_out == 0 ? 0 : 0.5));
@@ -108,7 +108,7 @@ TEST_CASE("W20: a contact that is left out leaves the sums of the others whole, 
     CHECK(F(1, 1) == (left_out == 2 ? 0 : 0.5));
   }
   // and the contact tensor is 15/2 (F - 1/3): traceless, zero for an isotropic fabric
-  const Mat3 A = fabric::contact_tensor(fabric_tensor(row_of_four()));
+  const Mat3 A = fabric::contact_tensor(packing::fabric_tensor(row_of_four()));
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       CHECK(std::abs(A(i, j)) < 1e-15);
@@ -221,14 +221,14 @@ TEST_CASE("3.6: the average over contacts is the scalar formula of Hertz and Min
 }
 
 TEST_CASE("3.6: which coordination number is meant has a name, and no contacts is no mean, not NaN") {
-  const Assembly row = row_of_four();
+  const packing::Assembly row = row_of_four();
   CHECK(coordination_number(row) == 1.5); // 2 N_c over all grains
-  const auto mechanical = mechanical_coordination(row, ContactKind::frictional);
+  const auto mechanical = mechanical_coordination(row, packing::ContactKind::frictional);
   CHECK(mechanical.rattler_count == 4); // an open row bears nothing
   CHECK(mechanical.coordination_number == 0);
-  Assembly empty = row;
+  packing::Assembly empty = row;
   empty.contacts.clear();
   CHECK(coordination_number(empty) == 0);
-  CHECK_THROWS_AS((void)fabric_tensor(empty), InvalidArgument);
+  CHECK_THROWS_AS((void)packing::fabric_tensor(empty), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::estimate_anisotropy({}), InvalidArgument);
 }

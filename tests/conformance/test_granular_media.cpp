@@ -12,19 +12,20 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
-#include <granum/effective/contact_cement.hpp>
-#include <granum/effective/coordination_relations.hpp>
-#include <granum/effective/digby.hpp>
-#include <granum/effective/hertz_mindlin.hpp>
-#include <granum/effective/jenkins.hpp>
-#include <granum/effective/norris_johnson.hpp>
-#include <granum/effective/sand_bounds.hpp>
-#include <granum/effective/walton_uniaxial.hpp>
+#include <granum/rock_physics/contact_cement.hpp>
+#include <granum/rock_physics/coordination_relations.hpp>
+#include <granum/rock_physics/digby.hpp>
+#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/jenkins.hpp>
+#include <granum/rock_physics/norris_johnson.hpp>
+#include <granum/rock_physics/sand_bounds.hpp>
+#include <granum/rock_physics/walton_uniaxial.hpp>
 
 #include "relative.hpp"
 
 using namespace granum;
 using namespace granum::effective;
+using namespace granum::rock_physics;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "dem/lattice_state.hpp"
+#include "lattice_state.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -33,7 +33,7 @@ State pair_state(double overlap) {
 
 double elastic_energy(const State& state, const Material& material) {
   double sum = 0;
-  for (const Contact& c : contact_network(state, material).contacts)
+  for (const packing::Contact& c : contact_network(state, material).contacts)
     sum += material.law.energy(c.overlap);
   return sum;
 }
@@ -68,7 +68,7 @@ TEST_CASE(
   engine.set_damping(0);
   const double dt = engine.time_step();
   engine.step();
-  const Contact contact = contact_network(engine.state(), material).contacts.at(0);
+  const packing::Contact contact = contact_network(engine.state(), material).contacts.at(0);
   const double length = 2 * radius - overlap;
   const double expected = contact.tangential_stiffness * 3 * spin * length / 2 * dt;
   // j's surface at the contact moves along -y against i's, so i pulls it back along +y.
@@ -85,7 +85,7 @@ TEST_CASE("Coulomb's limit holds at every contact, and sliding is counted") {
   for (int k = 0; k < 50; ++k) {
     engine.step();
     sliding += engine.figures().sliding;
-    for (const Contact& c : contact_network(engine.state(), material).contacts) {
+    for (const packing::Contact& c : contact_network(engine.state(), material).contacts) {
       // The overlap is a difference of lengths: some units in the last place of the diameter.
       const double round_off = 8 * std::numeric_limits<double>::epsilon() * 2 * radius / c.overlap;
       CHECK(norm(c.tangential_force) <= 0.3 * c.normal_force * (1 + round_off));
@@ -106,7 +106,7 @@ TEST_CASE("a tangential force shrinks with its stiffness when the contact unload
   Engine engine(state, material);
   engine.set_damping(0);
   engine.step();
-  const Contact contact = contact_network(engine.state(), material).contacts.at(0);
+  const packing::Contact contact = contact_network(engine.state(), material).contacts.at(0);
   CHECK(contact.overlap == relative(0.99 * overlap, 1e-8));
   CHECK(contact.tangential_force.y == relative(1e-4 * std::sqrt(0.99), 1e-8));
 }
@@ -161,9 +161,9 @@ TEST_CASE(
   };
   const State once = run(state, 300);
   CHECK(once == run(state, 300));
-  const Assembly before = contact_network(once, material);
+  const packing::Assembly before = contact_network(once, material);
   Engine again(once, material);
-  const Assembly after = contact_network(again.state(), material);
+  const packing::Assembly after = contact_network(again.state(), material);
   REQUIRE(before.contacts.size() == after.contacts.size());
   for (std::size_t k = 0; k < before.contacts.size(); ++k)
     CHECK(norm(force(before.contacts[k]) - force(after.contacts[k])) <=

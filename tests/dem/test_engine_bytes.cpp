@@ -11,7 +11,7 @@
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/state_bytes.hpp>
 
-#include "dem/lattice_state.hpp"
+#include "lattice_state.hpp"
 
 using namespace granum;
 using namespace granum::dem;

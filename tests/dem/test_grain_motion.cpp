@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/dem/grain_motion.hpp"
+#include "dem/sweep/grain_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

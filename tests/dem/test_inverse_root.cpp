@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/dem/inverse_root.hpp"
+#include "dem/sweep/inverse_root.hpp"
 
 #include <algorithm>
 #include <cmath>

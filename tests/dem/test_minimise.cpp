@@ -8,9 +8,9 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "dem/lattice_state.hpp"
-#include "dem/stop_at.hpp"
+#include "lattice_state.hpp"
 #include "relative.hpp"
+#include "stop_at.hpp"
 
 using namespace granum;
 using namespace granum::dem;
@@ -27,7 +27,7 @@ double energy(const State& state, const Material& material, int axis, double str
   for (Vec3& x : stretched.position)
     x = stretch * x;
   double sum = 0;
-  for (const Contact& c : contact_network(stretched, material).contacts)
+  for (const packing::Contact& c : contact_network(stretched, material).contacts)
     sum += material.law.energy(c.overlap);
   return sum;
 }

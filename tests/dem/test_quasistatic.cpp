@@ -9,9 +9,9 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "dem/lattice_state.hpp"
-#include "dem/stop_at.hpp"
+#include "lattice_state.hpp"
 #include "relative.hpp"
+#include "stop_at.hpp"
 
 using namespace granum;
 using namespace granum::dem;
@@ -32,7 +32,7 @@ TEST_CASE(
   CHECK(report.unbalanced_force_ratio < 1e-6);
   CHECK(report.largest_inertial_number <= 5e-4 * (1 + 1e-12));
   const double overlap = material.law.overlap(std::numbers::sqrt2 * radius * radius * pressure);
-  const Assembly assembly = contact_network(engine.state(), material);
+  const packing::Assembly assembly = contact_network(engine.state(), material);
   // R in p = f/(sqrt 2 R^2) is half of the branch: 2 overlap/R apart from the radius.
   CHECK(assembly.contacts.front().overlap == relative(overlap, 1e-3));
 }

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "dem/lattice_state.hpp"
+#include "lattice_state.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -26,10 +26,10 @@ dem::State chain() {
 } // namespace
 
 TEST_CASE("forces of a three-sphere chain are those that three other codes print") {
-  const Assembly assembly = dem::contact_network(chain(), test::quartz(0.5e-3, 0.5));
+  const packing::Assembly assembly = dem::contact_network(chain(), test::quartz(0.5e-3, 0.5));
   REQUIRE(assembly.contacts.size() == 2);
-  const Contact& ab = assembly.contacts[0];
-  const Contact& bc = assembly.contacts[1];
+  const packing::Contact& ab = assembly.contacts[0];
+  const packing::Contact& bc = assembly.contacts[1];
   // Printed to 9 digits, half of the last one is 2.2e-9 of it; the overlaps themselves are differences of
   // lengths 1e4 times as large.
   CHECK(ab.normal_force == relative(0.0235294118, 2.2e-9));
@@ -45,7 +45,7 @@ TEST_CASE("a frozen state carries tangential forces and says which contacts slid
   dem::State state = chain();
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   state.history = {{0, 1, {0, 0.5 * 0.0235294118 * 1.1, 0}, 1.0}, {1, 2, {1e-3, 0, 0}, 1.0}};
-  const Assembly assembly = dem::contact_network(state, material);
+  const packing::Assembly assembly = dem::contact_network(state, material);
   CHECK(assembly.contacts[0].sliding);
   CHECK_FALSE(assembly.contacts[1].sliding);
   CHECK(assembly.contacts[1].tangential_force == Vec3{1e-3, 0, 0});
@@ -57,10 +57,10 @@ TEST_CASE("a frozen state carries tangential forces and says which contacts slid
 TEST_CASE("contacts across the border of the cell have the same branch as inside") {
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   dem::State state = chain();
-  const Assembly inside = dem::contact_network(state, material);
+  const packing::Assembly inside = dem::contact_network(state, material);
   for (Vec3& x : state.position)
     x += Vec3{2.5e-3, -2.1e-3, 1.2e-3};
-  const Assembly across = dem::contact_network(state, material);
+  const packing::Assembly across = dem::contact_network(state, material);
   REQUIRE(across.contacts.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
     CHECK(norm(across.contacts[k].branch - inside.contacts[k].branch) < 1e-17);

@@ -9,9 +9,9 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 
-#include "../../src/dem/partition.hpp"
-#include "../../src/dem/team.hpp"
-#include "dem/lattice_state.hpp"
+#include "dem/sweep/partition.hpp"
+#include "dem/sweep/team.hpp"
+#include "lattice_state.hpp"
 
 using namespace granum;
 using namespace granum::dem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/dem/vector_level.hpp"
+#include "dem/sweep/vector_level.hpp"
 
 #include <cmath>
 #include <string>
@@ -11,7 +11,7 @@
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
 
-#include "dem/lattice_state.hpp"
+#include "lattice_state.hpp"
 
 using namespace granum;
 using namespace granum::dem;

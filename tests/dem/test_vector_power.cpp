@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/dem/vector_power.hpp"
+#include "dem/sweep/vector_power.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,14 +7,14 @@
 #include <thread>
 
 #include <doctest/doctest.h>
-#include <granum/assembly/cell_work.hpp>
-#include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
+#include <granum/packing/cell_work.hpp>
+#include <granum/packing/stress.hpp>
 
-#include "dem/lattice_state.hpp"
+#include "lattice_state.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -255,8 +255,8 @@ TEST_CASE(
     REQUIRE(report.converged());
     const StepFigures& figures = engine.figures();
     const Vec3 by_friction = stress_by_wall_friction(engine.state());
-    const Assembly frozen = contact_network(engine.state(), material);
-    const ContactStress by_contacts = contact_stress(frozen);
+    const packing::Assembly frozen = contact_network(engine.state(), material);
+    const packing::ContactStress by_contacts = contact_stress(frozen);
     for (int axis = 0; axis < 3; ++axis) {
       CHECK(figures.boundary_stress[axis] == relative(target[axis], 2e-6));
       // Exact at equilibrium; the residual forces are 1e-7 of the mean one.
@@ -268,7 +268,7 @@ TEST_CASE(
     CHECK(frozen.wall_contacts.size() == figures.wall_contacts);
     CHECK(unbalance(frozen).force_ratio < 1e-6);
     CHECK(unbalance(frozen).moment_ratio < 1e-6);
-    for (const Contact& c : frozen.wall_contacts) {
+    for (const packing::Contact& c : frozen.wall_contacts) {
       CHECK(c.overlap == relative(radius - norm(c.branch), 1e-9));
       CHECK((c.tangential_stiffness == 0) == (wall_friction == 0));
       CHECK(norm(c.tangential_force) <= wall_friction * c.normal_force * (1 + 1e-12));

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include <granum/effective/gradients.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 
-#include "effective/support.hpp"
+#include "support.hpp"
 
 /// Derivatives by differences, against which gradients are tested.
 namespace granum::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "effective/support.hpp"
+#include "support.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "effective/support.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;

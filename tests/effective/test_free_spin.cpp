@@ -8,8 +8,8 @@
 #include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
-#include "assembly/sample_packings.hpp"
-#include "effective/support.hpp"
+#include "packing/sample_packings.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;
@@ -88,11 +88,11 @@ TEST_CASE("free spin: networks are not above it, and at it where a cell holds on
   for (const auto* kind : {&samples::simple_cubic, &samples::hexagonal})
     for (const double factor : {0.2, 1.0, 5.0}) {
       CAPTURE(factor);
-      Assembly lattice =
+      packing::Assembly lattice =
           samples::lattice(*kind, {.radius = R, .normal_stiffness = k_n, .tangential_stiffness = k_t});
       std::vector<Direction> directions;
       double sum = 0;
-      for (Contact& c : lattice.contacts) {
+      for (packing::Contact& c : lattice.contacts) {
         const Eigen::Vector3d branch(c.branch[0], c.branch[1], c.branch[2]);
         const Eigen::Vector3d n = branch.normalized();
         const double stiffer = std::abs(n.z()) > 0.7 ? factor : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/gradients.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "effective/differences.hpp"
+#include "differences.hpp"
 #include "relative.hpp"
 
 using namespace granum;

@@ -9,13 +9,13 @@
 #include <Eigen/Core>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/effective/gradients.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/mandel.hpp>
 
-#include "effective/support.hpp"
 #include "relative.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;

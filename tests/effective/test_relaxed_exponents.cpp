@@ -9,8 +9,8 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
-#include "effective/support.hpp"
 #include "relative.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;

@@ -5,11 +5,11 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/effective/gradients.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 
-#include "effective/differences.hpp"
+#include "differences.hpp"
 #include "relative.hpp"
 
 using namespace granum;

@@ -10,8 +10,8 @@
 #include <granum/effective/ladder.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "effective/support.hpp"
 #include "relative.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/uncertainty.hpp>
+#include <granum/effective/sensitivity/uncertainty.hpp>
 
 #include <cmath>
 #include <numeric>
@@ -9,8 +9,8 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
-#include "effective/support.hpp"
 #include "relative.hpp"
+#include "support.hpp"
 
 using namespace granum;
 using namespace granum::test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/effective/vector_math.hpp"
+#include "effective/vector_math.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
-#include <granum/io/text_source.hpp>
+#include <granum/io/text/source.hpp>
 
 /// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a
 /// fault.
@@ -43,13 +43,13 @@ inline void demand(bool promise) {
 
 /// What every imported packing promises.
 inline void check(const io::ImportedPacking& packing) {
-  const Assembly& a = packing.assembly;
+  const packing::Assembly& a = packing.assembly;
   require_valid(a);
   demand(packing.id.size() == a.grain_count());
   for (std::size_t k = 1; k < packing.id.size(); ++k)
     demand(packing.id[k - 1] < packing.id[k]);
   for (std::size_t k = 1; k < a.contacts.size(); ++k) {
-    const Contact &before = a.contacts[k - 1], &here = a.contacts[k];
+    const packing::Contact &before = a.contacts[k - 1], &here = a.contacts[k];
     demand(std::tie(before.i, before.j) < std::tie(here.i, here.j));
   }
 }

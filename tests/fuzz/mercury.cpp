@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/mercury.hpp>
+#include <granum/io/mercury/output.hpp>
 
 #include "input.hpp"
 

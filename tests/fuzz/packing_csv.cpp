@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/packing_csv.hpp>
+#include <granum/io/csv/packing.hpp>
 
 #include "input.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bytes of a file, plain or compressed: whatever zlib makes of them, the lines end and are numbered.
-#include <granum/io/text_source.hpp>
+#include <granum/io/text/source.hpp>
 
 #include <string>
 

@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
-#include <granum/io/text_source.hpp>
+#include <granum/io/text/source.hpp>
 #include <relative.hpp>
 
 /// What the tests of the readers share.
@@ -62,11 +62,11 @@ inline void check_vector(const Vec3& value, const Vec3& expected, double toleran
 /// them.
 inline void check_chain(const io::ImportedPacking& packing, double force_tolerance,
                         double overlap_tolerance) {
-  const Assembly& a = packing.assembly;
+  const packing::Assembly& a = packing.assembly;
   REQUIRE(a.grain_count() == 3);
   REQUIRE(a.contacts.size() == 2);
   CHECK(a.radius == std::vector<double>{0.5e-3, 0.5e-3, 0.5e-3});
-  const Contact &ab = a.contacts[0], &bc = a.contacts[1];
+  const packing::Contact &ab = a.contacts[0], &bc = a.contacts[1];
   CHECK((ab.i == 0 && ab.j == 1 && bc.i == 1 && bc.j == 2));
   check_vector(ab.branch, {0.9999e-3, 0, 0}, 1e-6);
   check_vector(bc.branch, {0, 0, 0.9998e-3}, 1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plain loops and GSL: Eigen's dense solvers take a minute to compile.
-#include "network/dense_twin.hpp"
+#include "dense_twin.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,12 +119,12 @@ double delta(std::size_t i, std::size_t j) { return i == j ? 1 : 0; }
 // Notation: rows of all matrices are the three directions at each contact; b relative displacement at the
 // contact from the unknowns, v that of the centres, e that of the centres from the strains; k contact
 // stiffness, g prestress.
-Response response(const Assembly& a, bool prestress) {
+Response response(const packing::Assembly& a, bool prestress) {
   const std::size_t n = a.grain_count(), between = a.contacts.size(), m = between + a.wall_contacts.size();
   Dense b(3 * m, 6 * n), v = b, e(3 * m, 6), k(3 * m, 3 * m), g = k;
   for (std::size_t row = 0; row < 3 * m; ++row) {
     const bool wall = row / 3 >= between;
-    const Contact& contact = wall ? a.wall_contacts[row / 3 - between] : a.contacts[row / 3];
+    const packing::Contact& contact = wall ? a.wall_contacts[row / 3 - between] : a.contacts[row / 3];
     const std::size_t d = row % 3, i = 6 * std::size_t{contact.i}, j = 6 * std::size_t{contact.j};
     const double sum = a.radius[contact.i] + (wall ? 0 : a.radius[contact.j]);
     const Vec3 l = contact.branch, normals = normal(contact);
@@ -164,9 +164,9 @@ Response response(const Assembly& a, bool prestress) {
   return out;
 }
 
-Matrix6 contact_sum(const Assembly& a) {
+Matrix6 contact_sum(const packing::Assembly& a) {
   Matrix6 sum = Matrix6::Zero();
-  for (const Contact& c : a.contacts) {
+  for (const packing::Contact& c : a.contacts) {
     const Vec3 n = normal(c);
     const double l2 = dot(c.branch, c.branch), kn = c.normal_stiffness, kt = c.tangential_stiffness;
     for (int r = 0; r < 6; ++r)

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/elastic/stiffness.hpp>
+#include <granum/packing/assembly.hpp>
 
 namespace granum::twin {
 
@@ -20,10 +20,10 @@ struct Response {
 };
 
 /// Walls count without prestress; their contacts come behind the others.
-Response response(const Assembly& a, bool prestress);
+Response response(const packing::Assembly& a, bool prestress);
 
 /// The closed sum over contacts, uniform strain, no spin. [Walton1987]
-Matrix6 contact_sum(const Assembly& a);
+Matrix6 contact_sum(const packing::Assembly& a);
 
 /// Largest difference relative to the largest element.
 double distance(const Matrix6& a, const Matrix6& b);

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
-#include "assembly/sample_packings.hpp"
-#include "network/dense_twin.hpp"
+#include "dense_twin.hpp"
+#include "packing/sample_packings.hpp"
 
 using namespace granum;
 using elastic::Matrix6;
@@ -26,7 +26,7 @@ constexpr double kn = 1.3e6, kt = 0.9e6, radius = 0.5e-3;
 const samples::LatticeState state{.radius = radius, .normal_stiffness = kn, .tangential_stiffness = kt};
 
 void check_exact(const samples::Lattice& kind, const Matrix6& closed_form) {
-  const Assembly a = samples::lattice(kind, state);
+  const packing::Assembly a = samples::lattice(kind, state);
   const auto response = network::linear_response(a);
   // The forces on every grain cancel: nothing is left but rounding.
   CHECK(twin::distance(twin::contact_sum(a), closed_form) < 1e-13);
@@ -46,7 +46,7 @@ TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // [D
 }
 
 TEST_CASE("the hexagonal close packing relaxes") { // known to five decimals
-  const Assembly a = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189});
+  const packing::Assembly a = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189});
   const auto response = network::linear_response(a);
   const Matrix6& c = response.affine().matrix;
   const Matrix6& d = response.relaxed().matrix;
@@ -62,12 +62,13 @@ TEST_CASE("the hexagonal close packing relaxes") { // known to five decimals
     CHECK(std::abs(m(0, 2) - 0.03823) < digits);
     CHECK(std::abs(m(3, 3) - 1.33775) < digits);
   }
-  const Assembly small = samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189, .repeats = 2});
+  const packing::Assembly small =
+      samples::lattice(samples::hexagonal, {.tangential_stiffness = 0.9189, .repeats = 2});
   CHECK(twin::distance(d, twin::response(small, false).relaxed) < 1e-12);
 }
 
 TEST_CASE("without tangential stiffness a lattice keeps its closed form where it is rigid") {
-  const Assembly a = samples::lattice(samples::face_centred, {.normal_stiffness = 1});
+  const packing::Assembly a = samples::lattice(samples::face_centred, {.normal_stiffness = 1});
   const auto response = network::linear_response(a);
   CHECK(response.report().unknowns_per_grain == 3);
   const double r2 = std::sqrt(2);

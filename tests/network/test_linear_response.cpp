@@ -6,13 +6,13 @@
 #include <numeric>
 
 #include <doctest/doctest.h>
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/force_moments.hpp>
-#include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/force_moments.hpp>
+#include <granum/packing/stress.hpp>
 
-#include "assembly/sample_packings.hpp"
-#include "network/dense_twin.hpp"
+#include "dense_twin.hpp"
+#include "packing/sample_packings.hpp"
 
 using namespace granum;
 using elastic::Matrix6;
@@ -23,7 +23,7 @@ namespace {
 // condition of the sparsest networks (1e4 to 1e5) on both routes.
 constexpr double same = 1e-9;
 
-Matrix6 relaxed(const Assembly& a, const network::Options& options = {}) {
+Matrix6 relaxed(const packing::Assembly& a, const network::Options& options = {}) {
   return network::linear_response(a, options).relaxed().matrix;
 }
 
@@ -38,11 +38,11 @@ Mat3 rotation(const Vec3& axis_times_angle) {
   return m;
 }
 
-Assembly rotated(Assembly a, const Mat3& r) {
+packing::Assembly rotated(packing::Assembly a, const Mat3& r) {
   a.cell = r * a.cell;
   for (Vec3& x : a.position)
     x = r * x;
-  for (Contact& c : a.contacts) {
+  for (packing::Contact& c : a.contacts) {
     c.branch = r * c.branch;
     c.tangential_force = r * c.tangential_force;
   }
@@ -73,11 +73,12 @@ TEST_CASE("the sparse solver and its dense twin agree from stiff to floppy netwo
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       CAPTURE(kept);
       CAPTURE(seed);
-      const Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
+      const packing::Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
       std::vector<int> degree(a.grain_count(), 0);
-      for (const Contact& c : a.contacts)
+      for (const packing::Contact& c : a.contacts)
         ++degree[c.i], ++degree[c.j];
-      rattlers += static_cast<int>(mechanical_coordination(a, ContactKind::frictional).rattler_count);
+      rattlers +=
+          static_cast<int>(mechanical_coordination(a, packing::ContactKind::frictional).rattler_count);
       two_contact_grains += static_cast<int>(std::count(degree.begin(), degree.end(), 2));
       const Matrix6 scale = twin::contact_sum(a);
       const Matrix6 difference = relaxed(a) - twin::response(a, false).relaxed;
@@ -90,21 +91,22 @@ TEST_CASE("the sparse solver and its dense twin agree from stiff to floppy netwo
 
 TEST_CASE(
     "networks without tangential stiffness, with sliding contacts, with prestress: as their dense twins") {
-  const Assembly smooth =
+  const packing::Assembly smooth =
       samples::random_network({.seed = 5, .repeats = 2, .kept = 0.7, .tangential_ratio = 0});
   CHECK(network::linear_response(smooth).report().unknowns_per_grain == 3);
   CHECK(twin::distance(relaxed(smooth), twin::response(smooth, false).relaxed) < same);
 
   // Forces that are not in equilibrium make floppy networks unstable, so prestress is tried on stiff ones.
   for (const double ratio : {0.0, 1.0}) {
-    const Assembly stiff = samples::random_network({.seed = 5, .repeats = 2, .tangential_ratio = ratio});
+    const packing::Assembly stiff =
+        samples::random_network({.seed = 5, .repeats = 2, .tangential_ratio = ratio});
     const Matrix6 stressed = relaxed(stiff, {.prestress = true});
     CHECK(twin::distance(stressed, twin::response(stiff, true).relaxed) < same);
     CHECK(twin::distance(stressed, relaxed(stiff)) > 1e-5);
   }
 
-  Assembly a = samples::random_network({.seed = 6, .repeats = 2, .kept = 0.5});
-  Assembly released = a;
+  packing::Assembly a = samples::random_network({.seed = 6, .repeats = 2, .kept = 0.5});
+  packing::Assembly released = a;
   for (std::size_t k = 0; k < a.contacts.size(); k += 3) {
     a.contacts[k].sliding = true;
     released.contacts[k].tangential_stiffness = 0;
@@ -117,8 +119,8 @@ TEST_CASE(
 }
 
 TEST_CASE("clusters that nothing holds add nothing") {
-  const Assembly one = samples::random_network({.seed = 7, .repeats = 2, .kept = 0.6});
-  Assembly two = one;
+  const packing::Assembly one = samples::random_network({.seed = 7, .repeats = 2, .kept = 0.6});
+  packing::Assembly two = one;
   const auto first = static_cast<std::uint32_t>(two.grain_count());
   for (int k = 0; k < 4; ++k) { // a tetrahedron far from anything it touches
     two.position.push_back({0.1 * k, 0, 0});
@@ -139,7 +141,7 @@ TEST_CASE("clusters that nothing holds add nothing") {
 
 TEST_CASE("symmetric, positive semidefinite, never above uniform strain") {
   for (const double kept : {1.0, 0.5, 0.35}) {
-    const Assembly a = samples::random_network({.seed = 11, .kept = kept});
+    const packing::Assembly a = samples::random_network({.seed = 11, .kept = kept});
     const auto response = network::linear_response(a);
     const Matrix6 &affine = response.affine().matrix, &soft = response.relaxed().matrix;
     const double size = affine.cwiseAbs().maxCoeff();
@@ -165,20 +167,20 @@ TEST_CASE("the preconditioner keeps the iterations few") {
 }
 
 TEST_CASE("uniform strain is the closed sum over load-bearing contacts") {
-  const Assembly a = samples::random_network({.seed = 12, .kept = 1});
-  REQUIRE(mechanical_coordination(a, ContactKind::frictional).rattler_count == 0);
+  const packing::Assembly a = samples::random_network({.seed = 12, .kept = 1});
+  REQUIRE(mechanical_coordination(a, packing::ContactKind::frictional).rattler_count == 0);
   CHECK(twin::distance(network::linear_response(a).affine().matrix, twin::contact_sum(a)) < 1e-13);
 }
 
 TEST_CASE("the response turns with the assembly") {
-  const Assembly a = samples::random_network({.seed = 13, .repeats = 2, .kept = 0.5});
+  const packing::Assembly a = samples::random_network({.seed = 13, .repeats = 2, .kept = 0.5});
   const Mat3 r = rotation({0.7, -1.1, 0.4});
   CHECK(twin::distance(relaxed(rotated(a, r)), rotated(relaxed(a), r)) < same);
 }
 
 TEST_CASE("the response does not depend on numbering or on the choice of periodic image") {
-  const Assembly a = samples::random_network({.seed = 14, .repeats = 2, .kept = 0.5});
-  Assembly b = a;
+  const packing::Assembly a = samples::random_network({.seed = 14, .repeats = 2, .kept = 0.5});
+  packing::Assembly b = a;
   std::vector<std::uint32_t> number(a.grain_count());
   std::iota(number.begin(), number.end(), 0U);
   std::shuffle(number.begin(), number.end(), std::mt19937_64(3));
@@ -186,7 +188,7 @@ TEST_CASE("the response does not depend on numbering or on the choice of periodi
     b.position[number[g]] = a.position[g] + column(a.cell, 1);
     b.radius[number[g]] = a.radius[g];
   }
-  for (Contact& c : b.contacts) {
+  for (packing::Contact& c : b.contacts) {
     c.i = number[c.i];
     c.j = number[c.j];
     if (c.i > c.j) {
@@ -195,16 +197,17 @@ TEST_CASE("the response does not depend on numbering or on the choice of periodi
       c.tangential_force = -c.tangential_force;
     }
   }
-  std::stable_sort(b.contacts.begin(), b.contacts.end(), [](const Contact& c, const Contact& d) {
-    return std::pair(c.i, c.j) < std::pair(d.i, d.j);
-  });
+  std::stable_sort(b.contacts.begin(), b.contacts.end(),
+                   [](const packing::Contact& c, const packing::Contact& d) {
+                     return std::pair(c.i, c.j) < std::pair(d.i, d.j);
+                   });
   CHECK(twin::distance(relaxed(b), relaxed(a)) < same);
 }
 
 TEST_CASE("stiffness and length scale as dimensions demand, bit by bit") {
-  const Assembly a = samples::random_network({.seed = 15, .repeats = 2, .kept = 0.5});
-  Assembly stiff = a, large = a;
-  for (Contact& c : stiff.contacts) {
+  const packing::Assembly a = samples::random_network({.seed = 15, .repeats = 2, .kept = 0.5});
+  packing::Assembly stiff = a, large = a;
+  for (packing::Contact& c : stiff.contacts) {
     c.normal_stiffness *= 8;
     c.tangential_stiffness *= 8;
   }
@@ -213,7 +216,7 @@ TEST_CASE("stiffness and length scale as dimensions demand, bit by bit") {
     x *= 2;
   for (double& r : large.radius)
     r *= 2;
-  for (Contact& c : large.contacts) {
+  for (packing::Contact& c : large.contacts) {
     c.branch *= 2;
     c.overlap *= 2;
   }
@@ -224,15 +227,15 @@ TEST_CASE("stiffness and length scale as dimensions demand, bit by bit") {
 }
 
 TEST_CASE("bounds on the bulk modulus hold for equilibrated forces, and close on the true force field") {
-  Assembly a = samples::random_network({.seed = 16, .repeats = 2, .kept = 0.6});
-  const auto load_isotropically = [&](Assembly& target, const Assembly& source) {
+  packing::Assembly a = samples::random_network({.seed = 16, .repeats = 2, .kept = 0.6});
+  const auto load_isotropically = [&](packing::Assembly& target, const packing::Assembly& source) {
     const auto response = twin::response(source, false);
     Eigen::Matrix<double, 6, 1> pressure;
     pressure << 1, 1, 1, 0, 0, 0;
     const Eigen::Matrix<double, 6, 1> strain = twin::inverse(response.relaxed) * pressure;
     for (std::size_t k = 0; k < target.contacts.size(); ++k) {
       const Eigen::Vector3d f = response.contact_forces[k] * strain;
-      Contact& c = target.contacts[k];
+      packing::Contact& c = target.contacts[k];
       const Vec3 whole{f[0], f[1], f[2]};
       c.normal_force = dot(whole, normal(c));
       c.tangential_force = whole - c.normal_force * normal(c);
@@ -251,9 +254,9 @@ TEST_CASE("bounds on the bulk modulus hold for equilibrated forces, and close on
   CHECK(stress.asymmetry < 1e-10);
   CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(modulus).epsilon(same));
 
-  Assembly other = a; // the same geometry in equilibrium, but forces of other stiffnesses
+  packing::Assembly other = a; // the same geometry in equilibrium, but forces of other stiffnesses
   samples::Uniform uniform(17);
-  for (Contact& c : other.contacts) {
+  for (packing::Contact& c : other.contacts) {
     c.normal_stiffness = uniform(0.5, 2);
     c.tangential_stiffness = uniform(0.1, 1) * c.normal_stiffness;
   }
@@ -265,7 +268,7 @@ TEST_CASE("bounds on the bulk modulus hold for equilibrated forces, and close on
 }
 
 TEST_CASE("assemblies without a load-bearing network have zero stiffness") {
-  Assembly a;
+  packing::Assembly a;
   a.cell = {{{4e-3, 0, 0}, {0, 4e-3, 0}, {0, 0, 4e-3}}};
   const auto check_zero = [&](std::size_t grains) {
     const auto response = network::linear_response(a);
@@ -301,7 +304,7 @@ TEST_CASE("assemblies without a load-bearing network have zero stiffness") {
 }
 
 TEST_CASE("a result that was not reached is not handed out") {
-  const Assembly a = samples::random_network({.seed = 18, .kept = 0.5});
+  const packing::Assembly a = samples::random_network({.seed = 18, .kept = 0.5});
   const auto hasty = network::linear_response(a, {.iteration_limit = 2});
   CHECK_FALSE(hasty.converged());
   CHECK(hasty.report().status == network::Status::iteration_limit);
@@ -309,8 +312,8 @@ TEST_CASE("a result that was not reached is not handed out") {
   CHECK(hasty.last_iterate().matrix.allFinite());
   CHECK(hasty.affine().matrix.allFinite());
 
-  Assembly pushed = a; // far too much compression for its stiffness: it buckles
-  for (Contact& c : pushed.contacts) {
+  packing::Assembly pushed = a; // far too much compression for its stiffness: it buckles
+  for (packing::Contact& c : pushed.contacts) {
     c.tangential_stiffness = 0;
     c.normal_force = 3;
   }
@@ -327,7 +330,7 @@ TEST_CASE("a tolerance at the edge of rounding is reached, among modes without s
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       CAPTURE(kept);
       CAPTURE(seed);
-      const Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
+      const packing::Assembly a = samples::random_network({.seed = seed, .repeats = 2, .kept = kept});
       const auto exact = network::linear_response(a, {.tolerance = 1e-12});
       REQUIRE(exact.converged());
       const auto pressed = network::linear_response(a, {.tolerance = 1e-15, .iteration_limit = 2000});
@@ -338,7 +341,7 @@ TEST_CASE("a tolerance at the edge of rounding is reached, among modes without s
 }
 
 TEST_CASE("bad options and bad assemblies are refused") {
-  Assembly a = samples::lattice(samples::simple_cubic, {});
+  packing::Assembly a = samples::lattice(samples::simple_cubic, {});
   CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.tolerance = 0})), InvalidArgument);
   CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.tolerance = 1})), InvalidArgument);
   CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.iteration_limit = 0})), InvalidArgument);

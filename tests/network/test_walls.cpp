@@ -7,9 +7,9 @@
 #include <granum/dem/state.hpp>
 #include <granum/dem/walls.hpp>
 
-#include "assembly/sample_packings.hpp"
 #include "dem/lattice_state.hpp"
-#include "network/dense_twin.hpp"
+#include "dense_twin.hpp"
+#include "packing/sample_packings.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -74,7 +74,7 @@ TEST_CASE("networks with walls: as their dense twins, symmetric, semidefinite, b
     for (const double rough : {0.0, 1.0}) {
       CAPTURE(kept);
       CAPTURE(rough);
-      Assembly a = samples::random_network({.seed = 9, .repeats = 2, .kept = kept});
+      packing::Assembly a = samples::random_network({.seed = 9, .repeats = 2, .kept = kept});
       // Planes of any direction touch every third grain: any boundary that follows the strain will do.
       for (std::uint32_t g = 0; g < a.grain_count(); g += 3) {
         Vec3 branch = uniform.vector(1);
@@ -95,7 +95,7 @@ TEST_CASE("networks with walls: as their dense twins, symmetric, semidefinite, b
       CHECK(twin::smallest_eigenvalue(soft) > -1e-12 * size);
       CHECK(twin::smallest_eigenvalue(affine - soft) > -1e-12 * size);
       // Walls hold what would else be free.
-      Assembly open = a;
+      packing::Assembly open = a;
       open.wall_contacts.clear();
       CHECK(twin::smallest_eigenvalue(soft - network::linear_response(open).relaxed().matrix) >
             -1e-12 * size);
@@ -110,7 +110,7 @@ TEST_CASE("smooth walls with prestress: the second derivatives of the energy its
   samples::Uniform uniform(2);
   for (Vec3& x : state.position)
     x += uniform.vector(0.004 * radius);
-  const Assembly a = dem::contact_network(state, material);
+  const packing::Assembly a = dem::contact_network(state, material);
   REQUIRE(a.contacts.size() == 12);
   REQUIRE(a.wall_contacts.size() == 24);
   constexpr int unknowns = 3 * 8 + 6;
@@ -124,9 +124,9 @@ TEST_CASE("smooth walls with prestress: the second derivatives of the energy its
     };
     const auto walls = dem::wall_planes(f * state.cell);
     double sum = 0;
-    for (const Contact& c : a.contacts)
+    for (const packing::Contact& c : a.contacts)
       sum += material.law.energy(2 * radius - norm(moved(c.j) - moved(c.i)));
-    for (const Contact& c : a.wall_contacts) {
+    for (const packing::Contact& c : a.wall_contacts) {
       const double distance = dot(moved(c.i) - walls[c.j].centre, walls[c.j].normal);
       sum += material.law.energy(2 * (radius - distance)) / 2;
     }

@@ -164,7 +164,7 @@ TEST_CASE("rest, probes and the network's moduli end at the step at which they a
   });
   stops(
       [&](const test::StopAt& stop) { (void)probe_all(frozen, recipe.material, {.stop_requested = stop}); });
-  const Assembly assembly = dem::contact_network(frozen, recipe.material);
+  const packing::Assembly assembly = dem::contact_network(frozen, recipe.material);
   stops([&](const test::StopAt& stop) {
     const network::Response response = network::linear_response(assembly, {.stop_requested = stop});
     if (response.report().status == network::Status::stopped)

@@ -69,7 +69,7 @@ std::vector<Point> run(const ShearOptions& options) {
 /// Energy stored in the contacts: f d alpha/(2 alpha + 1) along the normal, f_t^2/(2 k_t) across.
 double stored_energy(const dem::State& state) {
   double sum = 0;
-  for (const Contact& c : dem::contact_network(state, material).contacts)
+  for (const packing::Contact& c : dem::contact_network(state, material).contacts)
     sum += material.law.energy(c.overlap) +
            dot(c.tangential_force, c.tangential_force) / (2 * c.tangential_stiffness);
   return sum;

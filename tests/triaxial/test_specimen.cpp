@@ -23,7 +23,7 @@ SpecimenRecipe small_recipe() {
   return recipe;
 }
 
-double coordination(const Assembly& assembly) {
+double coordination(const packing::Assembly& assembly) {
   return 2 * static_cast<double>(assembly.contacts.size()) / static_cast<double>(assembly.grain_count());
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("dense and loose specimens have almost one void ratio but not one coor
 TEST_CASE("opening below jamming leaves no force anywhere") {
   const SpecimenRecipe recipe = small_recipe();
   const dem::State opened = unjam(frictionless_specimen(recipe).state, recipe);
-  for (const Contact& c : dem::contact_network(opened, recipe.material).contacts)
+  for (const packing::Contact& c : dem::contact_network(opened, recipe.material).contacts)
     CHECK(c.overlap < 1e-6 * recipe.radius);
 }
 

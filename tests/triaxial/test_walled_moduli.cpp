@@ -61,12 +61,12 @@ const dem::State& specimen(Density density) {
 dem::State firmly_held(dem::State state) {
   while (true) {
     state = freeze_in_place(state, material, 1e-10).state();
-    const Assembly assembly = dem::contact_network(state, material);
+    const packing::Assembly assembly = dem::contact_network(state, material);
     std::vector<double> largest(state.grain_count());
-    for (const Contact& c : assembly.contacts)
+    for (const packing::Contact& c : assembly.contacts)
       for (const std::size_t grain : {c.i, c.j})
         largest[grain] = std::max(largest[grain], c.normal_force);
-    for (const Contact& c : assembly.wall_contacts)
+    for (const packing::Contact& c : assembly.wall_contacts)
       largest[c.i] = std::max(largest[c.i], c.normal_force);
     dem::State held = state;
     held.position.clear();
@@ -146,7 +146,7 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
   SpecimenRecipe at_pressure = recipe(Density::dense);
   at_pressure.first_pressure = pressure;
   const dem::State state = firmly_held(frictionless_specimen(at_pressure).state);
-  const Assembly assembly = dem::contact_network(state, material);
+  const packing::Assembly assembly = dem::contact_network(state, material);
   const Matrix6 c = network::linear_response(assembly, {.prestress = true}).relaxed().matrix;
   const ProbeOptions fine{
       .amplitude = 1e-8, .force_tolerance = 1e-10, .settled_share = 0, .max_steps = 100000};

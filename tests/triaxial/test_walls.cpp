@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include <doctest/doctest.h>
-#include <granum/assembly/stress.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/walls.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/stress.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -71,13 +71,13 @@ TEST_CASE("a specimen between walls: the walls bear the pressure, and so does it
   // With no layer left out the interior is all there is between the grains.
   const analysis::InteriorMeasures all =
       test::measured(specimen(), material, {.interior_layer = 0}).interior.value();
-  const Assembly assembly = dem::contact_network(specimen(), material);
+  const packing::Assembly assembly = dem::contact_network(specimen(), material);
   const analysis::Microstructure whole = test::measured(specimen(), material).microstructure();
   CHECK(all.grains == 400);
   CHECK(all.micro.coordination_number == relative(whole.coordination_number, 1e-14));
   CHECK(all.micro.mechanical_coordination_number == relative(whole.mechanical_coordination_number, 1e-14));
   CHECK(all.micro.fabric_anisotropy == relative(whole.fabric_anisotropy, 1e-12));
-  const ContactStress stress = contact_stress(assembly);
+  const packing::ContactStress stress = contact_stress(assembly);
   for (int axis = 0; axis < 3; ++axis)
     CHECK(all.stress(axis, axis) == relative(stress.tensor(axis, axis), 1e-12));
   // Of the overlaps with the walls, 1e-3 of the radius deep, small caps are missing.

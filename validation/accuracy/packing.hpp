@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/effective/gradients.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/state.hpp>
 
 #include "moments.hpp"

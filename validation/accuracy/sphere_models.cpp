@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Further models of sphere packings as their sources print them, and the batch.
 #include <granum/effective/batch.hpp>
-#include <granum/effective/contact_cement.hpp>
-#include <granum/effective/coordination_relations.hpp>
-#include <granum/effective/jenkins.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/effective/walton_uniaxial.hpp>
+#include <granum/rock_physics/contact_cement.hpp>
+#include <granum/rock_physics/coordination_relations.hpp>
+#include <granum/rock_physics/jenkins.hpp>
+#include <granum/rock_physics/walton_uniaxial.hpp>
 
 #include "harness.hpp"
 
@@ -13,9 +13,9 @@ namespace accuracy {
 
 namespace {
 
-using granum::effective::CementedPacking;
-using granum::effective::CementScheme;
-using granum::effective::CoordinationRelation;
+using granum::rock_physics::CementedPacking;
+using granum::rock_physics::CementScheme;
+using granum::rock_physics::CoordinationRelation;
 
 /// A decimal as printed.
 Real printed(const char* text) { return Real(text); }
@@ -75,7 +75,7 @@ void check_cement(Table& table, Draw& draw, CementScheme scheme, const std::stri
 void check_saturation(Table& table, Draw& draw) {
   const double critical = draw.uniform(0.01, 0.99), porosity = critical * draw.uniform(0, 0.999);
   table.take("cement_saturation", "porosity 0 to 0.999 of critical", closed_form,
-             granum::effective::cement_saturation(critical, porosity), 1 - Real(porosity) / Real(critical),
+             granum::rock_physics::cement_saturation(critical, porosity), 1 - Real(porosity) / Real(critical),
              said({{"critical", critical}, {"porosity", porosity}}));
 }
 
@@ -95,7 +95,7 @@ void check_relations(Table& table, Draw& draw) {
   const Real phi = porosity;
   const std::string at = said({{"porosity", porosity}}), domain = "porosity 0.2 to 0.7";
   const auto found = [&](CoordinationRelation which) {
-    return granum::effective::coordination_number(porosity, which);
+    return granum::rock_physics::coordination_number(porosity, which);
   };
   table.take("coordination_number murphy_table", domain, closed_form,
              found(CoordinationRelation::murphy_table), murphy(phi), at);
@@ -127,16 +127,16 @@ Real jenkins(const Real& k) {
 void check_jenkins(Table& table, Draw& draw) {
   const double k = draw.uniform_or(5.1, 11, {6.0, 11.0});
   table.take_against("jenkins_shear_factor", "k in [5.1, 11], of 1", quadrature,
-                     granum::effective::jenkins_shear_factor(k), jenkins(k), 1, said({{"k", k}}));
+                     granum::rock_physics::jenkins_shear_factor(k), jenkins(k), 1, said({{"k", k}}));
 }
 
 void check_walton(Table& table, Draw& draw) {
-  const granum::effective::UniaxialPacking p{.shear_modulus = draw.log_uniform(1e6, 1e12),
-                                             .poisson_ratio = draw.poisson_ratio(),
-                                             .porosity = draw.uniform(0.05, 0.95),
-                                             .coordination_number = draw.coordination_number(),
-                                             .uniaxial_strain = draw.log_uniform(1e-300, 0.9),
-                                             .no_slip_fraction = draw.uniform_or(0, 1, {0.0, 1.0})};
+  const granum::rock_physics::UniaxialPacking p{.shear_modulus = draw.log_uniform(1e6, 1e12),
+                                                .poisson_ratio = draw.poisson_ratio(),
+                                                .porosity = draw.uniform(0.05, 0.95),
+                                                .coordination_number = draw.coordination_number(),
+                                                .uniaxial_strain = draw.log_uniform(1e-300, 0.9),
+                                                .no_slip_fraction = draw.uniform_or(0, 1, {0.0, 1.0})};
   const Real nu = p.poisson_ratio, e = p.uniaxial_strain;
   const Real r = 2 * (1 - nu) / (2 - nu) * Real(p.no_slip_fraction);
   const Real M = 3 * Real(p.coordination_number) * (1 - Real(p.porosity)) * Real(p.shear_modulus) * sqrt(e) /

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models of rock physics as their sources print them.
-#include <granum/effective/digby.hpp>
-#include <granum/effective/hertz_mindlin.hpp>
-#include <granum/effective/norris_johnson.hpp>
-#include <granum/effective/sand_bounds.hpp>
+#include <granum/rock_physics/digby.hpp>
+#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/norris_johnson.hpp>
+#include <granum/rock_physics/sand_bounds.hpp>
 
 #include "harness.hpp"
 
@@ -11,7 +11,7 @@ namespace accuracy {
 
 namespace {
 
-using granum::effective::SpherePacking;
+using granum::rock_physics::SpherePacking;
 
 SpherePacking draw_pack(Draw& draw) {
   return {.shear_modulus = draw.log_uniform(1e6, 1e12),
@@ -39,7 +39,7 @@ Real hertz_bulk_modulus(const SpherePacking& p) {
 void check_hertz_mindlin(Table& table, SpherePacking p, double share) {
   p.no_slip_fraction = share;
   const Real K = hertz_bulk_modulus(p), nu = p.poisson_ratio;
-  const auto m = granum::effective::hertz_mindlin(p);
+  const auto m = granum::rock_physics::hertz_mindlin(p);
   const std::string at = said_of(p) + " " + said({{"share", share}});
   const std::string domain = "p 1e-300 to 1e12 Pa, C_n to 14";
   table.take("hertz_mindlin", domain, closed_form, m.bulk_modulus, K, at);
@@ -64,12 +64,12 @@ void check_digby(Table& table, const SpherePacking& p, double b) {
   const Real C = Real(p.coordination_number) * (1 - Real(p.porosity));
   const Real d = cubic_root(Real(b) * b / 2, 3 * pi() * (1 - nu) * p.pressure / (4 * C * mu));
   const Real S_n = 4 * mu * sqrt(d * d + Real(b) * b) / (1 - nu), S_t = 8 * mu * b / (2 - nu);
-  const auto m = granum::effective::digby({.shear_modulus = p.shear_modulus,
-                                           .poisson_ratio = p.poisson_ratio,
-                                           .porosity = p.porosity,
-                                           .coordination_number = p.coordination_number,
-                                           .pressure = p.pressure,
-                                           .bond_radius_ratio = b});
+  const auto m = granum::rock_physics::digby({.shear_modulus = p.shear_modulus,
+                                              .poisson_ratio = p.poisson_ratio,
+                                              .porosity = p.porosity,
+                                              .coordination_number = p.coordination_number,
+                                              .pressure = p.pressure,
+                                              .bond_radius_ratio = b});
   const std::string at = said_of(p) + " " + said({{"b/R", b}});
   const std::string domain = "b/R 1e-9 to 1, p 1e-300 to 1e12 Pa";
   const Reach reach = closed_form;
@@ -114,12 +114,12 @@ struct RootMeans {
 };
 
 void check_norris_johnson(Table& table, const SpherePacking& p, double e0, double e3) {
-  const granum::effective::StrainedPacking pack{.shear_modulus = p.shear_modulus,
-                                                .poisson_ratio = p.poisson_ratio,
-                                                .porosity = p.porosity,
-                                                .coordination_number = p.coordination_number,
-                                                .hydrostatic_strain = e0,
-                                                .uniaxial_strain = e3};
+  const granum::rock_physics::StrainedPacking pack{.shear_modulus = p.shear_modulus,
+                                                   .poisson_ratio = p.poisson_ratio,
+                                                   .porosity = p.porosity,
+                                                   .coordination_number = p.coordination_number,
+                                                   .hydrostatic_strain = e0,
+                                                   .uniaxial_strain = e3};
   const RootMeans J(e0, e3);
   const Real nu = p.poisson_ratio, r = 2 * (1 - nu) / (2 - nu);
   const Real kappa =

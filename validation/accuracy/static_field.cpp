@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives by differences of 50-digit values: five points at steps of 1e-6, whose error is 1e-24.
 #include <granum/effective/exponents.hpp>
-#include <granum/effective/gradients.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "packing.hpp"

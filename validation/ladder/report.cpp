@@ -17,7 +17,7 @@
 #include <map>
 #include <set>
 
-#include <granum/io/chart.hpp>
+#include <granum/plot/chart.hpp>
 
 #include "table.hpp"
 
@@ -150,16 +150,16 @@ std::vector<std::string> summary(const std::vector<Row>& rows) {
 
 // ---- the picture ----
 
-io::Chart chart(const std::vector<Row>& rows) {
-  io::Chart picture{.title = "What a rung costs, and what it is worth: 28 packings of 1,500 grains",
-                    .x = {"processor time of one evaluation [s]", io::Scale::logarithmic, 1},
-                    .y = {"error of K, G_hh and G_vh, the largest [%]", io::Scale::logarithmic, 0.01},
-                    .series = {}};
+plot::Chart chart(const std::vector<Row>& rows) {
+  plot::Chart picture{.title = "What a rung costs, and what it is worth: 28 packings of 1,500 grains",
+                      .x = {"processor time of one evaluation [s]", plot::Scale::logarithmic, 1},
+                      .y = {"error of K, G_hh and G_vh, the largest [%]", plot::Scale::logarithmic, 0.01},
+                      .series = {}};
   const auto add = [&picture](const std::string& name, const std::vector<Row>& own) {
-    picture.series.push_back({name, io::Mark::marker, each(own, cost), each(own, actual_error)});
+    picture.series.push_back({name, plot::Mark::marker, each(own, cost), each(own, actual_error)});
   };
   for (const Kind& kind : {kinds()[0], kinds()[1]}) {
-    io::Series line{std::string("stated errors, ") + kind.name, io::Mark::line, {}, {}};
+    plot::Series line{std::string("stated errors, ") + kind.name, plot::Mark::line, {}, {}};
     for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
       const std::vector<Row> own = select(of_rung(rows, rung, "all"), kind.has);
       line.x.push_back(median(each(own, cost)));
@@ -177,7 +177,7 @@ io::Chart chart(const std::vector<Row>& rows) {
   std::map<std::string, double> network_cost;
   for (const Row& row : of_rung(rows, 4, "packing"))
     network_cost[row.specimen.name()] = row.cost;
-  picture.series.push_back({"rung 4: network, against rung 5", io::Mark::marker,
+  picture.series.push_back({"rung 4: network, against rung 5", plot::Mark::marker,
                             each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); }),
                             each(probes, actual_error)});
   add("rung 5: DEM probe, against rung 4", probes);
@@ -360,7 +360,7 @@ int run(int argc, char** argv) {
   if (what == "lines" || what == "picture" || what == "restate") {
     const std::vector<Row> rows = ladder::read(argv[2]);
     if (what == "picture")
-      std::printf("%s", io::svg(chart(rows)).c_str());
+      std::printf("%s", plot::svg(chart(rows)).c_str());
     else if (what == "restate")
       std::printf("%s", restated_table(rows).c_str());
     else

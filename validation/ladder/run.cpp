@@ -161,7 +161,7 @@ struct Network {
   elastic::VoigtStiffness stiffness;
 };
 
-Network solve_network(const Specimen& specimen, const Assembly& assembly) {
+Network solve_network(const Specimen& specimen, const packing::Assembly& assembly) {
   const auto solve = [&assembly] { return network::linear_response(assembly); };
   const elastic::VoigtStiffness stiffness = solve().relaxed();
   return {.row = {.specimen = specimen,
@@ -187,7 +187,7 @@ Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Mat
 }
 
 Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& frozen,
-                 const Assembly& assembly) {
+                 const packing::Assembly& assembly) {
   const analysis::Measurement measured = analysis::measure(assembly);
   const analysis::Microstructure micro = measured.microstructure();
   const Mat3& stress = measured.stress.value().symmetric;
@@ -208,7 +208,7 @@ Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const de
 void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& state,
                const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
-  const Assembly assembly = dem::contact_network(frozen.state(), material);
+  const packing::Assembly assembly = dem::contact_network(frozen.state(), material);
   const Specimen specimen = measure(c, seed, stage, frozen.state(), assembly);
   const Network network = solve_network(specimen, assembly);
   add_closed_forms(table, specimen, network.row.value);

@@ -12,7 +12,7 @@
 
 #include <granum/core/number.hpp>
 #include <granum/effective/ladder.hpp>
-#include <granum/io/csv.hpp>
+#include <granum/io/csv/table.hpp>
 
 #include "../relaxation/packings.hpp"
 

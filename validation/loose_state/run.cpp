@@ -15,7 +15,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
-#include <granum/io/csv.hpp>
+#include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 

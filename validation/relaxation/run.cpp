@@ -24,15 +24,15 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/assembly/cell_work.hpp>
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/force_moments.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/cell_work.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/force_moments.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -153,12 +153,12 @@ std::string short_number(double value) {
 }
 
 /// The packing stays; only the tangential stiffness of its elastic contacts is another.
-void add_networks(Row& row, Assembly assembly, double own_ratio) {
+void add_networks(Row& row, packing::Assembly assembly, double own_ratio) {
   int iterations = 0;
   double residual = 0;
   network::Options options;
   for (const double ratio : ratios) {
-    for (Contact& contact : assembly.contacts)
+    for (packing::Contact& contact : assembly.contacts)
       contact.tangential_stiffness = ratio * contact.normal_stiffness;
     // Without tangential stiffness most of the packings are floppy: no use in insisting on ten digits.
     options.iteration_limit = ratio > 0 ? 20000 : 1500;
@@ -176,7 +176,7 @@ void add_networks(Row& row, Assembly assembly, double own_ratio) {
   row.add("iterations", iterations);
   row.add("residual", residual);
 
-  for (Contact& contact : assembly.contacts)
+  for (packing::Contact& contact : assembly.contacts)
     contact.tangential_stiffness = own_ratio * contact.normal_stiffness;
   const network::Response plain = network::linear_response(assembly);
   add_stiffness(row, "affine", plain.affine());
@@ -188,22 +188,23 @@ void add_networks(Row& row, Assembly assembly, double own_ratio) {
   row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
 }
 
-double mean_tangential_share(const Assembly& assembly) {
+double mean_tangential_share(const packing::Assembly& assembly) {
   double normal_sum = 0, tangential_sum = 0;
-  for (const Contact& c : assembly.contacts) {
+  for (const packing::Contact& c : assembly.contacts) {
     normal_sum += c.normal_force;
     tangential_sum += norm(c.tangential_force);
   }
   return tangential_sum / normal_sum;
 }
 
-void add_assembly(Row& row, const Assembly& assembly, const dem::Material& material) {
+void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
   const analysis::Measurement measured =
       analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
   const analysis::Microstructure micro = measured.microstructure();
-  const MechanicalCoordination frictionless = mechanical_coordination(assembly, ContactKind::frictionless);
+  const packing::MechanicalCoordination frictionless =
+      mechanical_coordination(assembly, packing::ContactKind::frictionless);
   const Mat3& stress = measured.stress.value().symmetric;
-  const BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
+  const packing::BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
   const double b = material.law.stiffness_exponent();
   row.add("C_n", micro.coordination_number);
   row.add("z_star", micro.mechanical_coordination_number);
@@ -223,7 +224,7 @@ void add_assembly(Row& row, const Assembly& assembly, const dem::Material& mater
 
 /// What one row says of a frozen state.
 void describe(Row& row, const dem::State& frozen, const dem::Material& material) {
-  const Assembly assembly = dem::contact_network(frozen, material);
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
   row.add("e", dem::void_ratio(frozen));
   add_assembly(row, assembly, material);
   add_networks(row, assembly, material.tangential_ratio);

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include <granum/assembly/assembly.hpp>
-#include <granum/assembly/coordination.hpp>
+#include <granum/packing/assembly.hpp>
+#include <granum/packing/coordination.hpp>
 
 namespace granum::analysis {
 
@@ -37,7 +37,8 @@ struct InteriorMeasures {
 /// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R
 ///           of a side wall no contact between grains bears force along it.
 /// Checked by tests/triaxial/test_walls.cpp
-[[nodiscard]] InteriorMeasures interior_measures(const Assembly& assembly,
-                                                 const MechanicalCoordination& mechanical, double layer);
+[[nodiscard]] InteriorMeasures interior_measures(const packing::Assembly& assembly,
+                                                 const packing::MechanicalCoordination& mechanical,
+                                                 double layer);
 
 } // namespace granum::analysis

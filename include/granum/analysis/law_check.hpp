@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/measured.hpp>
+#include <granum/packing/assembly.hpp>
 
 /// The contact law that a DEM code has used, as its forces and overlaps show it.
 /// Checked by tests/analysis/test_law_check.cpp
@@ -41,7 +41,7 @@ struct LawCheck {
 /// \return   contacts = 0 if none has both force and overlap: the other numbers then say nothing
 /// \throws   InvalidArgument for an assembly that require_valid rejects or a material that the law refuses
 /// Accuracy  the slope of forces that obey a power law: 1e-9 for overlaps of 17 digits over a decade.
-[[nodiscard]] LawCheck check_law(const Assembly& assembly, const LawFamily& family,
+[[nodiscard]] LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
                                  const contact::GrainMaterial& grain);
 
 } // namespace granum::analysis

@@ -6,12 +6,12 @@
 #include <span>
 
 #include <granum/analysis/measurement.hpp>
-#include <granum/assembly/assembly.hpp>
-#include <granum/assembly/stiffness.hpp>
+#include <granum/packing/assembly.hpp>
+#include <granum/packing/stiffness.hpp>
 #include <granum/stress/axial_stress.hpp>
 
 /// The one way from a packing to its numbers.
-/// Checked by tests/analysis/test_measure.cpp, tests/verify/test_measured_frame.cpp
+/// Checked by tests/analysis/test_measure.cpp, tests/studies/test_measured_frame.cpp
 namespace granum::analysis {
 
 /// What is known of a packing beside what the assembly holds.
@@ -24,7 +24,7 @@ struct Given {
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
   std::optional<double> friction_coefficient = {}; ///< [1]; without it estimate_friction
-  std::optional<StiffnessFrom> stiffness_from =
+  std::optional<packing::StiffnessFrom> stiffness_from =
       {};                                ///< without it overlaps, or forces if those have few digits
   bool normal_forces = true;             ///< the contacts hold them
   bool tangential_forces = true;         ///< the contacts hold them
@@ -57,7 +57,7 @@ struct Wanted {
 /// \throws   InvalidArgument for an assembly that is not valid or has no grains, or for values given
 ///           or wanted that are out of their ranges
 /// Accuracy  that of the functions whose results it holds.
-[[nodiscard]] Measurement measure(const Assembly& assembly, const Given& given = {},
+[[nodiscard]] Measurement measure(const packing::Assembly& assembly, const Given& given = {},
                                   const Wanted& wanted = {});
 
 /// Directions of contact normals alone, where that is all there is.
@@ -68,7 +68,7 @@ struct Wanted {
 /// Forces of an assembly's contacts; moments, friction and sliding are of those that press.
 /// \throws   InvalidArgument for an assembly that require_valid rejects, or for a friction coefficient or
 ///           bins out of range
-[[nodiscard]] Forces measure_forces(const Assembly& assembly, const Given& given, std::size_t bins);
+[[nodiscard]] Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins);
 
 /// What the closed forms say of a state; nothing where no static force field has it.
 /// \param    mechanical_coordination_number   z* >= 0 [1]

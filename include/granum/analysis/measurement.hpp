@@ -8,11 +8,6 @@
 
 #include <granum/analysis/interior_measures.hpp>
 #include <granum/analysis/law_check.hpp>
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/force_distribution.hpp>
-#include <granum/assembly/force_moments.hpp>
-#include <granum/assembly/sliding.hpp>
-#include <granum/assembly/stress.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/isotropic.hpp>
@@ -23,6 +18,11 @@
 #include <granum/fabric/likelihood_estimate.hpp>
 #include <granum/fabric/rose.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/force_distribution.hpp>
+#include <granum/packing/force_moments.hpp>
+#include <granum/packing/sliding.hpp>
+#include <granum/packing/stress.hpp>
 
 /// What one packing tells, whoever made it: granum's own specimens and imported ones alike.
 namespace granum::analysis {
@@ -44,8 +44,8 @@ struct Counts {
   double coordination_error = 0;             ///< its standard error, by the scatter of the grains' numbers
   double touching_coordination_number = 0;   ///< C_n over the grains with a contact
   double coordination_number_with_walls = 0; ///< (2 N_c + N_w)/N
-  double sliding_fraction = 0;            ///< of the contacts, as Contact::sliding says; 0 without contacts
-  MechanicalCoordination mechanical = {}; ///< z* and rattlers
+  double sliding_fraction = 0; ///< of the contacts, as Contact::sliding says; 0 without contacts
+  packing::MechanicalCoordination mechanical = {}; ///< z* and rattlers
 };
 
 /// Directions of the contacts. The tests are there where they were wanted.
@@ -62,20 +62,20 @@ struct Fabric {
 
 /// Forces of the contacts.
 struct Forces {
-  ForceDistribution distribution = {};
+  packing::ForceDistribution distribution = {};
   double Z_2 = 0;   ///< <f_n^2>/<f_n>^2 of the pressing contacts
   double Z_5_3 = 0; ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
   std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
-  std::optional<FrictionEstimate> friction = {};
+  std::optional<packing::FrictionEstimate> friction = {};
   std::optional<double> sliding_fraction = {}; ///< at the coefficient given, or else estimated
-  Unbalance unbalance = {};
+  packing::Unbalance unbalance = {};
 };
 
 /// The contact network, rung 4.
 struct Network {
   network::Response response;               ///< affine and relaxed stiffness; says whether it was solved
   elastic::SymmetryDistances symmetry = {}; ///< of the relaxed stiffness, its last iterate
-  BulkModulusBounds bulk_bounds = {};
+  packing::BulkModulusBounds bulk_bounds = {};
 
   /// The nearest isotropic solids.
   /// \throws   NotConverged (relaxed) unless the network is solved
@@ -105,10 +105,10 @@ struct Measurement {
   double void_ratio = 0; ///< of the whole cell
   Sizes sizes = {};
   Counts counts = {};
-  std::optional<Fabric> fabric = {};             ///< from 2 contacts on
-  std::optional<InteriorMeasures> interior = {}; ///< between walls
-  std::optional<ContactStress> stress = {};      ///< by the contact forces
-  std::optional<double> pressure_by_work = {};   ///< by the work of the cell [Pa]
+  std::optional<Fabric> fabric = {};                 ///< from 2 contacts on
+  std::optional<InteriorMeasures> interior = {};     ///< between walls
+  std::optional<packing::ContactStress> stress = {}; ///< by the contact forces
+  std::optional<double> pressure_by_work = {};       ///< by the work of the cell [Pa]
   std::optional<Forces> forces = {};
   std::optional<LawCheck> law_check = {};
   std::optional<contact::GrainMaterial> grain = {}; ///< given, or with G_g as the forces show it

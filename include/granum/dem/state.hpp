@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/vec3.hpp>
+#include <granum/packing/assembly.hpp>
 
 namespace granum::dem {
 
@@ -75,6 +75,6 @@ void require_valid(const Walls& walls);
 
 /// The contacts of the grains of a state, with each other and with its walls, with forces and tangent
 /// stiffnesses from the material's law. Smooth walls have no tangential stiffness.
-[[nodiscard]] Assembly contact_network(const State& state, const Material& material);
+[[nodiscard]] packing::Assembly contact_network(const State& state, const Material& material);
 
 } // namespace granum::dem

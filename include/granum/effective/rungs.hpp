@@ -7,8 +7,8 @@
 
 #include <granum/core/validity.hpp>
 #include <granum/effective/exponents.hpp>
-#include <granum/effective/gradients.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 

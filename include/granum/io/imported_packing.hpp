@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/assembly/assembly.hpp>
+#include <granum/packing/assembly.hpp>
 
 /// What the output of a DEM code becomes when it is read, whatever code wrote it.
 namespace granum::io {
@@ -43,7 +43,7 @@ struct ImportNote {
 
 /// One state of a packing, SI, compression positive, grains in the order of their ids.
 struct ImportedPacking {
-  Assembly assembly;
+  packing::Assembly assembly;
   std::vector<long> id; ///< of each grain, as the files name it, ascending
   std::array<bool, 3> periodic{true, true, true};
   long step = 0;

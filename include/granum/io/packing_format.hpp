@@ -7,10 +7,10 @@
 #include <optional>
 #include <string_view>
 
-#include <granum/io/column_map.hpp>
+#include <granum/io/csv/packing.hpp>
 #include <granum/io/imported_packing.hpp>
-#include <granum/io/packing_csv.hpp>
-#include <granum/io/text_source.hpp>
+#include <granum/io/lammps/column_map.hpp>
+#include <granum/io/text/source.hpp>
 
 /// The formats of packings that granum reads, one row each. A new one is a source with its row and the two
 /// functions in it, its name at the end of this header, a line in CMakeLists.txt, and a test.

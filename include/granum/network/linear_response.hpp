@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include <granum/assembly/assembly.hpp>
 #include <granum/core/stop_request.hpp>
 #include <granum/elastic/stiffness.hpp>
+#include <granum/packing/assembly.hpp>
 
 /// Rung 4: the elastic response of a given contact network, by linear algebra instead of time stepping.
 namespace granum::network {
@@ -91,6 +91,6 @@ class [[nodiscard]] Response {
 ///           networks that hardly hold, but by 1e-4 where a mode of 1e-13 k_n bears load. Same input, same
 ///           bits.
 /// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp
-Response linear_response(const Assembly& assembly, const Options& options = {});
+Response linear_response(const packing::Assembly& assembly, const Options& options = {});
 
 } // namespace granum::network

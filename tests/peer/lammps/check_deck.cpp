@@ -13,16 +13,16 @@
 #include <string>
 #include <vector>
 
-#include <granum/assembly/coordination.hpp>
-#include <granum/assembly/stiffness.hpp>
-#include <granum/assembly/stress.hpp>
+#include "studies/scene/scene.hpp"
 #include <granum/core/number.hpp>
-#include <granum/io/csv.hpp>
-#include <granum/io/lammps_dump.hpp>
+#include <granum/io/csv/table.hpp>
+#include <granum/io/lammps/dump.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/stiffness.hpp>
+#include <granum/packing/stress.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
-#include <granum/verify/scene.hpp>
 
 using namespace granum;
 
@@ -52,15 +52,15 @@ std::vector<Row> rows_of(const fs::path& path) {
 
 double number(const Row& row, const std::string& column) { return parse_number(row.at(column)).value(); }
 
-Assembly packing_of(const fs::path& folder, const std::string& state) {
+packing::Assembly packing_of(const fs::path& folder, const std::string& state) {
   io::LammpsDump dump(io::TextSource(folder / ("atoms." + state + ".dump")),
                       io::TextSource(folder / ("contacts." + state + ".dump")));
-  Assembly packing = dump.next().value().assembly;
+  packing::Assembly packing = dump.next().value().assembly;
   assign_hertz_stiffness(packing, quartz, contact::mindlin_stiffness_ratio(quartz.poisson_ratio));
   return packing;
 }
 
-Moduli network_moduli(const Assembly& packing) {
+Moduli network_moduli(const packing::Assembly& packing) {
   const auto& c = network::linear_response(packing).relaxed().matrix;
   return {{"G_vh", c(4, 4)}, {"G_hh", c(5, 5)}, {"K", c.topLeftCorner<3, 3>().sum() / 9}};
 }
@@ -71,7 +71,7 @@ bool moves(const std::string& state) { return state.starts_with("TXC") && !state
 /// The stress by contacts against what LAMMPS says of itself, sum of d_a f_b: off the diagonal the transpose
 /// of f_i l_j, which is another number as long as moments do not balance to the last digit.
 void check_state(const fs::path& folder, const Row& row) {
-  const Assembly packing = packing_of(folder, row.at("state"));
+  const packing::Assembly packing = packing_of(folder, row.at("state"));
   const Mat3 stress = contact_stress(packing).tensor;
   const double by_contacts[] = {stress(0, 0), stress(1, 1), stress(2, 2),
                                 stress(1, 0), stress(2, 0), stress(2, 1)};
@@ -120,8 +120,8 @@ States check_probes(const fs::path& folder) {
 }
 
 /// Compression by granum's own engine, from the same start: its last state, and the moduli of two.
-dem::State own_compression(const verify::Scene& scene, triaxial::Density density, States& moduli) {
-  const triaxial::SpecimenRecipe recipe = verify::recipe(scene, contact::Shape::sphere, 1);
+dem::State own_compression(const studies::Scene& scene, triaxial::Density density, States& moduli) {
+  const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, 1);
   dem::State last =
       triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, density, recipe);
   (void)triaxial::isotropic_path(last, recipe.material, scene.study.pressures,
@@ -139,7 +139,7 @@ dem::State own_compression(const verify::Scene& scene, triaxial::Density density
 /// and 4.79 at 30 and 120 kPa, the own engine to 4.45 and 4.72. G over that of uniform strain follows z* for
 /// both (0.30 at 4.51, 0.33 at 4.58, 0.35 at 4.65, 0.38 at 4.72), s does not, and is printed only.
 void check_own(const fs::path& folder, triaxial::Density density, const States& probed) {
-  verify::Scene scene;
+  studies::Scene scene;
   scene.study.grains = packing_of(folder, "30kPa").grain_count();
   scene.study.pressures = {30e3, 60e3, 120e3};
   States own;
@@ -155,7 +155,7 @@ void check_own(const fs::path& folder, triaxial::Density density, const States& 
   if (!fs::exists(folder / "peak.csv"))
     return;
   const Row peak = rows_of(folder / "peak.csv").at(0);
-  triaxial::ShearTest test(last, verify::recipe(scene, contact::Shape::sphere, 1).material,
+  triaxial::ShearTest test(last, studies::recipe(scene, contact::Shape::sphere, 1).material,
                            {.mean_stress = 120e3, .largest_strain = 0.015});
   while (test.advance() == triaxial::ShearEvent::snapshot) {
   }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <granum/io/imported_packing.hpp>
+#include <granum/io/text/source.hpp>
+
+/// Packings out of comma-separated values: spreadsheets, tomography, exports of codes without a reader of
+/// their own.
+///
+/// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them stands for SI throughout.
+/// Contacts:  nx, ny, nz              needed; from grain 1 to grain 2, of any length
+///            id1, id2                numbers of the grains
+///            fn, ft                  normal force (compression positive) and size of the tangential force
+///            fx, fy, fz              whole force exerted by grain 1 on grain 2, instead of fn and ft
+///            lx, ly, lz              centre of grain 2 minus centre of grain 1
+///            delta                   overlap
+/// Grains:    x, y, z                 needed
+///            radius or diameter      needed
+///            id                      numbers from 0 in the order of the rows where it is missing
+/// Checked by tests/io/csv/test_packing.cpp
+namespace granum::io {
+
+/// A list of contacts; what a file lacks is empty.
+struct ContactTable {
+  std::vector<Vec3> normal; ///< unit vectors
+  std::vector<std::array<long, 2>> id;
+  std::vector<double> normal_force;    ///< [N]
+  std::vector<double> tangential_size; ///< [N]
+  std::vector<Vec3> force;             ///< exerted by 1 on 2 [N]
+  std::vector<Vec3> branch;            ///< [m]
+  std::vector<double> overlap;         ///< [m]
+  std::vector<std::size_t> line;       ///< of the file
+};
+
+/// \throws   FileError with path and line for what is no such table, numbers that are none, a normal of
+///           length 0, one coordinate of a vector without the others
+[[nodiscard]] ContactTable read_contact_csv(TextSource source);
+
+/// The box of a packing that a table does not tell.
+struct CsvBox {
+  Mat3 cell; ///< columns are its edges [m]
+  std::array<bool, 3> periodic{true, true, true};
+};
+
+/// Grains, and contacts if there are any. Without a box the smallest upright one stands for it, with a note.
+/// Of contacts id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
+/// positions; overlaps are delta, or come from the radii.
+/// \throws   FileError also for ids twice, a radius that is not positive, a box without volume, an unknown
+///            grain, a grain in contact with itself, a line of centres that does not fit the positions or
+///            the normal, one pair with two forces
+[[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts = {},
+                                               const std::optional<CsvBox>& box = {});
+
+} // namespace granum::io

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <granum/core/units.hpp>
+
+/// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
+/// (sigma_v_kPa). Lines that begin with '#' and blank lines are skipped.
+/// Checked by tests/io/csv/test_table.cpp
+namespace granum::io {
+
+/// A table that was read. Every row has one field for each heading.
+class CsvTable {
+ public:
+  /// Takes the text of a file; `name` stands for the path in errors.
+  /// \throws   FileError naming the line: no heading, no rows, a row with another number of fields, an
+  /// unclosed quote,
+  ///           two equal headings, bytes that are no text
+  CsvTable(std::string name, std::string_view text);
+
+  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
+  [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }
+  /// Line of the file on which a row begins, from 1.
+  [[nodiscard]] std::size_t line(std::size_t row) const { return rows_.at(row).line; }
+
+  /// The fields of a row as they stand in the file, one for each heading.
+  [[nodiscard]] const std::vector<std::string>& fields(std::size_t row) const { return rows_.at(row).fields; }
+
+  /// Whether a column holds `quantity`, with any unit.
+  [[nodiscard]] bool has(std::string_view quantity) const;
+  /// Place of a quantity in every row, and what its numbers are multiplied by to give SI.
+  struct Column {
+    std::size_t index = 0;
+    double factor = 1;
+  };
+  /// \throws   FileError if no column or more than one holds the quantity, or if its heading lacks a unit of
+  ///           `dimension`
+  [[nodiscard]] Column column(std::string_view quantity, Dimension dimension) const;
+  /// The column of a quantity in SI: for sigma_v the column sigma_v_kPa, say, times 1000.
+  /// \throws   FileError as column, or, naming the line, if a field is not a finite number
+  [[nodiscard]] std::vector<double> numbers(std::string_view quantity, Dimension dimension) const;
+
+ private:
+  struct Row {
+    std::size_t line;
+    std::vector<std::string> fields;
+  };
+
+  [[nodiscard]] std::size_t find(std::string_view quantity, Dimension dimension) const;
+
+  std::string name_;
+  std::size_t heading_line_ = 0;
+  std::vector<std::string> headings_;
+  std::vector<Row> rows_;
+};
+
+/// Reads a file whole.
+/// \throws   FileError if it cannot be read, or as CsvTable
+[[nodiscard]] CsvTable read_csv(const std::filesystem::path& path);
+
+/// A number or a text. NaN is written as an empty field, any other number with 17 significant digits.
+using CsvCell = std::variant<double, std::string>;
+
+/// What a CSV file is to hold.
+struct CsvContent {
+  std::vector<std::pair<std::string, std::string>> notes; ///< "# key: value" lines above the heading
+  std::vector<std::string> headings;
+  std::vector<std::vector<CsvCell>> rows;
+};
+
+/// One line of a file, with its end.
+[[nodiscard]] std::string csv_line(const std::vector<CsvCell>& cells);
+
+/// The text of the file; CsvTable reads every finite number back to the same bits.
+/// \throws   InvalidArgument if a row has another number of cells than there are headings
+[[nodiscard]] std::string csv_text(const CsvContent& content);
+
+} // namespace granum::io

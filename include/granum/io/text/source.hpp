@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace granum::io {
+
+/// The lines of a text file, plain or gzip (told apart by content), one after the other. Holds one buffer and
+/// the longest line, never the file.
+/// Checked by tests/io/text/test_source.cpp
+class TextSource {
+ public:
+  /// The longest line that is still taken for text [bytes]: what a file without line ends may cost.
+  static constexpr std::size_t longest_line = std::size_t{1} << 26;
+
+  /// \throws   FileError if the file cannot be opened or is a folder
+  explicit TextSource(const std::filesystem::path& path);
+  /// A text in memory, plain; `name` stands for the path in errors.
+  [[nodiscard]] static TextSource of_text(std::string name, std::string_view text);
+  TextSource(TextSource&&) noexcept;
+  TextSource& operator=(TextSource&&) noexcept;
+  ~TextSource();
+
+  /// Goes to the next line; false at the end of the file. The last line needs no line end.
+  /// \throws   FileError if reading fails, compressed data are damaged or end too early, or a line is longer
+  ///           than longest_line
+  bool next();
+  /// The line here, without its line end (LF or CR LF) and a byte order mark; valid until the next call.
+  [[nodiscard]] std::string_view line() const { return line_; }
+  /// Makes the next call of next() stay on the line here.
+  void hold() { held_ = true; }
+  /// The bytes behind the line here, as many as are at hand, for files that do not consist of lines; none at
+  /// the end. Valid until the next call.
+  /// \throws   FileError as next
+  [[nodiscard]] std::string_view next_bytes();
+
+  /// From here on all that is read of a pipe stays in memory, so that even a pipe can be read anew: for a
+  /// look at what a file holds. To be called before anything is read.
+  void keep_from_start();
+  /// Before the first line again, from behind keep_from_start().
+  /// \throws   FileError if the file does not let itself be read anew
+  void back_to_start();
+  /// What is read from here on is not kept.
+  void stop_keeping() { keeping_ = false; }
+
+  /// Number of the line here, from 1; after the end that of the last line.
+  [[nodiscard]] std::size_t line_number() const { return line_number_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// \throws   FileError with the name and the number of the line here, always
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  struct Stream;
+
+  TextSource(std::string name, std::unique_ptr<Stream> stream);
+  bool fill();
+  void take(std::size_t end, std::size_t next);
+
+  std::string name_;
+  std::unique_ptr<Stream> stream_; ///< none for a text in memory
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0; ///< of what is not yet read, in the buffer
+  std::size_t end_ = 0;
+  std::string_view line_;
+  std::size_t line_number_ = 0;
+  bool held_ = false;
+  bool keeping_ = false;
+  bool dropped_ = false; ///< of the buffer's beginning, to make room
+};
+
+} // namespace granum::io

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <granum/packing/assembly.hpp>
+
+/// Packings and stress paths as VTK's XML files, for ParaView and every other reader of them. Text in ASCII,
+/// SI, with all digits of every number.
+/// Checked by tests/io/vtk/test_paraview.cpp
+namespace granum::io {
+
+/// Grains as an unstructured grid (.vtu) of one vertex each. Point data: radius [m]; id, the index or what
+/// `id` says; contacts with other grains [1]; rattler, 1 for a grain that carries nothing, as
+/// mechanical_coordination of frictional contacts tells; pressure [Pa], a third of the trace of the sum of
+/// f (x) its part of the line of centres over the grain's volume, walls included, compression positive. Field
+/// data: cell, its three edges one after the other [m]; TimeValue. Show them as spheres by a glyph scaled
+/// with the radius.
+/// \param    id   empty, or one number for each grain
+/// \param    time   of the state, if it is known [s]
+/// \throws   InvalidArgument as require_valid(Assembly), or for another number of ids
+[[nodiscard]] std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id = {},
+                                     std::optional<double> time = {});
+
+/// Contacts as lines (.vtp) from the centre of one grain to that of the other, its nearest periodic image,
+/// and behind them those with walls, from the centre to the wall. Cell data: normal_force and
+/// tangential_force [N], the latter the vector exerted by grain i on j or the wall; overlap [m];
+/// normal_stiffness and tangential_stiffness [N/m], 0 where they are not known; sliding, 0 or 1;
+/// through_face, 1 where the line leaves the periodic cell; grains, the two indices or what `id` says, twice
+/// that of i at a wall; wall, its number, or -1 between grains. A tube of a radius by normal_force shows the
+/// force chains. read_vtk_xml (vtk_xml.hpp) reads both files back.
+/// \throws   as grains_vtu
+[[nodiscard]] std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id = {});
+
+/// A quantity along a path.
+struct PathColumn {
+  std::string name; ///< with its unit
+  std::vector<double> values;
+};
+
+/// A path as one polyline (.vtp) through three of its quantities, for instance p', q and e, with every column
+/// as point data.
+/// \param    x, y, z   indices of the columns that are the coordinates
+/// \throws   InvalidArgument for columns of unequal length or a coordinate that is none of them
+[[nodiscard]] std::string path_vtp(std::span<const PathColumn> columns, std::size_t x, std::size_t y,
+                                   std::size_t z);
+
+/// A file at a time of a series, its name relative to the folder of the collection.
+struct SeriesEntry {
+  double time = 0; ///< or whatever orders the files
+  std::string file;
+};
+
+/// Files of a series (.pvd), which ParaView opens as one animated source.
+[[nodiscard]] std::string pvd(std::span<const SeriesEntry> series);
+
+} // namespace granum::io

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <granum/io/imported_packing.hpp>
+#include <granum/io/text/source.hpp>
+
+namespace granum::io {
+
+/// The grains of a packing of YADE, from one of
+///   share/yade/granum_export.py   <name>.grains, 17 digits, with cell, step and time
+///   export.text, export.textExt   six digits: good for the geometry, not for overlaps; ids are the row
+///                                 numbers from 0 unless a column `id` is there, so bodies that are no
+///                                 spheres shift them
+/// Without a cell the smallest upright box stands for it, with a note.
+/// \throws   FileError with path and line for text that is none of these, rows of other length than the
+///           heading, numbers that are none, ids twice, a radius that is not positive, no grains
+///
+/// And its contacts, where there are any: rows under "# id1 id2 ..." as the script writes them to
+/// <name>.contacts. normal points from id1 to id2, the forces are those on id2; the line of centres is (R1
+/// + R2 - pd) normal. A negative id2 is the wall -1 - id2, the branch to it (R1 - pd) normal. kn and ks
+/// become the stiffnesses where they are there. Not in the files, and so noted: contact law, history,
+/// units.
+/// \throws   FileError also for a column that is missing, an unknown grain, a grain in contact with itself, a
+///           normal that is no unit vector or does not fit the positions, one pair with two forces
+/// Checked by tests/io/yade/test_text.cpp
+[[nodiscard]] ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts = {});
+
+} // namespace granum::io

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <granum/core/vec3.hpp>
+
+/// The one neutral value type that specimens of the verifier and imported packings become.
+namespace granum::packing {
+
+/// One contact, each pair once with i < j. Everything points from grain i to grain j.
+struct Contact {
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  Vec3 branch{};                   ///< centre of j (its nearest periodic image) minus centre of i [m]
+  double overlap = 0;              ///< R_i + R_j - |branch|, full approach [m]
+  double normal_force = 0;         ///< compression positive [N]
+  Vec3 tangential_force{};         ///< exerted by i on j, perpendicular to branch [N]
+  double normal_stiffness = 0;     ///< k_n = df/dd at this state [N/m]
+  double tangential_stiffness = 0; ///< k_t at this state [N/m]
+  bool sliding = false;            ///< tangential force at the Coulomb limit
+
+  bool operator==(const Contact&) const = default;
+};
+
+/// Unit normal from i to j.
+[[nodiscard]] inline Vec3 normal(const Contact& c) { return (1 / norm(c.branch)) * c.branch; }
+/// Whole force exerted by i on j [N].
+[[nodiscard]] inline Vec3 force(const Contact& c) { return c.normal_force * normal(c) + c.tangential_force; }
+
+/// Grains, contacts and the cell that holds them, periodic or bounded by rigid walls. Contacts are sorted by
+/// (i, j).
+struct Assembly {
+  Mat3 cell;                     ///< columns are the three edge vectors [m]
+  std::vector<Vec3> position;    ///< centres [m]
+  std::vector<double> radius;    ///< [m], one for each centre
+  std::vector<Contact> contacts; ///< between grains: those of coordination numbers, fabric and forces
+  /// Of grain i with wall j; everything points from the centre to the wall, the branch ends at the foot of
+  /// the perpendicular, the overlap is R_i - |branch|. They bear stress and stiffness and hold grains.
+  std::vector<Contact> wall_contacts = {};
+
+  [[nodiscard]] std::size_t grain_count() const { return position.size(); }
+  /// Volume of the cell [m^3].
+  [[nodiscard]] double volume() const { return determinant(cell); }
+
+  bool operator==(const Assembly&) const = default;
+};
+
+/// Distances between the opposite faces of a cell [m].
+/// Assumes   a positive volume.
+[[nodiscard]] Vec3 cell_widths(const Mat3& cell);
+
+/// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0,
+/// indices in range and i < j (of walls i alone), branches and stiffnesses finite, forces finite.
+/// \throws   InvalidArgument naming the first grain or contact that is not.
+void require_valid(const Assembly& assembly);
+
+} // namespace granum::packing

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Pictures of results: y over x, lines and markers, as SVG text that needs nothing from outside, and as a
+/// gnuplot script that redraws the picture from the CSV file with the numbers.
+/// Checked by tests/plot/test_chart.cpp
+namespace granum::plot {
+
+enum class Scale { linear, logarithmic };
+
+struct Axis {
+  std::string title; ///< with its unit: "p' [kPa]"
+  Scale scale = Scale::linear;
+  double unit = 1; ///< > 0, what the numbers are divided by: 1e3 for Pa shown in kPa
+};
+
+enum class Mark { line, marker, both };
+
+enum class Tone {
+  full,
+  faint, ///< thin, half transparent, with small markers: what stands behind the others
+  grey,  ///< thin and without a colour of its own
+  hollow ///< markers without filling
+};
+
+/// One curve. A point with a coordinate that cannot be drawn (NaN, infinite, or below 1e-290 on a logarithmic
+/// axis) is left out, and the line has a gap there.
+struct Series {
+  std::string name; ///< in the legend; empty: not listed there
+  Mark mark = Mark::both;
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> y_error = {}; ///< half lengths of error bars, one a point, or empty; NaN or 0: no bar
+  /// Colour, dashes and marker; without: the place in the chart. Series of one style look alike.
+  std::optional<std::size_t> style = {};
+  Tone tone = Tone::full;
+};
+
+struct Chart {
+  std::string title; ///< UTF-8, as all texts
+  Axis x;
+  Axis y;
+  std::vector<Series> series;
+  double width = 520; ///< of the plot itself, without titles and legend; the letters are 14 high
+  double height = 380;
+  bool legend_below = false; ///< under the plot; else right of it, one name a line
+};
+
+/// The picture as an SVG file of its own: same chart, same bytes. Ranges follow from the points; without any
+/// the axes are drawn alone.
+/// \throws   InvalidArgument if a series has other numbers of x, y and (unless empty) y_error, or a unit,
+///           the width or the height is not positive
+[[nodiscard]] std::string svg(const Chart& chart);
+
+/// Where the numbers of a series stand: columns of a CSV file, by their whole headings.
+struct CsvColumns {
+  std::string x;
+  std::string y;
+  std::string y_error = {}; ///< empty: no error bars
+};
+
+/// A gnuplot script that draws the chart from a CSV file.
+/// \param    csv       path of that file, as seen from the folder where gnuplot runs
+/// \param    columns   one for each series; the columns are in the units of the chart's numbers
+/// \param    picture   path of the SVG file that gnuplot is to write
+/// \throws   InvalidArgument as svg, and if there are not as many columns as series
+[[nodiscard]] std::string gnuplot_script(const Chart& chart, const std::string& csv,
+                                         const std::vector<CsvColumns>& columns, const std::string& picture);
+
+} // namespace granum::plot

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// Pieces of SVG text.  Checked by tests/plot/test_chart.cpp
+namespace granum::plot {
+
+/// Names and values; values are escaped when they are written.
+using SvgAttributes = std::vector<std::pair<std::string_view, std::string>>;
+
+/// A coordinate with two decimals, the same in every locale.
+[[nodiscard]] std::string svg_number(double value);
+/// Text as it may stand in XML: markup escaped; control characters and bytes that are not UTF-8 as '?'.
+[[nodiscard]] std::string svg_escaped(std::string_view text);
+/// An element without content.
+[[nodiscard]] std::string svg_element(std::string_view name, const SvgAttributes& attributes);
+/// A text of a class; `content` is markup. Nothing if it is empty.
+[[nodiscard]] std::string svg_text(std::string_view text_class, const SvgAttributes& attributes,
+                                   std::string_view content);
+/// Elements in a group. Nothing if there are none.
+[[nodiscard]] std::string svg_group(const SvgAttributes& attributes, std::string_view content);
+
+} // namespace granum::plot

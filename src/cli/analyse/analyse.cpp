@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyse_options.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/elastic/projection.hpp>
+
+#include "analyse_paraview.hpp"
+#include "analyse_stress.hpp"
+#include "cli/frame/frame.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+void add_closed_forms(FrameAnswer& frame) {
+  const analysis::Measurement& measured = frame.measured.packing;
+  if (!measured.state)
+    return;
+  const effective::RungInputs packing{*measured.state, measured.counts.mechanical.coordination_number};
+  for (const effective::Rung& rung : effective::closed_forms()) {
+    RungResult result{.name = rung.column, .title = effective::label(rung)};
+    try {
+      const effective::RungAnswer form = effective::answer(rung, packing);
+      result.moduli = moduli_of(form.stiffness);
+      result.relative_error = form.relative_error;
+      frame.validity.merge(form.validity);
+    } catch (const InvalidArgument& error) {
+      result.error = error.what();
+    }
+    frame.rungs.push_back(std::move(result));
+  }
+}
+
+void add_network(FrameAnswer& frame) {
+  if (!frame.measured.packing.network)
+    return;
+  const network::Response& response = frame.measured.packing.network->response;
+  frame.rungs.push_back(
+      {.name = "affine", .title = "this network, affine", .moduli = moduli_of(response.affine())});
+  RungResult result{.name = network_name, .title = "rung 4, this network"};
+  if (response.converged())
+    result.moduli = moduli_of(response.relaxed());
+  else
+    result.error = "did not converge";
+  frame.rungs.push_back(std::move(result));
+}
+
+FrameAnswer analyse_frame(const io::ImportedPacking& packing, const MeasureOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  FrameAnswer frame{.read = packing.notes,
+                    .measured = studies::measure_frame(packing, options.given, options.wanted)};
+  add_closed_forms(frame);
+  add_network(frame);
+  frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return frame;
+}
+
+/// How each rung's G_vh grows over the frames.
+std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
+  std::vector<RungSeries> out;
+  if (frames.size() < 2)
+    return out;
+  const auto longest = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
+    return a.rungs.size() < b.rungs.size();
+  });
+  for (const RungResult& rung : longest->rungs) {
+    std::vector<hardin::Measurement> states;
+    for (const FrameAnswer& frame : frames)
+      for (const RungResult& other : frame.rungs)
+        if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 &&
+            frame.measured.packing.state) {
+          const effective::State& state = *frame.measured.packing.state;
+          states.push_back({other.moduli->G_vh, {state.stress_v, state.stress_h, state.void_ratio}});
+        }
+    out.push_back({rung.name, rung.title, studies::fit_series(states)});
+  }
+  return out;
+}
+
+/// Frames of one answer, all of which is in memory until it is written.
+constexpr std::size_t most_frames = 10'000;
+
+/// `seen` is called with each frame that is taken and its number.
+template <class Seen>
+std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
+                                        const MeasureOptions& options, Seen seen) {
+  std::vector<FrameAnswer> out;
+  const auto take = [&](const io::ImportedPacking& packing, std::size_t at) {
+    out.push_back(analyse_frame(packing, options));
+    out.back().number = at;
+    seen(packing, at);
+  };
+  std::optional<io::ImportedPacking> kept;
+  std::size_t number = 0;
+  for (; number <= choice.last; ++number) {
+    auto packing = files.next();
+    if (!packing)
+      break;
+    if (choice.only_last) {
+      kept = std::move(packing);
+    } else if (choice.takes(number)) {
+      if (out.size() == most_frames) {
+        out.back().validity.add(fmt::format(
+            "no frame behind the {}th was read; choose others with --frames, such as {}: or 0::10",
+            most_frames, number));
+        break;
+      }
+      take(*packing, number);
+    }
+  }
+  if (kept)
+    take(*kept, number - 1);
+  if (out.empty())
+    throw InvalidArgument(fmt::format("--frames takes none of the {} frames of the files", number));
+  return out;
+}
+
+/// Of a table of contacts alone: directions and forces.
+FrameAnswer analyse_contacts(io::PackingFile& file, const MeasureOptions& options) {
+  const io::ContactTable table = file.kind().format->read_contacts(file.open());
+  return {.measured = studies::measure_frame(table, options.given, options.wanted)};
+}
+
+io::Existing existing(const AnalyseOptions& o) {
+  return o.force ? io::Existing::replace : io::Existing::keep;
+}
+
+AnalyseAnswer answer_all(const AnalyseOptions& o) {
+  const FrameChoice choice = parse_frames(o.frames);
+  const MeasureOptions options = measure_options(o);
+  AnalyseAnswer out{.files = o.files, .kinds = {}, .frames = {}, .series = {}, .skipped = 0};
+  std::vector<io::PackingFile> given;
+  for (const std::string& name : o.files)
+    out.kinds.push_back(given.emplace_back(name).kind());
+  const io::FileKind& first = out.kinds.front();
+  if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
+    if (o.paraview)
+      throw InvalidArgument("--paraview needs grains: this file has contacts alone");
+    out.frames.push_back(analyse_contacts(given.front(), options));
+    return out;
+  }
+  io::PackingFiles files(std::move(given),
+                         {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
+  ParaviewFrames pictures(o.out, existing(o));
+  out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
+    if (o.paraview)
+      pictures.add(packing, number);
+  });
+  if (o.paraview)
+    pictures.finish();
+  out.series = series_of(out.frames);
+  out.skipped = files.skipped();
+  return out;
+}
+
+/// What all frames have to say against themselves, each once, with the frame where there are several.
+Validity warnings_of(const AnalyseAnswer& answer) {
+  Validity out;
+  for (const FrameAnswer& frame : answer.frames) {
+    const std::string where = answer.frames.size() > 1 ? fmt::format("frame {}: ", frame.number) : "";
+    Validity own{frame.measured.warnings};
+    own.merge(frame.validity);
+    judge_code_stress(frame, own);
+    own.keep_each_once();
+    for (const std::string& note : own.notes)
+      out.add(where + note);
+  }
+  return out;
+}
+
+ExitCode run(const AnalyseOptions& o) {
+  if (!o.out.empty())
+    prepare_folder(o.out, analysis_files, o.force);
+  AnalyseAnswer answer = answer_all(o);
+  take_code_stress(o.stress, answer.frames);
+  std::string table = o.json ? "" : analyse_table(answer);
+  if (!o.out.empty()) {
+    write_analysis(o.out, answer, existing(o));
+    table += "\nCSV, JSON and pictures in " + o.out + "\n";
+  }
+  const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};
+  return deliver(to_screen, table, analyse_json(answer), warnings_of(answer));
+}
+
+} // namespace
+
+Moduli moduli_of(const elastic::TransverselyIsotropic& c) {
+  return {.K = c.bulk_modulus(),
+          .G = (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15,
+          .G_hh = c.G_hh(),
+          .G_vh = c.G_vh(),
+          .C11 = c.C11,
+          .C33 = c.C33,
+          .C12 = c.C12,
+          .C13 = c.C13};
+}
+
+Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
+  return moduli_of(elastic::transversely_isotropic_projection(stiffness));
+}
+
+const Moduli* network_moduli(const FrameAnswer& frame) {
+  for (const RungResult& rung : frame.rungs)
+    if (rung.name == network_name && rung.moduli)
+      return &*rung.moduli;
+  return nullptr;
+}
+
+bool says_what_is_missing(io::Finding finding) {
+  using enum io::Finding;
+  switch (finding) {
+  case contacts_unknown:
+  case walls_unknown:
+  case forces_unknown:
+  case tangential_unknown:
+  case ids_assumed:
+  case cell_unknown:
+  case boundary_unknown:
+  case units_unknown:
+  case stiffness_unknown:
+  case law_unknown:
+  case history_unknown:
+    return true;
+  default:
+    return false;
+  }
+}
+
+Command add_analyse(CLI::App& program) {
+  auto options = std::make_shared<AnalyseOptions>();
+  CLI::App* command = program.add_subcommand(
+      "analyse", "A packing that another code wrote: contacts, fabric, stress, contact law, every rung");
+  add_analyse_options(*command, *options);
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

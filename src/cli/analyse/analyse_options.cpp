@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyse_options.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+#include "cli/frame/frame.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+[[noreturn]] void refuse_frames(const std::string& text) {
+  throw InvalidArgument(
+      "--frames takes all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, numbers from 0, not \"" + text + "\"");
+}
+
+std::size_t frame_number(const std::string& text, const std::string& all) {
+  const auto value = parse_number(text);
+  constexpr double largest = 1e15;
+  if (!value || !(*value >= 0) || !(*value <= largest) || *value != std::floor(*value))
+    refuse_frames(all);
+  return static_cast<std::size_t>(*value);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+/// The contact law that the options describe, for any material and radius.
+analysis::LawFamily law_family(const PackingOptions& options) {
+  return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
+    options.grain_shear_modulus.value = grain.shear_modulus;
+    options.grain_poisson_ratio.value = grain.poisson_ratio;
+    options.radius.value = radius;
+    return resolve_law(options);
+  };
+}
+
+/// Quantities with their units between commas.
+template <std::size_t count>
+std::array<double, count> parse_list(const std::string& name, const std::string& text, Dimension dimension,
+                                     const char* what) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != count)
+    throw InvalidArgument(fmt::format("{} takes {}, not \"{}\"", name, what, text));
+  std::array<double, count> out{};
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = parse_quantity(name, parts[k], dimension);
+  return out;
+}
+
+std::string formats_help() {
+  std::string text = "Formats, plain or gzip, and what they are told by, whatever the name:\n";
+  for (const io::PackingFormat* format : io::packing_formats)
+    text += fmt::format("  {:<30} {}\n", format->name, format->told_by);
+  return text;
+}
+
+} // namespace
+
+FrameChoice parse_frames(const std::string& text) {
+  if (text == "all")
+    return {};
+  if (text == "last")
+    return {.only_last = true};
+  const std::vector<std::string> parts = split(text, ':');
+  FrameChoice choice;
+  if (parts.size() > 3)
+    refuse_frames(text);
+  if (!parts[0].empty() || parts.size() == 1)
+    choice.first = frame_number(parts[0], text);
+  if (parts.size() == 1)
+    choice.last = choice.first;
+  else if (!parts[1].empty())
+    choice.last = frame_number(parts[1], text);
+  if (parts.size() == 3)
+    choice.stride = frame_number(parts[2], text);
+  if (choice.stride == 0 || choice.last < choice.first)
+    throw InvalidArgument("--frames " + text + " takes no frame");
+  return choice;
+}
+
+std::optional<io::CsvBox> parse_box(const std::string& text) {
+  if (text.empty())
+    return std::nullopt;
+  const auto edges = parse_list<3>("--box", text, Dimension::length, "three lengths, LX,LY,LZ");
+  for (const double edge : edges)
+    require_positive("--box", edge, "m");
+  return io::CsvBox{.cell = Mat3::diagonal(edges[0], edges[1], edges[2])};
+}
+
+PrintedStress parse_stress(const std::string& text) {
+  return parse_list<6>("--stress", text, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
+}
+
+MeasureOptions measure_options(const AnalyseOptions& o) {
+  analysis::Given out{.law_family = law_family(o.packing),
+                      .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
+  if (o.packing.grain_shear_modulus.given())
+    out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
+  if (o.packing.tangential_ratio.given())
+    out.tangential_ratio = o.packing.tangential_ratio.value;
+  if (o.friction_angle.given())
+    out.friction_coefficient = std::tan(o.friction_angle.value);
+  if (!o.stiffness_from.empty())
+    out.stiffness_from =
+        o.stiffness_from == "force" ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap;
+  analysis::Wanted wanted = analysis::everything();
+  wanted.closed_forms = false; // every rung is asked by itself
+  if (o.no_network)
+    wanted.network.reset();
+  return {std::move(out), wanted};
+}
+
+void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
+  command.footer(formats_help());
+  command.add_option("files", o.files, "Grains, and contacts if there are any, of one format")
+      ->required()
+      ->type_name("FILE");
+  add_law_options(command, o.packing, "--law,--contact");
+  command.get_option("--grain-shear-modulus")->default_str("from forces and overlaps");
+  add_number_without_default(command, "--tangential-ratio", o.packing.tangential_ratio,
+                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
+  add_number_without_default(
+      command, "--friction-angle", o.friction_angle,
+      "Between grains, to tell which contacts slide; by default as the forces show it");
+  command
+      .add_option("--column-map", o.column_map,
+                  "What columns of dumps hold: id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
+      ->type_name("MAP");
+  command
+      .add_option("--stress", o.stress,
+                  "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
+                  "each frame that is taken, or a CSV file with a row for each, columns xx_kPa and so on, "
+                  "and step if they are to be matched by it")
+      ->type_name("PRESSURES|FILE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--stiffness-from", o.stiffness_from,
+                  "What k_n of the network is taken from; by default the overlaps, unless rounded")
+      ->check(CLI::IsMember({"overlap", "force"}));
+  command.add_option("--box", o.box, "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none")
+      ->type_name("LENGTHS");
+  command.add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
+      ->capture_default_str();
+  command.add_flag("--no-network", o.no_network, "Leave rung 4 out, which takes the time");
+  command.add_flag("--json", o.json, "Print one JSON object, SI units");
+  command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
+  auto* out = add_path(command, "--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
+  command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
+  command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
+      ->needs(out);
+}
+
+} // namespace granum::cli

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/analyse/measured_frame.hpp"
+#include <granum/io/packing_format.hpp>
+
+#include "analyse.hpp"
+#include "cli/options/packing_options.hpp"
+
+/// What the command line of granum analyse says.
+namespace granum::cli {
+
+struct AnalyseOptions {
+  std::vector<std::string> files;
+  PackingOptions packing; ///< contact law and grains
+  Number friction_angle{0, Dimension::angle};
+  std::string column_map;
+  std::string box;
+  std::string frames = "all";
+  std::vector<std::string> stress; ///< one a frame, or the name of a file of them
+  std::string stiffness_from;
+  bool no_network = false;
+  bool json = false;
+  bool strict = false;
+  bool force = false;
+  bool paraview = false;
+  std::string out; ///< folder; empty for none
+};
+
+void add_analyse_options(CLI::App& command, AnalyseOptions& options);
+
+/// Which frames are asked for.
+struct FrameChoice {
+  std::size_t first = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  std::size_t stride = 1;
+  bool only_last = false; ///< of the files
+
+  [[nodiscard]] bool takes(std::size_t number) const {
+    return number >= first && number <= last && (number - first) % stride == 0;
+  }
+};
+
+/// "all", "last", "3", "2:10", "2:", "0:100:10".
+/// \throws   InvalidArgument for other text, or for a range without a frame
+[[nodiscard]] FrameChoice parse_frames(const std::string& text);
+
+/// "4mm,4mm,4mm": a periodic box; nothing for no text.
+/// \throws   InvalidArgument
+[[nodiscard]] std::optional<io::CsvBox> parse_box(const std::string& text);
+
+/// "49kPa,50kPa,51kPa,-0.3kPa,0.4kPa,-0.3kPa".
+/// \throws   InvalidArgument
+[[nodiscard]] PrintedStress parse_stress(const std::string& text);
+
+/// What is given of the packings, and what is to be measured.
+struct MeasureOptions {
+  analysis::Given given;
+  analysis::Wanted wanted;
+};
+
+/// \throws   InvalidArgument for options that contradict one another
+[[nodiscard]] MeasureOptions measure_options(const AnalyseOptions& options);
+
+} // namespace granum::cli

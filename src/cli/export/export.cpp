@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/lammps/deck.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/stress/shear_path.hpp>
+#include <granum/triaxial/scatter.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/options/scene_file.hpp"
+#include "cli/options/study_options.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using stress::ShearPath;
+namespace fs = std::filesystem;
+
+struct Options {
+  StudyOptions study;
+  std::string start = "packed";
+  std::string path = "none";
+  double eta_step = 0.1;
+  double largest_strain = 0.03;
+  std::string out;
+  bool json = false;
+  bool force = false;
+};
+
+/// One deck is one specimen of the scene.
+struct Specimen {
+  triaxial::Density density;
+  std::uint64_t seed;
+
+  [[nodiscard]] std::string folder() const { return fmt::format("{}-{}", studies::name(density), seed); }
+};
+
+std::vector<Specimen> specimens_of(const studies::Scene& scene) {
+  std::vector<Specimen> specimens;
+  for (const triaxial::Density density : scene.study.densities)
+    for (std::uint64_t seed = scene.study.first_seed; seed < scene.study.first_seed + scene.study.seeds;
+         ++seed)
+      specimens.push_back({density, seed});
+  return specimens;
+}
+
+void require_spheres(const studies::Scene& scene) {
+  for (const contact::Shape shape : scene.study.contacts)
+    if (shape != contact::Shape::sphere)
+      throw InvalidArgument(fmt::format("LAMMPS has no contact law for study.contacts = {}; supported is "
+                                        "sphere: add --set study.contacts=sphere",
+                                        contact::name(shape)));
+}
+
+/// The test that --path names; nothing for none.
+std::optional<io::LammpsPath> path_of(const Options& options) {
+  for (const ShearPath path : stress::all_shear_paths)
+    if (CLI::detail::to_lower(std::string(stress::name(path))) == options.path)
+      return io::LammpsPath{.name = std::string(stress::name(path)),
+                            .drives_vertical = path == ShearPath::txc || path == ShearPath::rtxe,
+                            .compresses = path == ShearPath::txc || path == ShearPath::txe,
+                            .eta_step = options.eta_step,
+                            .largest_strain = options.largest_strain};
+  return {};
+}
+
+io::LammpsStart start_of(const Options& options) {
+  return options.start == "scattered" ? io::LammpsStart::scattered : io::LammpsStart::packed;
+}
+
+io::LammpsExperiment experiment_of(const studies::Scene& scene, const Specimen& specimen,
+                                   const Options& options) {
+  const dem::Material material = studies::recipe(scene, contact::Shape::sphere, specimen.seed).material;
+  return {.law = material.law,
+          .radius = scene.grain.radius,
+          .density = material.density,
+          .tangential_ratio = material.tangential_ratio,
+          .friction_coefficient = material.friction_coefficient,
+          .start = start_of(options),
+          .friction_while_prepared = specimen.density == triaxial::Density::loose,
+          .pressures = scene.study.pressures,
+          .probe_pressures = scene.study.probe_pressures,
+          .path = path_of(options)};
+}
+
+dem::State start_state(const studies::Scene& scene, const Specimen& specimen, io::LammpsStart start) {
+  const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, specimen.seed);
+  if (start == io::LammpsStart::scattered)
+    return triaxial::scattered_specimen(recipe);
+  return triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, specimen.density,
+                                        recipe);
+}
+
+std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& specimen,
+                                  const Options& options) {
+  const io::LammpsExperiment experiment = experiment_of(scene, specimen, options);
+  packing::Assembly grains =
+      dem::contact_network(start_state(scene, specimen, start_of(options)),
+                           studies::recipe(scene, contact::Shape::sphere, specimen.seed).material);
+  std::vector<io::DeckFile> files = io::lammps_deck(grains, experiment);
+  nlohmann::ordered_json manifest = json_head("export lammps");
+  manifest["seed"] = specimen.seed;
+  manifest["density"] = studies::name(specimen.density);
+  manifest["scene"] = json_of(scene);
+  files.push_back({"manifest.json", json_text(manifest)});
+  return files;
+}
+
+/// Makes the folders. The files of a deck have the same names for every specimen: a small one tells them.
+void prepare_folders(studies::Scene scene, const Options& options) {
+  const std::vector<Specimen> specimens = specimens_of(scene);
+  Options small = options;
+  small.start = "scattered";
+  scene.study.grains = 40;
+  const std::vector<io::DeckFile> deck = deck_of(scene, specimens.front(), small);
+  std::vector<const char*> names;
+  for (const io::DeckFile& file : deck)
+    names.push_back(file.name.c_str());
+  for (const Specimen& specimen : specimens)
+    prepare_folder(fs::path(options.out) / specimen.folder(), names, options.force);
+}
+
+ExitCode run(const Options& options) {
+  const studies::Scene scene = resolve(options.study, studies::SceneCommand::export_lammps);
+  require_spheres(scene);
+  prepare_folders(scene, options);
+
+  nlohmann::ordered_json json = json_head("export lammps");
+  json["scene"] = json_of(scene);
+  json["files"] = nlohmann::ordered_json::array();
+  std::string table;
+  for (const Specimen& specimen : specimens_of(scene)) {
+    const fs::path folder = fs::path(options.out) / specimen.folder();
+    for (const io::DeckFile& file : deck_of(scene, specimen, options)) {
+      io::write_file(folder / file.name, file.text,
+                     options.force ? io::Existing::replace : io::Existing::keep);
+      json["files"].push_back((folder / file.name).string());
+    }
+    table += fmt::format("{}: {} grains; run there  lmp -in in.all  or  mpirun -np N lmp -in in.all\n",
+                         folder.string(), scene.study.grains);
+  }
+  return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table, json, {});
+}
+
+} // namespace
+
+Command add_export(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("export", "The same scene for another code");
+  command->require_subcommand(1);
+  CLI::App* lammps = command->add_subcommand(
+      "lammps",
+      "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, snapshots, probes");
+  add_study_options(*lammps, options->study, studies::SceneCommand::export_lammps);
+  lammps
+      ->add_option("--start", options->start,
+                   "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
+                   "do not touch, for packings too large for one machine")
+      ->check(CLI::IsMember({"packed", "scattered"}))
+      ->capture_default_str();
+  lammps
+      ->add_option(
+          "--path", options->path,
+          "Triaxial test after the isotropic path, from its last pressure; its states are probed too")
+      ->transform(CLI::IsMember({"none", "txc", "rtxc", "rtxe", "txe"}, CLI::ignore_case))
+      ->capture_default_str();
+  lammps->add_option("--eta-step", options->eta_step, "q/p between two states of --path")
+      ->capture_default_str();
+  lammps->add_option("--largest-strain", options->largest_strain, "Axial strain at which --path ends")
+      ->capture_default_str();
+  add_path(*lammps, "--out", options->out, "Folder; each specimen has a folder in it")
+      ->type_name("DIR")
+      ->required();
+  lammps->add_flag("--json", options->json, "Print one JSON object: the scene in SI and the files written");
+  lammps->add_flag("--force", options->force, "Replace existing files");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

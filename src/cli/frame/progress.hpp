@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+
+#include "studies/verify/study.hpp"
+
+namespace granum::cli {
+
+/// Wall time since then [s].
+[[nodiscard]] double seconds_since(std::chrono::steady_clock::time_point start);
+
+/// One line on the terminal, overwritten in place; silent elsewhere.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Share done, the time left if the rest goes on as fast as all before, and what was done last.
+  void show(const studies::Progress& progress);
+  void clear();
+
+ private:
+  bool shown_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace granum::cli

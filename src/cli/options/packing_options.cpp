@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing_options.hpp"
+
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/effective/relaxation.hpp>
+
+#include "cli/frame/frame.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using effective::State;
+using nlohmann::ordered_json;
+
+/// C_n of the weakly coordinated spheres of [Chung2014], Table 2, at e = 0.572.
+constexpr double loose_coordination_number = 3.5;
+
+void require_belongs_to_contact(const PackingOptions& o) {
+  using contact::Shape;
+  const std::pair<const Number*, Shape> owners[] = {{&o.slope, Shape::cone},
+                                                    {&o.punch_radius, Shape::flat},
+                                                    {&o.alpha, Shape::power_law},
+                                                    {&o.profile_constant, Shape::power_law}};
+  for (const auto& [number, shape] : owners)
+    if (number->given() && o.contact != shape)
+      throw InvalidArgument(fmt::format("{} goes with --contact {}, not with --contact {}", number->name,
+                                        name(shape), name(o.contact)));
+}
+
+} // namespace
+
+contact::PowerLaw resolve_law(const PackingOptions& o) {
+  require_belongs_to_contact(o);
+  if (o.contact == contact::Shape::power_law && (!o.alpha.given() || !o.profile_constant.given()))
+    throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
+  return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
+                         {.radius = o.radius.value,
+                          .cone_slope = o.slope.value,
+                          .punch_radius = o.punch_radius.value,
+                          .alpha = o.alpha.value,
+                          .profile_constant = o.profile_constant.value});
+}
+
+namespace {
+
+/// A share of the volume, 0 < value < 1; numbers in per cent are the usual slip.
+double require_share(const Number& number) {
+  const double value = number.value;
+  if (!(value > 0 && value < 1))
+    throw InvalidArgument(number.name, value, "",
+                          value > 1 && value < 100 ? fmt::format("(0, 1); write {}% for per cent", value)
+                                                   : "(0, 1)");
+  return value;
+}
+
+double resolve_void_ratio(const PackingOptions& o) {
+  const int times_given = o.void_ratio.given() + o.porosity.given() + o.solid_fraction.given();
+  if (times_given != 1)
+    throw InvalidArgument(fmt::format("the density is {}: give one of --void-ratio, --porosity, "
+                                      "--solid-fraction",
+                                      times_given == 0 ? "missing" : "given more than once"));
+  if (o.porosity.given()) {
+    const double porosity = require_share(o.porosity);
+    return porosity / (1 - porosity);
+  }
+  if (o.solid_fraction.given()) {
+    const double solid_fraction = require_share(o.solid_fraction);
+    return (1 - solid_fraction) / solid_fraction;
+  }
+  return o.void_ratio.value;
+}
+
+} // namespace
+
+void add_law_options(CLI::App& command, PackingOptions& o, const std::string& name) {
+  std::vector<std::string> known;
+  for (const contact::Shape shape : contact::all_shapes)
+    known.emplace_back(contact::name(shape));
+  o.contact_option = command
+                         .add_option_function<std::string>(
+                             name, [&o](const std::string& text) { o.contact = *contact::find_shape(text); },
+                             "Shape of the grains near their contacts")
+                         ->check(CLI::IsMember(known))
+                         ->default_str(std::string(contact::name(o.contact)));
+  add_number(command, "--slope", o.slope, "Cone: A_1, tangent of the flank angle");
+  add_number(command, "--punch-radius", o.punch_radius, "Flat: radius of the contact");
+  add_number_without_default(command, "--alpha", o.alpha, "Power-law: alpha >= 1 of the profile A r^alpha");
+  add_number_without_default(command, "--profile-constant", o.profile_constant,
+                             "Power-law: A in SI, m^(1-alpha), without unit");
+  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
+  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
+}
+
+bool Number::given() const { return in_table || (option != nullptr && option->count() > 0); }
+
+bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
+  CLI::Option* option = add_quantity(command, name, number.value, number.dimension, help);
+  number.name = name;
+  number.option = option;
+  return option;
+}
+
+CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
+                                        const std::string& help) {
+  return add_number(command, name, number, help)->default_str("");
+}
+
+std::vector<Number*> numbers(PackingOptions& o) {
+  return {&o.slope,
+          &o.punch_radius,
+          &o.alpha,
+          &o.profile_constant,
+          &o.grain_shear_modulus,
+          &o.grain_poisson_ratio,
+          &o.radius,
+          &o.tangential_ratio,
+          &o.void_ratio,
+          &o.porosity,
+          &o.solid_fraction,
+          &o.coordination_number,
+          &o.mechanical_coordination_number,
+          &o.rattler_fraction,
+          &o.fabric,
+          &o.pressure,
+          &o.stress_v,
+          &o.stress_h};
+}
+
+void add_packing_options(CLI::App& command, PackingOptions& o) {
+  add_law_options(command, o);
+  add_number(command, "--radius", o.radius, "Radius of the grains");
+  add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
+                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
+  add_number_without_default(command, "--void-ratio", o.void_ratio, "Volume of voids over that of grains");
+  add_number_without_default(command, "--porosity", o.porosity,
+                             "Share of voids in the volume, instead of --void-ratio");
+  add_number_without_default(command, "--solid-fraction", o.solid_fraction,
+                             "Share of grains in the volume, instead of --void-ratio");
+  add_number(command, "--coordination-number", o.coordination_number,
+             "C_n = 2 N_c/N, contacts per grain over all grains");
+  add_number_without_default(command, "--mechanical-coordination-number", o.mechanical_coordination_number,
+                             "z*, contacts per grain without rattlers: rung 3, with relaxation");
+  add_number_without_default(command, "--rattler-fraction", o.rattler_fraction,
+                             "Share of grains that carry no force, instead of z* = C_n/(1 - share)");
+  add_number(command, "--fabric", o.fabric, "a, anisotropy of the contact normals; > 0: more are vertical");
+  add_number_without_default(command, "--pressure", o.pressure, "Isotropic stress");
+  add_number_without_default(command, "--stress-v", o.stress_v, "Vertical stress, with --stress-h");
+  add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
+}
+
+stress::AxialStress resolve_stresses(const PackingOptions& o) {
+  if (o.pressure.given()) {
+    if (o.stress_v.given() || o.stress_h.given())
+      throw InvalidArgument("--pressure sets both stresses: leave out --stress-v and --stress-h");
+    require_non_negative("--pressure", o.pressure.value, "Pa");
+    return {o.pressure.value, o.pressure.value};
+  }
+  if (!o.stress_v.given() && !o.stress_h.given())
+    throw InvalidArgument("the stress is missing: give --pressure, or --stress-v and --stress-h");
+  if (!o.stress_v.given() || !o.stress_h.given())
+    throw InvalidArgument(fmt::format("{} is missing: --stress-v and --stress-h go together, or give "
+                                      "--pressure for both",
+                                      (o.stress_v.given() ? o.stress_h : o.stress_v).name));
+  return {o.stress_v.value, o.stress_h.value};
+}
+
+State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) {
+  const State state{.law = resolve_law(o),
+                    .tangential_ratio = o.tangential_ratio.given()
+                                            ? contact::given_stiffness_ratio(o.tangential_ratio.value)
+                                            : contact::mindlin_stiffness_ratio(o.grain_poisson_ratio.value),
+                    .radius = o.radius.value,
+                    .void_ratio = resolve_void_ratio(o),
+                    .coordination_number = o.coordination_number.value,
+                    .fabric_anisotropy = o.fabric.value,
+                    .stress_v = stress.v,
+                    .stress_h = stress.h};
+  effective::require_valid(state);
+  return state;
+}
+
+std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& o) {
+  const bool one_table = o.mechanical_coordination_number.in_table && o.rattler_fraction.in_table;
+  if (o.mechanical_coordination_number.given() && o.rattler_fraction.given() && !one_table)
+    throw InvalidArgument("--mechanical-coordination-number and --rattler-fraction say the same: give one");
+  if (o.mechanical_coordination_number.given())
+    return require_non_negative(o.mechanical_coordination_number.name,
+                                o.mechanical_coordination_number.value);
+  if (o.rattler_fraction.given())
+    return effective::mechanical_coordination_number(o.coordination_number.value, o.rattler_fraction.value);
+  return std::nullopt;
+}
+
+std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& state) {
+  std::vector<std::string> notes;
+  const auto note_default = [&notes](const Number& number, const std::string& remark) {
+    if (!number.given())
+      notes.push_back(
+          fmt::format("assumed {} {}{}", number.name, pretty(number.value, number.dimension), remark));
+  };
+  if (!o.contact_given())
+    notes.emplace_back("assumed --contact sphere");
+  if (o.contact == contact::Shape::cone)
+    note_default(o.slope, ", fitted to Table 5 of Chung et al. 2014");
+  if (o.contact == contact::Shape::flat)
+    note_default(o.punch_radius, ", fitted to Table 5 of Chung et al. 2014");
+  const std::string grains = ", as the grains of Chung et al. 2014, Table 1";
+  note_default(o.grain_shear_modulus, grains);
+  note_default(o.grain_poisson_ratio, grains);
+  note_default(o.radius, grains);
+  if (!o.tangential_ratio.given())
+    notes.push_back(fmt::format("assumed --tangential-ratio {}, the no-slip contact of Mindlin",
+                                o.grain_poisson_ratio.in_table ? "2(1-nu_g)/(2-nu_g)"
+                                                               : short_text(state.tangential_ratio)));
+  note_default(o.fabric, ", contacts in all directions alike");
+  if (!o.coordination_number.given())
+    notes.push_back(fmt::format("assumed --coordination-number {}, a dense packing (spheres of Chung et al. "
+                                "2014, Table 2, void ratio 0.558)",
+                                short_text(state.coordination_number)));
+  return notes;
+}
+
+std::vector<std::string> loose_packing_remark(const PackingOptions& o, const State& state) {
+  if (o.coordination_number.given())
+    return {};
+  // A modulus goes as C_n k_n(f) with f ~ 1/C_n.
+  const double loose =
+      std::pow(loose_coordination_number / state.coordination_number, 1 - state.law.stiffness_exponent());
+  return {fmt::format("prepared loosely, the same void ratio can go with a coordination number of {} "
+                      "and at most {} of these moduli",
+                      loose_coordination_number, short_text(loose, 2))};
+}
+
+ordered_json packing_json(const PackingOptions& o, const State& s) {
+  ordered_json json = {{"contact", name(o.contact)}};
+  if (o.contact == contact::Shape::cone)
+    json["slope"] = o.slope.value;
+  if (o.contact == contact::Shape::flat)
+    json["punch_radius"] = o.punch_radius.value;
+  if (o.contact == contact::Shape::power_law)
+    json.update({{"alpha", o.alpha.value}, {"profile_constant", o.profile_constant.value}});
+  json.update({{"grain_shear_modulus", s.law.grain().shear_modulus},
+               {"grain_poisson_ratio", s.law.grain().poisson_ratio},
+               {"radius", s.radius},
+               {"tangential_ratio", s.tangential_ratio},
+               {"void_ratio", s.void_ratio},
+               {"coordination_number", s.coordination_number},
+               {"fabric", s.fabric_anisotropy}});
+  return json;
+}
+
+} // namespace granum::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <granum/core/error.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "scene_file.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
+               const std::string& help) {
+  const auto take = [name, &target](const long long& value) {
+    if (value < 0)
+      throw InvalidArgument(name, static_cast<double>(value), "", "[0, inf)");
+    target = static_cast<std::size_t>(value);
+  };
+  app.add_option_function<long long>(name, take, help)->type_name("N");
+}
+
+} // namespace
+
+void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command) {
+  add_path(app, "--scene", options.scene_file, "TOML file; without it the paper's six specimens")
+      ->type_name("FILE");
+  app.add_option("--set", options.settings, "Override one key, may be repeated: --set grain.radius=0.4mm")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_count(app, "--grains", options.grains, "Grains of a specimen");
+  add_count(app, "--seeds", options.seeds, "Specimens of each kind");
+  add_count(app, "--threads", options.threads, "Specimens side by side; the results do not depend on it");
+  app.footer(key_help(command));
+}
+
+studies::Scene resolve(const StudyOptions& options, studies::SceneCommand command,
+                       const studies::Scene& base) {
+  SceneInput input(command, base);
+  if (!options.scene_file.empty())
+    input.read_file(options.scene_file);
+  for (const std::string& setting : options.settings)
+    input.set(setting);
+  studies::StudySection& study = input.scene().study;
+  study.grains = options.grains.value_or(study.grains);
+  study.seeds = options.seeds.value_or(study.seeds);
+  study.threads = options.threads.value_or(study.threads);
+  return input.finished();
+}
+
+} // namespace granum::cli

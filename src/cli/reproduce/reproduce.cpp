@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/experiment.hpp"
+#include "studies/reproduce/experiment_findings.hpp"
+#include "studies/verify/tables.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/frame/messages.hpp"
+#include "cli/frame/progress.hpp"
+#include "cli/frame/stop_signal.hpp"
+#include "cli/options/scene_file.hpp"
+#include "cli/options/study_options.hpp"
+#include "reproduce_output.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  StudyOptions study;
+  bool paper = false;
+  std::string out;
+  std::string resume;
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+constexpr const char* scene_name = "scene.toml";
+constexpr const char* checkpoints_name = "checkpoints";
+
+/// The paper's own size: 10,000 grains between six rigid walls.
+studies::Scene paper_scene() {
+  studies::Scene scene;
+  scene.study.grains = 10000;
+  scene.specimen.walls = true;
+  // at 10 kPa loose specimens of this size are hardly at rest
+  scene.study.probe_pressures = {30e3, 60e3, 100e3};
+  scene.shear.probe_eta_step = 0.6;
+  return scene;
+}
+
+/// Threads are no part of what is computed.
+std::string identity(studies::Scene scene) {
+  scene.study.threads = 0;
+  return studies::toml_of(scene);
+}
+
+/// Where a run stands: its scene and its folder, which holds the scene and a folder of checkpoints.
+struct Place {
+  studies::Scene scene;
+  fs::path folder;
+};
+
+Place new_place(const Options& options) {
+  if (options.paper && !options.study.scene_file.empty())
+    throw InvalidArgument("--paper is a scene of its own; give it or --scene");
+  Place place{.scene = resolve(options.study, studies::SceneCommand::reproduce,
+                               options.paper ? paper_scene() : studies::Scene{}),
+              .folder = {}};
+  std::vector<const char*> names(result_names().begin(), result_names().end());
+  names.push_back(scene_name);
+  names.push_back(checkpoints_name);
+  place.folder = results_folder(options.out, "reproduce", names, options.force);
+  studies::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
+  io::write_file(place.folder / scene_name, studies::toml_of(place.scene),
+                 options.force ? io::Existing::replace : io::Existing::keep);
+  return place;
+}
+
+/// A run that was stopped, or a finished one whose tables and pictures are to be written again.
+Place old_place(const Options& options) {
+  const StudyOptions& study = options.study;
+  if (options.paper || !study.scene_file.empty() || !study.settings.empty() || study.grains || study.seeds ||
+      !options.out.empty())
+    throw InvalidArgument("--resume takes its scene and folder from the earlier run; only --threads may "
+                          "be given with it");
+  const fs::path folder = options.resume;
+  Place place{.scene = read_scene((folder / scene_name).string(), studies::SceneCommand::reproduce),
+              .folder = folder};
+  if (study.threads) {
+    place.scene.study.threads = *study.threads;
+    studies::require_valid(place.scene);
+  }
+  return place;
+}
+
+ExitCode run(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::atomic<bool>& stop = listen_for_stop();
+  const Place place = options.resume.empty() ? new_place(options) : old_place(options);
+  const fs::path checkpoints = place.folder / checkpoints_name;
+  fs::create_directories(checkpoints);
+  studies::Experiment experiment;
+  {
+    ProgressLine line(options.quiet);
+    experiment = studies::run_experiment(
+        place.scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop},
+        {.folder = checkpoints, .scene_text = identity(place.scene)});
+  }
+  if (stop && !experiment.complete()) {
+    say("", fmt::format("stopped; go on with: granum reproduce --resume {}", place.folder.string()));
+    return exit_code_of_stop();
+  }
+  const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
+  const RunFigures figures{.seconds = seconds_since(start), .resumed = !options.resume.empty()};
+  const nlohmann::ordered_json manifest = manifest_of(experiment, verdicts, figures);
+  write_results(place.folder, experiment, verdicts, manifest);
+  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
+  deliver(to_screen,
+          report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
+              place.folder.string() + "\n",
+          manifest, {});
+  if (!experiment.complete())
+    return ExitCode::not_converged;
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.holds; })
+             ? ExitCode::ok
+             : ExitCode::fell_short;
+}
+
+} // namespace
+
+Command add_reproduce(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "reproduce", "The paper's experiment: six specimens, four stress paths, its tables and figures");
+  add_study_options(*command, options->study, studies::SceneCommand::reproduce);
+  command->add_flag("--paper", options->paper,
+                    "10,000 grains between six rigid walls, as in the paper; an hour or more");
+  add_path(*command, "--out", options->out, "Folder for the results; by default a new granum-reproduce-N")
+      ->type_name("DIR");
+  add_path(*command, "--resume", options->resume,
+           "Go on with the run of this folder from its last checkpoints, to the same bits; "
+           "a finished run writes its tables and pictures again")
+      ->type_name("DIR");
+  command->add_flag("--json", options->json, "Print the manifest as one JSON object, SI units");
+  command->add_flag("--force", options->force, "Let --out replace existing results and checkpoints");
+  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

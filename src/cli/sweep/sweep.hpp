@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <granum/core/units.hpp>
+#include <granum/core/validity.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/io/csv/table.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/options/packing_options.hpp"
+
+/// What granum sweep works out, state by state, and how it leaves the program.
+namespace granum::cli {
+
+struct SweepOptions {
+  PackingOptions packing;
+  OutputOptions output;
+  std::vector<std::string> rungs; ///< keys
+  std::string path = "iso";
+  Number from{0, Dimension::pressure};
+  Number to{0, Dimension::pressure};
+  Number eta;
+  Number friction_angle{0, Dimension::angle};
+  std::size_t points = 25;
+  std::string spacing; ///< empty: log on the isotropic path, linear elsewhere
+  std::string table;   ///< file; empty for a path
+  std::string picture; ///< file; empty for none
+  std::string picture_of = "G_hv";
+};
+
+using effective::Rung;
+using Rungs = std::vector<const Rung*>;
+
+/// A number that each rung gives for a state.
+struct SweptQuantity {
+  const char* name;
+  Dimension dimension;
+  std::optional<double> (*of)(const effective::RungAnswer& answer);
+};
+[[nodiscard]] std::span<const SweptQuantity> swept_quantities();
+[[nodiscard]] const SweptQuantity& swept_quantity(std::string_view name);
+
+/// What the rungs say of one state, or why they cannot.
+struct StateResult {
+  std::vector<std::optional<effective::RungAnswer>> answers; ///< one a rung
+  std::vector<std::string> notes;                            ///< of validity, each once
+  std::string error;                                         ///< empty: none
+};
+
+[[nodiscard]] StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs);
+/// Of a state that is none.
+[[nodiscard]] StateResult failed(const std::string& error, const Rungs& rungs);
+
+/// Heading of the column of a quantity: G_hv_rung2_Pa.
+[[nodiscard]] std::string heading(const SweptQuantity& quantity, const Rung& rung);
+/// Headings and cells of a result: the rungs' numbers, notes, error.
+[[nodiscard]] std::vector<std::string> result_headings(const Rungs& rungs);
+void append_cells(std::vector<io::CsvCell>& row, const StateResult& result);
+/// Adds rungs, notes and error to the JSON of a state.
+void add_result(nlohmann::ordered_json& json, const StateResult& result, const Rungs& rungs);
+
+/// Counts what went wrong.
+class Tally {
+ public:
+  /// \param    where   the state in words, "line 4"
+  void count(const StateResult& result, const std::string& where);
+  /// One note for all states outside a formula's validity.
+  [[nodiscard]] Validity validity() const;
+  /// Says on standard error how many states failed, if any.
+  /// \return   code, or fell_short if it is ok and states failed
+  [[nodiscard]] ExitCode conclude(ExitCode code) const;
+
+ private:
+  std::size_t states_ = 0;
+  std::size_t failed_ = 0;
+  std::size_t noted_ = 0;
+  std::string first_failure_;
+  std::string first_note_;
+};
+
+using Notes = std::vector<std::pair<std::string, std::string>>;
+
+/// Lines above the headings: program, inputs, rungs, remarks.
+[[nodiscard]] Notes csv_notes(const nlohmann::ordered_json& inputs, const Rungs& rungs,
+                              const std::vector<std::string>& remarks);
+/// Beginning of the JSON: program, inputs, rungs.
+[[nodiscard]] nlohmann::ordered_json sweep_json_head(const nlohmann::ordered_json& inputs,
+                                                     const Rungs& rungs);
+
+/// \throws   FileError if a file exists and --force is not given: before any work is done
+void require_free(const OutputOptions& output, const std::vector<std::string>& files);
+
+/// Sweeps the states of options.table.
+ExitCode sweep_table(const SweepOptions& options, const Rungs& rungs);
+/// Sweeps a stress path.
+ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
+
+} // namespace granum::cli

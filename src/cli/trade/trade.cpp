@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "studies/plan/plan.hpp"
+#include "studies/trade/trade.hpp"
+#include "studies/trade/trade_findings.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/frame/progress.hpp"
+#include "cli/frame/stop_signal.hpp"
+#include "cli/options/study_options.hpp"
+#include "trade_report.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  StudyOptions study;
+  bool quick = false;
+  bool full = false;
+  std::optional<double> budget; ///< [s]
+  std::string out;
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json"};
+
+struct Outcome {
+  studies::TradeScene trade;
+  std::vector<studies::TradeSample> samples;
+  std::vector<studies::TradeRow> rows;
+  double seconds = 0;
+
+  /// The first reason why a sample is missing; empty where none is.
+  [[nodiscard]] std::string failure() const {
+    for (const studies::TradeSample& sample : samples)
+      if (!sample.failure.empty())
+        return sample.failure;
+    return {};
+  }
+};
+
+studies::TradeScene scene_of(const Options& options) {
+  if (options.quick && (options.full || options.budget))
+    throw InvalidArgument("--quick cannot go with --full or --budget");
+  studies::TradeScene trade = options.quick  ? studies::quick_trade()
+                              : options.full ? studies::full_trade()
+                                             : studies::default_trade();
+  if (options.budget)
+    trade.grains = studies::full_trade().grains;
+  trade.scene = resolve(options.study, studies::SceneCommand::trade, trade.scene);
+  studies::require_valid(trade);
+  if (options.budget)
+    return studies::within_budget(trade, *options.budget, studies::measured_speed(trade.scene));
+  return trade;
+}
+
+Outcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& stop, bool quiet) {
+  Outcome outcome;
+  outcome.trade = trade;
+  const auto start = std::chrono::steady_clock::now();
+  ProgressLine line(quiet);
+  outcome.samples = studies::run_trade(
+      trade, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop});
+  outcome.seconds = seconds_since(start);
+  outcome.rows = studies::trade_rows(outcome.samples);
+  return outcome;
+}
+
+ordered_json manifest_of(const Outcome& outcome, const Options& options) {
+  ordered_json json = json_head("trade");
+  json["wall_time_s"] = outcome.seconds;
+  json["complete"] = outcome.failure().empty();
+  json["failure"] = outcome.failure();
+  json["scene_file"] = options.study.scene_file;
+  json["settings"] = options.study.settings;
+  json["scene"] = json_of(outcome.trade);
+  json["threads_used"] = studies::thread_count(outcome.trade.scene);
+  json["rows"] = json_of(outcome.rows);
+  json["laws"] = json_of(studies::laws_of(outcome.rows));
+  return json;
+}
+
+std::string report_of(const Outcome& outcome) {
+  return fmt::format("{}{}{} samples in {:.1f} s on {} threads\n", trade_table(outcome.trade, outcome.rows),
+                     laws_table(outcome.trade, studies::laws_of(outcome.rows)), outcome.samples.size(),
+                     outcome.seconds, studies::thread_count(outcome.trade.scene));
+}
+
+void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
+  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
+  io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
+  io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
+  io::write_file(folder / file_names[2], trade_picture(outcome.rows), existing);
+  io::write_file(folder / file_names[3], json_text(manifest_of(outcome, options)), existing);
+}
+
+ExitCode run(const Options& options) {
+  const studies::TradeScene trade = scene_of(options);
+  const std::atomic<bool>& stop = listen_for_stop();
+  const bool writes = !options.json || !options.out.empty();
+  const fs::path folder =
+      writes ? results_folder(options.out, "trade", file_names, options.force) : fs::path();
+  const Outcome outcome = run_study(trade, stop, options.quiet);
+  if (writes)
+    write_results(folder, outcome, options);
+  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
+  const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
+  deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
+  if (outcome.failure().empty())
+    return ExitCode::ok;
+  return stop ? exit_code_of_stop() : ExitCode::fell_short;
+}
+
+} // namespace
+
+Command add_trade(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "trade", "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now");
+  add_study_options(*command, options->study, studies::SceneCommand::trade);
+  command->add_flag("--quick", options->quick, "Up to 1,000 grains, a few values, two seeds");
+  command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
+  add_quantity(*command, "--budget", options->budget, Dimension::time,
+               "As far up in grains as this wall time allows: --budget 600s");
+  add_path(*command, "--out", options->out, "Folder for results; by default a new granum-trade-N")
+      ->type_name("DIR");
+  command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
+  command->add_flag("--force", options->force, "Let --out replace existing results");
+  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/trade/trade_findings.hpp"
+#include "studies/trade/trade_rule.hpp"
+#include <nlohmann/json.hpp>
+
+namespace granum::cli {
+
+/// One block for each varied quantity: at which values of the others, against which reference.
+[[nodiscard]] std::string trade_table(const studies::TradeScene& trade,
+                                      const std::vector<studies::TradeRow>& rows);
+
+/// The power laws through the rows, and what limits one specimen at the defaults of the study.
+[[nodiscard]] std::string laws_table(const studies::TradeScene& trade, const studies::TradeLaws& laws);
+
+/// The rows of the table, and every specimen behind them.
+[[nodiscard]] std::string trade_csv(const std::vector<studies::TradeRow>& rows);
+[[nodiscard]] std::string samples_csv(const studies::TradeScene& trade,
+                                      const std::vector<studies::TradeSample>& samples);
+
+/// Error of G against cost, one curve for each varied quantity and density, as SVG.
+[[nodiscard]] std::string trade_picture(const std::vector<studies::TradeRow>& rows);
+
+[[nodiscard]] nlohmann::ordered_json json_of(const studies::TradeScene& trade);
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<studies::TradeRow>& rows);
+[[nodiscard]] nlohmann::ordered_json json_of(const studies::TradeLaws& laws);
+
+} // namespace granum::cli

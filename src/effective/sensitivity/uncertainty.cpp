@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/sensitivity/uncertainty.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+
+namespace granum::effective {
+
+namespace {
+
+constexpr const char* input_names[input_count] = {"mean_stress",
+                                                  "stress_v",
+                                                  "stress_h",
+                                                  "coordination_number",
+                                                  "void_ratio",
+                                                  "fabric_anisotropy",
+                                                  "alpha",
+                                                  "grain_shear_modulus",
+                                                  "grain_poisson_ratio",
+                                                  "grain_poisson_ratio_mindlin",
+                                                  "tangential_ratio",
+                                                  "radius",
+                                                  "mechanical_coordination_number"};
+
+constexpr std::size_t index(Input input) { return static_cast<std::size_t>(input); }
+
+/// FNV-1a, the same on every machine.
+std::uint64_t hash(std::string_view text, std::uint64_t start) {
+  std::uint64_t h = start;
+  for (const char c : text)
+    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return h;
+}
+
+/// The normally distributed numbers that one uncertain number draws.
+class Stream {
+ public:
+  Stream(std::string_view key, std::uint64_t seed)
+      : generator_(hash(key, 0xcbf29ce484222325U) ^ (seed * 0x9e3779b97f4a7c15U)) {}
+  double next() { return normal_(generator_); }
+
+ private:
+  boost::random::mt19937_64 generator_;
+  boost::random::normal_distribution<double> normal_;
+};
+
+std::vector<Stream> streams_of(std::span<const UncertainNumber> numbers, std::uint64_t seed) {
+  std::set<std::string> keys;
+  std::vector<Stream> streams;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::string key = numbers[k].key.empty() ? "number " + std::to_string(k) : numbers[k].key;
+    if (!keys.insert(key).second)
+      throw InvalidArgument("two uncertain numbers have the key " + key + " and would draw the same");
+    streams.emplace_back(key, seed);
+  }
+  return streams;
+}
+
+/// Between the sorted values, linearly.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - std::floor(place));
+}
+
+Band band_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  Band band;
+  band.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  const double squares = std::accumulate(values.begin(), values.end(), 0.0, [&](double sum, double value) {
+    return sum + (value - band.mean) * (value - band.mean);
+  });
+  band.deviation = std::sqrt(squares / (count - 1));
+  band.low = quantile(values, 0.16);
+  band.median = quantile(values, 0.5);
+  band.high = quantile(values, 0.84);
+  return band;
+}
+
+/// Every input at its value, with its deviation, moving itself alone.
+std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviations& deviations) {
+  const auto& grain = s.law.grain();
+  const double values[input_count] = {(s.stress_v + 2 * s.stress_h) / 3,
+                                      s.stress_v,
+                                      s.stress_h,
+                                      s.coordination_number,
+                                      s.void_ratio,
+                                      s.fabric_anisotropy,
+                                      s.law.alpha(),
+                                      grain.shear_modulus,
+                                      grain.poisson_ratio,
+                                      grain.poisson_ratio,
+                                      s.tangential_ratio,
+                                      s.radius,
+                                      z};
+  std::vector<UncertainNumber> numbers(input_count);
+  for (std::size_t i = 0; i < input_count; ++i) {
+    require_non_negative(std::string("deviation of ") + input_names[i], deviations.by[i]);
+    numbers[i] = {.value = values[i], .deviation = deviations.by[i], .slopes = {}, .key = input_names[i]};
+    numbers[i].slopes[i] = 1;
+  }
+  if (std::isinf(s.law.alpha()) && deviations[Input::alpha] > 0)
+    throw InvalidArgument("alpha of a flat punch is infinite and cannot be uncertain");
+  return numbers;
+}
+
+/// The state that the values of the inputs, in their order, make of this one.
+State moved(const State& s, std::span<const double> x) {
+  const auto at = [&x](Input input) { return x[index(input)]; };
+  const double nu = s.law.grain().poisson_ratio;
+  const double mindlin_nu = at(Input::grain_poisson_ratio_mindlin);
+  const contact::GrainMaterial grain{.shear_modulus = at(Input::grain_shear_modulus),
+                                     .poisson_ratio = at(Input::grain_poisson_ratio) + (mindlin_nu - nu)};
+  const double scale = at(Input::mean_stress) / ((s.stress_v + 2 * s.stress_h) / 3);
+  const double growth = contact::mindlin_stiffness_ratio(mindlin_nu) - contact::mindlin_stiffness_ratio(nu);
+  const double alpha = at(Input::alpha);
+  return {.law = alpha == s.law.alpha() ? s.law.of_grain(grain)
+                                        : contact::PowerLaw::general(grain, alpha, s.law.profile_constant()),
+          .tangential_ratio = at(Input::tangential_ratio) + growth,
+          .radius = at(Input::radius),
+          .void_ratio = at(Input::void_ratio),
+          .coordination_number = at(Input::coordination_number),
+          .fabric_anisotropy = at(Input::fabric_anisotropy),
+          .stress_v = scale * at(Input::stress_v),
+          .stress_h = scale * at(Input::stress_h)};
+}
+
+Uncertainty joined(double value, FirstOrder first, const Sample& sample) {
+  return {.value = value,
+          .first_order = std::move(first),
+          .sampled = sample.bands.front(),
+          .rejected = sample.rejected};
+}
+
+} // namespace
+
+FirstOrder first_order(const Gradient& gradient, std::span<const UncertainNumber> numbers,
+                       double standard_error) {
+  FirstOrder result;
+  result.calibration = require_non_negative("standard_error", standard_error, "Pa");
+  result.deviation = result.calibration;
+  for (const UncertainNumber& number : numbers) {
+    require_non_negative("deviation", number.deviation);
+    const double slope =
+        std::inner_product(gradient.by.begin(), gradient.by.end(), number.slopes.begin(), 0.0);
+    result.contributions.push_back(slope * number.deviation);
+    result.deviation = std::hypot(result.deviation, slope * number.deviation);
+  }
+  return result;
+}
+
+Sample sample(std::span<const UncertainNumber> numbers, const Evaluate& evaluate, const Sampling& sampling) {
+  for (const UncertainNumber& number : numbers)
+    require_non_negative("deviation", number.deviation);
+  std::vector<Stream> streams = streams_of(numbers, sampling.seed);
+  std::vector<double> drawn(numbers.size());
+  std::vector<std::vector<double>> values; // of each result
+  Sample result;
+  for (std::size_t draw = 0; draw < sampling.draws; ++draw) {
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      drawn[k] = numbers[k].value + numbers[k].deviation * streams[k].next();
+    try {
+      const std::vector<double> results = evaluate(drawn);
+      values.resize(results.size());
+      for (std::size_t k = 0; k < results.size(); ++k)
+        values[k].push_back(results[k]);
+    } catch (const InvalidArgument&) {
+      ++result.rejected;
+    }
+  }
+  if (sampling.draws < result.rejected + 2)
+    throw InvalidArgument(
+        "fewer than two draws are packings that can be: the deviations are too large, or the "
+        "values too near the end of their range");
+  for (std::vector<double>& of_result : values)
+    result.bands.push_back(band_of(std::move(of_result)));
+  return result;
+}
+
+Uncertainty uncertainty(const State& state, const Model& model, Modulus which, const Deviations& deviations,
+                        const Sampling& sampling) {
+  const Gradient slopes = gradient(state, model, which);
+  const std::vector<UncertainNumber> numbers = numbers_of(state, 0, deviations);
+  const auto evaluate = [&](std::span<const double> x) {
+    return std::vector{modulus(uniform_field(moved(state, x), model).stiffness, which)};
+  };
+  return joined(slopes.value, first_order(slopes, numbers), sample(numbers, evaluate, sampling));
+}
+
+Uncertainty relaxed_uncertainty(const State& state, double mechanical_coordination_number, Modulus which,
+                                const Deviations& deviations, const Sampling& sampling) {
+  const auto [slopes, standard_error] = relaxed_gradient(state, mechanical_coordination_number, which);
+  const std::vector<UncertainNumber> numbers = numbers_of(state, mechanical_coordination_number, deviations);
+  const double relative_error = standard_error / slopes.value;
+  std::vector<UncertainNumber> drawn = numbers;
+  drawn.push_back({.value = 1, .deviation = relative_error, .slopes = {}, .key = "calibration"});
+  const auto evaluate = [&](std::span<const double> x) {
+    const auto c = relaxed(moved(state, x), x[index(Input::mechanical_coordination_number)]).stiffness;
+    return std::vector{c.C44 > 0 ? x.back() * modulus(c, which) : 0};
+  };
+  return joined(slopes.value, first_order(slopes, numbers, standard_error),
+                sample(drawn, evaluate, sampling));
+}
+
+} // namespace granum::effective

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/csv/columns.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace granum::io {
+
+namespace {
+
+std::string to_the_right(const std::string& text, int width) {
+  const auto missing =
+      static_cast<std::size_t>(width) - std::min(text.size(), static_cast<std::size_t>(width));
+  return std::string(missing, ' ') + text;
+}
+
+} // namespace
+
+std::string heading_text(const ShownColumn& column) { return to_the_right(column.heading, column.width); }
+
+std::string number_text(const ShownColumn& column, const std::optional<double>& number) {
+  if (!number)
+    return to_the_right(column.absent, column.width);
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, column.fixed ? "%.*f" : "%.*g", column.digits, *number / column.unit);
+  return to_the_right(buffer, column.width);
+}
+
+} // namespace granum::io

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/csv/table.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+namespace granum::io {
+
+namespace {
+
+/// Walks over the text of a file, record by record.
+class Cursor {
+ public:
+  Cursor(const std::string& name, std::string_view text) : name_(name), text_(text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) // byte order mark that spreadsheets write
+      text_.remove_prefix(3);
+  }
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+  /// Goes to the next record that is neither blank nor a comment; false at the end of the text.
+  bool seek_record() {
+    while (!text_.empty()) {
+      const std::string_view here = text_.substr(0, text_.find('\n'));
+      if (!trimmed(here).empty() && here[0] != '#')
+        return true;
+      text_.remove_prefix(std::min(here.size() + 1, text_.size()));
+      ++line_;
+    }
+    return false;
+  }
+
+  /// The fields of the record here, and the cursor after its end.
+  std::vector<std::string> record() {
+    std::vector<std::string> fields;
+    do
+      fields.push_back(field());
+    while (next_is(','));
+    ++line_;
+    return fields;
+  }
+
+ private:
+  /// Consumes the separator that ends a field; true if it is `separator`, false at the end of the record.
+  bool next_is(char separator) {
+    if (text_.empty())
+      return false;
+    const bool same = text_[0] == separator;
+    text_.remove_prefix(1);
+    return same;
+  }
+
+  std::string field() {
+    const std::size_t start = text_.find_first_not_of(" \t");
+    if (start != std::string_view::npos && text_[start] == '"') {
+      text_.remove_prefix(start + 1);
+      return quoted();
+    }
+    const std::string_view content = text_.substr(0, text_.find_first_of(",\n"));
+    text_.remove_prefix(content.size());
+    return std::string(trimmed(content));
+  }
+
+  /// The rest of a field whose opening quote has been read; "" inside stands for one quote.
+  std::string quoted() {
+    const std::size_t first_line = line_;
+    std::string content;
+    for (;;) {
+      const std::size_t end = text_.find('"');
+      if (end == std::string_view::npos)
+        throw FileError(name_, first_line, "a quoted field begins here and is never closed");
+      content += text_.substr(0, end);
+      line_ +=
+          static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<long>(end), '\n'));
+      text_.remove_prefix(end + 1);
+      if (!text_.starts_with('"'))
+        break;
+      content += '"';
+      text_.remove_prefix(1);
+    }
+    const std::string_view after = text_.substr(0, text_.find_first_of(",\n"));
+    if (!trimmed(after).empty())
+      throw FileError(name_, line_, "expected a comma after the closing quote");
+    text_.remove_prefix(after.size());
+    return content;
+  }
+
+  const std::string& name_;
+  std::string_view text_;
+  std::size_t line_ = 1;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string field_text(const CsvCell& cell) {
+  if (const double* number = std::get_if<double>(&cell))
+    return std::isnan(*number) ? "" : exact_text(*number);
+  const std::string& text = std::get<std::string>(cell);
+  if (text.find_first_of(",\"\r\n") == std::string::npos && trimmed(text) == text && !text.starts_with('#'))
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+} // namespace
+
+CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(name)) {
+  if (text.find('\0') != std::string_view::npos)
+    throw FileError(name_, 0, "is not a text file; expected comma-separated values");
+  Cursor cursor(name_, text);
+  if (!cursor.seek_record())
+    throw FileError(name_, 0, "is empty; expected a heading line such as G_MPa,sigma_v_kPa,sigma_h_kPa,e");
+  heading_line_ = cursor.line();
+  headings_ = cursor.record();
+  for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
+    if (std::find(headings_.begin(), heading, *heading) != heading)
+      throw FileError(name_, heading_line_, "the heading '" + *heading + "' stands there twice");
+  while (cursor.seek_record()) {
+    const std::size_t line = cursor.line();
+    rows_.push_back({line, cursor.record()});
+    const std::size_t count = rows_.back().fields.size();
+    if (count != headings_.size())
+      throw FileError(name_, line,
+                      "expected " + std::to_string(headings_.size()) + " fields (" + joined(headings_) +
+                          "), found " + std::to_string(count));
+  }
+  if (rows_.empty())
+    throw FileError(name_, heading_line_, "there are no rows below the heading line");
+}
+
+bool CsvTable::has(std::string_view quantity) const {
+  return std::any_of(headings_.begin(), headings_.end(),
+                     [&](const std::string& heading) { return is_column_of(heading, quantity); });
+}
+
+std::size_t CsvTable::find(std::string_view quantity, Dimension dimension) const {
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < headings_.size(); ++k) {
+    if (!is_column_of(headings_[k], quantity))
+      continue;
+    if (found)
+      throw FileError(name_, heading_line_,
+                      "both '" + headings_[*found] + "' and '" + headings_[k] + "' hold " +
+                          std::string(quantity));
+    found = k;
+  }
+  if (found)
+    return *found;
+  const std::string unit =
+      dimension == Dimension::dimensionless ? "" : "_" + std::string(si_symbol(dimension));
+  throw FileError(name_, heading_line_,
+                  "expected a column '" + std::string(quantity) + unit + "'" +
+                      (unit.empty() ? "" : " (or another unit)") + ", found " + joined(headings_));
+}
+
+CsvTable::Column CsvTable::column(std::string_view quantity, Dimension dimension) const {
+  const std::size_t index = find(quantity, dimension);
+  try {
+    return {index, column_factor(headings_[index], quantity, dimension)};
+  } catch (const InvalidArgument& error) {
+    throw FileError(name_, heading_line_, error.what());
+  }
+}
+
+std::vector<double> CsvTable::numbers(std::string_view quantity, Dimension dimension) const {
+  const auto [index, factor] = column(quantity, dimension);
+  std::vector<double> values;
+  values.reserve(rows_.size());
+  for (const Row& row : rows_) {
+    const auto number = parse_number(row.fields[index]);
+    if (!number || !std::isfinite(factor * *number))
+      throw FileError(name_, row.line,
+                      "expected a finite number in column '" + headings_[index] + "', found '" +
+                          row.fields[index] + "'");
+    values.push_back(factor * *number);
+  }
+  return values;
+}
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file.is_open())
+    throw FileError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
+  if (std::filesystem::is_directory(path))
+    throw FileError(path.string(), 0, "cannot be read: it is a folder");
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad())
+    throw FileError(path.string(), 0, "cannot be read to its end");
+  return CsvTable(path.string(), text.str());
+}
+
+std::string csv_line(const std::vector<CsvCell>& cells) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += (k > 0 ? "," : "") + field_text(cells[k]);
+  return line + '\n';
+}
+
+std::string csv_text(const CsvContent& content) {
+  std::string text;
+  for (const auto& [key, value] : content.notes) {
+    std::string line = "# " + key + ": " + value;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    text += line + '\n';
+  }
+  text += csv_line({content.headings.begin(), content.headings.end()});
+  for (const auto& row : content.rows) {
+    if (row.size() != content.headings.size())
+      throw InvalidArgument("a CSV row has " + std::to_string(row.size()) + " cells for " +
+                            std::to_string(content.headings.size()) + " headings");
+    text += csv_line(row);
+  }
+  return text;
+}
+
+} // namespace granum::io

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/io/lammps/column_map.hpp>
+#include <granum/io/text/source.hpp>
+
+namespace granum::io {
+
+using ColumnTriple = std::array<std::size_t, 3>;
+
+/// Where the quantities of a contact stand in its row. Forces are those on grain 1.
+struct ContactLayout {
+  std::size_t id1 = 0, id2 = 0;
+  std::optional<ColumnTriple> difference;    ///< centre of 1 minus centre of 2, nearest images
+  std::optional<ColumnTriple> first, second; ///< centres, each inside the box
+  std::optional<std::size_t> periodic;       ///< 1 where the pair reaches through a face
+  std::optional<std::size_t> overlap;
+  std::optional<std::size_t> force; ///< normal force, repulsion positive
+  std::optional<ColumnTriple> normal, tangential, whole;
+
+  [[nodiscard]] bool has_forces() const { return force || normal || whole; }
+  [[nodiscard]] bool has_tangential() const { return tangential || whole; }
+};
+
+/// The layout that a map gives, or, for an empty map, the one that the names of the columns stand for:
+/// the quantities' own names; `compute property/local patom1 patom2 ...` beside a `compute pair/local` of 17
+/// values (dist force fx fy fz p1 ... p12) or of 8 (dist force and two force vectors); LIGGGHTS' 28 values of
+/// `compute pair/gran/local`.
+/// \throws   FileError at the line of `source` for a column of the map that is not there, or unknown columns
+[[nodiscard]] ContactLayout contact_layout(const std::vector<std::string>& columns, const ColumnMap& map,
+                                           const TextSource& source);
+
+} // namespace granum::io

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/lammps/dump.hpp>
+
+#include <cmath>
+
+#include <granum/io/packing_format.hpp>
+
+#include "contact_layout.hpp"
+#include "dump_file.hpp"
+#include "io/packing_builder.hpp"
+
+namespace granum::io {
+
+namespace {
+
+/// Where the quantities of a grain stand in its row.
+struct GrainLayout {
+  std::size_t id = 0, radius = 0;
+  double radius_factor = 1; ///< 1/2 for a diameter
+  ColumnTriple position{};
+  bool scaled = false; ///< positions are fractions of the box
+};
+
+GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMap& map,
+                         const TextSource& source) {
+  const auto find = [&](const std::string& quantity) {
+    const auto entry = map.find(quantity);
+    const auto column = find_column(columns, entry == map.end() ? quantity : entry->second);
+    if (!column && entry != map.end())
+      source.fail("expected a column " + shown(entry->second) + " for " + quantity);
+    return column;
+  };
+  GrainLayout layout;
+  const auto id = find("id");
+  if (!id)
+    source.fail("expected a column 'id'");
+  layout.id = *id;
+  const auto radius = find("radius"), diameter = find("diameter");
+  if (!radius && !diameter)
+    source.fail("expected a column 'radius' or 'diameter'");
+  layout.radius = radius ? *radius : *diameter;
+  layout.radius_factor = radius ? 1 : 0.5;
+  struct Kind {
+    const char *x, *y, *z;
+    bool scaled;
+  };
+  for (const Kind& kind : {Kind{"x", "y", "z", false}, Kind{"xu", "yu", "zu", false},
+                           Kind{"xs", "ys", "zs", true}, Kind{"xsu", "ysu", "zsu", true}}) {
+    const auto x = find(kind.x), y = find(kind.y), z = find(kind.z);
+    if (x && y && z) {
+      layout.position = {*x, *y, *z};
+      layout.scaled = kind.scaled;
+      return layout;
+    }
+  }
+  source.fail("expected columns x y z, xu yu zu, xs ys zs or xsu ysu zsu");
+}
+
+struct AtomFrame {
+  DumpFrame frame;
+  std::vector<GrainRow> grains;
+  bool scaled = false;
+  DigitWatch digits;
+};
+
+/// A row of contacts, not yet joined with its grains.
+struct LocalRow {
+  long id1 = 0, id2 = 0;
+  std::size_t line = 0;
+  Vec3 difference{}; ///< x1 - x2
+  bool through = false;
+  double overlap = 0, force = 0;
+  Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
+};
+
+struct LocalFrame {
+  DumpFrame frame;
+  ContactLayout layout;
+  std::vector<LocalRow> rows;
+  DigitWatch digits;
+};
+
+Vec3 vector(const TextRow& row, const ColumnTriple& at, const char* what) {
+  return {row.number(at[0], what), row.number(at[1], what), row.number(at[2], what)};
+}
+
+std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
+  AtomFrame atoms;
+  GrainLayout layout;
+  TableSink sink;
+  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
+    layout = grain_layout(columns, map, file.source());
+    atoms.grains.reserve(rows);
+  };
+  sink.row = [&](const TextRow& row, std::size_t line) {
+    for (const std::size_t k : layout.position)
+      atoms.digits.see(row[k]);
+    atoms.grains.push_back({row.integer(layout.id, "id"), vector(row, layout.position, "coordinate"),
+                            layout.radius_factor * row.number(layout.radius, "radius"), line});
+  };
+  auto frame = file.next(sink);
+  if (!frame)
+    return std::nullopt;
+  atoms.frame = *frame;
+  const double unit = file.units().length;
+  for (GrainRow& grain : atoms.grains) {
+    if (layout.scaled)
+      grain.position = frame->box->origin + frame->box->edges * grain.position;
+    grain.position *= unit;
+    grain.radius *= unit;
+  }
+  return atoms;
+}
+
+LocalRow local_row(const TextRow& row, std::size_t line, const ContactLayout& layout) {
+  LocalRow local;
+  local.line = line;
+  local.id1 = row.integer(layout.id1, "id of grain 1");
+  local.id2 = row.integer(layout.id2, "id of grain 2");
+  if (layout.difference)
+    local.difference = vector(row, *layout.difference, "branch");
+  else if (layout.first)
+    local.difference = vector(row, *layout.first, "position") - vector(row, *layout.second, "position");
+  if (layout.periodic)
+    local.through = row.integer(*layout.periodic, "periodic flag") != 0;
+  if (layout.overlap)
+    local.overlap = row.number(*layout.overlap, "overlap");
+  if (layout.force)
+    local.force = row.number(*layout.force, "force");
+  if (layout.normal)
+    local.normal = vector(row, *layout.normal, "normal force");
+  else if (layout.whole)
+    local.normal = vector(row, *layout.whole, "force");
+  if (layout.tangential)
+    local.tangential = vector(row, *layout.tangential, "tangential force");
+  return local;
+}
+
+void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
+  for (LocalRow& row : rows) {
+    row.difference *= units.length;
+    row.overlap *= units.length;
+    row.force *= units.force;
+    row.normal *= units.force;
+    row.tangential *= units.force;
+  }
+}
+
+std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
+  LocalFrame locals;
+  TableSink sink;
+  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
+    locals.layout = contact_layout(columns, map, file.source());
+    locals.rows.reserve(rows);
+  };
+  sink.row = [&](const TextRow& row, std::size_t line) {
+    const ContactLayout& layout = locals.layout;
+    if (layout.overlap)
+      locals.digits.see(row[*layout.overlap]);
+    if (layout.difference)
+      for (const std::size_t k : *layout.difference)
+        locals.digits.see(row[k]);
+    locals.rows.push_back(local_row(row, line, layout));
+  };
+  auto frame = file.next(sink);
+  if (!frame)
+    return std::nullopt;
+  locals.frame = *frame;
+  return locals;
+}
+
+/// How far two vectors of every row are from being the normal force: the first where they stand as the layout
+/// says, the second where they are swapped; and the sum of forces to compare with.
+struct NormalMisfit {
+  double stated = 0, swapped = 0, stated_sum = 0, swapped_sum = 0;
+  static constexpr double tolerance = 1e-2; ///< six-digit positions in a box of a thousand grain diameters
+
+  void add(const Vec3& direction, const Vec3& stated_force, const Vec3& other, std::optional<double> force) {
+    const auto off = [&](const Vec3& f) {
+      return norm(f + (force ? *force : -dot(f, direction)) * direction);
+    };
+    stated += off(stated_force);
+    swapped += off(other);
+    stated_sum += norm(stated_force);
+    swapped_sum += norm(other);
+  }
+  [[nodiscard]] bool as_stated() const { return stated <= tolerance * stated_sum; }
+  [[nodiscard]] bool is_swapped() const { return swapped_sum > 0 && swapped <= tolerance * swapped_sum; }
+};
+
+/// Joins the rows of one frame with its grains.
+class LocalJoin {
+ public:
+  LocalJoin(PackingBuilder& builder, const LocalFrame& locals) : builder_(builder), locals_(locals) {}
+
+  void run() {
+    const bool swapped = swapped_forces();
+    for (const LocalRow& row : locals_.rows) {
+      PairRow pair = geometry(row);
+      set_forces(pair, row, swapped);
+      builder_.add(pair);
+    }
+  }
+
+ private:
+  PairRow geometry(const LocalRow& row) const {
+    PairRow pair;
+    pair.line = row.line;
+    pair.a = builder_.index(row.id1, row.line);
+    pair.b = builder_.index(row.id2, row.line);
+    const ContactLayout& layout = locals_.layout;
+    if (layout.difference || layout.first)
+      pair.branch = row.through ? builder_.nearest(-row.difference) : -row.difference;
+    else
+      pair.branch = builder_.nearest(builder_.straight(pair.a, pair.b));
+    builder_.require_agreement(pair);
+    pair.overlap = layout.overlap ? row.overlap : builder_.radius_sum(pair.a, pair.b) - norm(pair.branch);
+    return pair;
+  }
+
+  static Vec3 direction(const PairRow& pair) { return (1 / norm(pair.branch)) * pair.branch; }
+
+  bool swapped_forces() {
+    const ContactLayout& layout = locals_.layout;
+    if (!layout.normal || !layout.tangential)
+      return false;
+    NormalMisfit misfit;
+    for (const LocalRow& row : locals_.rows) {
+      const PairRow pair = geometry(row);
+      if (norm(pair.branch) > 0)
+        misfit.add(direction(pair), row.normal, row.tangential,
+                   layout.force ? std::optional(row.force) : std::nullopt);
+    }
+    if (misfit.as_stated())
+      return false;
+    if (!misfit.is_swapped())
+      builder_.fail_contact(
+          locals_.rows.front().line,
+          "neither force vector of this frame lies along the lines of centres as a force on "
+          "grain 1 does; say what the columns hold with a column map");
+    builder_.note(Finding::forces_swapped,
+                  "the first force vector is the tangential one, the second the normal");
+    return true;
+  }
+
+  void set_forces(PairRow& pair, const LocalRow& row, bool swapped) const {
+    const ContactLayout& layout = locals_.layout;
+    if (!layout.has_forces() || !(norm(pair.branch) > 0))
+      return;
+    const Vec3 n = direction(pair);
+    const Vec3& along = swapped ? row.tangential : row.normal;
+    const Vec3& across = swapped ? row.normal : row.tangential;
+    pair.normal_force = layout.force ? row.force : -dot(along, n);
+    if (layout.tangential)
+      pair.tangential_force = -across;
+    else if (layout.whole)
+      pair.tangential_force = -(row.normal + -dot(row.normal, n) * n);
+  }
+
+  PackingBuilder& builder_;
+  const LocalFrame& locals_;
+};
+
+void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox& box,
+                  const LocalFrame* locals) {
+  if (!box.boundary_known)
+    builder.note(Finding::boundary_unknown, "the box has no boundary flags: taken as periodic");
+  if (!atoms.units().stated)
+    builder.note(Finding::units_unknown, "no ITEM: UNITS: taken as SI");
+  builder.note(Finding::law_unknown, "contact law and grain material are not in a dump");
+  if (!locals) {
+    builder.note(Finding::contacts_unknown, "no dump of contacts was given");
+    return;
+  }
+  builder.note(Finding::stiffness_unknown, "stiffnesses are not in a dump");
+  builder.note(Finding::history_unknown, "the loading history of the contacts is not in a dump");
+  if (!locals->layout.has_forces())
+    builder.note(Finding::forces_unknown, "no column of forces");
+  else if (!locals->layout.has_tangential())
+    builder.note(Finding::tangential_unknown, "no columns of tangential forces");
+  if (locals->layout.has_forces())
+    builder.note(Finding::viscous_forces, "forces include viscous damping where grains move");
+}
+
+/// The packing of one frame; units that one of the two files states hold for both.
+ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFile* local_file,
+                        LocalFrame* locals) {
+  PackingBuilder builder(atom_file.source().name(), local_file ? local_file->source().name() : "");
+  const DumpBox& box = *atoms.frame.box;
+  const DumpUnits& units = atom_file.units();
+  builder.set_cell(units.length * box.edges, box.periodic, box.line);
+  builder.set_grains(std::move(atoms.grains));
+  builder.note_digits(atoms.digits, "coordinates");
+  if (locals) {
+    builder.note_digits(locals->digits, "overlaps or lines of centres");
+    to_si(locals->rows, local_file->units().stated ? local_file->units() : units);
+    if (!locals->layout.has_forces())
+      builder.expect_no_forces();
+    builder.expect_contacts(locals->rows.size());
+    LocalJoin(builder, *locals).run();
+    locals->rows = {};
+  }
+  note_unknown(builder, atom_file, box, locals);
+  std::optional<double> time = atoms.frame.time;
+  if (time)
+    *time *= units.time;
+  return builder.finish(*atoms.frame.step, time);
+}
+
+/// Steps of one file never go back.
+void require_forward(const DumpFile& file, std::optional<long>& last, const DumpFrame& frame) {
+  if (last && *frame.step < *last)
+    file.source().fail("time step " + std::to_string(*frame.step) + " follows " + std::to_string(*last) +
+                       ": expected steps that do not go back");
+  last = frame.step;
+}
+
+} // namespace
+
+struct LammpsDump::Impl {
+  DumpFile atoms;
+  std::optional<DumpFile> contacts;
+  ColumnMap columns;
+  std::optional<long> atom_step, contact_step;
+  std::size_t skipped = 0, matched = 0;
+
+  std::optional<AtomFrame> next_atoms() {
+    auto frame = read_atoms(atoms, columns);
+    if (frame)
+      require_forward(atoms, atom_step, frame->frame);
+    return frame;
+  }
+  std::optional<LocalFrame> next_locals() {
+    auto frame = read_locals(*contacts, columns);
+    if (frame)
+      require_forward(*contacts, contact_step, frame->frame);
+    return frame;
+  }
+
+  /// The next two frames of one time step.
+  std::optional<ImportedPacking> next_joined() {
+    auto grains = next_atoms();
+    auto pairs = next_locals();
+    while (grains && pairs && grains->frame.step != pairs->frame.step) {
+      ++skipped;
+      if (*grains->frame.step < *pairs->frame.step)
+        grains = next_atoms();
+      else
+        pairs = next_locals();
+    }
+    if (grains && pairs) {
+      ++matched;
+      return packing(atoms, std::move(*grains), &*contacts, &*pairs);
+    }
+    if (grains || pairs)
+      ++skipped;
+    if (matched == 0)
+      contacts->source().fail("no time step of " + atoms.source().name() + " stands in this file");
+    return std::nullopt;
+  }
+};
+
+LammpsDump::LammpsDump(TextSource atoms, std::optional<TextSource> contacts, ColumnMap columns)
+    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(columns), {}, {}, 0, 0}) {
+  if (contacts)
+    impl_->contacts.emplace(std::move(*contacts));
+}
+
+LammpsDump::LammpsDump(LammpsDump&&) noexcept = default;
+LammpsDump& LammpsDump::operator=(LammpsDump&&) noexcept = default;
+LammpsDump::~LammpsDump() = default;
+
+std::optional<ImportedPacking> LammpsDump::next() {
+  if (impl_->contacts)
+    return impl_->next_joined();
+  auto grains = impl_->next_atoms();
+  if (!grains) {
+    if (impl_->matched == 0)
+      impl_->atoms.source().fail("holds no frame; expected ITEM: TIMESTEP");
+    return std::nullopt;
+  }
+  ++impl_->matched;
+  return packing(impl_->atoms, std::move(*grains), nullptr, nullptr);
+}
+
+std::size_t LammpsDump::skipped() const { return impl_->skipped; }
+
+const PackingFormat lammps_dump_format{
+    .name = "LAMMPS or LIGGGHTS dumps",
+    .told_by = "ITEM: lines of dump custom (grains) and dump local (contacts)",
+    .grains = "a LAMMPS dump of grains",
+    .contacts = "a LAMMPS dump of contacts",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next() || !source.line().starts_with("ITEM:"))
+        return std::nullopt;
+      source.hold();
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) {
+        if (source.line().starts_with("ITEM: NUMBER OF ATOMS"))
+          return Holds::grains;
+        if (source.line().starts_with("ITEM: NUMBER OF "))
+          return Holds::contacts;
+      }
+      source.fail("a dump without ITEM: NUMBER OF ATOMS or ENTRIES");
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return frames_of(LammpsDump(std::move(grains), std::move(contacts), options.columns));
+        }};
+
+} // namespace granum::io

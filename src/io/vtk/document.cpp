@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <memory>
+
+#include <expat.h>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+#include "io/text/row.hpp"
+
+namespace granum::io {
+
+namespace {
+
+using Attributes = std::map<std::string, std::string, std::less<>>;
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string value_of(const Attributes& attributes, std::string_view name, std::string otherwise = "") {
+  const auto found = attributes.find(name);
+  return found == attributes.end() ? std::move(otherwise) : found->second;
+}
+
+/// A count that an attribute states; nothing if it is none.
+std::optional<std::size_t> counted(const std::string& text) {
+  const auto number = parse_number(text);
+  if (!number || *number < 0 || *number > 9e15 ||
+      *number != static_cast<double>(static_cast<std::size_t>(*number)))
+    return std::nullopt;
+  return static_cast<std::size_t>(*number);
+}
+
+/// What stands in one of the sections that hold arrays of use.
+bool holds_arrays(std::string_view element) {
+  return element == "Points" || element == "PointData" || element == "CellData" || element == "Lines" ||
+         element == "FieldData";
+}
+
+template <class Number>
+double number_at(const char* bytes, bool big_endian) {
+  char own[sizeof(Number)];
+  std::memcpy(own, bytes, sizeof own);
+  if (big_endian == (std::endian::native == std::endian::little))
+    std::ranges::reverse(own);
+  Number number;
+  std::memcpy(&number, own, sizeof number);
+  return static_cast<double>(number);
+}
+
+/// A type of numbers that VTK packs.
+struct NumberType {
+  const char* name;
+  std::size_t size;
+  double (*read)(const char* bytes, bool big_endian);
+};
+
+template <class Number>
+constexpr NumberType number_type(const char* name) {
+  return {name, sizeof(Number), number_at<Number>};
+}
+
+constexpr NumberType number_types[] = {
+    number_type<double>("Float64"),     number_type<float>("Float32"),
+    number_type<std::int64_t>("Int64"), number_type<std::uint64_t>("UInt64"),
+    number_type<std::int32_t>("Int32"), number_type<std::uint32_t>("UInt32"),
+    number_type<std::int16_t>("Int16"), number_type<std::uint16_t>("UInt16"),
+    number_type<std::int8_t>("Int8"),   number_type<std::uint8_t>("UInt8")};
+
+bool white_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// YADE's points hold NaN in place of bodies that are gone.
+bool is_nan(std::string_view word) {
+  return word.size() <= 4 && (lower(std::string(word)) == "nan" || lower(std::string(word)) == "-nan");
+}
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && white_space(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && white_space(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+} // namespace
+
+/// Hands the elements that expat finds to the document.
+struct VtkDocument::Parser {
+  using Handle = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
+
+  VtkDocument* document;
+  Handle expat{XML_ParserCreate(nullptr), &XML_ParserFree};
+  std::vector<std::string> open; ///< elements around the place here
+  Array* array = nullptr;        ///< that is open
+  std::size_t array_depth = 0;
+  std::exception_ptr failure;
+  std::optional<std::size_t> appended_from; ///< byte of the file
+
+  explicit Parser(VtkDocument& owner) : document(&owner) {
+    if (!expat)
+      throw std::bad_alloc();
+    XML_SetUserData(expat.get(), this);
+    XML_SetElementHandler(expat.get(), on_begin, on_end);
+    XML_SetCharacterDataHandler(expat.get(), on_text);
+    XML_SetStartDoctypeDeclHandler(expat.get(), on_doctype);
+  }
+
+  [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(expat.get()); }
+
+  /// expat is C, through which no exception may pass.
+  template <class Action>
+  static void guard(void* self, Action action) {
+    auto& parser = *static_cast<Parser*>(self);
+    if (parser.failure || parser.appended_from)
+      return;
+    try {
+      action(parser);
+    } catch (...) {
+      parser.failure = std::current_exception();
+      XML_StopParser(parser.expat.get(), XML_FALSE);
+    }
+  }
+
+  static void on_begin(void* self, const char* element, const char** attributes) {
+    guard(self, [&](Parser& parser) { parser.begin(element, attributes); });
+  }
+  static void on_end(void* self, const char*) {
+    guard(self, [](Parser& parser) { parser.end(); });
+  }
+  static void on_text(void* self, const char* text, int length) {
+    guard(self, [&](Parser& parser) {
+      if (parser.array && parser.open.size() == parser.array_depth) {
+        if (parser.array->text.empty())
+          parser.array->line = parser.line();
+        parser.array->text.append(text, static_cast<std::size_t>(length));
+      }
+    });
+  }
+  static void on_doctype(void* self, const char*, const char*, const char*, int) {
+    guard(self, [](Parser& parser) {
+      parser.document->fail(parser.line(), "expected an element VTKFile, found a document type");
+    });
+  }
+
+  void begin(const std::string& element, const char** attribute) {
+    Attributes attributes;
+    for (; *attribute; attribute += 2)
+      attributes[attribute[0]] = attribute[1];
+    if (open.empty()) {
+      if (element != "VTKFile")
+        document->fail(line(), "expected an element VTKFile, found " + shown(element));
+      document->read_head(attributes, line());
+    } else if (element == "Piece") {
+      document->read_piece(attributes, line());
+    } else if (element == "DataArray" && holds_arrays(open.back()) && !array) {
+      array = document->read_array(open.back(), std::move(attributes), line());
+      array_depth = open.size() + 1;
+    } else if (element == "AppendedData") {
+      const std::string encoding = value_of(attributes, "encoding");
+      if (encoding != "base64" && encoding != "raw")
+        document->fail(line(),
+                       "expected the encoding base64 or raw of AppendedData, found " + shown(encoding));
+      document->appended_base64_ = encoding == "base64";
+      appended_from = static_cast<std::size_t>(XML_GetCurrentByteIndex(expat.get())) +
+                      static_cast<std::size_t>(XML_GetCurrentByteCount(expat.get()));
+      XML_StopParser(expat.get(), XML_FALSE); // what follows need not be XML
+      return;
+    }
+    open.push_back(element);
+  }
+
+  void end() {
+    if (array && open.size() == array_depth)
+      array = nullptr;
+    open.pop_back();
+  }
+
+  /// Takes the next bytes of the file; false once the elements have ended.
+  bool take(std::string_view bytes, bool last) {
+    const XML_Status status =
+        XML_Parse(expat.get(), bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0);
+    if (failure)
+      std::rethrow_exception(failure);
+    if (!appended_from && status == XML_STATUS_ERROR)
+      document->fail(line(), std::string("is no XML: ") + XML_ErrorString(XML_GetErrorCode(expat.get())));
+    return !appended_from;
+  }
+};
+
+VtkDocument::VtkDocument(TextSource source) : source_(std::move(source)) {
+  Parser parser(*this);
+  std::size_t before = 0; // bytes of the file
+  bool elements = true;
+  for (;;) {
+    constexpr std::size_t most = 1 << 20; // expat takes an int
+    std::string_view bytes = source_.next_bytes();
+    if (bytes.empty())
+      break;
+    for (; elements && !bytes.empty();) {
+      const std::string_view part = bytes.substr(0, most);
+      elements = parser.take(part, false);
+      const std::size_t taken = elements ? part.size() : *parser.appended_from - before;
+      bytes.remove_prefix(taken);
+      before += taken;
+    }
+    appended_ += bytes;
+  }
+  if (elements)
+    (void)parser.take({}, true);
+  const std::size_t mark = appended_.find('_');
+  appended_.erase(0, mark == std::string::npos ? appended_.size() : mark + 1);
+  if (!piece_)
+    fail(0, "expected an element Piece");
+}
+
+void VtkDocument::fail(std::size_t line, const std::string& what) const {
+  throw FileError(name(), line, what);
+}
+
+void VtkDocument::read_head(const Attributes& attributes, std::size_t line) {
+  type_ = value_of(attributes, "type");
+  encoding_.compressor = value_of(attributes, "compressor");
+  const std::string order = value_of(attributes, "byte_order", "LittleEndian");
+  if (order != "LittleEndian" && order != "BigEndian")
+    fail(line, "expected the byte_order LittleEndian or BigEndian, found " + shown(order));
+  encoding_.big_endian = order == "BigEndian";
+  const std::string header = value_of(attributes, "header_type", "UInt32");
+  if (header != "UInt32" && header != "UInt64")
+    fail(line, "expected the header_type UInt32 or UInt64, found " + shown(header));
+  encoding_.header_size = header == "UInt64" ? 8 : 4;
+}
+
+void VtkDocument::read_piece(const Attributes& attributes, std::size_t line) {
+  if (piece_)
+    fail(line, "expected one element Piece, found another: write the file in one piece");
+  piece_.emplace();
+  for (const auto& [name, value] : attributes) {
+    const auto count = counted(value);
+    if (!count && name.starts_with("NumberOf"))
+      fail(line, "expected a count as " + name + ", found " + shown(value));
+    if (count)
+      (*piece_)[name] = *count;
+  }
+}
+
+VtkDocument::Array* VtkDocument::read_array(const std::string& section, Attributes attributes,
+                                            std::size_t line) {
+  const std::string name = lower(value_of(attributes, "Name"));
+  Array& array = arrays_[{section, name}];
+  array = {std::move(attributes), {}, line};
+  return &array;
+}
+
+std::size_t VtkDocument::count(const std::string& what) const {
+  const auto found = piece_->find(what);
+  return found == piece_->end() ? 0 : found->second;
+}
+
+const VtkDocument::Array* VtkDocument::find(const std::string& section, const std::string& name) const {
+  const auto found = name.empty() ? arrays_.lower_bound({section, ""}) : arrays_.find({section, name});
+  return found != arrays_.end() && found->first.first == section ? &found->second : nullptr;
+}
+
+std::optional<VtkNumbers> VtkDocument::numbers(const std::string& section, const std::string& name,
+                                               std::size_t tuples, std::size_t components) const {
+  const Array* array = find(section, name);
+  if (!array)
+    return std::nullopt;
+  const std::string what = section + (name.empty() ? "" : ": " + name);
+  const auto found = counted(value_of(array->attributes, "NumberOfComponents", "1"));
+  if (found != components && section != "FieldData")
+    fail(array->line, "expected " + what + " of " + std::to_string(components) + " components, found " +
+                          shown(value_of(array->attributes, "NumberOfComponents", "1")));
+  VtkNumbers out{.values = {}, .line = array->line};
+  out.single_precision = value_of(array->attributes, "type") == "Float32";
+  const std::string format = value_of(array->attributes, "format", "ascii");
+  if (format == "ascii")
+    read_text(*array, what, tuples * components, out);
+  else if (format == "binary" || format == "appended")
+    read_packed(*array, what, tuples * components, out);
+  else
+    fail(array->line,
+         "expected the format ascii, binary or appended of " + what + ", found " + shown(format));
+  return out;
+}
+
+void VtkDocument::read_text(const Array& array, const std::string& what, std::size_t count,
+                            VtkNumbers& out) const {
+  const std::string_view text = array.text;
+  std::size_t line = array.line;
+  for (std::size_t at = 0; at < text.size();) {
+    if (white_space(text[at])) {
+      line += text[at++] == '\n' ? std::size_t{1} : 0;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const auto number = leading_number(word);
+    const bool none = is_nan(word);
+    if (!none && (!number || !number->rest.empty()))
+      fail(line, "expected a finite number in " + what + ", found " + shown(word));
+    if (out.values.size() == count)
+      fail(line, "expected " + std::to_string(count) + " numbers in " + what + ", found more");
+    out.values.push_back(none ? std::numeric_limits<double>::quiet_NaN() : number->value);
+    out.digits.see(word);
+    at = end;
+  }
+  if (out.values.size() != count)
+    fail(line, "expected " + std::to_string(count) + " numbers in " + what + ", found " +
+                   std::to_string(out.values.size()));
+}
+
+std::string VtkDocument::bytes(const Array& array, const std::string& what) const {
+  try {
+    if (value_of(array.attributes, "format") == "binary")
+      return unpacked(without_blanks(array.text), true, encoding_);
+    const auto offset = counted(value_of(array.attributes, "offset"));
+    if (!offset || *offset > appended_.size())
+      throw InvalidArgument("expected an offset within the appended data, found " +
+                            shown(value_of(array.attributes, "offset")));
+    return unpacked(std::string_view(appended_).substr(*offset), appended_base64_, encoding_);
+  } catch (const InvalidArgument& error) {
+    fail(array.line, what + ": " + error.what());
+  }
+}
+
+void VtkDocument::read_packed(const Array& array, const std::string& what, std::size_t count,
+                              VtkNumbers& out) const {
+  const std::string name = value_of(array.attributes, "type");
+  const auto* type = std::ranges::find_if(number_types, [&](const NumberType& t) { return t.name == name; });
+  if (type == std::end(number_types))
+    fail(array.line,
+         "expected numbers Float64, Float32, Int64 and so on in " + what + ", found " + shown(name));
+  const std::string packed = bytes(array, what);
+  if (packed.size() % type->size != 0 || packed.size() / type->size != count)
+    fail(array.line, "expected " + std::to_string(count) + " numbers of " + std::to_string(type->size) +
+                         " bytes in " + what + ", found " + std::to_string(packed.size()) + " bytes");
+  out.values.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    out.values.push_back(type->read(packed.data() + k * type->size, encoding_.big_endian));
+}
+
+} // namespace granum::io

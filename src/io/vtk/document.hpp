@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <granum/io/text/source.hpp>
+
+#include "encoding.hpp"
+#include "io/packing_builder.hpp"
+
+namespace granum::io {
+
+/// The numbers of one array, in their order.
+struct VtkNumbers {
+  std::vector<double> values;
+  std::size_t line = 0;          ///< of the file, where the array begins
+  bool single_precision = false; ///< Float32, whatever digits it is written with
+  DigitWatch digits = {};        ///< of arrays written as text
+  [[nodiscard]] Vec3 vector(std::size_t k) const {
+    return {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
+  }
+};
+
+/// The arrays of an XML file of VTK with one piece, as text, as base64 or behind the elements.
+class VtkDocument {
+ public:
+  /// \throws   FileError for what is no such file
+  explicit VtkDocument(TextSource source);
+
+  /// "UnstructuredGrid", "PolyData", ...
+  [[nodiscard]] const std::string& type() const { return type_; }
+  [[nodiscard]] const std::string& name() const { return source_.name(); }
+  /// NumberOfPoints, NumberOfLines, ...; 0 where the piece does not say.
+  [[nodiscard]] std::size_t count(const std::string& what) const;
+  /// The array of a name in "Points", "PointData", "CellData", "Lines" or "FieldData"; nothing if there is
+  /// none. Case does not matter in names; an empty name is that of any array.
+  /// \throws   FileError unless it is so many tuples of so many finite numbers, or NaN
+  [[nodiscard]] std::optional<VtkNumbers> numbers(const std::string& section, const std::string& name,
+                                                  std::size_t tuples, std::size_t components) const;
+  [[noreturn]] void fail(std::size_t line, const std::string& what) const;
+
+ private:
+  struct Parser;
+  using Attributes = std::map<std::string, std::string, std::less<>>;
+  struct Array {
+    Attributes attributes;
+    std::string text;
+    std::size_t line = 0;
+  };
+
+  void read_head(const Attributes& attributes, std::size_t line);
+  void read_piece(const Attributes& attributes, std::size_t line);
+  Array* read_array(const std::string& section, Attributes attributes, std::size_t line);
+  [[nodiscard]] const Array* find(const std::string& section, const std::string& name) const;
+  void read_text(const Array& array, const std::string& what, std::size_t count, VtkNumbers& out) const;
+  void read_packed(const Array& array, const std::string& what, std::size_t count, VtkNumbers& out) const;
+  [[nodiscard]] std::string bytes(const Array& array, const std::string& what) const;
+
+  TextSource source_;
+  std::string type_;
+  VtkEncoding encoding_;
+  std::optional<std::map<std::string, std::size_t>> piece_; ///< its numbers of points, lines and so on
+  std::map<std::pair<std::string, std::string>, Array> arrays_;
+  std::string appended_; ///< all that stands behind the elements, after the '_'
+  bool appended_base64_ = false;
+};
+
+} // namespace granum::io

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/vtk/paraview.hpp>
+
+#include <charconv>
+#include <numbers>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/plot/svg_text.hpp>
+
+namespace granum::io {
+
+namespace {
+
+/// One file of VTK's XML, piece by piece.
+class VtkText {
+ public:
+  explicit VtkText(const char* type) : type_(type) {
+    text_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + std::string(type) +
+            "\" version=\"1.0\" byte_order=\"LittleEndian\">\n<" + type_ + ">\n";
+  }
+
+  void open(const std::string& element) { text_ += '<' + element + ">\n"; }
+  void close(const char* element) { text_ += std::string("</") + element + ">\n"; }
+
+  /// An array of `count` tuples of `components` numbers; value(k) is the k-th number of all.
+  template <class Value>
+  void array(const char* type, std::string_view name, std::size_t count, std::size_t components,
+             Value value) {
+    text_ += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + plot::svg_escaped(name) +
+             "\" NumberOfComponents=\"" + std::to_string(components) + "\" NumberOfTuples=\"" +
+             std::to_string(count) + "\" format=\"ascii\">\n";
+    for (std::size_t k = 0; k < count * components; ++k) {
+      append(value(k));
+      text_ += (k + 1) % components == 0 ? '\n' : ' ';
+    }
+    text_ += "</DataArray>\n";
+  }
+
+  std::string finish() { return std::move(text_) + "</" + type_ + ">\n</VTKFile>\n"; }
+
+ private:
+  template <class Number>
+  void append(Number number) {
+    char buffer[64];
+    text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+  }
+
+  std::string type_;
+  std::string text_;
+};
+
+/// The k-th number of vectors in a row.
+double component(const Vec3& v, std::size_t k) { return v[static_cast<int>(k % 3)]; }
+
+void require_ids(const packing::Assembly& assembly, std::span<const long> id) {
+  require_valid(assembly);
+  if (!id.empty() && id.size() != assembly.grain_count())
+    throw InvalidArgument("id has " + std::to_string(id.size()) + " numbers for " +
+                          std::to_string(assembly.grain_count()) + " grains");
+}
+
+long id_of(std::span<const long> id, std::size_t grain) {
+  return id.empty() ? static_cast<long>(grain) : id[grain];
+}
+
+std::string counted(const char* name, std::size_t count) {
+  return std::string(name) + "=\"" + std::to_string(count) + '"';
+}
+
+void add_scalars(VtkText& text, const char* name, const std::vector<double>& values) {
+  text.array("Float64", name, values.size(), 1, [&](std::size_t k) { return values[k]; });
+}
+
+/// The three edges of the cell, one after the other, and the time.
+void add_field_data(VtkText& text, const Mat3& cell, std::optional<double> time) {
+  text.open("FieldData");
+  if (time)
+    text.array("Float64", "TimeValue", 1, 1, [&](std::size_t) { return *time; });
+  text.array("Float64", "cell", 1, 9,
+             [&](std::size_t k) { return cell(static_cast<int>(k % 3), static_cast<int>(k / 3)); });
+  text.close("FieldData");
+}
+
+void add_points(VtkText& text, const std::vector<Vec3>& points) {
+  text.open("Points");
+  text.array("Float64", "Points", points.size(), 3,
+             [&](std::size_t k) { return component(points[k / 3], k); });
+  text.close("Points");
+}
+
+/// Contacts and pressure of each grain.
+struct GrainLoads {
+  std::vector<long> contacts;
+  std::vector<double> pressure; ///< [Pa]
+};
+
+GrainLoads grain_loads(const packing::Assembly& assembly) {
+  const std::size_t count = assembly.grain_count();
+  GrainLoads loads{std::vector<long>(count), std::vector<double>(count)};
+  for (const packing::Contact& c : assembly.contacts)
+    for (const std::size_t grain : {c.i, c.j}) {
+      const double other = assembly.radius[c.i] + assembly.radius[c.j];
+      const double arm = norm(c.branch) * (assembly.radius[grain] / other); // to the contact point
+      ++loads.contacts[grain];
+      loads.pressure[grain] += c.normal_force * arm;
+    }
+  for (const packing::Contact& c : assembly.wall_contacts)
+    loads.pressure[c.i] += c.normal_force * norm(c.branch);
+  for (std::size_t g = 0; g < count; ++g)
+    loads.pressure[g] /= 4 * std::numbers::pi * assembly.radius[g] * assembly.radius[g] * assembly.radius[g];
+  return loads;
+}
+
+/// Whether the line from i to j meets another image of j than the one in the cell.
+bool through_face(const packing::Assembly& assembly, const packing::Contact& c) {
+  const Vec3 direct = assembly.position[c.j] - assembly.position[c.i];
+  return norm(direct - c.branch) > 0.5 * norm(c.branch);
+}
+
+} // namespace
+
+std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id,
+                       std::optional<double> time) {
+  require_ids(assembly, id);
+  const std::size_t count = assembly.grain_count();
+  const GrainLoads loads = grain_loads(assembly);
+  const auto rattler = mechanical_coordination(assembly, packing::ContactKind::frictional).rattler;
+
+  VtkText text("UnstructuredGrid");
+  add_field_data(text, assembly.cell, time);
+  text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfCells", count));
+  add_points(text, assembly.position);
+  text.open("PointData Scalars=\"radius\"");
+  add_scalars(text, "radius", assembly.radius);
+  text.array("Int64", "id", count, 1, [&](std::size_t k) { return id_of(id, k); });
+  text.array("Int64", "contacts", count, 1, [&](std::size_t k) { return loads.contacts[k]; });
+  text.array("UInt8", "rattler", count, 1, [&](std::size_t k) { return rattler[k] ? 1 : 0; });
+  add_scalars(text, "pressure", loads.pressure);
+  text.close("PointData");
+  text.open("Cells");
+  text.array("Int64", "connectivity", count, 1, [](std::size_t k) { return k; });
+  text.array("Int64", "offsets", count, 1, [](std::size_t k) { return k + 1; });
+  text.array("UInt8", "types", count, 1, [](std::size_t) { return 1; }); // a vertex
+  text.close("Cells");
+  text.close("Piece");
+  return text.finish();
+}
+
+std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id) {
+  require_ids(assembly, id);
+  const std::size_t between = assembly.contacts.size();
+  std::vector<packing::Contact> contacts = assembly.contacts;
+  contacts.insert(contacts.end(), assembly.wall_contacts.begin(), assembly.wall_contacts.end());
+  const std::size_t count = contacts.size();
+  std::vector<Vec3> ends;
+  for (const packing::Contact& c : contacts) {
+    ends.push_back(assembly.position[c.i]);
+    ends.push_back(assembly.position[c.i] + c.branch);
+  }
+
+  VtkText text("PolyData");
+  text.open("Piece " + counted("NumberOfPoints", 2 * count) + ' ' + counted("NumberOfLines", count));
+  add_points(text, ends);
+  text.open("CellData Scalars=\"normal_force\"");
+  text.array("Float64", "normal_force", count, 1, [&](std::size_t k) { return contacts[k].normal_force; });
+  text.array("Float64", "tangential_force", count, 3,
+             [&](std::size_t k) { return component(contacts[k / 3].tangential_force, k); });
+  text.array("Float64", "overlap", count, 1, [&](std::size_t k) { return contacts[k].overlap; });
+  text.array("UInt8", "sliding", count, 1, [&](std::size_t k) { return contacts[k].sliding ? 1 : 0; });
+  text.array("UInt8", "through_face", count, 1,
+             [&](std::size_t k) { return k < between && through_face(assembly, contacts[k]) ? 1 : 0; });
+  text.array("Int64", "grains", count, 2, [&](std::size_t k) {
+    const packing::Contact& c = contacts[k / 2];
+    return id_of(id, k % 2 == 0 || k / 2 >= between ? c.i : c.j);
+  });
+  text.array("Int64", "wall", count, 1,
+             [&](std::size_t k) { return k < between ? -1L : static_cast<long>(contacts[k].j); });
+  text.array("Float64", "normal_stiffness", count, 1,
+             [&](std::size_t k) { return contacts[k].normal_stiffness; });
+  text.array("Float64", "tangential_stiffness", count, 1,
+             [&](std::size_t k) { return contacts[k].tangential_stiffness; });
+  text.close("CellData");
+  text.open("Lines");
+  text.array("Int64", "connectivity", 2 * count, 1, [](std::size_t k) { return k; });
+  text.array("Int64", "offsets", count, 1, [](std::size_t k) { return 2 * (k + 1); });
+  text.close("Lines");
+  text.close("Piece");
+  return text.finish();
+}
+
+std::string path_vtp(std::span<const PathColumn> columns, std::size_t x, std::size_t y, std::size_t z) {
+  for (const std::size_t k : {x, y, z})
+    if (k >= columns.size())
+      throw InvalidArgument("coordinate " + std::to_string(k) + " is none of the " +
+                            std::to_string(columns.size()) + " columns");
+  const std::size_t count = columns[x].values.size();
+  for (const PathColumn& column : columns)
+    if (column.values.size() != count)
+      throw InvalidArgument("column '" + column.name + "' has " + std::to_string(column.values.size()) +
+                            " values where '" + columns[x].name + "' has " + std::to_string(count));
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < count; ++k)
+    points.push_back({columns[x].values[k], columns[y].values[k], columns[z].values[k]});
+
+  const std::size_t lines = count > 0 ? 1 : 0;
+  VtkText text("PolyData");
+  text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfLines", lines));
+  add_points(text, points);
+  text.open("PointData");
+  for (const PathColumn& column : columns)
+    add_scalars(text, column.name.c_str(), column.values);
+  text.close("PointData");
+  text.open("Lines");
+  text.array("Int64", "connectivity", count, 1, [](std::size_t k) { return k; });
+  text.array("Int64", "offsets", lines, 1, [&](std::size_t) { return count; });
+  text.close("Lines");
+  text.close("Piece");
+  return text.finish();
+}
+
+std::string pvd(std::span<const SeriesEntry> series) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+                     "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const SeriesEntry& entry : series)
+    text += "<DataSet timestep=\"" + exact_text(entry.time) + "\" part=\"0\" file=\"" +
+            plot::svg_escaped(entry.file) + "\"/>\n";
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+} // namespace granum::io

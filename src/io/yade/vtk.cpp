@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/yade/vtk.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <granum/io/packing_format.hpp>
+
+#include "io/packing_builder.hpp"
+#include "io/text/row.hpp"
+#include "io/vtk/centre_index.hpp"
+
+namespace granum::io {
+
+namespace {
+
+/// Numbers of one attribute, point by point or line by line.
+struct Attribute {
+  std::size_t components = 0;
+  std::vector<double> values;
+  [[nodiscard]] Vec3 vector(std::size_t k) const {
+    return {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
+  }
+};
+
+/// The parts of a legacy VTK file of data set POLYDATA that spheres and their contacts need.
+class LegacyVtk {
+ public:
+  explicit LegacyVtk(TextSource source) : source_(std::move(source)), row_(source_) { read(); }
+  LegacyVtk(const LegacyVtk&) = delete;
+  LegacyVtk& operator=(const LegacyVtk&) = delete;
+
+  [[nodiscard]] const TextSource& source() const { return source_; }
+  [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+  [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& lines() const { return lines_; }
+  [[nodiscard]] const DigitWatch& digits() const { return digits_; }
+  /// Line of the file on which point k, or line k, stands.
+  [[nodiscard]] std::size_t place_of_point(std::size_t k) const { return point_place_[k]; }
+  [[nodiscard]] std::size_t place_of_line(std::size_t k) const { return line_place_[k]; }
+  /// An attribute of so many values; none if it is not there.
+  [[nodiscard]] const Attribute* attribute(const std::string& name, std::size_t components) const {
+    const auto found = attributes_.find(name);
+    return found != attributes_.end() && found->second.components == components ? &found->second : nullptr;
+  }
+
+ private:
+  void read() {
+    if (!source_.next() || !source_.line().starts_with("# vtk DataFile"))
+      source_.fail("expected a first line '# vtk DataFile ...'");
+    if (!source_.next() || !source_.next() || source_.line() != "ASCII")
+      source_.fail("expected a third line 'ASCII'");
+    while (next_row())
+      section();
+    if (points_.empty())
+      source_.fail("the file ends; expected a section POINTS");
+  }
+
+  bool next_row() {
+    while (source_.next()) {
+      row_.split();
+      at_ = 0;
+      if (!row_.empty())
+        return true;
+    }
+    return false;
+  }
+
+  void section() {
+    const std::string name(row_[0]);
+    if (name == "DATASET") {
+      if (row_.size() < 2 || row_[1] != "POLYDATA")
+        source_.fail("expected DATASET POLYDATA");
+    } else if (name == "POINTS") {
+      read_points(row_.count(1, "points"));
+    } else if (name == "LINES") {
+      read_lines(row_.count(1, "lines"));
+    } else if (name == "POINT_DATA" || name == "CELL_DATA") {
+      size_ = row_.count(1, "values");
+      if (size_ != (name == "POINT_DATA" ? points_.size() : lines_.size()))
+        source_.fail("expected as many values as there are points or lines, found " + std::to_string(size_));
+    } else if (name == "VECTORS") {
+      read_attribute(3);
+    } else if (name == "TENSORS") {
+      read_attribute(9);
+    } else if (name == "SCALARS") {
+      const std::size_t components = row_.size() > 3 ? row_.count(3, "components") : 1;
+      if (components < 1 || components > 4)
+        source_.fail("expected 1 to 4 components, found " + std::to_string(components));
+      read_attribute(components);
+    } else {
+      source_.fail("expected a section of a VTK file, found " + shown(row_[0]));
+    }
+  }
+
+  /// The next number, on this line or a later one.
+  double number(const char* what) {
+    if (at_ == row_.size() && !next_row())
+      source_.fail(std::string("the file ends; expected ") + what);
+    return row_.number(at_++, what);
+  }
+  void require_line_end() const {
+    if (at_ != row_.size())
+      source_.fail("expected the line to end, found " + shown(row_[at_]));
+  }
+
+  void read_points(std::size_t count) {
+    at_ = row_.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      Vec3 point;
+      for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = number("coordinate");
+        digits_.see(row_[at_ - 1]);
+      }
+      points_.push_back(point);
+      point_place_.push_back(source_.line_number());
+    }
+    require_line_end();
+  }
+
+  void read_lines(std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!next_row())
+        source_.fail("the file ends; expected " + std::to_string(count) + " lines, found " +
+                     std::to_string(k));
+      row_.require_size(3, "integers: 2 and two points");
+      const std::array<std::size_t, 2> ends{row_.count(1, "point"), row_.count(2, "point")};
+      if (row_[0] != "2" || ends[0] >= points_.size() || ends[1] >= points_.size())
+        source_.fail("expected 2 and two numbers of points, found " + shown(source_.line()));
+      lines_.push_back(ends);
+      line_place_.push_back(source_.line_number());
+    }
+    at_ = row_.size();
+  }
+
+  void read_attribute(std::size_t components) {
+    if (row_.size() < 3)
+      source_.fail("expected the name and the type of an attribute");
+    const std::string name(row_[1]);
+    const bool scalars = row_[0] == "SCALARS";
+    if (scalars && (!next_row() || row_[0] != "LOOKUP_TABLE"))
+      source_.fail("expected LOOKUP_TABLE");
+    at_ = row_.size();
+    Attribute attribute;
+    attribute.components = components;
+    for (std::size_t k = 0; k < size_ * components; ++k)
+      attribute.values.push_back(number("value"));
+    require_line_end();
+    attributes_[name] = std::move(attribute);
+  }
+
+  TextSource source_;
+  TextRow row_;
+  std::size_t at_ = 0;   ///< next field of the row
+  std::size_t size_ = 0; ///< values of each attribute from here on
+  std::vector<Vec3> points_;
+  std::vector<std::size_t> point_place_;
+  std::vector<std::array<std::size_t, 2>> lines_;
+  std::vector<std::size_t> line_place_;
+  std::map<std::string, Attribute> attributes_;
+  DigitWatch digits_;
+};
+
+PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact_file) {
+  const Attribute* radius = spheres.attribute("radius", 1);
+  if (!radius || radius->values.size() != spheres.points().size())
+    spheres.source().fail("expected point data SCALARS radius, one for each point");
+  std::vector<GrainRow> rows;
+  for (std::size_t k = 0; k < spheres.points().size(); ++k)
+    rows.push_back({static_cast<long>(k), spheres.points()[k], radius->values[k], spheres.place_of_point(k)});
+  PackingBuilder builder(spheres.source().name(), contact_file);
+  builder.set_grains(std::move(rows));
+  builder.note_digits(spheres.digits(), "coordinates");
+  builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their points");
+  builder.note(Finding::boundary_unknown,
+               "a VTK file does not tell which faces are periodic: none is taken so");
+  builder.note(Finding::units_unknown, "a VTK file has no units: taken as SI");
+  builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
+  return builder;
+}
+
+} // namespace
+
+ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions) {
+  const LegacyVtk grains(std::move(spheres));
+  if (!interactions) {
+    PackingBuilder builder = grains_built(grains, "");
+    builder.note(Finding::contacts_unknown, "no file of interactions was given");
+    return builder.finish(0, std::nullopt);
+  }
+  const LegacyVtk pairs(std::move(*interactions));
+  PackingBuilder builder = grains_built(grains, pairs.source().name());
+  const Attribute *normal = pairs.attribute("fn", 3), *shear = pairs.attribute("ft", 3);
+  const std::size_t count = pairs.lines().size();
+  if ((normal && normal->values.size() != 3 * count) || (shear && shear->values.size() != 3 * count))
+    pairs.source().fail("expected fn and ft as cell data, one for each line");
+  builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
+  builder.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
+  if (!normal) {
+    builder.expect_no_forces();
+    builder.note(Finding::forces_unknown, "no vectors fn");
+  } else if (!shear) {
+    builder.note(Finding::tangential_unknown, "no vectors ft");
+  }
+  const CentreIndex centres(grains.points());
+  for (std::size_t k = 0; k < count; ++k) {
+    PairRow pair;
+    pair.line = pairs.place_of_line(k);
+    pair.a = centres.find(pairs.points()[pairs.lines()[k][0]], builder, pair.line);
+    pair.b = centres.find(pairs.points()[pairs.lines()[k][1]], builder, pair.line);
+    pair.branch = builder.straight(pair.a, pair.b);
+    const double length = norm(pair.branch);
+    if (length > 0) {
+      pair.overlap = builder.radius_sum(pair.a, pair.b) - length;
+      if (normal)
+        pair.normal_force = dot(normal->vector(k), (1 / length) * pair.branch);
+      if (normal && shear)
+        pair.tangential_force = shear->vector(k);
+    }
+    builder.add(pair);
+  }
+  return builder.finish(0, std::nullopt);
+}
+
+const PackingFormat yade_vtk_format{
+    .name = "YADE's VTK",
+    .told_by = "a first line # vtk DataFile, of export.VTKExporter",
+    .grains = "grains of YADE as VTK",
+    .contacts = "contacts of YADE as VTK",
+    .recognise = [](TextSource& source) -> std::optional<Holds> {
+      if (!source.next() || !source.line().starts_with("# vtk DataFile"))
+        return std::nullopt;
+      while (source.next())
+        if (source.line().starts_with("LINES"))
+          return Holds::contacts;
+      return Holds::grains;
+    },
+    .read =
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
+          return one_frame(read_yade_vtk(std::move(grains), std::move(contacts)));
+        }};
+
+} // namespace granum::io

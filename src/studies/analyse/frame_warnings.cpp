@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <granum/core/number.hpp>
+
+namespace granum::studies {
+
+namespace {
+
+using io::Finding;
+
+std::string percent(double share) { return short_text(100 * share, 3) + " %"; }
+
+/// What the reader found that ruins a comparison.
+void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+  for (const io::ImportNote& note : packing.notes)
+    switch (note.finding) {
+    case Finding::few_digits:
+    case Finding::duplicated:
+    case Finding::one_sided:
+    case Finding::cell_unknown:
+    case Finding::wall_contacts:
+      out.push_back(note.text);
+      break;
+    case Finding::walls_unknown:
+      out.push_back(note.text + ": stress, z* and the network lack them");
+      break;
+    default:
+      break;
+    }
+}
+
+/// A boundary that is no periodic one: nobody knows the volume that belongs to the grains.
+void judge_boundary(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+  const auto open = std::count(packing.periodic.begin(), packing.periodic.end(), false);
+  if (open > 0 && !packing.has(Finding::cell_unknown))
+    out.emplace_back(
+        "the box has faces that are not periodic: void ratio, stress and C_n are those of the whole "
+        "box with its boundary");
+}
+
+/// Grains with exactly one value of a coordinate, as walls glued of grains have.
+std::size_t largest_plane(const packing::Assembly& assembly, int axis) {
+  std::map<double, std::size_t> planes;
+  std::size_t largest = 0;
+  for (const Vec3& x : assembly.position)
+    largest = std::max(largest, ++planes[x[axis]]);
+  return largest;
+}
+
+/// Walls that stand among the grains: they count in N, and their contacts in N_c.
+void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+  constexpr double large = 10;       // times the median radius
+  constexpr std::size_t fewest = 16; // grains of a glued wall
+  constexpr double share_of_plane = 0.05;
+  const packing::Assembly& assembly = packing.assembly;
+  std::vector<double> radii = assembly.radius;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  for (std::size_t g = 0; g < assembly.grain_count(); ++g)
+    if (assembly.radius[g] > large * *middle) {
+      out.push_back("grain " + std::to_string(packing.id[g]) + " has " +
+                    short_text(assembly.radius[g] / *middle, 3) +
+                    " times the radius of the others: is it a wall that counts as a grain?");
+      break;
+    }
+  if (packing.has(Finding::few_digits))
+    return; // rounded coordinates coincide by chance
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t count = largest_plane(assembly, axis);
+    if (count >= fewest &&
+        static_cast<double>(count) >= share_of_plane * static_cast<double>(assembly.grain_count()))
+      out.push_back(std::to_string(count) + " grains have exactly the same " + "xyz"[axis] +
+                    ": a wall glued of grains, or a lattice? They count in C_n, fabric and stress");
+  }
+}
+
+void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out) {
+  constexpr double at_rest = 1e-3;
+  if (forces.distribution.in_tension > 0)
+    out.push_back(std::to_string(forces.distribution.in_tension) +
+                  " contacts are in tension: forces with viscous or cohesive parts");
+  if (forces.unbalance.force_ratio > at_rest)
+    out.push_back("the packing is not at rest: the mean force left on a grain is " +
+                  percent(forces.unbalance.force_ratio) + " of the mean contact force");
+}
+
+void judge_law(const analysis::LawCheck& check, bool few_digits, std::vector<std::string>& out) {
+  constexpr double scatter = 1e-2;
+  if (check.contacts == 0)
+    return;
+  if (few_digits) {
+    out.emplace_back("forces against overlaps say little: the overlaps are rounded");
+    return;
+  }
+  if (check.misfit_90 > scatter)
+    out.push_back(
+        "forces are no function of the overlap as the law has it: 10 % of the contacts are off by " +
+        percent(check.misfit_90) + " or more (viscous parts, another law, or a history)");
+  else if (std::abs(check.coefficient_ratio - 1) > scatter)
+    out.push_back("forces are " + short_text(check.coefficient_ratio) +
+                  " times those of the given law: the grains are of another material");
+}
+
+void judge_network(const network::Response::Report& report, std::vector<std::string>& out) {
+  if (report.status == network::Status::iteration_limit)
+    out.push_back("the network did not converge: residual " + short_text(report.residual, 2));
+  if (report.status == network::Status::not_positive_definite)
+    out.emplace_back("the network is unstable: it has no moduli");
+}
+
+} // namespace
+
+void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out) {
+  constexpr double doubt = 0.01;
+  if (fabric.density && fabric.density->chi_square.p_value < doubt)
+    out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
+                  short_text(fabric.density->chi_square.p_value, 2));
+  if (fabric.axisymmetry && fabric.axisymmetry->both.p_value < doubt)
+    out.push_back("the fabric is not symmetric about z, as the closed forms take it: p = " +
+                  short_text(fabric.axisymmetry->both.p_value, 2));
+}
+
+void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
+  std::vector<std::string>& out = frame.warnings;
+  const analysis::Measurement& measured = frame.packing;
+  const bool few_digits = packing.has(Finding::few_digits);
+  pass_on(packing, out);
+  judge_boundary(packing, out);
+  judge_grains(packing, out);
+  if (measured.fabric)
+    judge_fabric(*measured.fabric, out);
+  if (measured.forces)
+    judge_forces(*measured.forces, out);
+  if (measured.law_check)
+    judge_law(*measured.law_check, few_digits, out);
+  if (measured.network)
+    judge_network(measured.network->response.report(), out);
+}
+
+} // namespace granum::studies

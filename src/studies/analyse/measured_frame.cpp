@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/measured_frame.hpp"
+
+#include <cmath>
+
+#include "frame_warnings.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+/// Any vector of a length across a unit vector.
+Vec3 across(const Vec3& unit, double length) {
+  const Vec3 other = std::abs(unit.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 perpendicular = cross(unit, other);
+  return (length / norm(perpendicular)) * perpendicular;
+}
+
+/// The contacts of a table as if all were between the same two grains: for what asks for forces alone.
+packing::Assembly contacts_of(const io::ContactTable& table) {
+  packing::Assembly assembly{
+      .cell = Mat3::identity(), .position = {{}, {1, 0, 0}}, .radius = {1, 1}, .contacts = {}};
+  for (std::size_t k = 0; k < table.normal.size(); ++k) {
+    const Vec3& n = table.normal[k];
+    packing::Contact contact{.i = 0, .j = 1, .branch = n};
+    if (!table.force.empty()) {
+      contact.normal_force = dot(table.force[k], n);
+      contact.tangential_force = table.force[k] + -contact.normal_force * n;
+    } else if (!table.normal_force.empty()) {
+      contact.normal_force = table.normal_force[k];
+      if (!table.tangential_size.empty())
+        contact.tangential_force = across(n, table.tangential_size[k]);
+    }
+    assembly.contacts.push_back(contact);
+  }
+  return assembly;
+}
+
+} // namespace
+
+MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given,
+                            const analysis::Wanted& wanted) {
+  using io::Finding;
+  given.normal_forces = !packing.has(Finding::forces_unknown);
+  given.tangential_forces = !packing.has(Finding::tangential_unknown);
+  given.few_digits = packing.has(Finding::few_digits);
+  MeasuredFrame out{.step = packing.step,
+                    .time = packing.time,
+                    .packing = analysis::measure(packing.assembly, given, wanted)};
+  add_warnings(packing, out);
+  return out;
+}
+
+MeasuredFrame measure_frame(const io::ContactTable& table, analysis::Given given,
+                            const analysis::Wanted& wanted) {
+  MeasuredFrame out;
+  out.packing.counts.contacts = table.normal.size();
+  if (table.normal.size() >= 2) {
+    out.packing.fabric = analysis::measure_fabric(table.normal, wanted);
+    judge_fabric(*out.packing.fabric, out.warnings);
+  }
+  if (wanted.force_bins && (!table.force.empty() || !table.normal_force.empty())) {
+    given.tangential_forces = !table.force.empty() || !table.tangential_size.empty();
+    out.packing.forces = analysis::measure_forces(contacts_of(table), given, *wanted.force_bins);
+    out.packing.forces->unbalance = {};
+  }
+  out.packing.notes.emplace_back("contacts without grains: no C_n, no stress, no stiffness");
+  return out;
+}
+
+} // namespace granum::studies

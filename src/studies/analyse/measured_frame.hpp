@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/io/csv/packing.hpp>
+#include <granum/io/imported_packing.hpp>
+
+/// One frame of another code's output, measured: what `granum analyse` prints.
+/// Checked by tests/studies/test_measured_frame.cpp
+namespace granum::studies {
+
+struct MeasuredFrame {
+  long step = 0;
+  std::optional<double> time = {}; ///< [s]
+  analysis::Measurement packing = {};
+  std::vector<std::string> warnings = {}; ///< what ruins comparisons, a sentence each
+};
+
+/// Measures an imported packing.
+/// Assumes   axis 3 is vertical, the axis of symmetry of the closed forms.
+/// \param    given   what files do not hold and a user may know; what the reader found out about forces and
+///                   digits replaces what stands there
+/// \throws   InvalidArgument for values given or wanted that are out of their ranges
+[[nodiscard]] MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given = {},
+                                          const analysis::Wanted& wanted = analysis::everything());
+
+/// The same for a table of contacts without grains: directions, and forces where the table has them.
+/// \throws   InvalidArgument for values given or wanted that are out of their ranges
+[[nodiscard]] MeasuredFrame measure_frame(const io::ContactTable& table, analysis::Given given = {},
+                                          const analysis::Wanted& wanted = analysis::everything());
+
+} // namespace granum::studies

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/plan/plan.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <granum/core/check.hpp>
+#include <granum/dem/engine.hpp>
+
+namespace granum::studies {
+
+namespace {
+
+/// Steps of the first stage of loose specimens, where most of the network is built, for 1,000 grains.
+double loose_first_stage_steps(contact::Shape shape) {
+  switch (shape) {
+  case contact::Shape::cone:
+    return 5000;
+  case contact::Shape::sphere:
+    return 18000;
+  case contact::Shape::power_law:
+    return 12000;
+  case contact::Shape::flat:
+    break;
+  }
+  return 46000;
+}
+
+constexpr double dense_stage_steps = 500;
+constexpr double loose_stage_steps = 3000;
+constexpr double dense_probe_steps = 800; ///< of one of the three directions
+constexpr double loose_probe_steps = 2000;
+/// A step of the minimiser costs about half of one with friction.
+constexpr double preparation_steps = 12000;
+/// The network's solution, in steps of the engine.
+constexpr double network_steps = 200;
+
+double grains_and_waves(const Scene& scene) {
+  const double grains = static_cast<double>(scene.study.grains);
+  return grains * std::cbrt(grains / 1000);
+}
+
+bool probed(const Scene& scene, double pressure) {
+  return std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(), pressure) !=
+         scene.study.probe_pressures.end();
+}
+
+} // namespace
+
+/// A lattice of touching spheres, shaken.
+double measured_speed(const Scene& scene) {
+  require_valid(scene);
+  const triaxial::SpecimenRecipe specimen =
+      recipe(scene, scene.study.contacts.front(), scene.study.first_seed);
+  // 4 grains in a cubic cell
+  const int edges =
+      static_cast<int>(std::clamp(std::cbrt(static_cast<double>(scene.study.grains) / 4), 3.0, 14.0));
+  const double edge = std::sqrt(2.0) * 2 * specimen.radius * (1 - 1e-5);
+  dem::State state;
+  state.radius = specimen.radius;
+  state.cell = Mat3::diagonal(edges * edge, edges * edge, edges * edge);
+  for (int x = 0; x < edges; ++x)
+    for (int y = 0; y < edges; ++y)
+      for (int z = 0; z < edges; ++z)
+        for (const Vec3& site : {Vec3{0, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.5, 0, 0.5}, Vec3{0, 0.5, 0.5}})
+          state.position.push_back(edge * (site + Vec3{x + 0.25, y + 0.25, z + 0.25}));
+  dem::Engine engine(state, specimen.material);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  double elapsed = 0;
+  std::size_t steps = 0;
+  while (elapsed < 0.1) {
+    for (int k = 0; k < 20; ++k)
+      engine.step();
+    steps += 20;
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  // Twelve contacts a grain here, about five with the near misses in a disordered packing.
+  constexpr double contacts_share = 0.55;
+  return contacts_share * elapsed / (static_cast<double>(steps) * static_cast<double>(state.grain_count()));
+}
+
+double preparation_work(const Scene& scene) { return preparation_steps * grains_and_waves(scene); }
+
+double stage_work(const Scene& scene, triaxial::Density density, contact::Shape shape, std::size_t stage) {
+  const bool loose = density == triaxial::Density::loose;
+  double steps = network_steps + (loose ? loose_stage_steps : dense_stage_steps);
+  if (loose && stage == 0)
+    steps += loose_first_stage_steps(shape);
+  if (probed(scene, scene.study.pressures.at(stage)))
+    steps += 3 * (loose ? loose_probe_steps : dense_probe_steps);
+  return steps * grains_and_waves(scene);
+}
+
+double specimen_work(const Scene& scene, triaxial::Density density, contact::Shape shape) {
+  double work = 0;
+  for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage)
+    work += stage_work(scene, density, shape, stage);
+  return work;
+}
+
+double total_work(const Scene& scene) {
+  double work = 0;
+  for (const contact::Shape shape : scene.study.contacts) {
+    work += preparation_work(scene);
+    for (const triaxial::Density density : scene.study.densities)
+      work += specimen_work(scene, density, shape);
+  }
+  return work * static_cast<double>(scene.study.seeds);
+}
+
+Plan plan(const Scene& scene, double seconds_per_grain_step) {
+  require_valid(scene);
+  require_periodic_cell(scene);
+  require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
+  Plan out;
+  out.packings = scene.study.contacts.size() * scene.study.seeds;
+  out.specimens = out.packings * scene.study.densities.size();
+  out.network_solutions = out.specimens * scene.study.pressures.size();
+  const auto probed_stages = std::count_if(scene.study.pressures.begin(), scene.study.pressures.end(),
+                                           [&](double p) { return probed(scene, p); });
+  out.probes = 3 * out.specimens * static_cast<std::size_t>(probed_stages);
+  out.grain_steps = total_work(scene);
+  out.seconds_per_grain_step = seconds_per_grain_step;
+  const double side_by_side = static_cast<double>(std::min(thread_count(scene), out.packings));
+  out.seconds = out.grain_steps * out.seconds_per_grain_step / side_by_side;
+  // Bytes of a grain: the frictionless packing that waits, and engine with network for each that runs
+  // (measured).
+  constexpr double waiting = 200, running = 12e3, program = 20e6;
+  const double grains = static_cast<double>(scene.study.grains);
+  out.memory = program + grains * (waiting * static_cast<double>(out.packings) +
+                                   running * static_cast<double>(thread_count(scene)));
+  return out;
+}
+
+} // namespace granum::studies

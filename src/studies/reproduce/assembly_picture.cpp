@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/experiment_figures.hpp"
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/dem/neighbours.hpp>
+#include <granum/plot/svg_text.hpp>
+
+#include "figure_parts.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+constexpr double size = 520;  // of the picture's longer side
+constexpr double margin = 14; // around what is drawn
+constexpr int shades = 6;     // from the nearest grains to the farthest
+constexpr double hidden = 8;  // radii behind the seen faces
+constexpr double azimuth = 30 * std::numbers::pi / 180;
+constexpr double elevation = 22 * std::numbers::pi / 180;
+
+/// Parallel projection: x to the right, y up, depth towards who looks on.
+struct Seen {
+  double x = 0;
+  double y = 0;
+  double depth = 0;
+};
+
+Seen seen(const Vec3& p) {
+  const double along = p.x * std::cos(azimuth) + p.y * std::sin(azimuth); // towards the eye, level
+  const double across = p.y * std::cos(azimuth) - p.x * std::sin(azimuth);
+  return {across, p.z * std::cos(elevation) - along * std::sin(elevation),
+          along * std::cos(elevation) + p.z * std::sin(elevation)};
+}
+
+/// The frame of what is drawn, and its scale.
+class View {
+ public:
+  View(const Mat3& cell, double radius) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Seen s =
+          seen(cell * Vec3{(corner & 1) * 1.0, ((corner >> 1) & 1) * 1.0, ((corner >> 2) & 1) * 1.0});
+      left_ = std::min(left_, s.x - radius);
+      right_ = std::max(right_, s.x + radius);
+      low_ = std::min(low_, s.y - radius);
+      high_ = std::max(high_, s.y + radius);
+    }
+    scale_ = (size - 2 * margin) / std::max(right_ - left_, high_ - low_);
+  }
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] double width() const { return 2 * margin + (right_ - left_) * scale_; }
+  [[nodiscard]] double height() const { return 2 * margin + (high_ - low_) * scale_; }
+  [[nodiscard]] std::string x(const Seen& s) const {
+    return plot::svg_number(margin + (s.x - left_) * scale_);
+  }
+  [[nodiscard]] std::string y(const Seen& s) const {
+    return plot::svg_number(margin + (high_ - s.y) * scale_);
+  }
+
+ private:
+  double left_ = 0, right_ = 0, low_ = 0, high_ = 0; // the origin is a corner
+  double scale_ = 1;
+};
+
+std::string shade_name(int shade) { return "granum-grain-" + std::to_string(shade); }
+
+/// Fillings that are bright towards the upper left; far grains are darker.
+std::string gradients() {
+  std::string stops;
+  for (int shade = 0; shade < shades; ++shade) {
+    const double light = 1 - 0.55 * shade / (shades - 1);
+    const auto colour = [light](double red, double green, double blue) {
+      const auto part = [light](double value) { return std::to_string(std::lround(light * value)); };
+      return "rgb(" + part(red) + "," + part(green) + "," + part(blue) + ")";
+    };
+    stops += "<radialGradient id=\"" + shade_name(shade) + "\" cx=\"0.36\" cy=\"0.32\" r=\"0.72\">\n" +
+             plot::svg_element("stop", {{"offset", "0"}, {"stop-color", colour(255, 250, 238)}}) +
+             plot::svg_element("stop", {{"offset", "0.45"}, {"stop-color", colour(226, 196, 148)}}) +
+             plot::svg_element("stop", {{"offset", "1"}, {"stop-color", colour(112, 84, 52)}}) +
+             "</radialGradient>\n";
+  }
+  return "<defs>\n" + stops + "</defs>\n";
+}
+
+std::vector<Vec3> grains_in_cell(const dem::State& state) {
+  std::vector<Vec3> centres = state.position;
+  if (!state.walls)
+    dem::wrap(state.cell, centres);
+  return centres;
+}
+
+/// Farthest first.
+std::vector<Seen> drawn_grains(const dem::State& state) {
+  const Vec3 corner = state.cell * Vec3{1, 1, 1};
+  std::vector<Seen> out;
+  for (const Vec3& centre : grains_in_cell(state)) {
+    const Vec3 behind = corner - centre; // the faces at x, y and z of the far corner are seen
+    if (std::min({behind.x, behind.y, behind.z}) < hidden * state.radius)
+      out.push_back(seen(centre));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+  return out;
+}
+
+std::string edge(const View& view, const Vec3& from, const Vec3& to) {
+  const Seen a = seen(from), b = seen(to);
+  return plot::svg_element("line",
+                           {{"x1", view.x(a)}, {"y1", view.y(a)}, {"x2", view.x(b)}, {"y2", view.y(b)}});
+}
+
+/// The three edges that meet in the corner that is farthest from the eye, or the other nine.
+std::string edges(const View& view, const Mat3& cell, bool far) {
+  std::string out;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int other = 0; other < 4; ++other) {
+      Vec3 from;
+      from[(axis + 1) % 3] = other & 1;
+      from[(axis + 2) % 3] = other >> 1;
+      Vec3 to = from;
+      to[axis] = 1;
+      if ((other == 0) == far)
+        out += edge(view, cell * from, cell * to);
+    }
+  return plot::svg_group({{"stroke", far ? "#999999" : "#333333"}, {"stroke-width", far ? "0.8" : "1"}}, out);
+}
+
+} // namespace
+
+std::string assembly_svg(const dem::State& state) {
+  if (state.position.empty())
+    throw InvalidArgument("a picture of a specimen without grains was asked for");
+  const View view(state.cell, state.radius);
+  const std::string width = plot::svg_number(view.width()), height = plot::svg_number(view.height());
+  std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+      width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+  svg += plot::svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
+  svg += gradients() + edges(view, state.cell, true);
+  const std::vector<Seen> grains = drawn_grains(state);
+  if (grains.empty())
+    throw InvalidArgument("a picture was asked for of a specimen with no grain near the faces that are seen");
+  const double far = grains.front().depth, near = grains.back().depth;
+  const std::string radius = plot::svg_number(state.radius * view.scale());
+  std::string painted, same_shade;
+  int shade = shades - 1;
+  const auto finish_shade = [&] {
+    painted += plot::svg_group({{"fill", "url(#" + shade_name(shade) + ")"}}, same_shade);
+    same_shade.clear();
+  };
+  for (const Seen& grain : grains) {
+    const double behind = near > far ? (near - grain.depth) / (near - far) : 0;
+    const int own = std::min(shades - 1, static_cast<int>(behind * shades));
+    if (own != shade)
+      finish_shade();
+    shade = own;
+    same_shade += plot::svg_element("circle", {{"cx", view.x(grain)}, {"cy", view.y(grain)}, {"r", radius}});
+  }
+  finish_shade();
+  return svg + plot::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
+         edges(view, state.cell, false) + "</svg>\n";
+}
+
+std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
+  const ExperimentSpecimen* shown = nullptr;
+  for (const ExperimentSpecimen& specimen : experiment.specimens) {
+    const bool wanted =
+        specimen.contact == contact::Shape::sphere && specimen.density == triaxial::Density::dense;
+    if (specimen.end_of_iso.position.empty())
+      continue;
+    if (shown == nullptr || wanted)
+      shown = &specimen;
+    if (wanted)
+      break;
+  }
+  if (shown == nullptr)
+    return std::nullopt;
+  const dem::State& state = shown->end_of_iso;
+  const Kind kind{.contact = shown->contact, .density = shown->density, .specimen = shown};
+  const std::string edge_lengths = short_text(1e3 * state.cell(0, 0), 3) + " x " +
+                                   short_text(1e3 * state.cell(1, 1), 3) + " x " +
+                                   short_text(1e3 * state.cell(2, 2), 3) + " mm";
+  return AssemblyPicture{
+      .stem = "fig03_" + kind.key(),
+      .caption = "The specimen " + kind.title() +
+                 " at the end of isotropic compression: " + std::to_string(state.grain_count()) +
+                 " grains of " + short_text(2e3 * state.radius, 3) + " mm in " +
+                 (state.walls ? "a box of six rigid walls of " : "a periodic cell of ") + edge_lengths +
+                 (state.walls ? "." : "; grains that stick out at one face come in at the opposite one."),
+      .svg = assembly_svg(state)};
+}
+
+} // namespace granum::studies

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files that run_experiment leaves in its folder of checkpoints, told by their names.
+#include "studies/reproduce/experiment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/stress/shear_path.hpp>
+
+#include "path_run.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Takes the beginning off the text, if it begins so.
+bool skip(std::string_view& text, std::string_view beginning) {
+  if (text.substr(0, beginning.size()) != beginning)
+    return false;
+  text.remove_prefix(beginning.size());
+  return true;
+}
+
+/// "<number>-<what>", what being one of those given.
+bool is_numbered(std::string_view text, const std::vector<std::string>& what) {
+  const std::size_t dash = text.find('-');
+  return dash != std::string_view::npos && all_digits(text.substr(0, dash)) &&
+         std::find(what.begin(), what.end(), text.substr(dash + 1)) != what.end();
+}
+
+/// Of a piece of work: "sphere-1-packing", "sphere-dense-1-txc".
+bool is_piece(std::string_view stem) {
+  std::vector<std::string> paths{path_in_file_names(std::nullopt)};
+  for (const stress::ShearPath path : stress::all_shear_paths)
+    paths.push_back(path_in_file_names(path));
+  for (const contact::Shape shape :
+       {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat, contact::Shape::power_law}) {
+    std::string_view rest = stem;
+    if (!skip(rest, std::string(name(shape)) + "-"))
+      continue;
+    if (is_numbered(rest, {"packing"}))
+      return true;
+    for (const triaxial::Density density : {triaxial::Density::dense, triaxial::Density::loose}) {
+      std::string_view of_density = rest;
+      if (skip(of_density, std::string(name(density)) + "-") && is_numbered(of_density, paths))
+        return true;
+    }
+  }
+  return false;
+}
+
+/// A checkpoint, or what a writer that was killed left of one: "<piece>.checkpoint.granum.part".
+bool is_checkpoint(std::string_view file) {
+  constexpr std::string_view ending = ".checkpoint";
+  const std::size_t at = file.find(ending);
+  if (at == std::string_view::npos || !is_piece(file.substr(0, at)))
+    return false;
+  const std::string_view rest = file.substr(at + ending.size());
+  return rest.empty() || rest == io::part_ending;
+}
+
+} // namespace
+
+void remove_checkpoints(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (is_checkpoint(entry.path().filename().string()) && !entry.is_directory(error))
+      files.push_back(entry.path());
+  for (const fs::path& file : files)
+    if (!fs::remove(file, error) && error)
+      throw FileError(file.string(), 0, "cannot be removed: " + error.message());
+}
+
+} // namespace granum::studies

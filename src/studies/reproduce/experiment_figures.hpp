@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/experiment.hpp"
+#include <granum/plot/chart.hpp>
+
+/// The paper's figures, drawn from an experiment: lines and markers of the first seed, tables of all seeds.
+/// Checked by tests/studies/test_experiment_figures.cpp
+namespace granum::studies {
+
+/// One chart, and how its numbers are called in a CSV file.
+struct Panel {
+  std::string stem; ///< of its files: "fig09_cone_dense_G_hv_p"
+  plot::Chart chart;
+  std::string x_heading; ///< with the unit of the chart's numbers: "p_Pa"
+  std::string y_heading;
+  std::vector<std::string> keys; ///< one for each series, which the names of its columns begin with
+};
+
+struct Figure {
+  std::string name; ///< "Fig. 9"; "Beyond the paper" for what the paper does not have
+  std::string title;
+  std::string caption; ///< in plain words
+  std::vector<Panel> panels;
+};
+
+/// All figures but the assembly, in the paper's order: 4 (paths), 6 to 8 (stress ratio, volumetric strain,
+/// cycles of shear),
+/// 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19 (microstructure), and the
+/// relaxation of all frozen states. What has no data is left out: a panel without series, a figure without
+/// panels. Numbers are in SI, as the headings say.                                            [Chung2014]
+[[nodiscard]] std::vector<Figure> experiment_figures(const Experiment& experiment);
+
+/// The numbers of a panel, two or three columns (x, y, error of y) for each series.
+[[nodiscard]] std::string panel_csv(const Panel& panel);
+
+/// gnuplot script that redraws a panel from <stem>.csv beside it, into <stem>_gnuplot.svg.
+[[nodiscard]] std::string panel_script(const Panel& panel);
+
+/// Fig. 3: a specimen at the end of isotropic compression.
+struct AssemblyPicture {
+  std::string stem; ///< "fig03_sphere_dense"
+  std::string caption;
+  std::string svg;
+};
+
+/// The first dense specimen of spheres, or else the first specimen that was compressed.
+/// \return   nothing if there is none
+[[nodiscard]] std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment);
+
+/// The grains of a state seen from above and aside, nearest in front, and the edges of its cell. Grains that
+/// lie deeper than four diameters behind the faces that are seen are left out, as others hide them.
+/// \param    state   with grains; those of a periodic cell are moved into it
+/// \throws   InvalidArgument for a state without grains
+[[nodiscard]] std::string assembly_svg(const dem::State& state);
+
+} // namespace granum::studies

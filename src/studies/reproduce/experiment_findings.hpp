@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/experiment.hpp"
+#include "studies/verify/findings.hpp"
+
+/// The paper's tables and claims, measured on an experiment and set beside the printed ones.
+/// Checked by tests/studies/test_experiment_findings.cpp
+namespace granum::studies {
+
+/// A measured number, with its standard error where there is one: the larger of the scatter between seeds and
+/// the mean error of each, over the root of the number of seeds.
+struct TableValue {
+  double value = 0;
+  std::optional<double> standard_error;
+};
+
+/// One cell of a table, ours beside the paper's.
+struct Cell {
+  std::string quantity; ///< "C_n", "e", "friction angle TXC [deg]", "s of G_hv", ...
+  TableValue ours;
+  std::optional<double> printed;
+  std::optional<double> reach; ///< |ours - printed| that is asked for
+
+  /// Whether ours is within reach of what is printed; true where nothing is asked.
+  [[nodiscard]] bool holds() const;
+};
+
+/// The cells of one specimen, over all its seeds.
+struct TableRow {
+  contact::Shape contact = contact::Shape::sphere;
+  triaxial::Density density = triaxial::Density::dense;
+  std::vector<Cell> cells;
+};
+
+/// C_n of all grains and e at the first pressure, e between walls two diameters inside. The error of C_n of
+/// one specimen is that of the mean number of contacts of a grain.
+[[nodiscard]] std::vector<TableRow> table_2(const Experiment& experiment);
+
+/// Friction angles mobilised at the peak of each path [deg].
+[[nodiscard]] std::vector<TableRow> table_4(const Experiment& experiment);
+
+/// Eq. (1) with f(e) = (2.17 - e)^2/(1 + e), fitted as in the paper (unweighted residuals of G) to the
+/// network moduli of isotropic compression and of all paths for |eta| <= 0.6: s of G_hh; m, n, s and C of
+/// G_hv, C with p_a = 100 kPa. G_vh is the same number as G_hv in a network, with m and n exchanged.
+[[nodiscard]] std::vector<TableRow> table_5(const Experiment& experiment);
+
+/// The same exponents from the cyclic shear of the probed states, where at least 4 were probed, and that of
+/// sigma_v in G_hh ~ sigma_h^m sigma_v^n.
+[[nodiscard]] std::vector<TableRow> further_exponents(const Experiment& experiment);
+
+/// What the experiment says of each claim of the paper for which it has the data.
+[[nodiscard]] std::vector<Verdict> experiment_verdicts(const Experiment& experiment);
+
+} // namespace granum::studies

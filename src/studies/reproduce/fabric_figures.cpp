@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include <granum/fabric/orientation.hpp>
+
+#include "figure_parts.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Two bins of the histogram in one, so that few contacts fall in none but the first.
+constexpr std::size_t merged = 2;
+constexpr std::size_t directions = polar_bins / merged;
+
+/// Contacts per solid angle with errors sqrt(n), over polar angle.
+plot::Series histogram(const StateRecord& point) {
+  plot::Series out{.name = {}, .mark = plot::Mark::marker, .x = {}, .y = {}};
+  constexpr double width = pi / 2 / static_cast<double>(directions);
+  for (std::size_t k = 0; k < directions; ++k) {
+    double count = 0;
+    for (std::size_t j = 0; j < merged; ++j)
+      count += point.polar_counts[k * merged + j];
+    const double low = static_cast<double>(k) * width;
+    // Both senses of a normal count: two bands of the sphere.
+    const double band = 4 * pi * (std::cos(low) - std::cos(low + width));
+    const double scale = 1 / (point.contacts * band);
+    out.x.push_back(low + width / 2);
+    out.y.push_back(count * scale);
+    out.y_error.push_back(std::sqrt(count) * scale);
+  }
+  return out;
+}
+
+/// E(gamma; a) with a of the same contacts; empty where a is beyond what E can describe.
+plot::Series fitted(const StateRecord& point) {
+  constexpr int steps = 60;
+  plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}};
+  const double a = fabric::anisotropy_from_F33(point.fabric(2, 2));
+  if (!(std::abs(a) <= 1))
+    return out;
+  for (int k = 0; k <= steps; ++k) {
+    out.x.push_back(pi / 2 * k / steps);
+    out.y.push_back(fabric::density(out.x.back(), a));
+  }
+  return out;
+}
+
+/// The last frozen state before eta falls, or the last of isotropic compression.
+const StateRecord* last_up_to_peak(const PathRun& run) {
+  const std::vector<const StateRecord*> points = up_to_peak(run);
+  return points.empty() ? nullptr : points.back();
+}
+
+Panel direction_panel(const Kind& kind) {
+  Panel out = panel("fig16_" + kind.key(), kind.title(),
+                    {"gamma_rad", {.title = "\u03b3 from the vertical [deg]", .unit = pi / 180}},
+                    {"E_per_sr", {.title = "E(\u03b3) [1/sr]"}});
+  for (const PathRun& run : kind.specimen->runs) {
+    const bool drawn =
+        !run.path || *run.path == stress::ShearPath::txc || *run.path == stress::ShearPath::rtxe;
+    const StateRecord* point = drawn ? last_up_to_peak(run) : nullptr;
+    if (point == nullptr || point->contacts == 0)
+      continue;
+    const std::string path(name(run.path));
+    plot::Series bars = histogram(*point), line = fitted(*point);
+    bars.style = line.style = style_of(run.path);
+    bars.name = run.path ? path + " near its peak" : "isotropic";
+    add(out, std::move(line), path + " fitted");
+    add(out, std::move(bars), path + " counted");
+  }
+  return out;
+}
+
+/// Error bars on every fifth point only, of paths that lie upon each other on different ones.
+constexpr std::size_t bar_stride = 5;
+std::size_t first_bar(const PathRun& run) { return 1 + 2 * (style_of(run.path) % 2); }
+
+using ErrorOf = std::optional<double> (*)(const StateRecord&);
+
+Panel microstructure_panel(const Kind& kind, const std::string& stem, const std::string& title,
+                           const Quantity& y, const Coordinate& of, ErrorOf error) {
+  Panel out =
+      panel(stem + "_" + kind.key() + "_" + y.heading, title + ": " + kind.title(), stress_ratio(), y);
+  for (const PathRun& run : kind.specimen->runs) {
+    if (!run.path)
+      continue;
+    const std::string path(name(run.path));
+    plot::Series past = series_of(run, past_peak(run), eta_of, of);
+    past.mark = plot::Mark::marker;
+    past.tone = plot::Tone::faint;
+    past.name = "";
+    add(out, std::move(past), path + " past the peak");
+    const std::vector<const StateRecord*> points = from_start(*kind.specimen, run);
+    plot::Series line = series_of(run, points, eta_of, of);
+    for (std::size_t k = 0; error != nullptr && k < points.size(); ++k)
+      line.y_error.push_back(k % bar_stride == first_bar(run) ? error(*points[k]).value_or(0) : 0);
+    line.mark = plot::Mark::line;
+    add(out, std::move(line), path);
+  }
+  return out;
+}
+
+std::optional<double> coordination(const StateRecord& p) { return p.micro.coordination_number; }
+std::optional<double> coordination_error(const StateRecord& p) { return p.coordination_error; }
+std::optional<double> mechanical(const StateRecord& p) { return p.micro.mechanical_coordination_number; }
+std::optional<double> anisotropy(const StateRecord& p) { return p.micro.fabric_anisotropy; }
+std::optional<double> anisotropy_error(const StateRecord& p) { return p.micro.fabric_anisotropy_error; }
+
+} // namespace
+
+void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment) {
+  Figure out{
+      .name = "Fig. 16",
+      .title = "Directions of the contacts",
+      .caption =
+          "Contact normals per solid angle, counted in " + std::to_string(directions) +
+          " bins of the angle from the vertical, with \u221an as error, and the density E(\u03b3; a) = 3(1 "
+          "+ a cos 2\u03b3)/(4\u03c0(3 - a)) with the a of the same contacts. Isotropic contacts have "
+          "1/(4\u03c0) = 0.080 everywhere." +
+          seeds_note(experiment),
+      .panels = {}};
+  for (const Kind& kind : kinds(experiment))
+    add(out, direction_panel(kind));
+  to.push_back(std::move(out));
+}
+
+void add_microstructure_figures(std::vector<Figure>& to, const Experiment& experiment) {
+  int number = 17;
+  const std::vector<Kind> all = kinds(experiment);
+  for (const contact::Shape contact :
+       {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat, contact::Shape::power_law}) {
+    const bool printed = contact != contact::Shape::power_law;
+    const std::string stem = printed ? "fig" + std::to_string(number) : "more";
+    Figure out{
+        .name = printed ? "Fig. " + std::to_string(number) : "Beyond the paper",
+        .title = "Contacts and their directions: " + std::string(name(contact)),
+        .caption =
+            "C_n is the mean number of contacts of a grain, z* that of the grains that bear load, a the "
+            "anisotropy of the contacts' directions (positive: more near the vertical). Lines up to the "
+            "peak, small dots past it; error bars on every fifth state: the scatter of the grains' "
+            "numbers of contacts, and that of directions drawn independently." +
+            seeds_note(experiment),
+        .panels = {}};
+    for (const Kind& kind : all)
+      if (kind.contact == contact)
+        add(out, microstructure_panel(kind, stem, "C_n", {"C_n", {.title = "C_n"}}, coordination,
+                                      coordination_error));
+    for (const Kind& kind : all)
+      if (kind.contact == contact)
+        add(out, microstructure_panel(kind, stem, "z*", {"z_star", {.title = "z*"}}, mechanical, nullptr));
+    for (const Kind& kind : all)
+      if (kind.contact == contact)
+        add(out, microstructure_panel(kind, stem, "a", {"a", {.title = "a"}}, anisotropy, anisotropy_error));
+    to.push_back(std::move(out));
+    ++number;
+  }
+}
+
+} // namespace granum::studies

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/elastic/projection.hpp>
+
+#include "figure_parts.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+/// G of the isotropic material that is nearest; nothing for a network that does not resist.
+std::optional<double> isotropic_G(const elastic::VoigtStiffness& stiffness) {
+  try {
+    return elastic::isotropic_projection(stiffness).shear_modulus();
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<double> network_over_uniform_strain(const StateRecord& point) {
+  if (!point.closed)
+    return std::nullopt;
+  elastic::VoigtStiffness relaxed;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      relaxed.matrix(i, j) = point.network[static_cast<std::size_t>(6 * i + j)];
+  const std::optional<double> network = isotropic_G(relaxed);
+  const std::optional<double> uniform = isotropic_G(voigt(point.closed->uniform_strain));
+  return network && uniform ? std::optional(*network / *uniform) : std::nullopt;
+}
+
+/// All states of all seeds of a contact and density.
+plot::Series states(const Experiment& experiment, const Kind& kind) {
+  plot::Series out{.name = kind.title(), .mark = plot::Mark::marker, .x = {}, .y = {}};
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    if (specimen.contact == kind.contact && specimen.density == kind.density)
+      for (const PathRun& run : specimen.runs)
+        for (const StateRecord& point : run.points)
+          if (const std::optional<double> ratio = network_over_uniform_strain(point)) {
+            out.x.push_back(point.micro.mechanical_coordination_number);
+            out.y.push_back(*ratio);
+          }
+  return out;
+}
+
+/// The closed form's factor over the range of z* that the states have.
+plot::Series closed_form(const Scene& scene, contact::Shape contact, double low, double high) {
+  constexpr int steps = 80;
+  const dem::Material material = recipe(scene, contact, scene.study.first_seed).material;
+  plot::Series out{
+      .name = "closed form, " + std::string(name(contact)), .mark = plot::Mark::line, .x = {}, .y = {}};
+  for (int k = 0; k <= steps; ++k) {
+    const double z = low + (high - low) * k / steps;
+    out.x.push_back(z);
+    out.y.push_back(
+        effective::relaxation(z, material.tangential_ratio, material.law.stiffness_exponent()).shear.value);
+  }
+  return out;
+}
+
+} // namespace
+
+void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment) {
+  Panel all = panel("more_relaxation", "All frozen states",
+                    {"z_star", {.title = "z* (contacts of a grain, rattlers left out)"}},
+                    {"G_over_G_uniform_strain", {.title = "G of the network / G under uniform strain"}});
+  all.chart.width = 520;
+  all.chart.height = 380;
+  std::vector<double> found;
+  std::size_t style = 0;
+  for (const Kind& kind : kinds(experiment)) {
+    plot::Series series = states(experiment, kind);
+    found.insert(found.end(), series.x.begin(), series.x.end());
+    series.style = style++;
+    series.tone = plot::Tone::faint;
+    add(all, std::move(series), kind.key());
+  }
+  if (found.empty())
+    return;
+  const auto [low, high] = std::minmax_element(found.begin(), found.end());
+  style = 0;
+  for (const contact::Shape contact : experiment.scene.study.contacts) {
+    plot::Series line = closed_form(experiment.scene, contact, *low, *high);
+    line.tone = plot::Tone::grey;
+    line.style = style++;
+    add(all, std::move(line), "closed form " + std::string(name(contact)));
+  }
+  Figure figure{
+      .name = "Beyond the paper",
+      .title = "How much softer than uniform strain",
+      .caption =
+          "The shear modulus of the network over that of uniform strain in closed form, isotropic parts "
+          "of both, for every frozen state of every path and seed, past the peak as well. The number of "
+          "contacts of the grains that bear load decides nearly alone. Lines: the closed form that was "
+          "calibrated on other specimens (validation/relaxation).",
+      .panels = {}};
+  add(figure, std::move(all));
+  to.push_back(std::move(figure));
+}
+
+} // namespace granum::studies

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/experiment.hpp"
+#include <granum/core/stop_request.hpp>
+#include <granum/dem/state.hpp>
+#include <granum/triaxial/shear_test.hpp>
+
+namespace granum::studies {
+
+/// Brings a copy of the state to rest at fixed cell, measures it, and records what the experiment wants.
+/// \param    at       where on its path the state was taken
+/// \param    probed   whether to shear it by DEM as well
+/// \param    notes    takes one more where probes did not come to rest: the state then goes without them
+/// \throws   NotConverged if it does not come to rest, or its network is not solved; Stopped if so
+///           asked
+[[nodiscard]] StateRecord state_record(const dem::State& state, const dem::Material& material,
+                                       const triaxial::PathPoint& at, bool probed,
+                                       std::vector<std::string>& notes, const StopRequest& stop_requested);
+
+} // namespace granum::studies

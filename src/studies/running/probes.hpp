@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "studies/reproduce/experiment.hpp"
+#include <granum/analysis/measure.hpp>
+#include <granum/core/stop_request.hpp>
+#include <granum/dem/state.hpp>
+
+/// What studies ask of a specimen of granum's own.
+namespace granum::studies {
+
+/// What the contacts of a specimen do not hold themselves: their law, and its void ratio.
+[[nodiscard]] analysis::Given known_of(const dem::State& state, const dem::Material& material);
+
+/// Shear moduli of a frozen state by DEM.
+/// \throws   NotConverged if a probe does not come to rest; Stopped if so asked
+[[nodiscard]] Probes run_probes(const dem::State& state, const dem::Material& material,
+                                const StopRequest& stop_requested);
+
+/// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest:
+/// the loop is drawn as it is.
+/// \throws   Stopped if so asked
+[[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
+                                   double amplitude, const StopRequest& stop_requested);
+
+} // namespace granum::studies

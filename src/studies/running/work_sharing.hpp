@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "studies/verify/study.hpp"
+#include <granum/core/stop_request.hpp>
+
+/// How studies share work among threads and tell how far they are.
+namespace granum::studies {
+
+/// Adds up the predicted work of the finished pieces and reports its share of the whole.
+class Meter {
+ public:
+  Meter(const RunControl& control, double total) : control_(control), total_(total) {}
+
+  void add(double work, const std::string& what);
+  /// Work that an earlier run of the same study has done: it tells nothing of the speed of this one.
+  void found(double work, const std::string& what);
+  /// Asks all pieces to stop, as the caller's own wish does.
+  void stop_all() { all_stopped_ = true; }
+  [[nodiscard]] bool stopped() const {
+    return all_stopped_ || (control_.stop != nullptr && control_.stop->load());
+  }
+  /// For the loops of a piece of work, which the meter outlives.
+  [[nodiscard]] StopRequest stop_request() const {
+    return [this] { return stopped(); };
+  }
+
+ private:
+  const RunControl& control_;
+  double total_;
+  void report(const std::string& what) const;
+
+  double done_ = 0;
+  double found_ = 0;
+  std::atomic<bool> all_stopped_ = false;
+  std::mutex mutex_;
+};
+
+/// Calls work(0) .. work(count - 1), each once, on several threads. After the first error no more
+/// work is begun; when all threads are through, that error is thrown.
+void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work);
+
+} // namespace granum::studies

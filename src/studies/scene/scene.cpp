@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/scene/scene.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <thread>
+
+#include "studies/scene/scene_keys.hpp"
+#include <granum/contact/friction.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+#include <granum/triaxial/shear_test.hpp>
+
+namespace granum::studies {
+
+std::string_view name(triaxial::Density density) {
+  return density == triaxial::Density::dense ? "dense" : "loose";
+}
+
+std::size_t thread_count(const Scene& scene) {
+  return scene.study.threads > 0 ? scene.study.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+double tangential_ratio(const Scene& scene) {
+  return scene.contact.tangential_ratio ? contact::given_stiffness_ratio(*scene.contact.tangential_ratio)
+                                        : contact::mindlin_stiffness_ratio(scene.grain.poisson_ratio);
+}
+
+contact::PowerLaw law(const Scene& scene, contact::Shape shape) {
+  return contact::law_of(shape, {scene.grain.shear_modulus, scene.grain.poisson_ratio},
+                         {.radius = scene.grain.radius,
+                          .cone_slope = scene.contact.cone_slope,
+                          .punch_radius = scene.contact.punch_radius,
+                          .alpha = scene.contact.alpha,
+                          .profile_constant = scene.contact.profile_constant});
+}
+
+triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::uint64_t seed) {
+  return {.material = {.law = law(scene, shape),
+                       .tangential_ratio = tangential_ratio(scene),
+                       .friction_coefficient =
+                           contact::Friction::from_angle(scene.grain.friction_angle).coefficient(),
+                       .density = scene.grain.density},
+          .radius = scene.grain.radius,
+          .grains = scene.study.grains,
+          .seed = seed,
+          .wall_friction = scene.specimen.walls ? std::optional(scene.specimen.wall_friction) : std::nullopt,
+          .expansion_void_ratio = scene.specimen.expansion_void_ratio,
+          .first_pressure = scene.study.pressures.front(),
+          .unjamming_strain = scene.specimen.unjamming_strain,
+          .agitation = scene.specimen.agitation};
+}
+
+double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure) {
+  constexpr double void_ratio = 0.558, coordination_number = 5.73;
+  const double radius = scene.grain.radius;
+  const double force =
+      4 * std::numbers::pi * radius * radius * (1 + void_ratio) * pressure / coordination_number;
+  return law(scene, shape).overlap(force) / (2 * radius);
+}
+
+namespace {
+
+template <class Kind>
+std::string_view name_of(const Kind& kind) {
+  return name(kind);
+}
+
+/// One kind of specimen twice would enter the mean over the seeds twice.
+template <class Kind>
+void require_distinct(const std::string& list, const std::vector<Kind>& kinds) {
+  for (auto kind = kinds.begin(); kind != kinds.end(); ++kind)
+    if (std::find(kinds.begin(), kind, *kind) != kind)
+      throw InvalidArgument(list + ": " + std::string(name_of(*kind)) + " is given twice");
+}
+
+void require_lists(const StudySection& study) {
+  constexpr std::size_t most_pressures = 1000; // each is a state that is kept
+  const std::vector<double>& pressures = study.pressures;
+  if (pressures.size() < 3)
+    throw InvalidArgument("study.pressures: at least 3 are needed to fit an exponent, " +
+                          std::to_string(pressures.size()) + " given");
+  if (pressures.size() > most_pressures)
+    throw InvalidArgument("study.pressures: " + std::to_string(pressures.size()) + " are more than " +
+                          std::to_string(most_pressures));
+  for (std::size_t k = 1; k < pressures.size(); ++k)
+    if (!(pressures[k] > pressures[k - 1]))
+      throw InvalidArgument("study.pressures must rise: " + short_text(pressures[k], 6) + " Pa follows " +
+                            short_text(pressures[k - 1], 6) + " Pa");
+  for (const double pressure : study.probe_pressures)
+    if (std::find(pressures.begin(), pressures.end(), pressure) == pressures.end())
+      throw InvalidArgument("study.probe_pressures", pressure, "Pa", "study.pressures, the list of them");
+  if (study.contacts.empty() || study.densities.empty())
+    throw InvalidArgument("study.contacts and study.densities: at least one of each is needed");
+  require_distinct("study.contacts", study.contacts);
+  require_distinct("study.densities", study.densities);
+}
+
+/// A punch is no wider than its grain.
+void require_punch(const Scene& scene) {
+  if (scene.contact.punch_radius > scene.grain.radius)
+    throw InvalidArgument("contact.punch_radius", scene.contact.punch_radius, "m",
+                          "(0, grain.radius = " + short_text(scene.grain.radius) + "]");
+}
+
+void require_overlap(const Scene& scene, contact::Shape shape, double pressure) {
+  const double overlap = predicted_overlap(scene, shape, pressure);
+  if (overlap >= least_predicted_overlap && overlap <= largest_predicted_overlap)
+    return;
+  throw InvalidArgument(
+      "study.pressures: at " + pretty(pressure, Dimension::pressure) + " " + std::string(name(shape)) +
+      " contacts of these grains would overlap by " + short_text(overlap, 2) +
+      " of a diameter, which is outside [" + short_text(least_predicted_overlap) + ", " +
+      short_text(largest_predicted_overlap) + "]: " +
+      (overlap < least_predicted_overlap ? "the rounding of positions would be felt in the forces"
+                                         : "the contact law holds for small overlaps, and the voids would "
+                                           "close"));
+}
+
+} // namespace
+
+void require_periodic_cell(const Scene& scene) {
+  if (scene.specimen.walls)
+    throw InvalidArgument("specimen.boundary = walls: this study measures in the periodic cell alone; "
+                          "reproduce takes walls");
+}
+
+void require_valid(const Scene& scene) {
+  for (const SceneKey& key : scene_keys())
+    require_in_range(key, scene);
+  require_lists(scene.study);
+  require_distinct("shear.paths", scene.shear.paths);
+  triaxial::require_valid({.mean_stress = scene.study.pressures.back(),
+                           .inertial_number = scene.shear.inertial_number,
+                           .eta_step = scene.shear.eta_step,
+                           .strain_step = scene.shear.strain_step,
+                           .largest_strain = scene.shear.largest_strain});
+  for (const contact::Shape shape : scene.study.contacts) {
+    if (shape == contact::Shape::flat)
+      require_punch(scene);
+    triaxial::require_valid(recipe(scene, shape, scene.study.first_seed));
+    for (const double pressure : {scene.study.pressures.front(), scene.study.pressures.back()})
+      require_overlap(scene, shape, pressure);
+  }
+}
+
+} // namespace granum::studies

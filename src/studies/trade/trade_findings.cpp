@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/trade/trade_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace granum::studies {
+
+namespace {
+
+/// One number of a sample: what is compared.
+using Figure = std::optional<double> (*)(const TradeSample&);
+
+std::optional<double> log_modulus(const TradeSample& sample) {
+  if (sample.shear_modulus.empty())
+    return std::nullopt;
+  double sum = 0;
+  for (const double modulus : sample.shear_modulus)
+    sum += std::log(modulus);
+  return sum / static_cast<double>(sample.shear_modulus.size());
+}
+
+std::optional<double> exponent(const TradeSample& sample) { return sample.exponent; }
+
+std::optional<double> log_peak(const TradeSample& sample) {
+  return sample.peak_ratio ? std::optional(std::log(*sample.peak_ratio)) : std::nullopt;
+}
+
+bool paired(Varied varied) { return varied != Varied::grains && varied != Varied::boundary; }
+
+/// Samples of one row.
+using Group = std::vector<const TradeSample*>;
+
+const TradeSample& head(const Group& group) { return *group.front(); }
+
+bool belong(const TradeSample& a, const TradeSample& b) {
+  return a.varied == b.varied && a.boundary == b.boundary && a.value == b.value && a.density == b.density;
+}
+
+std::vector<Group> groups_of(const std::vector<TradeSample>& samples) {
+  std::vector<Group> groups;
+  for (const TradeSample& sample : samples) {
+    const auto same =
+        std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return belong(head(g), sample); });
+    if (same != groups.end())
+      same->push_back(&sample);
+    else
+      groups.push_back({&sample});
+  }
+  return groups;
+}
+
+/// Larger is finer.
+double fineness(const TradeSample& sample) {
+  if (sample.varied == Varied::boundary && sample.boundary != Boundary::periodic)
+    return -1;
+  return paired(sample.varied) ? -sample.value : sample.value;
+}
+
+const Group& reference_of(const Group& group, const std::vector<Group>& groups) {
+  const Group* finest = &group;
+  for (const Group& other : groups)
+    if (head(other).varied == head(group).varied && head(other).density == head(group).density &&
+        fineness(head(other)) > fineness(head(*finest)))
+      finest = &other;
+  return *finest;
+}
+
+struct Spread {
+  double mean = 0;
+  double deviation = 0; ///< standard deviation
+  double count = 0;
+};
+
+Spread spread_of(const std::vector<double>& values) {
+  Spread out;
+  out.count = static_cast<double>(values.size());
+  for (const double value : values)
+    out.mean += value / out.count;
+  for (const double value : values)
+    out.deviation += (value - out.mean) * (value - out.mean) / (out.count - 1);
+  out.deviation = std::sqrt(out.deviation);
+  return out;
+}
+
+std::vector<double> values_of(const Group& group, Figure figure) {
+  std::vector<double> values;
+  for (const TradeSample* sample : group)
+    if (const std::optional<double> value = figure(*sample))
+      values.push_back(*value);
+  return values;
+}
+
+/// Variance times N that all sizes of one varied quantity, boundary and density agree on.
+double pooled_variance(const Group& like, const std::vector<Group>& groups, Figure figure) {
+  double sum = 0, freedom = 0;
+  for (const Group& group : groups) {
+    const std::vector<double> values = values_of(group, figure);
+    if (head(group).varied != head(like).varied || head(group).boundary != head(like).boundary ||
+        head(group).density != head(like).density || values.size() < 2)
+      continue;
+    const Spread spread = spread_of(values);
+    sum += (spread.count - 1) * spread.deviation * spread.deviation * head(group).value;
+    freedom += spread.count - 1;
+  }
+  return freedom > 0 ? sum / freedom : 0;
+}
+
+std::optional<Deviation> difference_of_means(const Group& group, const Group& reference,
+                                             const std::vector<Group>& groups, Figure figure) {
+  const std::vector<double> here = values_of(group, figure), there = values_of(reference, figure);
+  if (here.size() < 2 || there.size() < 2)
+    return std::nullopt;
+  const Spread a = spread_of(here), b = spread_of(there);
+  if (&group == &reference)
+    return Deviation{0, std::sqrt(pooled_variance(group, groups, figure) / head(group).value / a.count),
+                     a.deviation};
+  const double own = pooled_variance(group, groups, figure) / head(group).value / a.count;
+  const double other = pooled_variance(reference, groups, figure) / head(reference).value / b.count;
+  return Deviation{a.mean - b.mean, std::sqrt(own + other), a.deviation};
+}
+
+std::optional<Deviation> mean_of_differences(const Group& group, const Group& reference, Figure figure) {
+  std::vector<double> differences;
+  for (const TradeSample* sample : group)
+    for (const TradeSample* other : reference) {
+      const std::optional<double> a = figure(*sample), b = figure(*other);
+      if (sample->seed == other->seed && a && b)
+        differences.push_back(*a - *b);
+    }
+  if (differences.size() < 2)
+    return std::nullopt;
+  const Spread spread = spread_of(differences);
+  return Deviation{spread.mean, spread.deviation / std::sqrt(spread.count), spread.deviation};
+}
+
+/// From differences of logarithms to parts of the reference.
+std::optional<Deviation> in_parts(std::optional<Deviation> logarithmic) {
+  if (logarithmic)
+    logarithmic->bias = std::expm1(logarithmic->bias);
+  return logarithmic;
+}
+
+TradeRow row_of(const Group& group, const std::vector<Group>& groups) {
+  const Group& reference = reference_of(group, groups);
+  const auto deviation = [&](Figure figure) {
+    return paired(head(group).varied) ? mean_of_differences(group, reference, figure)
+                                      : difference_of_means(group, reference, groups, figure);
+  };
+  TradeRow row;
+  row.varied = head(group).varied;
+  row.boundary = head(group).boundary;
+  row.value = head(group).value;
+  row.density = head(group).density;
+  row.reference = &group == &reference;
+  row.shear_modulus = in_parts(deviation(log_modulus));
+  row.exponent = deviation(exponent);
+  row.peak_ratio = in_parts(deviation(log_peak));
+  for (const TradeSample* sample : group)
+    if (sample->failure.empty()) {
+      ++row.specimens;
+      row.cpu_seconds += sample->cpu_seconds;
+      row.steps += static_cast<double>(sample->steps);
+    }
+  if (row.specimens > 0) {
+    row.cpu_seconds /= static_cast<double>(row.specimens);
+    row.steps /= static_cast<double>(row.specimens);
+  }
+  return row;
+}
+
+} // namespace
+
+std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples) {
+  const std::vector<Group> groups = groups_of(samples);
+  std::vector<TradeRow> rows;
+  for (const Group& group : groups)
+    rows.push_back(row_of(group, groups));
+  return rows;
+}
+
+} // namespace granum::studies

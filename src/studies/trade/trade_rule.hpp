@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "studies/trade/trade_findings.hpp"
+
+/// Plain power laws through measured errors, and what they say to someone who wants a given accuracy.
+/// Checked by tests/studies/test_trade_rule.cpp
+namespace granum::studies {
+
+/// Error of one specimen of N grains: a standard deviation c N^(-1/2) between seeds, and a bias b/N of its
+/// mean. Errors of G and of the peak are parts of them, those of s its own.
+struct SizeLaw {
+  double scatter = 0;    ///< c
+  double bias = 0;       ///< b
+  double bias_error = 0; ///< standard error of b
+  double smallest = 0;   ///< N that was measured; beyond smallest and largest the law is drawn out
+  double largest = 0;
+};
+
+/// Bias k I of runs at inertial number I.
+struct RateLaw {
+  double bias = 0;       ///< k
+  double bias_error = 0; ///< standard error of k
+};
+
+/// The laws of one quantity of one kind of specimen.
+struct ErrorLaw {
+  SizeLaw size;
+  RateLaw rate; ///< of compression for G and s, of shear for the peak
+};
+
+struct TradeLaws {
+  ErrorLaw dense_modulus, dense_exponent;
+  ErrorLaw loose_modulus, loose_exponent;
+  ErrorLaw dense_peak;
+};
+
+/// Least squares through the rows. c is that of all sizes, weighted by their numbers of specimens; b and k,
+/// weighted by the standard errors, are slopes of the bias against 1/N and I, with the reference where its
+/// own N and I put it.
+/// Assumes   rows of trade_rows; what they do not hold is left at 0.
+[[nodiscard]] TradeLaws laws_of(const std::vector<TradeRow>& rows);
+
+/// The laws of validation/trade/, for spheres between 10 and 100 kPa.
+[[nodiscard]] const TradeLaws& recorded_laws();
+
+/// Root mean square error of the mean over some specimens.
+/// \param    grains, specimens   >= 1
+/// \throws   InvalidArgument for an inertial number that is negative, or no grains or specimens
+[[nodiscard]] double expected_error(const ErrorLaw& law, std::size_t grains, std::size_t specimens,
+                                    double inertial_number);
+
+/// What it takes for a wanted error of the mean over some specimens.
+struct Recipe {
+  std::size_t grains = 0;     ///< two significant digits, rounded up
+  double inertial_number = 0; ///< largest whose bias stays within a third of the error
+};
+
+/// \param    error       > 0 [1]
+/// \param    specimens   >= 1
+/// \return   the inertial number is 0.01 at most, beyond which nothing was measured
+/// \throws   InvalidArgument for an error that is not positive, or no specimens
+[[nodiscard]] Recipe recipe_for(const ErrorLaw& law, double error, std::size_t specimens);
+
+} // namespace granum::studies

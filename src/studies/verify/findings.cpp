@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/verify/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "studies/reproduce/paper.hpp"
+#include <granum/hardin/fit.hpp>
+#include <granum/hardin/polynomial.hpp>
+
+#include "seed_mean.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+using triaxial::Density;
+using ModulusOf = std::function<std::optional<double>(const CompressedState&)>;
+
+/// s of G_hv in the paper's Table 5.
+std::optional<double> paper_exponent(contact::Shape contact, Density density) {
+  const std::optional<PrintedSpecimen> paper = printed(contact, density);
+  return paper ? std::optional(paper->hv.s) : std::nullopt;
+}
+
+std::optional<Measured> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
+                                    hardin::VoidRatioFunction function) {
+  std::vector<hardin::Measurement> rows;
+  for (const CompressedState& state : specimen.states)
+    if (const std::optional<double> modulus = modulus_of(state))
+      rows.push_back({*modulus, {state.pressure, state.pressure, state.packing.void_ratio}});
+  return fitted_exponent(rows, function);
+}
+
+std::optional<Measured> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
+                                            const ModulusOf& modulus_of, hardin::VoidRatioFunction function) {
+  std::vector<TableValue> each;
+  for (const SpecimenResult* specimen : group)
+    if (const std::optional<Measured> one = exponent_of(*specimen, modulus_of, function))
+      each.push_back({one->value, one->standard_error});
+  const std::optional<TableValue> mean = mean_over_seeds(each);
+  if (!mean)
+    return std::nullopt;
+  return Measured{mean->value, mean->standard_error.value_or(0)};
+}
+
+std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens,
+                                            contact::Shape contact, Density density) {
+  std::vector<const SpecimenResult*> group;
+  for (const SpecimenResult& specimen : specimens)
+    if (specimen.contact == contact && specimen.density == density)
+      group.push_back(&specimen);
+  return group;
+}
+
+std::string text(const char* format, double a, double b = 0, double c = 0) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b, c);
+  return buffer;
+}
+
+/// The largest of a figure over all states that have it.
+struct Worst {
+  double value = -1;
+  std::size_t states = 0;
+
+  void take(double figure) {
+    if (!std::isnan(value) && !(figure <= value)) // NaN stays, and fails
+      value = figure;
+    ++states;
+  }
+};
+
+Worst worst_of(const std::vector<SpecimenResult>& specimens,
+               const std::function<std::optional<double>(const CompressedState&)>& figure) {
+  Worst worst;
+  for (const SpecimenResult& specimen : specimens)
+    for (const CompressedState& state : specimen.states)
+      if (const std::optional<double> value = figure(state))
+        worst.take(*value);
+  return worst;
+}
+
+void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Worst& worst, double limit,
+                 const char* format) {
+  if (worst.states > 0)
+    out.push_back({claim, worst.value <= limit,
+                   text(format, worst.value) + ", " + std::to_string(worst.states) + " states"});
+}
+
+double relative_difference(double a, double b) { return std::abs(a / b - 1); }
+
+void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& rows) {
+  for (const ExponentRow& row : rows) {
+    if (!row.network)
+      continue;
+    if (row.density == Density::dense) {
+      const double excess = row.network->value - row.contact_law;
+      out.push_back(
+          {"dense " + std::string(name(row.contact)) + ": s is the contact law's 1/(1+alpha), -0.01 to +0.05",
+           excess >= -0.01 && excess <= 0.05,
+           text("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
+                row.contact_law)});
+      continue;
+    }
+    const auto dense = std::find_if(rows.begin(), rows.end(), [&](const ExponentRow& other) {
+      return other.contact == row.contact && other.density == Density::dense;
+    });
+    if (dense == rows.end() || !dense->network)
+      continue;
+    const double gap = row.network->value - dense->network->value;
+    const double error = std::hypot(row.network->standard_error, dense->network->standard_error);
+    out.push_back({"loose " + std::string(name(row.contact)) + ": s is larger than dense by 0.12 or more",
+                   gap >= 0.12, text("by %.3f +- %.3f", gap, error)});
+  }
+}
+
+} // namespace
+
+std::optional<Measured> fitted_exponent(const std::vector<hardin::Measurement>& rows,
+                                        hardin::VoidRatioFunction function) {
+  if (rows.size() < 3)
+    return std::nullopt;
+  const hardin::FitReport report = hardin::fit_exponent_sum(
+      rows,
+      {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
+  if (report.status() != hardin::FitStatus::converged)
+    return std::nullopt; // states too near to each other to have a slope
+  const Measured& s = report.fit().exponent_sum;
+  return Measured{s.value, s.standard_error};
+}
+
+std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
+  using enum hardin::VoidRatioFunction;
+  const ModulusOf closed = [](const CompressedState& s) { return std::optional(s.G_closed); };
+  const ModulusOf network = [](const CompressedState& s) {
+    return std::optional(s.network().shear_modulus());
+  };
+  const ModulusOf probe = [](const CompressedState& s) -> std::optional<double> {
+    if (!s.probes)
+      return std::nullopt;
+    return (s.probes->G_hh + s.probes->G_hv + s.probes->G_vh) / 3;
+  };
+  std::vector<ExponentRow> rows;
+  for (const contact::Shape contact : scene.study.contacts)
+    for (const Density density : scene.study.densities) {
+      const auto group = group_of(specimens, contact, density);
+      rows.push_back({.contact = contact,
+                      .density = density,
+                      .contact_law = law(scene, contact).stiffness_exponent(),
+                      .closed_form = exponent_over_seeds(group, closed, none),
+                      .network = exponent_over_seeds(group, network, none),
+                      .network_void = exponent_over_seeds(group, network, hardin_richart_round),
+                      .probe = exponent_over_seeds(group, probe, none),
+                      .paper = paper_exponent(contact, density)});
+    }
+  return rows;
+}
+
+std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens) {
+  std::vector<double> z, ratio;
+  for (const SpecimenResult& specimen : specimens)
+    for (const CompressedState& state : specimen.states) {
+      z.push_back(state.packing.counts.mechanical.coordination_number - 5);
+      ratio.push_back(state.network().shear_modulus() / state.uniform_strain().shear_modulus());
+    }
+  if (z.size() < 8)
+    return std::nullopt;
+  return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
+}
+
+std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
+  std::vector<Verdict> out;
+  judge_exponents(out, exponents(scene, specimens));
+  if (const std::optional<RelaxationCurve> curve = relaxation_curve(specimens))
+    out.push_back({"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
+                   text("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
+  judge_worst(out, "K(uniform stress, refined) <= K <= K(uniform strain)",
+              worst_of(specimens,
+                       [](const CompressedState& s) {
+                         const double K = s.network().bulk_modulus();
+                         const double lower = s.packing.solved_network().bulk_bounds.lower;
+                         return std::optional(std::max(lower / K, K / s.uniform_strain().bulk_modulus()) - 1);
+                       }),
+              1e-9, "nearest to a bound: %.2g beyond it");
+  judge_worst(out, "the probe's moduli are the network's within 1 %",
+              worst_of(specimens,
+                       [](const CompressedState& s) -> std::optional<double> {
+                         if (!s.probes)
+                           return std::nullopt;
+                         return std::max(relative_difference(s.probes->G_hh, G_hh_network(s)),
+                                         relative_difference(s.probes->G_hv, G_vh_network(s)));
+                       }),
+              0.01, "worst %.2g");
+  judge_worst(out, "G_hv = G_vh within 1 %",
+              worst_of(specimens,
+                       [](const CompressedState& s) -> std::optional<double> {
+                         if (!s.probes)
+                           return std::nullopt;
+                         return relative_difference(s.probes->G_hv, s.probes->G_vh);
+                       }),
+              0.01, "worst %.2g");
+  judge_worst(out, "pressure by contacts = pressure by the work of the cell within 1e-6",
+              worst_of(specimens,
+                       [](const CompressedState& s) {
+                         return std::optional(relative_difference(s.packing.pressure_by_work.value(),
+                                                                  s.packing.stress.value().mean()));
+                       }),
+              1e-6, "worst %.2g");
+  for (const SpecimenResult& specimen : specimens)
+    if (!specimen.failure.empty())
+      out.push_back({std::string(name(specimen.contact)) + " " + std::string(name(specimen.density)) + " #" +
+                         std::to_string(specimen.seed) + ": the whole path was run",
+                     false, specimen.failure});
+  return out;
+}
+
+} // namespace granum::studies

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/verify/study.hpp"
+#include <granum/core/measured.hpp>
+#include <granum/hardin/fit.hpp>
+
+namespace granum::studies {
+
+/// s of one specimen's path: G ~ p^s by Levenberg-Marquardt on G itself, as in the paper.
+/// \return   nothing with fewer than three states, or if the fit does not converge
+/// \throws   InvalidArgument if a modulus or a stress is not positive
+[[nodiscard]] std::optional<Measured>
+fitted_exponent(const std::vector<hardin::Measurement>& states,
+                hardin::VoidRatioFunction function = hardin::VoidRatioFunction::none);
+
+/// s of G ~ p^s by every route, for one contact and density.
+struct ExponentRow {
+  contact::Shape contact = contact::Shape::sphere;
+  triaxial::Density density = triaxial::Density::dense;
+  double contact_law = 0;              ///< 1/(1+alpha)
+  std::optional<Measured> closed_form; ///< uniform strain with the measured C_n and e
+  std::optional<Measured> network;     ///< relaxed network
+  std::optional<Measured>
+      network_void;              ///< the same with f(e) = (2.17-e)^2/(1+e) in the fit, as Table 5 has it
+  std::optional<Measured> probe; ///< mean of the three probes
+  std::optional<double> paper;   ///< Table 5, s of G_hv                                      [Chung2014]
+};
+
+/// Exponents of the specimens that have at least three states, by Levenberg-Marquardt on G itself, as in the
+/// paper. Several seeds: the mean; its standard error is the larger of the scatter between seeds and the
+/// mean regression error, over the root of their number. Fewer than three states, or a fit that does not
+/// converge, give none. Order: contacts, then densities, as in the scene.
+/// Checked by tests/studies/test_findings.cpp
+[[nodiscard]] std::vector<ExponentRow> exponents(const Scene& scene,
+                                                 const std::vector<SpecimenResult>& specimens);
+
+/// A claim, and whether the study bears it out.
+struct Verdict {
+  std::string claim;
+  bool holds = false;
+  std::string measured;
+};
+
+/// What the study says of each claim for which it has the data.
+[[nodiscard]] std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens);
+
+/// A cubic through G / G_uniform-strain against z* of all states.
+struct RelaxationCurve {
+  std::size_t states = 0;
+  double rms = 0; ///< distance of the states from the curve [1]
+};
+/// \return   nothing with fewer than 8 states
+[[nodiscard]] std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens);
+
+} // namespace granum::studies

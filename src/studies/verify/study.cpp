@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/verify/study.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "studies/plan/plan.hpp"
+#include <granum/analysis/measure.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/units.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/triaxial/probe.hpp>
+
+#include "studies/running/outcome_text.hpp"
+#include "studies/running/probes.hpp"
+#include "studies/running/work_sharing.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, CompressedState& out) {
+  const effective::Estimate estimate =
+      effective::uniform_strain({.law = recipe.material.law,
+                                 .tangential_ratio = recipe.material.tangential_ratio,
+                                 .radius = recipe.radius,
+                                 .void_ratio = out.packing.void_ratio,
+                                 .coordination_number = out.packing.counts.coordination_number,
+                                 .stress_v = out.pressure,
+                                 .stress_h = out.pressure});
+  out.G_closed = estimate.stiffness.G_vh();
+  out.K_closed = estimate.stiffness.bulk_modulus();
+}
+
+struct Packing {
+  contact::Shape contact = contact::Shape::sphere;
+  std::uint64_t seed = 0;
+  dem::State state;
+  std::string failure;
+};
+
+std::string title(contact::Shape contact, triaxial::Density density, std::uint64_t seed) {
+  return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
+}
+
+CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe,
+                        bool probed, const StopRequest& stop_requested) {
+  const dem::Material& material = recipe.material;
+  const triaxial::FrozenState frozen =
+      triaxial::freeze_in_place(snapshot.state, material, triaxial::usual_force_tolerance, stop_requested);
+  CompressedState out{.pressure = snapshot.pressure,
+                      .contact_pressure = trace(snapshot.report.stress()) / 3,
+                      .sliding_fraction = sliding_fraction(dem::contact_network(snapshot.state, material)),
+                      .packing = analysis::measure(
+                          dem::contact_network(frozen.state(), material), known_of(frozen.state(), material),
+                          {.work = true, .network = network::Options{.stop_requested = stop_requested}}),
+                      .probes = {},
+                      .steps = snapshot.report.steps + frozen.report.steps,
+                      .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
+                      .largest_inertial_number = snapshot.report.largest_inertial_number};
+  (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
+  estimate_closed_form(recipe, out);
+  if (probed)
+    out.probes = run_probes(frozen.state(), material, stop_requested);
+  return out;
+}
+
+void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& out, Meter& meter) {
+  if (!packing.failure.empty()) {
+    out.failure = packing.failure;
+    return;
+  }
+  const triaxial::SpecimenRecipe specimen = recipe(scene, out.contact, out.seed);
+  dem::QuasistaticOptions options = triaxial::compression_options();
+  options.stop_requested = meter.stop_request();
+  const auto visit = [&](const triaxial::Snapshot& snapshot) {
+    if (!snapshot.report.converged()) {
+      out.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
+                    words(snapshot.report.outcome);
+      return false;
+    }
+    const bool probed = std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(),
+                                  snapshot.pressure) != scene.study.probe_pressures.end();
+    out.states.push_back(measure(snapshot, specimen, probed, options.stop_requested));
+    meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
+              title(out.contact, out.density, out.seed));
+    if (meter.stopped() && out.states.size() < scene.study.pressures.size())
+      out.failure = stopped_on_request;
+    return out.failure.empty();
+  };
+  if (!triaxial::isotropic_path(
+          triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
+          specimen.material, scene.study.pressures, options, visit) &&
+      out.failure.empty())
+    out.failure = "the path ended early";
+}
+
+std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
+  std::vector<Packing> packings;
+  for (const contact::Shape shape : scene.study.contacts)
+    for (std::size_t k = 0; k < scene.study.seeds; ++k)
+      packings.push_back({shape, scene.study.first_seed + k, {}, {}});
+  side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
+    Packing& packing = packings[k];
+    packing.failure = ending_of([&] {
+      throw_if_stopped(meter.stop_request());
+      packing.state =
+          triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed), meter.stop_request())
+              .state;
+    });
+    meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");
+  });
+  return packings;
+}
+
+} // namespace
+
+double G_hh_network(const CompressedState& state) {
+  return state.packing.solved_network().response.relaxed().matrix(5, 5);
+}
+
+double G_vh_network(const CompressedState& state) {
+  return state.packing.solved_network().response.relaxed().matrix(4, 4);
+}
+
+std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control) {
+  require_valid(scene);
+  require_periodic_cell(scene);
+  Meter meter(control, total_work(scene));
+  const std::vector<Packing> packings = prepare(scene, meter);
+  std::vector<SpecimenResult> specimens;
+  std::vector<std::size_t> packing_of;
+  for (std::size_t shape = 0; shape < scene.study.contacts.size(); ++shape)
+    for (const triaxial::Density density : scene.study.densities)
+      for (std::size_t k = 0; k < scene.study.seeds; ++k) {
+        specimens.push_back({scene.study.contacts[shape], density, scene.study.first_seed + k, {}, {}});
+        packing_of.push_back(shape * scene.study.seeds + k);
+      }
+  // The longest first, so that no thread ends up alone with one of them.
+  std::vector<std::size_t> order(specimens.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return specimen_work(scene, specimens[a].density, specimens[a].contact) >
+           specimen_work(scene, specimens[b].density, specimens[b].contact);
+  });
+  side_by_side(specimens.size(), thread_count(scene), [&](std::size_t position) {
+    const std::size_t k = order[position];
+    const std::string failure =
+        ending_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+    if (!failure.empty())
+      specimens[k].failure = failure;
+  });
+  return specimens;
+}
+
+} // namespace granum::studies

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/scene/scene.hpp"
+#include <granum/analysis/measurement.hpp>
+#include <granum/elastic/isotropic.hpp>
+
+namespace granum::studies {
+
+/// Shear moduli of the three probes of one frozen state [Pa].
+struct Probes {
+  double G_hh = 0;
+  double G_hv = 0;
+  double G_vh = 0;
+  double amplitude = 0; ///< shear strain [1]
+
+  bool operator==(const Probes&) const = default;
+};
+
+/// One state of isotropic compression.
+struct CompressedState {
+  double pressure = 0;           ///< asked for [Pa]
+  double contact_pressure = 0;   ///< mean contact stress at the end of the stage [Pa]
+  double sliding_fraction = 0;   ///< contacts at the Coulomb limit when the stage ended
+  analysis::Measurement packing; ///< of the frozen state: network, bounds and the pressure by work as well
+  double G_closed = 0; ///< uniform strain in closed form from C_n, e and the pressure asked for [Pa]
+  double K_closed = 0;
+  std::optional<Probes> probes;
+
+  std::size_t steps = 0; ///< of the stage and its rest
+  double unbalanced_force_ratio = 0;
+  double largest_inertial_number = 0;
+
+  /// Isotropic part of the network: relaxed, and under uniform strain.
+  [[nodiscard]] elastic::Isotropic network() const { return packing.solved_network().isotropic_relaxed(); }
+  [[nodiscard]] elastic::Isotropic uniform_strain() const {
+    return packing.solved_network().isotropic_affine();
+  }
+};
+
+/// Shear moduli of the network in the planes that the probes shear, 12 and 13 [Pa].
+[[nodiscard]] double G_hh_network(const CompressedState& state);
+[[nodiscard]] double G_vh_network(const CompressedState& state);
+
+/// One specimen on its isotropic path.
+struct SpecimenResult {
+  contact::Shape contact = contact::Shape::sphere;
+  triaxial::Density density = triaxial::Density::dense;
+  std::uint64_t seed = 0;
+  std::vector<CompressedState> states; ///< as far as it came
+  std::string failure;                 ///< empty when the whole path was run
+};
+
+struct Progress {
+  double done = 0; ///< share of the predicted work, 0..1
+  std::string what;
+  double done_before = 0; ///< share that checkpoints of an earlier run held
+};
+
+struct RunControl {
+  std::function<void(const Progress&)> report = {}; ///< called from worker threads, one at a time
+  const std::atomic<bool>* stop = nullptr; ///< set it to end the study early; what is finished is kept
+};
+
+/// Runs the study: a frictionless packing for each contact and seed, from it a dense and a loose specimen,
+/// each compressed through the pressures, frozen at each, analysed, solved as a network, and probed where
+/// asked. Specimens run side by side on as many threads as the scene says; each is one thread's work from
+/// start to end, so the results are the same bits for any number of threads.
+/// \return   specimens in the order contact, density, seed; those that failed or were stopped say so
+/// \throws   InvalidArgument for an impossible scene
+/// Checked by tests/studies/test_study.cpp
+[[nodiscard]] std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control = {});
+
+} // namespace granum::studies

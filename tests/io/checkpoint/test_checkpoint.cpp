@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/checkpoint/checkpoint.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "io/temporary_folder.hpp"
+
+using namespace granum;
+using namespace granum::io;
+
+namespace {
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+void overwrite(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// The text of the error that reading gives, without the path that must begin it.
+std::string complaint(const std::filesystem::path& path) {
+  try {
+    (void)read_checkpoint(path);
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    CHECK(text.rfind(path.string() + ": ", 0) == 0);
+    return text.substr(path.string().size() + 2);
+  }
+  return "no error";
+}
+
+bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+const Checkpoint sample{.subject = "sphere dense #1 TXC",
+                        .scene = "grains = 1000\n",
+                        .state = std::string("\0\1\2\xff state", 10)};
+
+} // namespace
+
+TEST_CASE("a checkpoint is read as it was written, and the next one takes its place") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "run.checkpoint";
+  write_checkpoint(path, sample);
+  CHECK(read_checkpoint(path) == sample);
+  const Checkpoint later{.subject = sample.subject, .scene = sample.scene, .state = std::string(100000, 'x')};
+  write_checkpoint(path, later);
+  CHECK(read_checkpoint(path) == later);
+  write_checkpoint(path, {});
+  CHECK(read_checkpoint(path) == Checkpoint{});
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("a checkpoint that cannot be read says why, by path") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "run.checkpoint";
+  write_checkpoint(path, sample);
+  const std::string whole = content(path);
+
+  CHECK(says(complaint(folder.path() / "none"), "cannot be opened"));
+  CHECK(says(complaint(folder.path()), "cannot be opened"));
+  overwrite(path, "ITEM: TIMESTEP\n0\n");
+  CHECK(complaint(path) == "is not a checkpoint of granum");
+  overwrite(path, "");
+  CHECK(complaint(path) == "is not a checkpoint of granum");
+  overwrite(path, whole.substr(0, 20));
+  CHECK(says(complaint(path), "cut short within its header"));
+  for (std::size_t length = 48; length < whole.size(); ++length) {
+    overwrite(path, whole.substr(0, length));
+    CHECK(says(complaint(path), "cut short or run over"));
+  }
+  overwrite(path, whole + "x");
+  CHECK(says(complaint(path), "cut short or run over"));
+  std::string newer = whole;
+  newer[8] = static_cast<char>(checkpoint_version + 1);
+  overwrite(path, newer);
+  CHECK(complaint(path) == "is a checkpoint of version 5; this granum reads version 4");
+  std::string foreign = whole;
+  std::swap(foreign[12], foreign[15]);
+  overwrite(path, foreign);
+  CHECK(says(complaint(path), "another byte order"));
+}
+
+TEST_CASE("any byte that flips is noticed") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "run.checkpoint";
+  write_checkpoint(path, sample);
+  const std::string whole = content(path);
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    std::string damaged = whole;
+    damaged[k] = static_cast<char>(damaged[k] ^ 0x10);
+    overwrite(path, damaged);
+    CHECK(complaint(path) != "no error");
+  }
+}
+
+TEST_CASE("a folder that is not there stops the writing, and nothing is lost") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(write_checkpoint(folder.path() / "none" / "run.checkpoint", sample), FileError);
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/csv/packing.hpp>
+
+#include <granum/packing/stress.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::string grains =
+    "id,x_mm,y_mm,z_mm,radius_mm\n1,1,2,2,0.5\n2,1.9999,2,2,0.5\n3,1.9999,2,2.9998,0.5\n";
+const std::string contacts =
+    "# units: SI\nid1,id2,nx,ny,nz,fx,fy,fz,lx,ly,lz\n1,2,1,0,0,0.0235294118,0.01,0,0.0009999,0,0\n"
+    "3,2,0,0,-1,0,0,-0.0665512265,0,0,-0.0009998\n";
+const CsvBox box{Mat3::diagonal(4e-3, 4e-3, 4e-3)};
+
+ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
+  return read_packing_csv(text_source("g", grain_text), text_source("c", contact_text), box);
+}
+std::string refused(const std::string& grain_text, const std::string& contact_text = contacts) {
+  return refusal([&] { (void)read(grain_text, contact_text); });
+}
+ContactTable table(const std::string& text) { return read_contact_csv(text_source("c", text)); }
+
+} // namespace
+
+TEST_CASE(
+    "CSV: the chain with units in the headings or SI throughout, forces exerted by the first on the second") {
+  const ImportedPacking packing = read(grains, contacts);
+  check_chain(packing, 1e-15, 1e-8);
+  CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01, 0});
+  check_vector(residuals(packing.assembly)[0].force, {-force_ab, -0.01, 0}, 1e-15);
+  CHECK(packing.has(Finding::law_unknown));
+  CHECK_FALSE(packing.has(Finding::boundary_unknown));
+
+  const ImportedPacking scalar =
+      read(grains, "id1,id2,nx,ny,nz,fn_mN,ft_mN,delta_mm\n1,2,1,0,0,23.5294118,1,1e-4\n"
+                   "2,3,0,0,1,66.5512265,2,2e-4\n");
+  check_chain(scalar, 1e-15, 1e-15);
+  CHECK(scalar.has(Finding::tangential_unknown));
+}
+
+TEST_CASE("CSV: numbers whose products overflow are refused, with grains and without") {
+  const std::string huge = with(contacts, "0.0235294118", "1e305");
+  CHECK(refused(grains, huge).find("beyond all range") != std::string::npos);
+  CHECK(refusal([&] { (void)table(huge); }).find("c:3: ") != std::string::npos);
+  CHECK(refusal([] { (void)table("nx,ny,nz,fn_N\n1,0,0,1e200\n"); }).find("c:2: ") != std::string::npos);
+  CHECK(refused(with(grains, "1.9999", "1e90")).find("beyond all range") != std::string::npos);
+  CHECK(refused(with(grains, "2,0.5", "2,1e90")).find("expected a positive radius") != std::string::npos);
+}
+
+TEST_CASE("CSV: normals alone are enough for a table of contacts") {
+  const ContactTable t = table("nx,ny,nz\n0,0,2\n3,4,0\n");
+  REQUIRE(t.normal.size() == 2);
+  CHECK(t.normal[0] == Vec3{0, 0, 1});
+  check_vector(t.normal[1], {0.6, 0.8, 0}, 1e-15);
+  CHECK((t.id.empty() && t.force.empty() && t.branch.empty() && t.overlap.empty() && t.normal_force.empty()));
+  const ContactTable full = table(contacts);
+  CHECK(full.id[1] == std::array<long, 2>{3, 2});
+  CHECK(full.force[0] == Vec3{force_ab, 0.01, 0});
+  CHECK(full.line == std::vector<std::size_t>{3, 4});
+}
+
+TEST_CASE("CSV: a table without forces keeps its contacts even where grains seem apart") {
+  const ImportedPacking packing =
+      read(with(grains, "2,1.9999,2", "2,2.001,2"), "id1,id2,nx,ny,nz\n1,2,1,0,0\n");
+  REQUIRE(packing.assembly.contacts.size() == 1);
+  CHECK(packing.has(Finding::forces_unknown));
+  CHECK(packing.has(Finding::open_contacts));
+}
+
+TEST_CASE(
+    "CSV: without a box the smallest upright one stands for it, and diameters and row numbers are taken") {
+  const ImportedPacking packing =
+      read_packing_csv(text_source("g", "# units: SI\nx,y,z,diameter\n0,0,0,1\n2,0,1,1\n"));
+  CHECK(packing.assembly.cell == Mat3::diagonal(3, 1, 2));
+  CHECK(packing.id == std::vector<long>{0, 1});
+  for (const Finding finding : {Finding::cell_unknown, Finding::ids_assumed, Finding::contacts_unknown})
+    CHECK(packing.has(finding));
+}
+
+TEST_CASE("CSV: each field that is wrong is refused with path and line") {
+  const auto grain = [](const std::string& from, const std::string& to) {
+    return refused(with(grains, from, to));
+  };
+  const auto row = [](const std::string& from, const std::string& to) {
+    return refused(grains, with(contacts, from, to));
+  };
+  CHECK(grain("x_mm,y_mm,z_mm", "u,v,w") == "g: expected columns x, y, z with a unit of length");
+  CHECK(grain("y_mm", "y").starts_with("g:1: "));
+  CHECK(grain("radius_mm", "size_mm").starts_with("g:1: expected a column 'radius_m'"));
+  CHECK(grain("1,1,2", "1,nan,2") == "g:2: expected a finite number in column 'x_mm', found 'nan'");
+  CHECK(grain("1,1,2", "1.5,1,2") == "g:2: expected an integer as id, found 1.5");
+  CHECK(grain("1,1,2", "2,1,2") == "g:3: the grain 2 stands on line 2 too");
+  CHECK(grain("2,2,0.5\n2", "2,2,0\n2") == "g:2: expected a positive radius of grain 1, found 0");
+  CHECK(row("# units: SI", "# units: cgs").starts_with("c:1: expected '# units: SI', found 'cgs'"));
+  CHECK(row("nx,ny,nz", "a,b,c") == "c: expected columns nx, ny, nz");
+  CHECK(row("nx,ny", "nx,b").starts_with("c:2: expected a column 'ny'"));
+  CHECK(row("id1,id2", "one,two") == "c: expected columns id1 and id2 to join contacts with grains");
+  CHECK(row("id1,id2", "id1,two").starts_with("c:2: expected a column 'id2'"));
+  CHECK(row("1,2,1,0,0", "1,2,0,0,0") == "c:3: expected a normal of some length");
+  CHECK(row("1,2,1,0,0", "1,2,-1,0,0") ==
+        "c:3: the normal does not point from the first grain to the second");
+  CHECK(row("1,2,1,0,0", "1,9,1,0,0") == "c:3: the grain 9 is not among the 3 grains (ids 1 to 3)");
+  CHECK(row("1,2,1,0,0", "1,1,1,0,0") == "c:3: the grain 1 is in contact with itself");
+  CHECK(row("0.0235294118", "0.02x").starts_with("c:3: expected a finite number in column 'fx'"));
+  CHECK(row("0.0009999", "-0.0009999")
+            .starts_with("c:3: the pair 1, 2 has a line of centres that does not fit"));
+  CHECK(row(",0.0009999,0,0", ",0.0009999,0").starts_with("c:3: expected 11 fields"));
+  CHECK(refused(grains, "").starts_with("c: is empty"));
+}

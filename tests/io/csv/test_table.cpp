@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/csv/table.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+#include "io/temporary_folder.hpp"
+
+using namespace granum;
+using namespace granum::io;
+
+namespace {
+
+/// The message with which reading one column of the text fails; empty if it does not.
+std::string refusal(std::string_view text, std::string_view quantity = "G",
+                    Dimension dimension = Dimension::pressure) {
+  try {
+    (void)CsvTable("a.csv", text).numbers(quantity, dimension);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("columns are found by name and come in as SI") {
+  const CsvTable table("a.csv",
+                       "# made by hand\nG_MPa, sigma_v_kPa,e\n\n120,100,0.56\r\n# half way\n150.5,200,0.55");
+  CHECK(table.row_count() == 2);
+  CHECK(table.numbers("G", Dimension::pressure) == std::vector<double>{120e6, 150.5e6});
+  CHECK(table.numbers("sigma_v", Dimension::pressure) == std::vector<double>{1e5, 2e5});
+  CHECK(table.numbers("e", Dimension::dimensionless) == std::vector<double>{0.56, 0.55});
+  CHECK(table.line(0) == 4);
+  CHECK(table.line(1) == 6);
+  CHECK(table.has("sigma_v"));
+  CHECK_FALSE(table.has("sigma"));
+}
+
+TEST_CASE("a row is at hand as it stands, with the place and the factor of each quantity") {
+  const CsvTable table("a.csv", "name,G_MPa,e\n\"a, b\",120,dense\n");
+  CHECK(table.fields(0) == std::vector<std::string>{"a, b", "120", "dense"});
+  CHECK(table.column("G", Dimension::pressure).index == 1);
+  CHECK(table.column("G", Dimension::pressure).factor == 1e6);
+  CHECK(table.column("e", Dimension::dimensionless).factor == 1);
+  CHECK_THROWS_AS((void)table.column("G", Dimension::length), FileError);
+  CHECK_THROWS_AS((void)table.column("K", Dimension::pressure), FileError);
+  CHECK(csv_line({"a, b", 120.5, std::numeric_limits<double>::quiet_NaN(), ""}) == "\"a, b\",120.5,,\n");
+}
+
+TEST_CASE("quotes, byte order mark and lines inside quotes") {
+  const CsvTable table("a.csv", "\xEF\xBB\xBF\"name\",G_Pa\n\"one, \"\"two\"\"\n\",1\n \"x\" ,2\n");
+  CHECK(table.headings() == std::vector<std::string>{"name", "G_Pa"});
+  CHECK(table.numbers("G", Dimension::pressure) == std::vector<double>{1, 2});
+  CHECK(table.line(1) == 4);
+  CHECK(refusal("G_Pa\n\"1\n2\n") == "a.csv:2: a quoted field begins here and is never closed");
+  CHECK(refusal("G_Pa\n\"1\"2\n") == "a.csv:2: expected a comma after the closing quote");
+}
+
+TEST_CASE("a bad file is refused with path, line and what was expected") {
+  CHECK(refusal("").starts_with("a.csv: is empty; expected a heading line"));
+  CHECK(refusal("# only a comment\n\n").starts_with("a.csv: is empty"));
+  CHECK(refusal("G_MPa,e\n") == "a.csv:1: there are no rows below the heading line");
+  CHECK(refusal("G_MPa,e\n1,0.5\n2\n") == "a.csv:3: expected 2 fields (G_MPa, e), found 1");
+  CHECK(refusal("G_MPa,e\n1,0.5,\n") == "a.csv:2: expected 2 fields (G_MPa, e), found 3");
+  CHECK(refusal("G_MPa,e\nabc,0.5\n") == "a.csv:2: expected a finite number in column 'G_MPa', found 'abc'");
+  CHECK(refusal("G_MPa\n1\nnan\n") == "a.csv:3: expected a finite number in column 'G_MPa', found 'nan'");
+  CHECK(refusal("G_MPa,e\n,1\n") == "a.csv:2: expected a finite number in column 'G_MPa', found ''");
+  CHECK(refusal("G_GPa\n1e305\n") == "a.csv:2: expected a finite number in column 'G_GPa', found '1e305'");
+  CHECK(refusal("G,e\n1,2\n") == "a.csv:1: column 'G' has no unit; name it G_Pa, G_kPa, G_MPa, G_GPa");
+  CHECK(refusal("G_mm,e\n1,2\n").starts_with("a.csv:1: column 'G_mm' has the unit of something else"));
+  CHECK(refusal("p_kPa,e\n1,2\n") == "a.csv:1: expected a column 'G_Pa' (or another unit), found p_kPa, e");
+  CHECK(refusal("G_Pa,G_kPa\n1,2\n") == "a.csv:1: both 'G_Pa' and 'G_kPa' hold G");
+  CHECK(refusal("G_Pa,G_Pa\n1,2\n") == "a.csv:1: the heading 'G_Pa' stands there twice");
+  CHECK(refusal(std::string_view("G_Pa\n\0\n", 7)).starts_with("a.csv: is not a text file"));
+}
+
+TEST_CASE("files that cannot be read say so") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(
+      (void)read_csv(folder.path() / "none.csv"),
+      ((folder.path() / "none.csv").string() + ": cannot be read: No such file or directory").c_str(),
+      FileError);
+  CHECK_THROWS_AS((void)read_csv(folder.path()), FileError);
+}
+
+TEST_CASE("what is written is read back to the same bits") {
+  const std::vector<double> values{1. / 3, -0.0, 6.02e23, std::numeric_limits<double>::denorm_min(), 1e-300};
+  CsvContent content{
+      .notes = {{"version", "0.1.0\nsecond line"}}, .headings = {"text, with comma", "p_Pa"}, .rows = {}};
+  for (const double value : values)
+    content.rows.push_back({std::string("#a \"b\""), value});
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "t.csv", std::ios::binary) << csv_text(content);
+  const CsvTable table = read_csv(folder.path() / "t.csv");
+  CHECK(table.headings() == content.headings);
+  CHECK(table.numbers("p", Dimension::pressure) == values);
+}
+
+TEST_CASE("the text of a file") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(csv_text({.notes = {{"seed", "1"}},
+                  .headings = {"a", "error"},
+                  .rows = {{0.5, std::string("")}, {nan, std::string("x,y")}}}) ==
+        "# seed: 1\na,error\n0.5,\n,\"x,y\"\n");
+  CHECK_THROWS_AS((void)csv_text({.notes = {}, .headings = {"a"}, .rows = {{1.0, 2.0}}}), InvalidArgument);
+}

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/vtk/xml.hpp>
+
+#include <granum/io/vtk/paraview.hpp>
+#include <granum/packing/stress.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::string grains = data_text("yade_chain.vtu");
+const std::string contacts = data_text("yade_chain.vtp");
+
+ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
+  return read_vtk_xml(text_source("g", grain_text), text_source("c", contact_text));
+}
+
+std::string refused(const std::string& grain_text) {
+  return refusal([&] { (void)read_vtk_xml(text_source("g", grain_text)); });
+}
+std::string refused(const std::string& grain_text, const std::string& contact_text) {
+  return refusal([&] { (void)read(grain_text, contact_text); });
+}
+
+/// Two grains in contact through a face of a tilted cell, a third on two walls.
+packing::Assembly sample() {
+  packing::Assembly a{
+      .cell = Mat3::diagonal(4e-3, 4e-3, 4e-3),
+      .position = {{0.3e-3, 2e-3, 1.0 / 700}, {3.4e-3, 2e-3, 1.0 / 700}, {2e-3, 0.49e-3, 0.4e-3}},
+      .radius = {0.5e-3, 0.45e-3, 0.5e-3},
+      .contacts = {}};
+  a.cell(0, 2) = 1e-3 / 3;
+  a.contacts = {{.i = 0,
+                 .j = 1,
+                 .branch = {3.1e-3 - 4e-3, 0, 0},
+                 .overlap = 5e-5,
+                 .normal_force = 1.0 / 3,
+                 .tangential_force = {0, 0.1, -0.02 / 3},
+                 .normal_stiffness = 2e5,
+                 .tangential_stiffness = 1e5 / 3,
+                 .sliding = true}};
+  a.wall_contacts = {{.i = 2, .j = 2, .branch = {0, -0.49e-3, 0}, .overlap = 1e-5, .normal_force = 0.5},
+                     {.i = 2,
+                      .j = 4,
+                      .branch = {0, 0, -0.4e-3},
+                      .overlap = 1e-4,
+                      .normal_force = 0.7,
+                      .tangential_force = {0.01, 0, 0},
+                      .normal_stiffness = 3e5}};
+  return a;
+}
+
+const std::vector<long> sample_id{7, 11, -3};
+
+std::string own_grains() { return grains_vtu(sample(), sample_id); }
+std::string own_contacts() { return contacts_vtp(sample(), sample_id); }
+
+void check_grain_order(const ImportedPacking& packing) {
+  REQUIRE(packing.id == std::vector<long>{-3, 7, 11});
+  const packing::Assembly& a = packing.assembly;
+  const packing::Assembly expected = sample();
+  CHECK(a.cell == expected.cell);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t from = (k + 2) % 3;
+    CHECK(a.position[k] == expected.position[from]);
+    CHECK(a.radius[k] == expected.radius[from]);
+  }
+}
+
+} // namespace
+
+TEST_CASE("VTK XML: what granum writes comes back, walls and stiffnesses with it") {
+  const ImportedPacking packing = read(own_grains(), own_contacts());
+  check_grain_order(packing);
+  const packing::Assembly &a = packing.assembly, expected = sample();
+  REQUIRE(a.contacts.size() == 1);
+  const packing::Contact &c = a.contacts[0], &e = expected.contacts[0];
+  CHECK((c.i == 1 && c.j == 2));
+  check_vector(c.branch, e.branch, 1e-15); // the end of the line is rounded once
+  CHECK((c.overlap == e.overlap && c.normal_force == e.normal_force && c.sliding));
+  CHECK(c.tangential_force == e.tangential_force);
+  CHECK(c.normal_stiffness == e.normal_stiffness);
+  CHECK(c.tangential_stiffness == e.tangential_stiffness);
+  REQUIRE(a.wall_contacts.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const packing::Contact &wall = a.wall_contacts[k], &w = expected.wall_contacts[k];
+    CHECK((wall.i == 0 && wall.j == w.j));
+    check_vector(wall.branch, w.branch, 1e-15);
+    CHECK((wall.overlap == w.overlap && wall.normal_force == w.normal_force && !wall.sliding));
+    CHECK(wall.tangential_force == w.tangential_force);
+    CHECK(wall.normal_stiffness == w.normal_stiffness);
+  }
+  const Mat3 stress = contact_stress(a).tensor, as_written = contact_stress(expected).tensor;
+  for (int k = 0; k < 3; ++k)
+    CHECK(stress(k, k) == relative(as_written(k, k), 1e-14));
+  for (const Finding finding : {Finding::boundary_unknown, Finding::law_unknown, Finding::history_unknown,
+                                Finding::units_unknown, Finding::through_faces, Finding::wall_contacts})
+    CHECK(packing.has(finding));
+  for (const Finding finding : {Finding::cell_unknown, Finding::ids_assumed, Finding::few_digits,
+                                Finding::forces_unknown, Finding::stiffness_unknown})
+    CHECK_FALSE(packing.has(finding));
+}
+
+TEST_CASE("VTK XML: stiffnesses that the writer did not know are not known") {
+  packing::Assembly a = sample();
+  for (auto* contacts : {&a.contacts, &a.wall_contacts})
+    for (packing::Contact& c : *contacts)
+      c.normal_stiffness = c.tangential_stiffness = 0;
+  CHECK(read(own_grains(), contacts_vtp(a, sample_id)).has(Finding::stiffness_unknown));
+}
+
+TEST_CASE("VTK XML: a stiffness below zero is refused") {
+  CHECK(refused(own_grains(), with(own_contacts(), "\n2e+05\n0\n3e+05\n", "\n-2e+05\n0\n3e+05\n"))
+            .find("its stiffnesses must be finite and not negative") != std::string::npos);
+}
+
+TEST_CASE("VTK XML: grains alone, and a packing without contacts") {
+  const ImportedPacking alone = read_vtk_xml(text_source("g", own_grains()));
+  check_grain_order(alone);
+  CHECK_FALSE(alone.time);
+  CHECK(read_vtk_xml(text_source("g", grains_vtu(sample(), sample_id, 1.0 / 3))).time == 1.0 / 3);
+  CHECK(alone.has(Finding::contacts_unknown));
+  packing::Assembly loose = sample();
+  loose.contacts.clear();
+  loose.wall_contacts.clear();
+  const ImportedPacking empty = read(own_grains(), contacts_vtp(loose, sample_id));
+  CHECK(empty.assembly.contacts.empty());
+  CHECK_FALSE(empty.has(Finding::contacts_unknown));
+}
+
+TEST_CASE("VTK XML: YADE's recorder, contacts matched with the centres of the grains") {
+  const ImportedPacking packing = read(grains, contacts);
+  // Forces of nine printed digits; overlaps from coordinates of single precision: 1e-10 m of 1e-7 m.
+  check_chain(packing, 3e-9, 1e-2);
+  for (const Finding finding :
+       {Finding::few_digits, Finding::cell_unknown, Finding::boundary_unknown, Finding::ids_assumed,
+        Finding::tangential_unknown, Finding::stiffness_unknown, Finding::history_unknown})
+    CHECK(packing.has(finding));
+  CHECK(packing.assembly.contacts[0].tangential_force == Vec3{});
+  CHECK(packing.id == std::vector<long>{0, 1, 2});
+}
+
+TEST_CASE("VTK XML: every way in which VTK packs arrays gives the same numbers") {
+  const ImportedPacking text = read_vtk_xml(data_source("yade_chain.vtu"));
+  for (const char* name : {"vtk_appended.vtu", "vtk_binary.vtu", "vtk_packed.vtu", "vtk_raw.vtu",
+                           "vtk_blocks.vtu", "vtk_big.vtu"}) {
+    INFO(name);
+    const ImportedPacking packing = read_vtk_xml(data_source(name));
+    CHECK(packing.assembly.position == text.assembly.position);
+    CHECK(packing.assembly.radius == text.assembly.radius);
+    CHECK(packing.id == std::vector<long>{0, 2, 4});
+    CHECK(packing.has(Finding::few_digits));
+    const ImportedPacking both = read_vtk_xml(data_source(name), data_source("vtk_appended.vtp"));
+    check_chain(both, 1e-9, 1e-2);
+  }
+}
+
+TEST_CASE("VTK XML: names in any case, arrays in any order, the time, and what is skipped") {
+  const std::string field =
+      "<FieldData><DataArray type=\"String\" Name=\"note\" format=\"ascii\">65 66</DataArray>"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\">0.25</DataArray>"
+      "</FieldData><Piece";
+  std::string file = with(with(grains, "<Piece", field), "Name=\"radii\"", "Name=\"Radius\"");
+  file = with(file, "0.0005 0.0005 0.0005\n", "5e-4\n\t0.0005\r\n 0.0005 ");
+  const ImportedPacking packing = read_vtk_xml(text_source("g", file));
+  CHECK(packing.time == 0.25);
+  CHECK(packing.assembly.radius == std::vector<double>{5e-4, 5e-4, 5e-4});
+}
+
+TEST_CASE("VTK XML: each field of the grains that is wrong is refused with path and line") {
+  const auto grain = [](const std::string& from, const std::string& to) {
+    return refused(with(grains, from, to));
+  };
+  CHECK(refused("") == "g:1: is no XML: no element found");
+  CHECK(refused("ITEM: TIMESTEP\n").starts_with("g:1: is no XML"));
+  CHECK(grain("</VTKFile>", "").find(": is no XML: no element found") != std::string::npos);
+  CHECK(refused("<svg/>") == "g:1: expected an element VTKFile, found 'svg'");
+  CHECK(refused("<!DOCTYPE a [<!ENTITY b \"c\">]><VTKFile/>").find("found a document type") !=
+        std::string::npos);
+  CHECK(refused("<VTKFile/>") == "g: expected an element Piece");
+  CHECK(grain("LittleEndian", "MiddleEndian") ==
+        "g:2: expected the byte_order LittleEndian or BigEndian, found 'MiddleEndian'");
+  CHECK(grain("header_type=\"UInt32\"", "header_type=\"Int32\"") ==
+        "g:2: expected the header_type UInt32 or UInt64, found 'Int32'");
+  CHECK(grain("NumberOfPoints=\"3\"", "NumberOfPoints=\"-3\"") ==
+        "g:4: expected a count as NumberOfPoints, found '-3'");
+  CHECK(grain("NumberOfPoints=\"3\"", "NumberOfPoints=\"2\"") ==
+        "g:45: expected 6 numbers in Points, found more");
+  CHECK(grain("</Piece>", "</Piece><Piece/>").find("expected one element Piece, found another") !=
+        std::string::npos);
+  CHECK(grain("Name=\"radii\"", "Name=\"size\"") == "g: expected point data radius or radii");
+  CHECK(grain("0.0005 0.0005 0.0005", "0.0005 0.0005") ==
+        "g:8: expected 3 numbers in PointData: radii, found 2");
+  CHECK(grain("0.0005 0.0005 0.0005", "0.0005 wide 0.0005") ==
+        "g:7: expected a finite number in PointData: radii, found 'wide'");
+  CHECK(grain("0.0005 0.0005 0.0005", "0.0005 inf 0.0005") ==
+        "g:7: expected a finite number in PointData: radii, found 'inf'");
+  CHECK(grain("0.0005 0.0005 0.0005", "0.0005 nan 0.0005").find("expected a positive radius of grain 1") !=
+        std::string::npos);
+  CHECK(grain("0.0005 0.0005 0.0005", "0.0005 0.0005 0").find("expected a positive radius of grain 2") !=
+        std::string::npos);
+  CHECK(grain("0.0010000000474974513", "nan").find("the position of the grain is beyond all range") !=
+        std::string::npos);
+  CHECK(grain("Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"2\"") ==
+        "g:43: expected Points of 3 components, found '2'");
+  CHECK(grain("Name=\"radii\" format=\"ascii\"", "Name=\"radii\" format=\"morse\"") ==
+        "g:6: expected the format ascii, binary or appended of PointData: radii, found 'morse'");
+  CHECK(grain("<Points>", "<Point>").starts_with("g:")); // tags that do not close
+  CHECK(grain("NumberOfPoints=\"3\"", "NumberOfPoints=\"0\"").find("expected 0 numbers") !=
+        std::string::npos);
+  const std::string own = own_grains();
+  CHECK(refused(with(own, "\n7\n11\n", "\n7\n7\n")).find("the grain 7 stands on line") != std::string::npos);
+  CHECK(refused(with(own, "\n7\n11\n", "\n7\n1.5\n")).find("expected an integer as id 1") !=
+        std::string::npos);
+  CHECK(refused(with(own,
+                     "Name=\"cell\" NumberOfComponents=\"9\" NumberOfTuples=\"1\" format=\"ascii\">\n0.004",
+                     "Name=\"cell\" NumberOfComponents=\"9\" NumberOfTuples=\"1\" format=\"ascii\">\n0"))
+            .find("expected a box of positive volume") != std::string::npos);
+}
+
+TEST_CASE("VTK XML: packed arrays that are damaged are refused") {
+  const auto damaged = [](const char* file, const std::string& from, const std::string& to) {
+    return refused(with(data_text(file), from, to));
+  };
+  CHECK(refused(data_text("vtk_lz4.vtu")).find("compressed by vtkLZ4DataCompressor, which is not read") !=
+        std::string::npos);
+  // "radii" of vtk_packed: one block, then its bytes
+  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==eJz8") ==
+        "g:6: PointData: radii: a compressed block is damaged");
+  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==eJ!7") ==
+        "g:6: PointData: radii: expected base64");
+  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==")
+            .starts_with("g:6: PointData: radii: the data end too early"));
+  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAY/////wAAAA==eJz7")
+            .starts_with("g:6: PointData: radii: "));
+  CHECK(damaged("vtk_packed.vtu", "NumberOfPoints=\"3\"", "NumberOfPoints=\"4\"") ==
+        "g:19: expected 12 numbers of 4 bytes in Points, found 36 bytes");
+  CHECK(damaged("vtk_binary.vtu", "type=\"Float64\" Name=\"radii\"", "type=\"Bit\" Name=\"radii\"") ==
+        "g:6: expected numbers Float64, Float32, Int64 and so on in PointData: radii, found 'Bit'");
+  CHECK(damaged("vtk_binary.vtu", "GAAAAP", "//////").find("the data end too early") != std::string::npos);
+  CHECK(damaged("vtk_appended.vtu", "offset=\"0\"", "offset=\"9999\"") ==
+        "g:6: PointData: radii: expected an offset within the appended data, found '9999'");
+  CHECK(damaged("vtk_appended.vtu", "encoding=\"base64\"", "encoding=\"base32\"")
+            .find("expected the encoding base64 or raw of AppendedData, found 'base32'") !=
+        std::string::npos);
+  const std::string raw = data_text("vtk_raw.vtu");
+  CHECK(refused(raw.substr(0, raw.find("\n   _") + 5 + 96 + 20)).find("the data end too early") !=
+        std::string::npos);
+}
+
+TEST_CASE("VTK XML: each field of the contacts that is wrong is refused") {
+  const auto pair = [](const std::string& from, const std::string& to) {
+    return refused(grains, with(contacts, from, to));
+  };
+  const auto own = [](const std::string& from, const std::string& to) {
+    return refused(own_grains(), with(own_contacts(), from, to));
+  };
+  CHECK(pair("type=\"PolyData\"", "type=\"ImageData\"") ==
+        "c: expected a VTKFile of type PolyData, found 'ImageData'");
+  CHECK(pair("0 1 1 2", "0 1 1 3").find("expected points 0 to 2 in Lines, found 3") != std::string::npos);
+  CHECK(pair("0 1 1 2", "0 1 1 -1").find("expected points 0 to 2 in Lines, found -1") != std::string::npos);
+  CHECK(pair("0 1 1 2", "0 1 1 1.5").find("expected an integer as point 3") != std::string::npos);
+  CHECK(pair("0 1 1 2", "0 1 1 1").find("the grain 1 is in contact with itself") != std::string::npos);
+  CHECK(pair("2 4\n", "3 4\n").find("expected lines of two points, found another in line 0") !=
+        std::string::npos);
+  CHECK(pair("0.023529411764649337 0.06655122646467276\n", "0.0235\n")
+            .find("expected 2 numbers in CellData: forcen, found 1") != std::string::npos);
+  CHECK(pair("0.0029998000245541334", "0.0039998").find("the contact ends at no centre of a sphere") !=
+        std::string::npos);
+  CHECK(pair("0.0029998000245541334", "nan").find("the contact ends at no centre of a sphere") !=
+        std::string::npos);
+  CHECK(pair("0.023529411764649337 0.06", "nan 0.06").find("has numbers beyond all range") !=
+        std::string::npos);
+  CHECK(pair("<Lines>", "<Curves>").starts_with("c:"));
+  CHECK(own("\n7 11\n", "\n7 12\n").find("the grain 12 is not among the 3 grains") != std::string::npos);
+  CHECK(own("\n7 11\n", "\n7 7\n").find("in contact with itself") != std::string::npos);
+  CHECK(own("\n7 11\n", "\n11 7\n").find("does not fit the positions") != std::string::npos);
+  CHECK(own("\n-1\n2\n4\n", "\n-1\n2\n4.5\n").find("expected an integer as wall 2") != std::string::npos);
+  CHECK(own("\n-1\n2\n4\n", "\n-1\n2\n5000000000\n").find("expected a number of a wall") !=
+        std::string::npos);
+  CHECK(own("\n0.3333333333333333\n0.5\n0.7\n", "\n0.3333333333333333\nnan\n0.7\n")
+            .find("with wall 2 has numbers beyond all range") != std::string::npos);
+}

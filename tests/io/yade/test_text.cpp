@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/yade/text.hpp>
+
+#include <granum/packing/stress.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::string grains = "# granum: grains of a YADE scene, SI\n# step 20\n# time 2.5e-07\n"
+                           "# cell 0.004 0 0 0 0.004 0 0 0 0.004\n# id x y z r\n"
+                           "0 0.001 0.002 0.002 0.0005\n1 0.0019999 0.002 0.002 0.0005\n"
+                           "2 0.0019999 0.002 0.0029998 0.0005\n";
+const std::string heading =
+    "# id1 id2 cellDistX cellDistY cellDistZ cpx cpy cpz nx ny nz pd fnx fny fnz fsx fsy fsz kn ks\n";
+const std::string contacts = data_text("yade_chain.contacts");
+
+ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
+  return read_yade(text_source("g", grain_text), text_source("c", contact_text));
+}
+std::string refused(const std::string& grain_text, const std::string& contact_text = contacts) {
+  return refusal([&] { (void)read(grain_text, contact_text); });
+}
+
+} // namespace
+
+TEST_CASE("YADE: the chain as the script writes it, forces on the second grain, with its stiffnesses") {
+  // 17 digits of the state at rest, of which YADE prints the forces of the other codes
+  const std::string rows =
+      heading + "0 1 0 0 0 0.00149995 0.002 0.002 1 0 0 1e-07 0.0235294118 0 0 0 0.003 0 352941.177 "
+                "324324.325\n2 1 0 0 0 0.0019999 0.002 0.0024999 0 0 -1 2e-07 0 0 -0.0665512265 0 0 "
+                "0 499134.199 458663.858\n";
+  const ImportedPacking packing = read(grains, rows);
+  check_chain(packing, 1e-15, 1e-15);
+  CHECK(packing.step == 20);
+  CHECK(packing.time == 2.5e-7);
+  CHECK(packing.assembly.cell == Mat3::diagonal(4e-3, 4e-3, 4e-3));
+  CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.003, 0});
+  CHECK(packing.assembly.contacts[0].normal_stiffness == 352941.177);
+  CHECK(packing.assembly.contacts[1].tangential_stiffness == 458663.858);
+  CHECK_FALSE(packing.has(Finding::stiffness_unknown));
+  CHECK_FALSE(packing.has(Finding::cell_unknown));
+  check_vector(residuals(packing.assembly)[0].force, {-force_ab, -0.003, 0}, 1e-15);
+}
+
+TEST_CASE(
+    "YADE: what the script writes keeps all digits, and names of bodies that are no spheres do not disturb") {
+  const ImportedPacking packing =
+      read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
+  check_chain(packing, 1e-15, 1e-15);
+  CHECK(packing.id == std::vector<long>{0, 2, 4});
+  CHECK(packing.time == 1.0 / 3);
+  CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01 / 3, 0});
+  CHECK_FALSE(packing.has(Finding::walls_unknown));
+  CHECK_FALSE(packing.has(Finding::cell_unknown));
+}
+
+TEST_CASE("YADE: rows that it printed itself") {
+  const ImportedPacking packing = read_yade(text_source("g", grains), data_source("yade_chain.contacts"));
+  const packing::Contact &ab = packing.assembly.contacts[0], &bc = packing.assembly.contacts[1];
+  CHECK(ab.overlap == 9.93569733362e-08);
+  CHECK(ab.normal_force == relative(0.0233028264076, 1e-11));
+  CHECK(bc.normal_force == relative(0.0656459528618, 1e-11));
+  check_vector(ab.tangential_force, {1.6695489126e-10, 0.00320450045648, 0.00029316886604}, 1e-15);
+  CHECK(bc.tangential_stiffness / bc.normal_stiffness == relative(2 * 0.85 / 1.85, 1e-12)); // MindlinPhys
+  CHECK(norm(ab.branch) == relative(1e-3 - 9.93569733362e-08, 1e-14));
+}
+
+TEST_CASE("YADE: a pair through a face, in a sheared cell") {
+  const std::string two =
+      with(with(grains.substr(0, grains.find("0 0.001")), "0.004 0 0 0 0.004", "0.004 0.0004 0 0 0.004"),
+           "# step", "# step") +
+      "4 0.002 0.0004 0.002 0.0005\n7 0.0024 0.0034001 0.002 0.0005\n";
+  const std::string row = "4 7 0 -1 0 0 0 0 0 -1 0 1e-07 0 -0.0235294118 0 0 0 0 1 1\n";
+  const ImportedPacking packing = read(two, heading + row);
+  REQUIRE(packing.assembly.contacts.size() == 1);
+  check_vector(packing.assembly.contacts[0].branch, {0, -0.9999e-3, 0}, 1e-12);
+  CHECK(packing.assembly.contacts[0].normal_force == force_ab);
+  CHECK(packing.has(Finding::through_faces));
+  CHECK(refused(two, heading + with(row, "0 -1 0 0 0 0", "0 1 0 0 0 0")) ==
+        "c:2: the line of centres does not fit the positions and cellDist");
+}
+
+TEST_CASE("YADE: its own text exports give the geometry, and say that it is rough") {
+  for (const char* name : {"yade_text.txt", "yade_text_ext.txt"}) {
+    const ImportedPacking packing = read_yade(data_source(name));
+    CHECK(packing.assembly.position[2] == Vec3{0.0019999, 0.002, 0.0029998});
+    CHECK(packing.assembly.radius[2] == 0.5e-3);
+    CHECK(packing.id == std::vector<long>{0, 1, 2});
+    for (const Finding finding : {Finding::few_digits, Finding::cell_unknown, Finding::contacts_unknown})
+      CHECK(packing.has(finding));
+    CHECK(packing.has(Finding::ids_assumed) == (std::string(name) == "yade_text.txt"));
+    check_vector(column(packing.assembly.cell, 0), {1.9999e-3, 0, 0}, 1e-12); // around the grains
+  }
+  const ImportedPacking both = read_yade(data_source("yade_text.txt"), data_source("yade_chain.contacts"));
+  CHECK(both.assembly.contacts[0].overlap == 9.93569733362e-08); // overlaps keep the digits of the contacts
+}
+
+TEST_CASE("YADE: a wall stands behind the sphere that is named first") {
+  const ImportedPacking packing =
+      read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
+  REQUIRE(packing.assembly.wall_contacts.size() == 1);
+  const packing::Contact& wall = packing.assembly.wall_contacts[0];
+  CHECK((wall.i == 0 && wall.j == 3)); // body 3, exported from wall to sphere
+  check_vector(wall.branch, {-0.49e-3, 0, 0}, 1e-15);
+  CHECK(wall.normal_force == 0.25);
+  CHECK(wall.tangential_force == Vec3{0, -0.125, 0});
+  CHECK(wall.normal_stiffness == 1000);
+  CHECK(packing.has(Finding::wall_contacts));
+}
+
+TEST_CASE("YADE: contacts that were not exported are counted") {
+  const ImportedPacking packing = read(grains, "# left_out 3\n" + contacts);
+  CHECK(packing.has(Finding::walls_unknown));
+  CHECK(packing.assembly.wall_contacts.empty());
+  CHECK_FALSE(read(grains, contacts).has(Finding::walls_unknown));
+}
+
+TEST_CASE("YADE: each field that is wrong is refused with path and line") {
+  const auto grain = [](const std::string& from, const std::string& to) {
+    return refused(with(grains, from, to));
+  };
+  const auto row = [](const std::string& from, const std::string& to) {
+    return refused(grains, with(contacts, from, to));
+  };
+  CHECK(refused("") == "g: holds no grains");
+  CHECK(grain("# id x y z r", "# rows").starts_with("g:6: expected a heading"));
+  CHECK(grain("x y z r", "x y z radius") == "g:6: expected a column 'r' in the heading");
+  CHECK(grain("x y z r", "x y r") == "g:6: expected 4 fields, as many as the heading names, found 5");
+  CHECK(grain("0 0.001", "1 0.001") == "g:7: the grain 1 stands on line 6 too");
+  CHECK(grain("0 0.001", "0 nan") == "g:6: expected a finite number as coordinate, found 'nan'");
+  CHECK(grain("0.002 0.0005", "0.002 -0.0005").starts_with("g:6: expected a positive radius of grain 0"));
+  CHECK(grain("# cell 0.004", "# cell") ==
+        "g:4: expected 11 fields: # cell and nine numbers, row by row, found 10");
+  CHECK(grain("# cell 0.004", "# cell 0").starts_with("g:4: expected a box of positive volume"));
+  CHECK(grain("# step 20", "# step x") == "g:2: expected a finite number as step, found 'x'");
+  CHECK(grain("# time 2.5e-07", "# time") == "g:3: expected time as field 3, found 2 fields");
+  CHECK(refused(grains, "") == "c: holds no contacts; expected a heading '# id1 id2 ...'");
+  CHECK(refused(grains, "0 1\n") == "c:1: expected a heading '# id1 id2 ...' above the rows");
+  CHECK(row("id2", "second") == "c:1: expected a column 'id2' in the heading");
+  CHECK(row(" pd ", " overlap ") == "c:1: expected a column 'pd' in the heading");
+  CHECK(row("\n0 1 0", "\n0 5 0") == "c:2: the grain 5 is not among the 3 grains (ids 0 to 2)");
+  CHECK(row("\n0 1 0", "\n0 0 0") == "c:2: the grain 0 is in contact with itself");
+  CHECK(row("\n0 1 0", "\n0 1.5 0") == "c:2: expected an integer as id2, found '1.5'");
+  CHECK(
+      row("0.00199999954538 1 ", "0.00199999954538 3 ").starts_with("c:2: expected a unit vector as normal"));
+  CHECK(row("0.00199999954538 1 ", "0.00199999954538 -1 ")
+            .starts_with("c:2: the pair 0, 1 has a line of centres"));
+  CHECK(row("0.0233028264076", "inf") == "c:2: expected a finite number as normal force, found 'inf'");
+  CHECK(row("0.00320450045648", "?") == "c:2: expected a finite number as shear force, found '?'");
+  CHECK(row("9.93569733362e-08", "1e-07e") == "c:2: expected a finite number as overlap pd, found '1e-07e'");
+  CHECK(row("351804.593455", "-1") == "c:2: expected kn >= 0, found -1");
+  CHECK(row(" 323279.896688", "") == "c:2: expected 20 fields, as many as the heading names, found 19");
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/packing/cell_work.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <granum/packing/stress.hpp>
+
+#include "dem/lattice_state.hpp"
+
+using namespace granum;
+
+TEST_CASE("work of the cell and contact forces give one pressure, for every contact shape, with sliding "
+          "forces too") {
+  const contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double radius = 0.5e-3;
+  for (const contact::PowerLaw& law :
+       {contact::PowerLaw::sphere(quartz, radius), contact::PowerLaw::cone(quartz, 0.4),
+        contact::PowerLaw::flat(quartz, 5.7e-6), contact::PowerLaw::general(quartz, 1.5, 180)}) {
+    const dem::Material material{.law = law, .tangential_ratio = 0.9, .friction_coefficient = 0.5};
+    dem::State state = test::fcc(radius, 2, 4e-7);
+    // Unequal overlaps and tangential forces: the identity needs neither symmetry nor equilibrium.
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      state.position[g] +=
+          1e-7 * Vec3{std::sin(3.0 * static_cast<double>(g)), std::cos(5.0 * static_cast<double>(g)),
+                      std::sin(7.0 * static_cast<double>(g))};
+    packing::Assembly assembly = dem::contact_network(state, material);
+    for (packing::Contact& c : assembly.contacts)
+      c.tangential_force = 0.3 * c.normal_force * (1 / norm(c.branch)) * cross(c.branch, Vec3{0.6, 0, 0.8});
+    const double by_contacts = contact_stress(assembly).mean();
+    REQUIRE(by_contacts > 0);
+    CHECK(std::abs(pressure_by_cell_work(assembly, law) / by_contacts - 1) < 1e-6);
+  }
+}
+
+TEST_CASE("no contacts, no pressure") {
+  const contact::PowerLaw law = test::quartz_sphere(1e-3);
+  const packing::Assembly apart = dem::contact_network(test::fcc(1e-3, 2, -1e-5), test::quartz(1e-3, 0.5));
+  CHECK(apart.contacts.empty());
+  CHECK(pressure_by_cell_work(apart, law) == 0);
+}

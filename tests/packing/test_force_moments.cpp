@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/packing/force_moments.hpp>
+
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/density.hpp>
+#include <granum/packing/stress.hpp>
+
+#include "sample_packings.hpp"
+#include "sphere_chain.hpp"
+
+using namespace granum;
+
+TEST_CASE("moments of two forces by hand") {
+  packing::Assembly a = samples::sphere_chain();
+  a.contacts[0].normal_force = 1;
+  a.contacts[1].normal_force = 3;
+  CHECK(normal_force_moment(a, 2) == doctest::Approx(5.0 / 4).epsilon(1e-14));
+  CHECK(normal_force_moment(a, 0) == 1);
+  CHECK(normal_force_moment(a, 1) == doctest::Approx(1).epsilon(1e-15));
+  a.contacts[0].tangential_force = {0, 0.5, 0};
+  // (1 (1 + 0.25/0.8) + 9)/2 over 2^2
+  CHECK(energy_moment(a, 2, 0.8) == doctest::Approx((1 + 0.25 / 0.8 + 9) / 8).epsilon(1e-14));
+  CHECK(normal_force_moment(a, 2) == doctest::Approx(5.0 / 4).epsilon(1e-14));
+}
+
+TEST_CASE("contacts that carry nothing do not count") {
+  packing::Assembly a = samples::sphere_chain();
+  a.contacts[0].normal_force = 0;
+  CHECK(normal_force_moment(a, -0.5) == doctest::Approx(1).epsilon(1e-15));
+  a.contacts[1].normal_force = 0;
+  CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
+  a.contacts[1].normal_force = -1e-9;
+  CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
+  CHECK_THROWS_AS(static_cast<void>(energy_moment(samples::sphere_chain(), 1, 0)), InvalidArgument);
+  CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, std::numeric_limits<double>::infinity())),
+                  InvalidArgument);
+}
+
+TEST_CASE("both bounds meet where every contact carries the same force") {
+  const double radius = 0.5e-3, kn = 1.3e6;
+  const packing::Assembly a = samples::lattice(
+      samples::face_centred,
+      {.radius = radius, .normal_force = 0.02, .normal_stiffness = kn, .tangential_stiffness = 0.9e6});
+  // (C11 + 2 C12)/3 of the lattice. [DuffyMindlin1957]
+  const double closed = 2 * kn / (3 * std::sqrt(2) * radius);
+  CHECK(bulk_modulus_bounds(a).upper == doctest::Approx(closed).epsilon(1e-13));
+  CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(closed).epsilon(1e-13));
+}
+
+TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // [AgnolinRoux2007c]
+  const double young = 70e9, poisson = 0.3, radius = 1e-3, diameter = 2 * radius;
+  const double stiff = young / (1 - poisson * poisson), ratio = 2 * (1 - poisson) / (2 - poisson);
+  packing::Assembly a = samples::lattice(samples::face_centred, {.radius = radius});
+  samples::Uniform uniform(4);
+  for (packing::Contact& c : a.contacts) {
+    const double h = uniform(0, 1e-7);
+    c.normal_force = stiff * std::sqrt(diameter) / 3 * std::pow(h, 1.5);
+    c.normal_stiffness = 1.5 * c.normal_force / h;
+    c.tangential_stiffness = ratio * c.normal_stiffness;
+    const Vec3 push = uniform.vector(0.3 * c.normal_force);
+    c.tangential_force = push - dot(push, normal(c)) * normal(c);
+  }
+  const double pi = 3.14159265358979323846;
+  const double density = coordination_number(a) * solid_fraction(a);
+  const double scale =
+      0.5 * std::pow(density * stiff / (3 * pi), 2.0 / 3) * std::cbrt(contact_stress(a).mean());
+  const auto bounds = bulk_modulus_bounds(a);
+  CHECK(bounds.upper == doctest::Approx(scale * normal_force_moment(a, 1.0 / 3)).epsilon(1e-12));
+  CHECK(bounds.lower == doctest::Approx(scale / energy_moment(a, 5.0 / 3, ratio)).epsilon(1e-12));
+  CHECK(bounds.lower < bounds.upper);
+}
+
+TEST_CASE("no force, no stiffness: bounds stay defined") {
+  packing::Assembly a = samples::lattice(samples::simple_cubic, {});
+  CHECK(bulk_modulus_bounds(a).lower == 0); // no pressure
+  CHECK(bulk_modulus_bounds(a).upper > 0);
+  a = samples::sphere_chain();
+  a.contacts[0].tangential_force = {0, 1e-3, 0};
+  a.contacts[0].tangential_stiffness = 0;
+  CHECK(bulk_modulus_bounds(a).lower == 0); // a force on nothing
+  a.contacts.clear();
+  CHECK(bulk_modulus_bounds(a).upper == 0);
+  CHECK(bulk_modulus_bounds(a).lower == 0);
+}

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/plot/chart.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+#include "well_formed.hpp"
+
+using namespace granum;
+using namespace granum::plot;
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = std::numeric_limits<double>::max();
+
+/// Contents of all texts of a class; a power of ten is written 10^n.
+std::vector<std::string> texts(const std::string& svg, const std::string& text_class) {
+  std::vector<std::string> found;
+  const std::string begin = "<text class=\"" + text_class + "\"";
+  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+    const std::size_t from = svg.find('>', at) + 1;
+    std::string text = svg.substr(from, svg.find("</text>", from) - from);
+    if (const std::size_t span = text.find("<tspan"); span != std::string::npos) {
+      const std::size_t power = text.find('>', span) + 1;
+      text = text.substr(0, span) + "^" + text.substr(power, text.find('<', power) - power);
+    }
+    found.push_back(text);
+  }
+  return found;
+}
+
+/// The number that a label shows.
+double shown(std::string label) {
+  const std::string ten = "10^";
+  const std::size_t at = label.find(ten);
+  if (at == std::string::npos)
+    return parse_number(label).value();
+  const std::string mantissa = at == 0 ? "1" : label.substr(0, label.find("\u00b7"));
+  return parse_number(mantissa + "e" + label.substr(at + ten.size())).value();
+}
+
+std::size_t count(const std::string& text, const std::string& piece) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
+    ++found;
+  return found;
+}
+
+Chart chart_of(std::vector<double> x, std::vector<double> y, Scale scale = Scale::linear) {
+  return {.title = "",
+          .x = {.title = "x", .scale = scale},
+          .y = {.title = "y", .scale = scale},
+          .series = {{.name = "", .x = std::move(x), .y = std::move(y)}}};
+}
+
+} // namespace
+
+TEST_CASE("a chart becomes one well-formed SVG with its texts, and the same bytes again") {
+  Chart chart = chart_of({1, 2, 3}, {10, 30, 20});
+  chart.title = "Moduli";
+  chart.x.title = "p' [kPa]";
+  chart.series[0].name = "rung 2";
+  chart.series.push_back({.name = "points", .mark = Mark::marker, .x = {1, 2}, .y = {15, 25}});
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(texts(picture, "title") == std::vector<std::string>{"Moduli"});
+  CHECK(texts(picture, "x-title") == std::vector<std::string>{"p' [kPa]"});
+  CHECK(texts(picture, "legend") == std::vector<std::string>{"rung 2", "points"});
+  CHECK(svg(chart) == picture);
+  CHECK(picture.find("href") == std::string::npos);
+  CHECK_FALSE(well_formed(picture.substr(0, picture.size() - 8)));
+}
+
+TEST_CASE("texts from outside cannot break the file") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.title = "a < b & \"c\" > d\x01\n \xff \u03c3";
+  chart.series[0].name = "</svg><script>\xed\xa0\x80";
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(texts(picture, "title") ==
+        std::vector<std::string>{"a &lt; b &amp; &quot;c&quot; &gt; d?? ? \u03c3"});
+  CHECK(texts(picture, "legend") == std::vector<std::string>{"&lt;/svg&gt;&lt;script&gt;???"});
+}
+
+TEST_CASE("linear ticks are round numbers in equal steps") {
+  CHECK(texts(svg(chart_of({0, 1}, {0, 0.37})), "x-label") ==
+        std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
+  CHECK(texts(svg(chart_of({-120, 130}, {0, 1})), "x-label") ==
+        std::vector<std::string>{"-100", "-50", "0", "50", "100"});
+  CHECK(texts(svg(chart_of({0, 3e7}, {0, 1})), "x-label") ==
+        std::vector<std::string>{"0", "0.5\u00b710^7", "1\u00b710^7", "1.5\u00b710^7", "2\u00b710^7",
+                                 "2.5\u00b710^7", "3\u00b710^7"});
+  // far from zero, labels still tell the ticks apart
+  const auto close = texts(svg(chart_of({123456, 123456.01}, {0, 1})), "x-label");
+  CHECK(close.front() == "123456");
+  CHECK(close.at(1) == "123456.002");
+}
+
+TEST_CASE("logarithmic ticks are powers of ten, with 2 and 5 where there is room") {
+  CHECK(texts(svg(chart_of({1, 1e6}, {1, 2}, Scale::logarithmic)), "x-label") ==
+        std::vector<std::string>{"10^0", "10^1", "10^2", "10^3", "10^4", "10^5", "10^6"});
+  CHECK(texts(svg(chart_of({10, 1000}, {1, 2}, Scale::logarithmic)), "x-label") ==
+        std::vector<std::string>{"10", "20", "50", "100", "200", "500", "1000"});
+  CHECK(texts(svg(chart_of({1e-3, 1e-2}, {1, 2}, Scale::logarithmic)), "x-label") ==
+        std::vector<std::string>{"0.001", "0.002", "0.005", "0.01"});
+  CHECK(texts(svg(chart_of({2e7, 6e8}, {1, 2}, Scale::logarithmic)), "x-label") ==
+        std::vector<std::string>{"2\u00b710^7", "5\u00b710^7", "10^8", "2\u00b710^8", "5\u00b710^8"});
+  // less than a decade: equal steps
+  CHECK(texts(svg(chart_of({100, 200}, {1, 2}, Scale::logarithmic)), "x-label") ==
+        std::vector<std::string>{"100", "120", "140", "160", "180", "200"});
+}
+
+TEST_CASE("any range gets at least two labels, in order and well-formed") {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const double smallest = std::numeric_limits<double>::min();
+  for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 1},
+                                                                        {-largest, largest},
+                                                                        {0, largest},
+                                                                        {-1e-300, 1e-300},
+                                                                        {0, tiny},
+                                                                        {1e15, 1e15 + 1},
+                                                                        {1, 1 + 1e-11},
+                                                                        {5, 5},
+                                                                        {-7e8, -7e8},
+                                                                        {0, 0},
+                                                                        {largest, largest},
+                                                                        {1e-20, 3e-20},
+                                                                        {0.0123, 0.0124}}) {
+    CAPTURE(low);
+    CAPTURE(high);
+    const std::string picture = svg(chart_of({low, high}, {low, high}));
+    CHECK(well_formed(picture));
+    CHECK(picture.find("inf") == std::string::npos);
+    CHECK(picture.find("nan") == std::string::npos);
+    const auto labels = texts(picture, "y-label");
+    REQUIRE(labels.size() >= 2);
+    CHECK(labels.size() <= 10);
+    for (std::size_t k = 1; k < labels.size(); ++k)
+      CHECK(shown(labels[k]) > shown(labels[k - 1]));
+  }
+  for (const auto& [low, high] : std::vector<std::pair<double, double>>{{tiny, largest},
+                                                                        {smallest, 1},
+                                                                        {1, 1},
+                                                                        {1, 6.3},
+                                                                        {1, 6.4},
+                                                                        {3, 30},
+                                                                        {9.9, 160},
+                                                                        {1, 1e9},
+                                                                        {1e-5, 3e-5},
+                                                                        {tiny, tiny},
+                                                                        {1e-290, 1e-290},
+                                                                        {largest, largest},
+                                                                        {1e300, largest}}) {
+    CAPTURE(low);
+    CAPTURE(high);
+    const std::string picture = svg(chart_of({low, high}, {low, high}, Scale::logarithmic));
+    CHECK(well_formed(picture));
+    CHECK(picture.find("inf") == std::string::npos);
+    CHECK(picture.find("nan") == std::string::npos);
+    const auto labels = texts(picture, "y-label");
+    REQUIRE(labels.size() >= 2);
+    CHECK(labels.size() <= 10);
+    for (std::size_t k = 1; k < labels.size(); ++k)
+      CHECK(shown(labels[k]) > shown(labels[k - 1]));
+  }
+}
+
+TEST_CASE("points stand where their numbers say, in the unit of the axis") {
+  Chart chart = chart_of({0, 500e3, 1000e3}, {0, 1, 2});
+  chart.x.unit = 1e3;
+  chart.series[0].mark = Mark::line;
+  const std::string picture = svg(chart);
+  CHECK(texts(picture, "x-label") == std::vector<std::string>{"0", "200", "400", "600", "800", "1000"});
+  // 520 x 380 units from (96, 48); 4 % of the range is margin at either end
+  CHECK(picture.find("M115.26,413.93L356.00,238.00L596.74,62.07") != std::string::npos);
+}
+
+TEST_CASE("rows that cannot be drawn are left out, and the line has a gap there") {
+  Chart chart = chart_of({1, 2, 3, 4, 5, 6}, {1, 2, nothing, 4, 5, largest * 10});
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(count(picture, "<circle") == 4);
+  const std::size_t line = picture.find(" d=\"M") + 4;
+  const std::string path = picture.substr(line, picture.find('"', line) - line);
+  CHECK(count(path, "M") == 2);
+  CHECK(count(path, "L") == 2);
+
+  chart = chart_of({-1, 0, 1, 10}, {1, 1, 0, 10}, Scale::logarithmic);
+  CHECK(count(svg(chart), "<circle") == 1);
+}
+
+TEST_CASE("empty series and charts give axes alone, and one point is drawn") {
+  for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
+    Chart chart = chart_of({}, {}, scale);
+    CHECK(well_formed(svg(chart)));
+    CHECK(texts(svg(chart), "x-label").size() >= 2);
+    CHECK(count(svg(chart), "<circle") == 0);
+    chart.series.clear();
+    CHECK(well_formed(svg(chart)));
+    chart = chart_of({nothing}, {nothing}, scale);
+    CHECK(count(svg(chart), "<circle") == 0);
+    chart = chart_of({3}, {4}, scale);
+    CHECK(well_formed(svg(chart)));
+    CHECK(count(svg(chart), "<circle") == 1);
+    CHECK(svg(chart).find("cx=\"356.00\" cy=\"238.00\"") != std::string::npos); // in the middle
+  }
+}
+
+TEST_CASE("error bars are drawn where there is an error, and the axis holds them") {
+  Chart chart = chart_of({1, 2, 3, 4}, {10, 10, 10, 10});
+  chart.series[0].y_error = {10, 0, nothing, 5};
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(count(picture, "class=\"error\"") == 2);
+  CHECK(texts(picture, "y-label") == std::vector<std::string>{"0", "5", "10", "15", "20"});
+
+  // the lower end of a bar that a logarithmic axis cannot show lies on its edge
+  chart = chart_of({1, 10}, {1, 10}, Scale::logarithmic);
+  chart.series[0].y_error = {2, 0};
+  const std::string log_picture = svg(chart);
+  CHECK(count(log_picture, "class=\"error\"") == 1);
+  CHECK(log_picture.find("V428.00M") != std::string::npos);
+  CHECK(log_picture.find("nan") == std::string::npos);
+}
+
+TEST_CASE("a chart that contradicts itself is refused") {
+  Chart chart = chart_of({1, 2}, {1});
+  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+  CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
+  chart = chart_of({1, 2}, {1, 2});
+  chart.series[0].y_error = {1};
+  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+  chart = chart_of({1, 2}, {1, 2});
+  chart.y.unit = 0;
+  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+}
+
+TEST_CASE("the gnuplot script names file, columns, units, scales and errors, quotes escaped") {
+  Chart chart = chart_of({1e3, 2e3}, {1e6, 2e6});
+  chart.title = "Moduli";
+  chart.x = {.title = "p' [kPa]", .scale = Scale::logarithmic, .unit = 1e3};
+  chart.y = {.title = "G [MPa]", .scale = Scale::linear, .unit = 1e6};
+  chart.series[0].name = "rung 2";
+  chart.series.push_back({.name = "", .mark = Mark::marker, .x = {1e3}, .y = {1e6}});
+  const std::string script = gnuplot_script(
+      chart, "out file.csv", {{"p_Pa", "G_Pa"}, {"p_Pa", "G_vh_Pa", "G_vh_error_Pa"}}, "again.svg");
+  for (const char* piece :
+       {"set xlabel 'p'' [kPa]'", "set logscale x\n", "set title 'Moduli'", "set output 'again.svg'",
+        "'out file.csv' using (column('p_Pa')/1000):(column('G_Pa')/1000000) with linespoints linestyle 1 "
+        "title 'rung 2'",
+        "(column('G_vh_Pa')/1000000) with points linestyle 2 notitle",
+        "(column('G_vh_Pa')/1000000):(column('G_vh_error_Pa')/1000000) with yerrorbars"}) {
+    CAPTURE(piece);
+    CHECK(script.find(piece) != std::string::npos);
+  }
+  CHECK(script.find("set logscale y") == std::string::npos);
+  CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
+}
+
+TEST_CASE("the gnuplot script takes no name of a file for a command") {
+  const Chart chart = chart_of({1, 2}, {1, 2});
+  for (const char* name : {"< touch x; cat a.csv", "| touch x", "-", "~/a.csv", "+"}) {
+    CAPTURE(name);
+    const std::string script = gnuplot_script(chart, name, {{"x", "y"}}, name);
+    CHECK(script.find("plot './" + std::string(name) + "'") != std::string::npos);
+    CHECK(script.find("set output './" + std::string(name) + "'") != std::string::npos);
+  }
+  for (const char* name : {"a.csv", "../a.csv", "/a.csv", "_a.csv", "1.csv"})
+    CHECK(gnuplot_script(chart, name, {{"x", "y"}}, "a.svg").find("plot '" + std::string(name)) !=
+          std::string::npos);
+}
+
+TEST_CASE("series of one style look alike, and tones differ from the full one") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.series[0].style = 3;
+  chart.series.push_back(chart.series[0]);
+  const auto colours = [&] { return count(svg(chart), "#cc79a7"); };
+  const std::string alike = svg(chart);
+  CHECK(count(alike, "stroke=\"#cc79a7\" stroke-width=\"2\" stroke-dasharray=\"10 3 2 3\"") == 2);
+  CHECK(count(alike, "#0072b2") == 0);
+  const auto all = colours();
+  chart.series[1].tone = Tone::grey;
+  CHECK(colours() == all / 2);
+  CHECK(count(svg(chart), "stroke=\"#7a7a7a\" stroke-width=\"1.3\"") == 1);
+  chart.series[1].tone = Tone::hollow;
+  CHECK(count(svg(chart), "fill=\"white\" stroke=\"#cc79a7\"") == 1);
+  chart.series[1].tone = Tone::faint;
+  CHECK(count(svg(chart), "opacity=\"0.55\"") == 1);
+  CHECK(well_formed(svg(chart)));
+  const std::string script = gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg");
+  CHECK(count(script, "linecolor rgb '#cc79a7'") == 2);
+  CHECK(count(script, "linewidth 1 ") == 1);
+  // Error bars of a line have no marker, and no bar is dashed.
+  chart.series[0].mark = Mark::line;
+  const std::string bars = gnuplot_script(chart, "a.csv", {{"x", "y", "e"}, {"x", "y", "e"}}, "a.svg");
+  CHECK(count(bars, "with yerrorbars linestyle 1 dashtype 1 pointtype 0") == 1);
+  CHECK(count(bars, "with yerrorbars linestyle 2 dashtype 1 notitle") == 1);
+}
+
+TEST_CASE("a legend below the plot makes the picture higher and not wider") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.width = 300;
+  chart.height = 200;
+  chart.legend_below = true;
+  chart.series[0].name = "";
+  CHECK(svg(chart).find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  for (int k = 0; k < 6; ++k) {
+    chart.series.push_back(chart.series[0]);
+    chart.series.back().name = "a series of number " + std::to_string(k);
+  }
+  const std::string picture = svg(chart);
+  CHECK(picture.find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  CHECK(texts(picture, "legend").size() == 6);
+  // Each row of the legend lies inside the picture, under the title of the x axis.
+  const std::string box = picture.substr(picture.find("viewBox=\"0 0 424.00 ") + 20);
+  const double height = std::stod(box);
+  std::vector<std::pair<double, double>> places;
+  for (std::size_t at = picture.find("<text class=\"legend\""); at != std::string::npos;
+       at = picture.find("<text class=\"legend\"", at + 1)) {
+    const double x = std::stod(picture.substr(picture.find("x=\"", at) + 3));
+    const double y = std::stod(picture.substr(picture.find("y=\"", at) + 3));
+    CHECK(x > 0);
+    CHECK(x < 424);
+    CHECK(y > 48 + 200 + 50);
+    CHECK(y < height);
+    places.emplace_back(y, x);
+  }
+  REQUIRE(places.size() == 6);
+  CHECK(std::is_sorted(places.begin(), places.end())); // row by row, from left to right
+  CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+  CHECK(places.front().first < places.back().first);
+  chart.height = 0;
+  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+}

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/experiment.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "io/temporary_folder.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using stress::ShearPath;
+using triaxial::Density;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Seconds: few grains, two paths, short of the peak.
+Scene small_scene() {
+  Scene scene;
+  scene.study.grains = 80;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.densities = {Density::dense};
+  scene.study.pressures = {25e3, 50e3, 100e3};
+  scene.study.probe_pressures = {100e3};
+  scene.shear.paths = {ShearPath::txc, ShearPath::rtxe};
+  scene.shear.inertial_number = 1e-3;
+  scene.shear.largest_strain = 5e-4;
+  scene.shear.eta_step = 0.2;
+  scene.shear.strain_step = 2.5e-4;
+  scene.shear.probe_eta_step = 0.4;
+  scene.study.threads = 1;
+  return scene;
+}
+
+void check_same(const Experiment& a, const Experiment& b) {
+  REQUIRE(a.specimens.size() == b.specimens.size());
+  for (std::size_t s = 0; s < a.specimens.size(); ++s) {
+    REQUIRE(a.specimens[s].runs.size() == b.specimens[s].runs.size());
+    CHECK(a.specimens[s].end_of_iso == b.specimens[s].end_of_iso);
+    for (std::size_t r = 0; r < a.specimens[s].runs.size(); ++r) {
+      const PathRun &x = a.specimens[s].runs[r], &y = b.specimens[s].runs[r];
+      CHECK(x.path == y.path);
+      CHECK(x.failure == "");
+      CHECK(y.failure == "");
+      CHECK(x.points == y.points);
+      CHECK(x.curve == y.curve);
+      CHECK(x.peak == y.peak);
+      CHECK(x.steps == y.steps);
+      REQUIRE(x.loops.size() == y.loops.size());
+      for (std::size_t k = 0; k < x.loops.size(); ++k) {
+        REQUIRE(x.loops[k].points.size() == y.loops[k].points.size());
+        CHECK(x.loops[k].points.back().shear_stress == y.loops[k].points.back().shear_stress);
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("an experiment compresses, shears, and freezes where the scene says") {
+  Scene scene = small_scene();
+  scene.shear.inertial_number = 2e-4; // the servos hold the other stress the better, the slower the path
+  const Experiment experiment = run_experiment(scene);
+  REQUIRE(experiment.complete());
+  REQUIRE(experiment.specimens.size() == 1);
+  const std::vector<PathRun>& runs = experiment.specimens.front().runs;
+  REQUIRE(runs.size() == 3);
+
+  const PathRun& iso = runs[0];
+  CHECK(name(iso.path) == "ISO");
+  REQUIRE(iso.points.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(iso.points[k].at.stress.mean() == relative(scene.study.pressures[k], 1e-5));
+    CHECK(iso.points[k].probes.has_value() == (k == 2));
+  }
+  CHECK(iso.points[2].at.volumetric_strain > iso.points[1].at.volumetric_strain);
+  CHECK(iso.points[2].void_ratio < iso.points[0].void_ratio);
+
+  for (std::size_t r : {std::size_t{1}, std::size_t{2}}) {
+    const PathRun& run = runs[r];
+    const double sense = stress::is_compression(*run.path) ? 1 : -1;
+    CHECK(run.path == scene.shear.paths[r - 1]);
+    REQUIRE(run.points.size() >= 3);
+    CHECK(run.curve.size() > 2 * run.points.size());
+    CHECK(std::abs(run.curve.back().axial_strain) >= scene.shear.largest_strain);
+    double next = scene.shear.eta_step;
+    for (const StateRecord& point : run.points) {
+      const double eta = sense * point.at.stress.ratio();
+      // Frozen just behind the multiple: a snapshot is taken in the step that passes it.
+      if (eta >= next) {
+        CHECK(eta == relative(next, 0.02));
+        next += scene.shear.eta_step;
+      }
+      CHECK(point.at.stress.h == relative(100e3, 0.02)); // both paths hold the horizontal stress
+      // The frozen state is that of the path, at rest.
+      CHECK(std::abs(point.stress.v - point.at.stress.v) < 0.02 * point.at.stress.mean());
+      CHECK(point.unbalanced_force_ratio <= 1e-4);
+      CHECK(point.closed.has_value());
+      // The network is softer than uniform strain.
+      CHECK(point.G_vh() < (point.affine[21] + point.affine[28]) / 2);
+    }
+    CHECK(next > 2 * scene.shear.eta_step);
+  }
+}
+
+TEST_CASE("what an experiment keeps of a frozen state agrees: probes, cycles, histograms and its network") {
+  const Experiment experiment = run_experiment(small_scene());
+  {
+    // Probes agree with the networks.
+    std::size_t probed = 0;
+    for (const PathRun& run : experiment.specimens.front().runs)
+      for (const StateRecord& point : run.points)
+        if (point.probes) {
+          ++probed;
+          CHECK(point.probes->G_hh == relative(point.network[35], 0.01));
+          CHECK(point.probes->G_vh == relative(point.network[28], 0.01)); // the x z plane
+          CHECK(point.probes->G_hv == relative(point.probes->G_vh, 0.01));
+        }
+    CHECK(probed >= 3);
+  }
+  {
+    // Cycles of shear are kept of TXC: linear at first, with the slope of the network.
+    const std::vector<PathRun>& runs = experiment.specimens.front().runs;
+    CHECK(runs[0].loops.empty());
+    CHECK(runs[2].loops.empty());
+    REQUIRE(runs[1].loops.size() >= 2);
+    const ShearLoop& first = runs[1].loops.front();
+    CHECK(std::abs(first.eta) < 1e-5); // the servos hold the stresses to 1e-6
+    CHECK(first.points.front().shear_strain == 0);
+    CHECK(first.points.back().shear_strain == relative(1e-5, 1e-9));
+    // The way from one end of the cycle to the other; sliding contacts make it softer than the network.
+    double largest = -1, smallest = 1;
+    for (const triaxial::LoopPoint& point : first.points) {
+      largest = std::max(largest, point.shear_stress);
+      smallest = std::min(smallest, point.shear_stress);
+    }
+    const double secant = (largest - smallest) / 2e-5, network = runs[0].points.back().network[35];
+    CHECK(secant < 1.01 * network);
+    CHECK(secant > 0.85 * network);
+    CHECK(runs[1].loops[1].eta == relative(0.5, 0.06)); // the fast path of this scene overshoots
+  }
+  {
+    // Histograms count the contacts.
+    for (const PathRun& run : experiment.specimens.front().runs)
+      for (const StateRecord& point : run.points) {
+        std::uint32_t by_angle = 0, by_force = 0;
+        for (const std::uint32_t count : point.polar_counts)
+          by_angle += count;
+        for (const std::uint32_t count : point.force_counts)
+          by_force += count;
+        CHECK(by_angle == point.contacts);
+        CHECK(by_force <= point.contacts);
+        CHECK(by_force > 0.95 * point.contacts); // few press with more than 8 times the mean
+        CHECK(2.0 * point.contacts / 80 == relative(point.micro.coordination_number, 1e-14));
+        CHECK(trace(point.fabric) == relative(1, 1e-12));
+      }
+  }
+}
+
+TEST_CASE("an experiment is the same bits on one and on two threads, and with checkpoints") {
+  const Experiment one = run_experiment(small_scene());
+  Scene scene = small_scene();
+  scene.study.threads = 2;
+  const TemporaryFolder folder;
+  check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
+  // A finished run is read from its checkpoints.
+  check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
+}
+
+TEST_CASE("an experiment that is stopped again and again goes on to the same bits") {
+  const Experiment whole = run_experiment(small_scene());
+  const TemporaryFolder folder;
+  const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
+  int rounds = 0;
+  double before = 0;
+  for (bool complete = false; !complete && rounds < 30; ++rounds) {
+    std::atomic<bool> stop = false;
+    std::size_t reports = 0;
+    // The second report of a round is the first of its own work, as soon as something was found.
+    const auto report = [&](const Progress& progress) {
+      CHECK(progress.done >= before);
+      before = progress.done;
+      if (progress.done > progress.done_before && ++reports >= 2)
+        stop = true;
+    };
+    complete = run_experiment(small_scene(), {.report = report, .stop = &stop}, checkpoints).complete();
+    before = 0;
+  }
+  CHECK(rounds > 3);
+  check_same(whole, run_experiment(small_scene(), {}, checkpoints));
+}
+
+TEST_CASE("checkpoints of another scene are refused") {
+  Scene scene = small_scene();
+  scene.shear.paths = {};
+  scene.study.pressures = {80e3, 90e3, 100e3};
+  scene.study.probe_pressures = {};
+  const TemporaryFolder folder;
+  REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
+  CHECK_THROWS_AS((void)run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "other"}),
+                  FileError);
+}
+
+TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is refused") {
+  Scene scene = small_scene();
+  scene.study.densities = {Density::dense, Density::loose};
+  scene.study.seeds = 2;
+  const TemporaryFolder folder;
+  const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
+  REQUIRE(run_experiment(scene, {}, checkpoints).complete());
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    files.push_back(entry.path());
+  REQUIRE(files.size() == 14); // two packings, four compressions, eight paths
+  const fs::path aside = folder.path() / "aside";
+  std::size_t swaps = 0;
+  for (const fs::path& a : files)
+    for (const fs::path& b : files)
+      if (a < b) {
+        const auto swap = [&] {
+          fs::rename(a, aside);
+          fs::rename(b, a);
+          fs::rename(aside, b);
+        };
+        swap();
+        CHECK_THROWS_AS((void)run_experiment(scene, {}, checkpoints), FileError);
+        swap();
+        ++swaps;
+      }
+  CHECK(swaps == 91);
+  CHECK(run_experiment(scene, {}, checkpoints).complete());
+}
+
+TEST_CASE("checkpoints are removed by their names, and nothing else is") {
+  Scene scene = small_scene();
+  scene.study.contacts = {Shape::power_law};
+  scene.study.pressures = {80e3, 90e3, 100e3};
+  scene.shear.largest_strain = 0.0005;
+  const TemporaryFolder folder;
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  REQUIRE(run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "one"}).complete());
+  REQUIRE(files().size() >= 3);
+  // As a run with another seed leaves them that was killed while it wrote.
+  std::ofstream(folder.path() / "sphere-loose-12-rtxe.checkpoint.granum.part") << "x";
+  std::ofstream(folder.path() / "flat-7-packing.checkpoint") << "x";
+  const std::set<std::string> foreign{"notes.txt",
+                                      "sphere-dense-1-txc.checkpoint.bak",
+                                      "sphere-dense-1-txc",
+                                      "sphere-dense-x-txc.checkpoint",
+                                      "cube-dense-1-txc.checkpoint",
+                                      "sphere-dense-1-TXC.checkpoint",
+                                      "sphere-dense-1-packing.checkpoint",
+                                      "sphere-1-packing.checkpoint.part"};
+  for (const std::string& name : foreign)
+    std::ofstream(folder.path() / name) << "x";
+  fs::create_directory(folder.path() / "cone-1-packing.checkpoint");
+  remove_checkpoints(folder.path());
+  std::set<std::string> left = foreign;
+  left.insert("cone-1-packing.checkpoint");
+  CHECK(files() == left);
+  remove_checkpoints(folder.path() / "none");
+}
+
+TEST_CASE("a checkpoint that cannot be written ends an experiment with its error") {
+  Scene scene = small_scene();
+  scene.shear.paths = {};
+  const TemporaryFolder folder;
+  // The folder of checkpoints is a file.
+  const fs::path file = folder.path() / "file";
+  std::ofstream(file) << "x";
+  CHECK_THROWS_AS((void)run_experiment(scene, {}, {.folder = file, .scene_text = "scene"}), FileError);
+}
+
+TEST_CASE("a scene that no experiment can have is refused") {
+  Scene scene = small_scene();
+  scene.shear.eta_step = 0;
+  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+  scene = small_scene();
+  scene.shear.largest_strain = 1;
+  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+  scene = small_scene();
+  scene.shear.paths = {ShearPath::txc, ShearPath::txc};
+  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+  scene = small_scene();
+  scene.specimen.wall_friction = -1;
+  scene.specimen.walls = true;
+  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+}

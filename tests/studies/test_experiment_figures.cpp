@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/experiment_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "studies/reproduce/experiment_findings.hpp"
+#include "studies/reproduce/paper.hpp"
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "count_pieces.hpp"
+#include "relative.hpp"
+#include "synthetic_experiment.hpp"
+#include "well_formed.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using stress::ShearPath;
+using triaxial::Density;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Panel find_panel(const Experiment& experiment, const std::string& stem) {
+  for (const Figure& figure : experiment_figures(experiment))
+    for (const Panel& panel : figure.panels)
+      if (panel.stem == stem)
+        return panel;
+  FAIL("no panel " << stem);
+  return {};
+}
+
+bool has(const Panel& panel, const std::string& key) {
+  return std::find(panel.keys.begin(), panel.keys.end(), key) != panel.keys.end();
+}
+
+plot::Series find_series(const Panel& panel, const std::string& key) {
+  const auto found = std::find(panel.keys.begin(), panel.keys.end(), key);
+  if (found == panel.keys.end())
+    FAIL("no series " << key);
+  return panel.chart.series[static_cast<std::size_t>(found - panel.keys.begin())];
+}
+
+/// Dense spheres: contacts come first, cone before sphere.
+const ExperimentSpecimen& dense_sphere(const Experiment& experiment) { return experiment.specimens[2]; }
+
+} // namespace
+
+TEST_CASE("every figure of the paper is drawn in its order, with a panel for each of its parts") {
+  const std::vector<Figure> figures = experiment_figures(synthetic::experiment());
+  const std::vector<std::pair<std::string, std::size_t>> expected = {
+      {"Fig. 4", 1},  {"Fig. 6", 6},  {"Fig. 7", 6},  {"Fig. 8", 12},         {"Fig. 9", 6},  {"Fig. 10", 6},
+      {"Fig. 11", 6}, {"Fig. 12", 6}, {"Fig. 13", 6}, {"Fig. 14", 6},         {"Fig. 15", 2}, {"Fig. 16", 6},
+      {"Fig. 17", 6}, {"Fig. 18", 6}, {"Fig. 19", 6}, {"Beyond the paper", 1}};
+  REQUIRE(figures.size() == expected.size());
+  std::set<std::string> stems;
+  std::size_t panels = 0;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    CAPTURE(expected[k].first);
+    CHECK(figures[k].name == expected[k].first);
+    CHECK(figures[k].panels.size() == expected[k].second);
+    CHECK(!figures[k].title.empty());
+    CHECK(figures[k].caption.size() > 40);
+    for (const Panel& panel : figures[k].panels) {
+      stems.insert(panel.stem);
+      ++panels;
+    }
+  }
+  CHECK(stems.size() == panels);
+  CHECK(stems.contains("fig09_cone_dense_G_hv_p"));
+  CHECK(stems.contains("fig14_flat_loose_G_hh_eta"));
+  CHECK(assembly_picture(synthetic::experiment())->stem == "fig03_sphere_dense");
+}
+
+TEST_CASE("pictures are well-formed and free of what is no number") {
+  for (const Figure& figure : experiment_figures(synthetic::experiment()))
+    for (const Panel& panel : figure.panels) {
+      CAPTURE(panel.stem);
+      REQUIRE(panel.keys.size() == panel.chart.series.size());
+      for (const std::string& key : panel.keys) // gnuplot does not read headings in quotes
+        CHECK(key.find_first_of(",\"'") == std::string::npos);
+      const std::string svg = plot::svg(panel.chart);
+      CHECK(well_formed(svg));
+      CHECK(svg.find("nan") == std::string::npos);
+      CHECK(svg.find("inf") == std::string::npos);
+    }
+}
+
+TEST_CASE("a path has the same colour and marker in all figures") {
+  std::map<std::string, std::set<std::size_t>> styles;
+  for (const Figure& figure : experiment_figures(synthetic::experiment()))
+    for (const Panel& panel : figure.panels)
+      for (const plot::Series& series : panel.chart.series)
+        if (series.name.starts_with("TX") || series.name.starts_with("RTX") || series.name == "ISO") {
+          REQUIRE(series.style.has_value());
+          styles[series.name.substr(0, series.name.find(' '))].insert(*series.style);
+        }
+  CHECK(styles.size() == 5);
+  std::set<std::size_t> all;
+  for (const auto& [path, used] : styles) {
+    CAPTURE(path);
+    CHECK(used.size() == 1);
+    all.insert(*used.begin());
+  }
+  CHECK(all.size() == 5);
+}
+
+TEST_CASE("moduli begin at the end of isotropic compression and end at the peak, with the rest as dots") {
+  const Experiment experiment = synthetic::experiment();
+  const std::vector<StateRecord>& points = dense_sphere(experiment).runs[2].points; // RTXC
+  const Panel panel = find_panel(experiment, "fig10_sphere_dense_G_hv_p");
+  const plot::Series network = find_series(panel, "RTXC network");
+  REQUIRE(network.x.size() == 9);
+  CHECK(network.x[0] == 100e3);
+  CHECK(network.y[0] == relative(1e8, 1e-14));
+  for (std::size_t k = 0; k < 8; ++k) {
+    CHECK(network.x[k + 1] == points[k].at.stress.mean());
+    CHECK(network.y[k + 1] == points[k].G_vh());
+  }
+  const plot::Series past = find_series(panel, "RTXC past the peak");
+  CHECK(past.mark == plot::Mark::marker);
+  CHECK(past.x == std::vector{points[8].at.stress.mean(), points[9].at.stress.mean()});
+  const plot::Series probes = find_series(panel, "RTXC cyclic shear");
+  CHECK(probes.y == std::vector{1.02 * points[4].G_vh()});
+  CHECK(find_series(panel, "RTXC uniform strain").y[3] == relative(2 * network.y[3], 1e-14));
+  CHECK(find_series(panel, "RTXC relaxed (closed form)").y[3] == relative(1.1 * network.y[3], 1e-14));
+  CHECK(find_series(panel, "ISO network").x == std::vector{25e3, 50e3, 75e3, 100e3});
+
+  const Panel against_eta = find_panel(experiment, "fig10_sphere_dense_G_hv_eta");
+  CHECK(!has(against_eta, "ISO network"));
+  CHECK(find_series(against_eta, "RTXC network").x[2] == relative(0.2, 1e-14));
+  CHECK(find_series(find_panel(experiment, "fig10_sphere_dense_G_hh_p"), "TXC cyclic shear").y[0] ==
+        dense_sphere(experiment).runs[1].points[4].probes->G_hh);
+  CHECK(find_series(find_panel(experiment, "fig10_sphere_dense_G_vh_p"), "TXC cyclic shear").y[0] ==
+        dense_sphere(experiment).runs[1].points[4].probes->G_vh);
+}
+
+TEST_CASE("curves and paths show stresses and strains of the experiment") {
+  const Experiment experiment = synthetic::experiment();
+  const PathRun& txe = dense_sphere(experiment).runs[4];
+  const plot::Series ratio = find_series(find_panel(experiment, "fig06_sphere_dense"), "TXE");
+  const plot::Series volume = find_series(find_panel(experiment, "fig07_sphere_dense"), "TXE");
+  REQUIRE(ratio.x.size() == txe.curve.size());
+  for (std::size_t k = 0; k < ratio.x.size(); ++k) {
+    CHECK(ratio.x[k] == txe.curve[k].axial_strain);
+    CHECK(ratio.y[k] == txe.curve[k].stress.ratio());
+    CHECK(volume.y[k] == txe.curve[k].volumetric_strain);
+  }
+  const plot::Series path = find_series(find_panel(experiment, "fig04_cone_dense"), "TXE");
+  CHECK(path.x.size() == 10);
+  // TXE holds the vertical stress: q = -3 (p' - 100 kPa)/2
+  for (std::size_t k = 0; k < path.x.size(); ++k)
+    CHECK(path.y[k] == relative(-1.5 * (path.x[k] - 100e3), 1e-10));
+}
+
+TEST_CASE("exponents stand beside the printed ones") {
+  const Experiment experiment = synthetic::experiment();
+  const Panel panel = find_panel(experiment, "fig15_loose");
+  const plot::Series ours = find_series(panel, "G_hv granum"), paper = find_series(panel, "G_hv paper");
+  REQUIRE(ours.y.size() == 3);
+  REQUIRE(paper.y.size() == 3);
+  std::size_t k = 0;
+  for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat}) {
+    CHECK(paper.y[k] == printed(contact, Density::loose)->hv.s);
+    CHECK(ours.x[k] == paper.x[k]);
+    // The moduli were made with sqrt(p') alone, and a power of sigma_h and sigma_v comes near to it.
+    CHECK(ours.y[k] == relative(0.5, 0.02));
+    CHECK(std::abs(ours.x[k] - law(experiment.scene, contact).stiffness_exponent()) < 0.01);
+    ++k;
+  }
+}
+
+TEST_CASE("directions of contacts are a density, and the fit has the a of the same contacts") {
+  const Experiment experiment = synthetic::experiment();
+  const Panel panel = find_panel(experiment, "fig16_cone_loose");
+  const plot::Series counted = find_series(panel, "RTXE counted"), fit = find_series(panel, "RTXE fitted");
+  REQUIRE(counted.x.size() == 9);
+  double total = 0;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double low = pi / 18 * static_cast<double>(k), high = low + pi / 18;
+    total += counted.y[k] * 4 * pi * (std::cos(low) - std::cos(high));
+    CHECK(counted.x[k] == relative((low + high) / 2, 1e-13));
+    // bins 2k and 2k + 1 hold 3 + 4k and 5 + 4k contacts
+    CHECK(counted.y_error[k] / counted.y[k] ==
+          relative(1 / std::sqrt(8.0 + 8.0 * static_cast<double>(k)), 1e-13));
+  }
+  CHECK(total == relative(1, 1e-13));
+  const double a = fabric::anisotropy_from_F33(0.4);
+  for (std::size_t k = 0; k < fit.x.size(); ++k)
+    CHECK(fit.y[k] == fabric::density(fit.x[k], a));
+  CHECK(has(panel, "ISO counted"));
+  CHECK(has(panel, "TXC counted"));
+  CHECK(!has(panel, "TXE counted"));
+}
+
+TEST_CASE("microstructure carries its errors on some of its points") {
+  const Experiment experiment = synthetic::experiment();
+  const plot::Series a = find_series(find_panel(experiment, "fig18_sphere_dense_a"), "RTXE");
+  REQUIRE(a.y_error.size() == 9);
+  CHECK(a.y[0] == 0);
+  CHECK(a.y[8] == relative(-0.08, 1e-13));
+  CHECK(std::count(a.y_error.begin(), a.y_error.end(), 0.02) == 2);
+  CHECK(std::count(a.y_error.begin(), a.y_error.end(), 0.0) == 7);
+  const plot::Series C_n = find_series(find_panel(experiment, "fig18_sphere_dense_C_n"), "RTXE");
+  CHECK(C_n.y[8] == relative(5.6, 1e-13));
+  CHECK(std::count(C_n.y_error.begin(), C_n.y_error.end(), 0.05) == 2);
+  const plot::Series z = find_series(find_panel(experiment, "fig18_sphere_dense_z_star"), "RTXE");
+  CHECK(z.y[8] == relative(5.7, 1e-13));
+  CHECK(z.y_error.empty());
+}
+
+TEST_CASE("relaxation holds all states of all seeds over the calibrated curve") {
+  Experiment experiment = synthetic::experiment();
+  experiment.scene.study.seeds = 2;
+  experiment.specimens.push_back(dense_sphere(experiment)); // a second seed
+  const Panel panel = find_panel(experiment, "more_relaxation");
+  const plot::Series dense = find_series(panel, "sphere_dense"), loose = find_series(panel, "sphere_loose");
+  CHECK(dense.x.size() == 2 * (4 + 4 * 10));
+  CHECK(loose.x.size() == 4 + 4 * 10);
+  for (const double ratio : dense.y)
+    CHECK(ratio == relative(0.5, 1e-13));
+  const plot::Series line = find_series(panel, "closed form cone");
+  CHECK(line.x.front() == relative(5.7, 1e-13)); // |eta| = 0.8
+  CHECK(line.x.back() == relative(6.1, 1e-13));
+  const dem::Material cone = recipe(experiment.scene, Shape::cone, 1).material;
+  CHECK(line.y[7] ==
+        effective::relaxation(line.x[7], cone.tangential_ratio, cone.law.stiffness_exponent()).shear.value);
+  CHECK(experiment_figures(experiment).front().caption.find("first of 2 specimens") != std::string::npos);
+}
+
+TEST_CASE("an experiment with parts missing gives what it can") {
+  Experiment experiment = synthetic::experiment();
+  // Dense cones never compressed, loose ones have no paths, dense spheres no closed forms and no probes.
+  experiment.specimens[0].end_of_iso = {};
+  experiment.specimens[0].runs = {PathRun{}};
+  experiment.specimens[0].runs[0].failure = "did not come to rest";
+  experiment.specimens[1].runs.resize(1);
+  for (PathRun& run : experiment.specimens[2].runs)
+    for (StateRecord& point : run.points) {
+      point.closed = std::nullopt;
+      point.probes = std::nullopt;
+    }
+  experiment.specimens[3].runs[1].points[9].network = {}; // fell apart
+  const std::vector<Figure> figures = experiment_figures(experiment);
+  std::set<std::string> stems;
+  for (const Figure& figure : figures)
+    for (const Panel& panel : figure.panels) {
+      stems.insert(panel.stem);
+      CHECK(plot::svg(panel.chart).find("nan") == std::string::npos);
+    }
+  CHECK(!stems.contains("fig09_cone_dense_G_hv_p"));
+  CHECK(!stems.contains("fig12_cone_loose_G_hv_eta"));
+  CHECK(stems.contains("fig12_cone_loose_G_hv_p")); // isotropic compression is there
+  CHECK(stems.contains("fig10_sphere_dense_G_hv_p"));
+  CHECK(!has(find_panel(experiment, "more_relaxation"), "sphere_dense"));
+  CHECK(find_series(find_panel(experiment, "more_relaxation"), "sphere_loose").x.size() == 4 + 4 * 10 - 1);
+  CHECK(assembly_picture(experiment)->stem == "fig03_sphere_dense");
+  experiment.specimens[2].end_of_iso = {};
+  CHECK(assembly_picture(experiment)->stem == "fig03_cone_loose");
+
+  CHECK(experiment_figures(Experiment{}).empty());
+  CHECK(!assembly_picture(Experiment{}));
+}
+
+TEST_CASE("the numbers of a panel go through its CSV file, which its script names") {
+  const Experiment experiment = synthetic::experiment();
+  const Panel panel = find_panel(experiment, "fig18_sphere_dense_a");
+  const io::CsvTable csv("panel", panel_csv(panel));
+  const std::string script = panel_script(panel);
+  CHECK(script.find("'fig18_sphere_dense_a.csv'") != std::string::npos);
+  CHECK(script.find("set output 'fig18_sphere_dense_a_gnuplot.svg'") != std::string::npos);
+  for (const std::string& heading : csv.headings()) {
+    CAPTURE(heading);
+    CHECK(script.find("column('" + heading + "')") != std::string::npos);
+  }
+  const auto cell = [&](std::size_t row, const std::string& heading) {
+    const auto at = std::find(csv.headings().begin(), csv.headings().end(), heading);
+    REQUIRE(at != csv.headings().end());
+    return csv.fields(row)[static_cast<std::size_t>(at - csv.headings().begin())];
+  };
+  const plot::Series line = find_series(panel, "TXC"), dots = find_series(panel, "TXC past the peak");
+  CHECK(csv.row_count() == line.x.size());
+  CHECK(std::stod(cell(3, "TXC eta")) == line.x[3]);
+  CHECK(std::stod(cell(3, "TXC a")) == line.y[3]);
+  CHECK(std::stod(cell(1, "TXC error a")) == 0.02);
+  CHECK(std::stod(cell(1, "TXC past the peak a")) == dots.y[1]);
+  CHECK(cell(2, "TXC past the peak a").empty()); // shorter than the line
+}
+
+TEST_CASE("an assembly is painted from back to front, grains moved into the cell") {
+  const dem::State state = synthetic::state();
+  const std::string svg = assembly_svg(state);
+  CHECK(well_formed(svg));
+  CHECK(count(svg, "<circle") == 8);
+  CHECK(count(svg, "<line") == 12); // edges of the cell
+  CHECK(svg.find("nan") == std::string::npos);
+  // The far corner's three edges come first, the rest after the grains; shades fall towards the front.
+  CHECK(count(svg.substr(0, svg.find("<circle")), "<line") == 3);
+  CHECK(svg.find("url(#granum-grain-5)") < svg.find("url(#granum-grain-0)"));
+  // A grain a cell's length away is drawn where its image is.
+  dem::State moved = state;
+  moved.position[3].x -= 4e-3;
+  CHECK(assembly_svg(moved) == svg);
+
+  // Of a large cube only the part that can be seen.
+  dem::State large;
+  large.cell = Mat3::diagonal(20e-3, 20e-3, 20e-3);
+  large.radius = 0.5e-3;
+  for (int k = 0; k < 8000; ++k)
+    large.position.push_back({(k % 20 + 0.5) * 1e-3, (k / 20 % 20 + 0.5) * 1e-3, (k / 400 + 0.5) * 1e-3});
+  CHECK(count(assembly_svg(large), "<circle") == 8000 - 16 * 16 * 16);
+  CHECK_THROWS_AS((void)assembly_svg(dem::State{}), InvalidArgument);
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/experiment_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "studies/reproduce/experiment_tables.hpp"
+#include <doctest/doctest.h>
+
+#include "fitted_experiment.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using stress::ShearPath;
+using triaxial::Density;
+
+namespace {
+
+Cell cell(const std::vector<TableRow>& rows, std::size_t row, const std::string& quantity) {
+  const auto found = std::find_if(rows.at(row).cells.begin(), rows.at(row).cells.end(),
+                                  [&](const Cell& c) { return c.quantity == quantity; });
+  REQUIRE(found != rows.at(row).cells.end());
+  return *found;
+}
+
+Scene one_kind(Shape contact = Shape::sphere, Density density = Density::dense) {
+  Scene scene;
+  scene.study.contacts = {contact};
+  scene.study.densities = {density};
+  return scene;
+}
+
+Verdict verdict(const std::vector<Verdict>& verdicts, const std::string& begin) {
+  const auto found = std::find_if(verdicts.begin(), verdicts.end(),
+                                  [&](const Verdict& v) { return v.claim.rfind(begin, 0) == 0; });
+  REQUIRE_MESSAGE(found != verdicts.end(), begin);
+  return *found;
+}
+
+} // namespace
+
+TEST_CASE("Table 5 gives back the exponents that the moduli were made with") {
+  const Synthetic made{.C = 640, .m = 0.23, .n = 0.11};
+  const auto rows = table_5(synthetic_experiment(one_kind(), made));
+  REQUIRE(rows.size() == 1);
+  CHECK(cell(rows, 0, "m of G_hv").ours.value == relative(0.23, 1e-9));
+  CHECK(cell(rows, 0, "n of G_hv").ours.value == relative(0.11, 1e-9));
+  CHECK(cell(rows, 0, "s of G_hv").ours.value == relative(0.34, 1e-9));
+  CHECK(cell(rows, 0, "s of G_hh").ours.value == relative(0.34, 1e-9));
+  CHECK(cell(rows, 0, "C of G_hv").ours.value == relative(640, 1e-9));
+  CHECK(*cell(rows, 0, "s of G_hv").printed == 0.349);
+  const auto further = further_exponents(synthetic_experiment(one_kind(), made));
+  CHECK(cell(further, 0, "exponent of sigma_h in G_hh").ours.value == relative(0.34, 1e-9));
+  CHECK(std::abs(cell(further, 0, "exponent of sigma_v in G_hh").ours.value) < 1e-9);
+  CHECK(cell(further, 0, "s of G_vh, probes").ours.value == relative(0.34, 1e-9));
+}
+
+TEST_CASE("Table 5 looks at |eta| <= 0.6 only, and not at states past the peak that fall below it") {
+  Experiment experiment = synthetic_experiment(one_kind());
+  for (PathRun& run : experiment.specimens[0].runs)
+    for (StateRecord& point : run.points)
+      if (std::abs(point.at.stress.ratio()) > 0.61)
+        for (double& c : point.network)
+          c *= 0.1;
+  StateRecord residual = synthetic_point({.C = 10}, 120e3, 100e3, 0.03);
+  experiment.specimens[0].runs[1].points.push_back(residual);
+  CHECK(cell(table_5(experiment), 0, "s of G_hv").ours.value == relative(0.35, 1e-9));
+}
+
+TEST_CASE("Table 4 turns the peak into a friction angle, and averages over seeds with the scatter as error") {
+  Scene scene = one_kind();
+  scene.study.seeds = 2;
+  Experiment experiment{.scene = scene, .specimens = {}};
+  std::array<double, 2> angles{25.0, 27.0};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double sine = std::sin(angles[k] * std::numbers::pi / 180);
+    const Synthetic made{.peak_eta = 6 * sine / (3 - sine)};
+    experiment.specimens.push_back(synthetic_specimen(scene, Shape::sphere, Density::dense, k + 1, made));
+  }
+  const Cell txc = cell(table_4(experiment), 0, "TXC [deg]");
+  CHECK(txc.ours.value == relative(26, 1e-12));
+  // Scatter of two values 2 apart: sqrt(2); of their mean: 1.
+  CHECK(*txc.ours.standard_error == relative(1, 1e-12));
+  CHECK(*txc.printed == 26.0);
+  CHECK(txc.holds());
+  const Cell rtxe = cell(table_4(experiment), 0, "RTXE [deg]");
+  CHECK(rtxe.ours.value != relative(26, 1e-3));
+}
+
+TEST_CASE("Table 2 shows the first state, with the error of one specimen or the scatter of several") {
+  const auto rows = table_2(synthetic_experiment(one_kind()));
+  CHECK(cell(rows, 0, "C_n").ours.value == 5.8);
+  CHECK(*cell(rows, 0, "C_n").ours.standard_error == relative(0.05, 1e-14));
+  CHECK(cell(rows, 0, "C_n").holds());
+  CHECK_FALSE(cell(rows, 0, "e").ours.standard_error.has_value());
+  Experiment walled = synthetic_experiment(one_kind());
+  walled.specimens[0].runs[0].points[0].void_ratio =
+      0.62; // of the whole box, its layers at the walls included
+  CHECK(cell(table_2(walled), 0, "e").ours.value == 0.56);
+  const auto off = table_2(synthetic_experiment(one_kind(), {.void_ratio = 0.6}));
+  CHECK_FALSE(cell(off, 0, "e").holds());
+  const auto loose = table_2(synthetic_experiment(one_kind(Shape::sphere, Density::loose)));
+  CHECK_FALSE(cell(loose, 0, "C_n").holds()); // 5.8 against 3.50
+}
+
+TEST_CASE("a path that failed has no peak, and leaves its cell out") {
+  Experiment experiment = synthetic_experiment(one_kind());
+  experiment.specimens[0].runs[1].failure = "the motion became unstable";
+  CHECK(table_4(experiment)[0].cells.size() == 3);
+  const Verdict v = verdict(experiment_verdicts(experiment), "dense sphere #1, TXC: the whole path");
+  CHECK_FALSE(v.holds);
+  CHECK(v.measured == "the motion became unstable");
+  CHECK_FALSE(experiment.complete());
+}
+
+TEST_CASE("claims on the structure of dense specimens look at the states they are about") {
+  Experiment experiment = synthetic_experiment(one_kind());
+  const auto holds = [&](const char* begin) { return verdict(experiment_verdicts(experiment), begin).holds; };
+  CHECK(holds("dense sphere #1: C_n within 3 %"));
+  CHECK(holds("dense sphere #1: a within 0.03"));
+  CHECK(holds("dense sphere #1: past the peak"));
+  StateRecord& early = experiment.specimens[0].runs[2].points[4];
+  early.micro.coordination_number *= 0.96;
+  CHECK_FALSE(holds("dense sphere #1: C_n within 3 %"));
+  early.micro.fabric_anisotropy = -0.04;
+  CHECK_FALSE(holds("dense sphere #1: a within 0.03"));
+  experiment.specimens[0].runs[3].points.back().micro.fabric_anisotropy = 0.4; // the wrong sense in extension
+  CHECK_FALSE(holds("dense sphere #1: past the peak"));
+}
+
+TEST_CASE("flat contacts: G constant is claimed of dense specimens, and not of loose ones") {
+  const Synthetic constant{.m = 0, .n = 0};
+  const auto dense = experiment_verdicts(synthetic_experiment(one_kind(Shape::flat), constant));
+  CHECK(verdict(dense, "dense flat #1: G constant").holds);
+  const auto loose =
+      experiment_verdicts(synthetic_experiment(one_kind(Shape::flat, Density::loose), constant));
+  CHECK_FALSE(verdict(loose, "loose flat #1: G not constant").holds);
+  const Synthetic growing{.m = 0.2, .n = 0.2};
+  const auto changing =
+      experiment_verdicts(synthetic_experiment(one_kind(Shape::flat, Density::loose), growing));
+  CHECK(verdict(changing, "loose flat #1: G not constant").holds);
+}
+
+TEST_CASE("G_vh = G_hv is judged by probes up to 0.9 of the peak") {
+  Experiment experiment = synthetic_experiment(one_kind());
+  const auto judged = [&] { return verdict(experiment_verdicts(experiment), "G_vh = G_hv").holds; };
+  CHECK(judged());
+  experiment.specimens[0].runs[1].points.back().probes->G_vh *= 1.1; // at the peak: not looked at
+  CHECK(judged());
+  experiment.specimens[0].runs[1].points[2].probes->G_vh *= 1.03;
+  CHECK_FALSE(judged());
+}
+
+TEST_CASE("tables as text and CSV show ours, the error, the printed number, and whether it is in reach") {
+  const auto rows = table_2(synthetic_experiment(one_kind()));
+  const std::string text = table_text("Table 2", rows);
+  CHECK(text.find("Table 2\n") == 0);
+  CHECK(text.find("5.800 +- 0.050 (5.730)") != std::string::npos);
+  CHECK(text.find('!') == std::string::npos);
+  CHECK(table_csv(rows) == "contact,density,quantity,granum,standard_error,paper,difference,reach,within\n"
+                           "sphere,dense,C_n,5.8,0.05,5.73,0.0699999999999994,0.4,yes\n"
+                           "sphere,dense,e,0.56,,0.558,0.0020000000000000018,0.02,yes\n");
+  const auto loose = table_2(synthetic_experiment(one_kind(Shape::sphere, Density::loose)));
+  CHECK(table_text("", loose).find("(3.500) !") != std::string::npos);
+  CHECK(table_text("x", {}) == "x\n  nothing was measured\n");
+}
+
+TEST_CASE("CSV of states has a row for each frozen state and an empty cell for what was not measured") {
+  Experiment experiment = synthetic_experiment(one_kind());
+  experiment.specimens[0].runs[0].points[0].probes.reset();
+  std::size_t points = 0, curve = 0;
+  for (const PathRun& run : experiment.specimens[0].runs) {
+    points += run.points.size();
+    curve += run.curve.size();
+  }
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const std::string states = frozen_states_csv(experiment);
+  CHECK(static_cast<std::size_t>(lines(states)) == 4 + 1 + points);
+  CHECK(states.find("sphere,dense,1,ISO,0,10000,10000,10000,") != std::string::npos);
+  CHECK(states.find("nan") == std::string::npos);
+  CHECK(static_cast<std::size_t>(lines(curves_csv(experiment))) == 4 + 1 + curve);
+  CHECK(static_cast<std::size_t>(lines(histograms_csv(experiment))) ==
+        4 + 1 + points * (polar_bins + force_bins));
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/experiment_html.hpp"
+
+#include "studies/reproduce/experiment_findings.hpp"
+#include <doctest/doctest.h>
+
+#include "count_pieces.hpp"
+#include "synthetic_experiment.hpp"
+#include "well_formed.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+
+namespace {
+
+std::string report(const Experiment& experiment, const RunTime& time = {.seconds = 90}) {
+  return experiment_html(experiment, experiment_verdicts(experiment), experiment_figures(experiment),
+                         assembly_picture(experiment), time);
+}
+
+} // namespace
+
+TEST_CASE("a report shows verdicts, tables and figures in this order on one page of its own") {
+  const Experiment experiment = synthetic::experiment();
+  const std::string html = report(experiment);
+  CHECK(well_formed(html));
+  std::size_t last = 0;
+  for (const char* part : {"id=\"run\"", "id=\"verdicts\"", "Table 2:", "Table 4:", "Table 5:", "Fig. 3:",
+                           "Fig. 4:", "Fig. 6:", "Fig. 7:", "Fig. 9:", "Fig. 14:", "Fig. 15:", "Fig. 16:",
+                           "Fig. 17:", "Fig. 19:", "id=\"reading\"", "id=\"left-out\""}) {
+    CAPTURE(part);
+    const std::size_t at = html.find(part, last);
+    CHECK(at != std::string::npos);
+    last = at;
+  }
+  std::size_t panels = 1; // the assembly
+  for (const Figure& figure : experiment_figures(experiment))
+    panels += figure.panels.size();
+  CHECK(count(html, "<svg ") == panels);
+  CHECK(count(html, "<?xml") == 0);
+  CHECK(count(html, "nan") == 0);
+  // Nothing from outside.
+  CHECK(count(html, "http") == panels); // the name of SVG
+  CHECK(count(html, "src=") == 0);
+  CHECK(count(html, "<script") == 0);
+  CHECK(count(html, "<link") == 0);
+  CHECK(html.find("90 s") != std::string::npos);
+  CHECK(report(experiment, {.seconds = 600, .resumed = true}).find("10 min, since it was resumed") !=
+        std::string::npos);
+}
+
+TEST_CASE("a report sets ours with its error beside the printed number") {
+  const Experiment experiment = synthetic::experiment();
+  const std::string html = report(experiment);
+  // Dense cones: C_n = 6 +- 0.05, the paper has 5.90, 0.4 is asked for.
+  const std::string row = html.substr(html.find("C_n</td>"), 260);
+  for (const char* piece : {"6 \u00b1 0.05<", ">5.9<", ">0.1<", ">0.4<", "within"}) {
+    CAPTURE(piece);
+    CHECK(row.find(piece) != std::string::npos);
+  }
+  // Loose cones: 3.91.
+  const std::string loose = html.substr(html.find("cone, loose"), 400);
+  CHECK(loose.find(">3.91<") != std::string::npos);
+  CHECK(loose.find("beyond") != std::string::npos);
+}
+
+TEST_CASE("a report tells what was left out, with markup escaped") {
+  Experiment experiment = synthetic::experiment();
+  CHECK(report(experiment).find("Nothing: every path ran to its end") != std::string::npos);
+  experiment.specimens[4].runs[1].failure = "stress < 0 & \"unstable\"";
+  experiment.specimens[4].runs[2].notes = {"a state at eta > 1 did not come to rest"};
+  const std::string html = report(experiment);
+  CHECK(well_formed(html));
+  CHECK(html.find("flat, dense, seed 1, TXC: ended early: stress &lt; 0 &amp; &quot;unstable&quot;") !=
+        std::string::npos);
+  CHECK(html.find("flat, dense, seed 1, RTXC: a state at eta &gt; 1") != std::string::npos);
+  CHECK(html.find("no, see the end of this page") != std::string::npos);
+}
+
+TEST_CASE("a report without any data is a page all the same") {
+  const std::string html = report(Experiment{});
+  CHECK(well_formed(html));
+  CHECK(html.find("Nothing was measured") != std::string::npos);
+  CHECK(html.find("There is nothing to draw") != std::string::npos);
+}

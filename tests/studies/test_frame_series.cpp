@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/frame_series.hpp"
+
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using hardin::Measurement;
+using studies::fit_series;
+
+namespace {
+
+/// States that obey Eq. (1) without f(e), sigma_v/sigma_h from 1 by `step` a state.
+std::vector<Measurement> states(double m, double n, double step, int count = 6) {
+  const hardin::Equation equation{.coefficient = 800,
+                                  .exponent_i = m,
+                                  .exponent_j = n,
+                                  .atmospheric_pressure = 100e3,
+                                  .void_ratio_function = hardin::VoidRatioFunction::none};
+  std::vector<Measurement> out;
+  for (int k = 0; k < count; ++k) {
+    const hardin::State state{(50e3 + 20e3 * k) * (1 + step * k * k), 50e3 + 20e3 * k, 0.6};
+    out.push_back({hardin::shear_modulus(equation, state), state});
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("frame series: states of one stress ratio give s alone, those of several m and n as well") {
+  const studies::SeriesFit iso = fit_series(states(0.2, 0.25, 0));
+  REQUIRE(iso.sum);
+  CHECK(iso.sum->exponent_sum.value == relative(0.45, 1e-10));
+  CHECK(iso.sum->coefficient.value == relative(800, 1e-9));
+  CHECK_FALSE(iso.separate);
+  CHECK(iso.remark.empty());
+  // e is the same in all, so f(e) changes C alone
+  REQUIRE(iso.sum_with_void_ratio);
+  CHECK(iso.sum_with_void_ratio->exponent_sum.value == relative(0.45, 1e-10));
+  CHECK(iso.sum_with_void_ratio->coefficient.value == relative(800 * 1.6 / (1.57 * 1.57), 1e-9));
+
+  const studies::SeriesFit sheared = fit_series(states(0.2, 0.25, 0.05));
+  REQUIRE(sheared.separate);
+  CHECK(sheared.separate->exponent_i->value == relative(0.2, 1e-9));
+  CHECK(sheared.separate->exponent_j->value == relative(0.25, 1e-9));
+}
+
+TEST_CASE("frame series: what cannot be fitted says why") {
+  CHECK(fit_series({}).remark == "exponents need at least 3 states");
+  CHECK(fit_series(states(0.2, 0.2, 0, 2)).remark == "exponents need at least 3 states");
+  std::vector<Measurement> alike = states(0.2, 0.2, 0, 1);
+  alike.insert(alike.end(), 3, alike.front());
+  const studies::SeriesFit flat = fit_series(alike);
+  CHECK(flat.remark == "the stress hardly varies: no exponents");
+  CHECK_FALSE(flat.sum);
+  std::vector<Measurement> bad = states(0.2, 0.2, 0);
+  bad[1].shear_modulus = -1;
+  CHECK(fit_series(bad).remark.find("shear_modulus") != std::string::npos);
+  CHECK_THROWS_AS((void)fit_series(states(0.2, 0.2, 0), 0), InvalidArgument);
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each warning of a measured frame, provoked by a file, and not there in the same file without its cause.
+#include <cmath>
+
+#include "studies/analyse/measured_frame.hpp"
+#include <doctest/doctest.h>
+#include <granum/io/mercury/output.hpp>
+
+#include "read_specimen.hpp"
+#include "written_packing.hpp"
+
+using namespace granum;
+using namespace granum::samples;
+using analysis::Given;
+
+namespace {
+
+const Given given_modulus{.grain_shear_modulus = specimen_grain.shear_modulus};
+
+/// Everything but the network, or with it solved as told.
+analysis::Wanted wanted(const std::optional<network::Options>& network = {}) {
+  analysis::Wanted out = analysis::everything();
+  out.network = network;
+  return out;
+}
+
+bool warns(const io::ImportedPacking& packing, const std::string& words, const Given& given = given_modulus,
+           const analysis::Wanted& measured = wanted()) {
+  for (const std::string& warning : studies::measure_frame(packing, given, measured).warnings)
+    if (warning.find(words) != std::string::npos)
+      return true;
+  return false;
+}
+
+/// The specimen, changed, through a dump.
+template <class Change>
+io::ImportedPacking changed(const Change& change) {
+  packing::Assembly a = specimen();
+  change(a);
+  return through_dump(a);
+}
+
+io::ImportedPacking from_dump(const std::string& grains, const std::string& contacts) {
+  io::LammpsDump dump(io::TextSource::of_text("grains", grains),
+                      io::TextSource::of_text("contacts", contacts));
+  return dump.next().value();
+}
+
+} // namespace
+
+TEST_CASE("frame warnings: a specimen at rest has none") {
+  CHECK(studies::measure_frame(through_dump(specimen())).warnings.empty());
+  CHECK(studies::measure_frame(through_csv(specimen()), given_modulus, wanted()).warnings.empty());
+}
+
+TEST_CASE("frame warnings: six digits") {
+  const io::ImportedPacking packing = through_dump(specimen(), 6);
+  CHECK(warns(packing, "have at most 6 significant digits"));
+  CHECK(warns(packing, "forces against overlaps say little"));
+}
+
+TEST_CASE("frame warnings: a row twice") {
+  const packing::Assembly& a = specimen();
+  std::string contacts = dump_contacts(a, 7);
+  const std::size_t header = contacts.find("ITEM: ENTRIES id1");
+  const std::size_t row = contacts.find('\n', header) + 1;
+  const std::string first = contacts.substr(row, contacts.find('\n', row) + 1 - row);
+  const std::string count = "ENTRIES\n" + std::to_string(a.contacts.size()) + "\n";
+  const std::string more = "ENTRIES\n" + std::to_string(a.contacts.size() + 1) + "\n";
+  contacts = (contacts + first).replace(contacts.find(count), count.size(), more);
+  CHECK(warns(from_dump(dump_grains(a, 7), contacts), "1 rows repeat a pair"));
+}
+
+TEST_CASE("frame warnings: viscous parts show as tension, as scatter and as unrest") {
+  const auto pulled = changed([](packing::Assembly& a) { a.contacts[3].normal_force *= -0.1; });
+  CHECK(warns(pulled, "1 contacts are in tension"));
+  const auto damped = changed([](packing::Assembly& a) {
+    for (std::size_t k = 0; k < a.contacts.size(); k += 4)
+      a.contacts[k].normal_force *= 1.1;
+  });
+  CHECK(warns(damped, "forces are no function of the overlap"));
+  CHECK(warns(damped, "the packing is not at rest"));
+  const auto nearly = changed([](packing::Assembly& a) { a.contacts[3].normal_force *= 1.1; });
+  CHECK_FALSE(warns(nearly, "forces are no function of the overlap"));
+}
+
+TEST_CASE("frame warnings: another law, another material") {
+  Given cone = given_modulus;
+  cone.law_family = [](const contact::GrainMaterial& grain, double) {
+    return contact::PowerLaw::cone(grain, 0.4);
+  };
+  CHECK(warns(through_dump(specimen()), "forces are no function of the overlap", cone));
+  Given soft = given_modulus;
+  soft.grain_shear_modulus = 20e9;
+  CHECK(warns(through_dump(specimen()), "forces are 1.5 times those of the given law", soft));
+}
+
+TEST_CASE("frame warnings: walls that stand among the grains") {
+  const auto large = changed([](packing::Assembly& a) {
+    a.position.push_back({0, 0, 0});
+    a.radius.push_back(0.1);
+  });
+  CHECK(warns(large, "times the radius of the others"));
+  const auto plane = changed([](packing::Assembly& a) {
+    for (int k = 0; k < 20; ++k) {
+      a.position.push_back({1e-4 * k, 2e-4 * k, 1e-3});
+      a.radius.push_back(specimen_radius);
+    }
+  });
+  CHECK(warns(plane, "20 grains have exactly the same z"));
+  const auto few = changed([](packing::Assembly& a) {
+    for (int k = 0; k < 5; ++k) {
+      a.position.push_back({1e-4 * k, 2e-4 * k, 1e-3});
+      a.radius.push_back(specimen_radius);
+    }
+  });
+  CHECK_FALSE(warns(few, "grains have exactly the same"));
+}
+
+TEST_CASE("frame warnings: boxes with walls, or none") {
+  const packing::Assembly& a = specimen();
+  // the fixed faces cut no contact only where the grains are few
+  const std::string three =
+      "id,x_mm,y_mm,z_mm,radius_mm\n1,1,2,2,0.5\n2,1.9999,2,2,0.5\n3,1.9999,2,2.9998,0.5\n";
+  CHECK(warns(io::read_packing_csv(io::TextSource::of_text("g", three)), "no box in the file"));
+  io::CsvBox walled{Mat3::diagonal(4e-3, 4e-3, 4e-3)};
+  CHECK_FALSE(warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, walled), "not periodic"));
+  walled.periodic = {true, true, false};
+  CHECK(warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, walled), "not periodic"));
+  CHECK_FALSE(warns(through_csv(a), "no box"));
+}
+
+TEST_CASE("frame warnings: contacts with walls") {
+  const std::string data = "2 0 0 0 0 0.004 0.004 0.004\n0.001 0.002 0.0005 0 0 0 0.0005 0 0 0 0 0 0 0\n"
+                           "0.0019999 0.002 0.0005 0 0 0 0.0005 0 0 0 0 0 0 0\n";
+  const std::string pair = "# 0 1\n# 0 0 0 0.004 0.004 0.004\n# 0.0005 0.0005 0 0 0 0\n"
+                           "0 1 0 0.00149995 0.002 0.0005 1e-07 0 0.0235294118 0 1 0 0 0 0 0\n"
+                           "0 0 1 0.00149995 0.002 0.0005 1e-07 0 0.0235294118 0 -1 0 0 0 0 0\n";
+  const std::string wall = "0 0 -1 0.001 0.002 0 1e-07 0 0.02 0 0 0 -1 0 0 0\n";
+  const auto read = [&](const std::string& fstat) {
+    return io::MercuryOutput(io::TextSource::of_text("d", data), io::TextSource::of_text("f", fstat))
+        .next()
+        .value();
+  };
+  CHECK_FALSE(warns(read(pair), "with walls"));
+  const io::ImportedPacking walled = read(pair + wall);
+  CHECK(warns(walled, "1 contacts with walls"));
+  const analysis::Counts counts = studies::measure_frame(walled, given_modulus, wanted()).packing.counts;
+  CHECK(counts.wall_contacts == 1);
+  CHECK(counts.coordination_number == 1);
+  CHECK(counts.coordination_number_with_walls == 1.5);
+}
+
+TEST_CASE("frame warnings: directions that no E(gamma; a) has") {
+  // every normal at 45 degrees, evenly round the axis: axisymmetric, but no such density
+  io::ContactTable cone;
+  for (int k = 0; k < 400; ++k)
+    cone.normal.push_back(
+        {std::sqrt(0.5) * std::cos(0.7 * k), std::sqrt(0.5) * std::sin(0.7 * k), std::sqrt(0.5)});
+  const auto warned = [](const io::ContactTable& table, const std::string& words) {
+    for (const std::string& warning : studies::measure_frame(table).warnings)
+      if (warning.find(words) != std::string::npos)
+        return true;
+    return false;
+  };
+  CHECK(warned(cone, "E(gamma; a) does not describe"));
+  CHECK_FALSE(warned(cone, "not symmetric about z"));
+  // normals of one vertical plane
+  io::ContactTable plane;
+  for (int k = 0; k < 400; ++k)
+    plane.normal.push_back({std::sin(0.7 * k), 0, std::cos(0.7 * k)});
+  CHECK(warned(plane, "not symmetric about z"));
+}
+
+TEST_CASE("frame warnings: a network that was given too few iterations") {
+  CHECK_FALSE(warns(through_csv(specimen()), "did not converge", given_modulus, wanted(network::Options{})));
+  CHECK(warns(through_csv(specimen()), "the network did not converge", given_modulus,
+              wanted(network::Options{.iteration_limit = 1})));
+}

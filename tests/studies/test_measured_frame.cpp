@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/measured_frame.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "studies/analyse/frame_series.hpp"
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/fabric/sampling.hpp>
+#include <granum/io/packing_files.hpp>
+#include <granum/packing/density.hpp>
+#include <granum/packing/fabric_tensor.hpp>
+
+#include "read_specimen.hpp"
+#include "relative.hpp"
+#include "written_packing.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using namespace granum::samples;
+
+namespace {
+
+const analysis::Given known{.grain_shear_modulus = specimen_grain.shear_modulus,
+                            .friction_coefficient = specimen_friction};
+
+/// What went through a file is what granum has itself. The network is solved to 1e-10 both times.
+void check_same(const analysis::Measurement& measured, const packing::Assembly& own) {
+  CHECK(measured.counts.grains == own.grain_count());
+  CHECK(measured.counts.contacts == own.contacts.size());
+  CHECK(measured.counts.coordination_number == coordination_number(own));
+  const packing::MechanicalCoordination mechanical =
+      mechanical_coordination(own, packing::ContactKind::frictional);
+  CHECK(measured.counts.mechanical.rattler_count == mechanical.rattler_count);
+  CHECK(measured.counts.mechanical.coordination_number == mechanical.coordination_number);
+  CHECK(measured.void_ratio == relative(void_ratio(own), 1e-14));
+  const packing::ContactStress stress = contact_stress(own);
+  REQUIRE(measured.stress);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) // relative to the mean: the tangential parts are far smaller
+      CHECK(std::abs(measured.stress->tensor(i, j) - stress.tensor(i, j)) < 1e-12 * stress.mean());
+  const network::Response response = network::linear_response(own);
+  REQUIRE(measured.network);
+  CHECK(measured.network->response.converged());
+  CHECK((measured.network->response.relaxed().matrix - response.relaxed().matrix).norm() <
+        1e-8 * response.relaxed().matrix.norm());
+  CHECK((measured.network->response.affine().matrix - response.affine().matrix).norm() <
+        1e-8 * response.affine().matrix.norm());
+}
+
+io::ImportedPacking from_files(const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : names)
+    paths.emplace_back(std::string(GRANUM_IO_DATA) + "/" + name);
+  return io::PackingFiles(paths).next().value();
+}
+
+bool says(const std::vector<std::string>& notes, const std::string& words) {
+  for (const std::string& note : notes)
+    if (note.find(words) != std::string::npos)
+      return true;
+  return false;
+}
+
+} // namespace
+
+TEST_CASE("frame: granum's own specimen through CSV and through a dump is the specimen") {
+  const packing::Assembly& own = specimen();
+  check_same(measure_frame(through_csv(own), known).packing, own);
+  check_same(measure_frame(through_dump(own), known).packing, own);
+}
+
+TEST_CASE("frame: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
+  triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
+  recipe.wall_friction = 0.3;
+  const dem::State state = states_at({50e3}, recipe).front();
+  const packing::Assembly own = dem::contact_network(state, recipe.material);
+  REQUIRE(own.wall_contacts.size() > 20);
+  // The state was frozen with contacts that stick; those at the Coulomb limit would slip by a rounding.
+  dem::State sticking = state;
+  dem::Material material = recipe.material;
+  sticking.walls->friction_coefficient = material.friction_coefficient =
+      std::numeric_limits<double>::infinity();
+  const Mat3 engine = dem::Engine(sticking, material).figures().stress;
+  for (const io::ImportedPacking& packing : {through_mercury(own), through_vtk(own)}) {
+    const analysis::Measurement a = measure_frame(packing, known).packing;
+    check_same(a, own);
+    for (int k = 0; k < 3; ++k) // sums in another order
+      CHECK(a.stress->tensor(k, k) == relative(engine(k, k), 1e-11));
+    CHECK(a.counts.wall_contacts == own.wall_contacts.size());
+    CHECK(a.forces->unbalance.force_ratio < 1e-6); // walls hold their grains
+  }
+  // Without the walls a good part of the stress is missing.
+  io::ImportedPacking open = through_vtk(own);
+  open.assembly.wall_contacts.clear();
+  CHECK(measure_frame(open, known).packing.stress->mean() < 0.9 * trace(engine) / 3);
+}
+
+TEST_CASE("frame: G_g comes out of the forces where it is not given, and the closed forms with it") {
+  const analysis::Measurement found = measure_frame(through_dump(specimen())).packing;
+  REQUIRE(found.grain);
+  CHECK(found.grain->shear_modulus == relative(specimen_grain.shear_modulus, 1e-10));
+  CHECK(says(found.notes, "from the forces"));
+  const analysis::Measurement given = measure_frame(through_dump(specimen()), known).packing;
+  REQUIRE((found.state && given.state));
+  CHECK(effective::uniform_strain(*found.state).stiffness.C44 ==
+        relative(effective::uniform_strain(*given.state).stiffness.C44, 1e-10));
+  REQUIRE(given.law_check);
+  CHECK(given.law_check->coefficient_ratio == relative(1, 1e-10));
+  REQUIRE(given.law_check->alpha);
+  // overlaps are differences of lengths 1e5 times as large
+  CHECK(given.law_check->alpha->value == relative(2, 1e-8));
+}
+
+TEST_CASE("frame: the closed forms are asked what was measured") {
+  const MeasuredFrame frame = measure_frame(through_csv(specimen()), known);
+  CHECK(frame.warnings.empty());
+  const analysis::Measurement& a = frame.packing;
+  REQUIRE((a.state && a.fabric && a.stress));
+  CHECK(a.state->coordination_number == a.counts.coordination_number);
+  CHECK(a.state->fabric_anisotropy == a.fabric->by_moment.anisotropy);
+  CHECK(a.state->void_ratio == a.void_ratio);
+  CHECK(a.state->radius == specimen_radius);
+  CHECK(a.state->stress_v == a.stress->symmetric(2, 2));
+  CHECK(a.state->stress_h == (a.stress->symmetric(0, 0) + a.stress->symmetric(1, 1)) / 2);
+  CHECK(a.state->tangential_ratio == contact::mindlin_stiffness_ratio(0.15));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      CHECK(a.fabric->tensor(i, j) == relative(packing::fabric_tensor(specimen())(i, j), 1e-12));
+  REQUIRE(a.forces);
+  CHECK(a.forces->Z_2 > 1);
+  CHECK(a.forces->unbalance.force_ratio < 1e-6);
+}
+
+TEST_CASE("frame: k_n from forces, another law or another k_t/k_n change the network as they must") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  analysis::Given options = known;
+  const auto bulk_modulus = [&] {
+    const analysis::Measurement m = measure_frame(packing, options).packing;
+    return m.solved_network().response.relaxed().matrix.topLeftCorner(3, 3).sum() / 9;
+  };
+  const double K = bulk_modulus();
+  options.stiffness_from = packing::StiffnessFrom::force; // the forces obey the law
+  CHECK(bulk_modulus() == relative(K, 1e-8));
+  options = known;
+  options.grain_shear_modulus = 2 * specimen_grain.shear_modulus;
+  CHECK(bulk_modulus() == relative(2 * K, 1e-8));
+  options = known;
+  options.tangential_ratio = 0.5;
+  CHECK(bulk_modulus() < K);
+  options = known;
+  analysis::Wanted without_network = analysis::everything();
+  without_network.network.reset();
+  CHECK_FALSE(measure_frame(packing, options, without_network).packing.network);
+}
+
+TEST_CASE("frame: three frames of one specimen give the exponent of its contacts") {
+  const std::vector<packing::Assembly> states = specimen_at({20e3, 40e3, 80e3});
+  std::string grains, contacts;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    grains += dump_grains(states[k], static_cast<long>(k));
+    contacts += dump_contacts(states[k], static_cast<long>(k));
+  }
+  io::LammpsDump dump(io::TextSource::of_text("grains", grains),
+                      io::TextSource::of_text("contacts", contacts));
+  std::vector<hardin::Measurement> measured, own;
+  while (const auto packing = dump.next()) {
+    const MeasuredFrame frame = measure_frame(*packing, known);
+    const analysis::Measurement& a = frame.packing;
+    REQUIRE((a.network && a.state));
+    const hardin::State state{a.state->stress_v, a.state->stress_h, a.void_ratio};
+    measured.push_back({a.network->isotropic_relaxed().shear_modulus(), state});
+    const packing::Assembly& direct = states[static_cast<std::size_t>(frame.step)];
+    own.push_back(
+        {elastic::isotropic_projection(network::linear_response(direct).relaxed()).shear_modulus(), state});
+  }
+  REQUIRE(measured.size() == 3);
+  const SeriesFit fit = fit_series(measured);
+  REQUIRE(fit.sum);
+  CHECK(fit.sum->exponent_sum.value == relative(fit_series(own).sum->exponent_sum.value, 1e-8));
+  // 1/3 of spheres and a little more for the contacts that form
+  CHECK(fit.sum->exponent_sum.value > 0.32);
+  CHECK(fit.sum->exponent_sum.value < 0.45);
+}
+
+TEST_CASE("frame: the chain that LAMMPS wrote, by hand") {
+  const analysis::Measurement a =
+      measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}), known).packing;
+  CHECK(a.counts.coordination_number == relative(4.0 / 3, 1e-15));
+  CHECK(a.counts.mechanical.rattler_count == 3);
+  CHECK(a.counts.mechanical.coordination_number == 0);
+  REQUIRE(a.forces);
+  CHECK(a.forces->distribution.largest == relative(0.0665512265, 1e-15));
+  CHECK(a.forces->distribution.mean == relative((0.0235294118 + 0.0665512265) / 2, 1e-15));
+  REQUIRE(a.stress);
+  const double volume = 64e-9;
+  CHECK(a.stress->tensor(0, 0) == relative(0.0235294118 * 0.9999e-3 / volume, 1e-12));
+  CHECK(a.stress->tensor(2, 2) == relative(0.0665512265 * 0.9998e-3 / volume, 1e-12));
+  CHECK(a.stress->tensor(1, 0) == relative(0.0114329834 * 0.9999e-3 / volume, 1e-12)); // f_y on the branch x
+  CHECK(a.stress->tensor(0, 1) == 0);
+  REQUIRE(a.law_check);
+  CHECK(a.law_check->contacts == 2);
+  CHECK(a.law_check->coefficient_ratio == relative(1, 1e-8)); // nine digits of forces
+  CHECK_FALSE(a.network);                                     // a chain carries nothing
+  CHECK_FALSE(measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}))
+                  .packing.grain); // too few to tell
+}
+
+TEST_CASE("frame: without contacts, or without forces, the rest is still there") {
+  const analysis::Measurement data = measure_frame(from_files({"lammps_chain.data"})).packing;
+  CHECK(data.counts.without_contact == 3);
+  CHECK(data.counts.coordination_number == 0);
+  CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
+  CHECK(says(data.notes, "no G_g"));
+
+  const packing::Assembly& own = specimen();
+  std::string contacts = "# units: SI\nid1,id2,nx,ny,nz\n";
+  for (const packing::Contact& c : own.contacts) {
+    const Vec3 n = normal(c);
+    contacts += std::to_string(c.i) + "," + std::to_string(c.j) + "," + words({n.x, n.y, n.z}, ",") + "\n";
+  }
+  const io::ImportedPacking packing =
+      io::read_packing_csv(io::TextSource::of_text("g", csv_grains(own)),
+                           io::TextSource::of_text("c", contacts), io::CsvBox{own.cell});
+  const analysis::Measurement geometry = measure_frame(packing, known).packing;
+  CHECK(geometry.counts.coordination_number == coordination_number(own));
+  REQUIRE(geometry.fabric);
+  CHECK_FALSE((geometry.forces || geometry.stress || geometry.state));
+  REQUIRE(geometry.network); // k_n from the overlaps
+  CHECK(
+      (geometry.network->response.relaxed().matrix - network::linear_response(own).relaxed().matrix).norm() <
+      1e-8 * geometry.network->response.relaxed().matrix.norm());
+}
+
+TEST_CASE("frame: a table of contacts alone gives fabric and forces") {
+  io::ContactTable table;
+  table.normal = fabric::sample_normals(0.3, 20000, 1);
+  CHECK(measure_frame(table).warnings.empty());
+  analysis::Measurement a = measure_frame(table).packing;
+  REQUIRE(a.fabric);
+  CHECK(std::abs(a.fabric->by_moment.anisotropy - 0.3) < 4 * a.fabric->by_moment.standard_error);
+  CHECK(std::abs(a.fabric->by_likelihood->anisotropy - 0.3) < 4 * a.fabric->by_likelihood->standard_error);
+  CHECK(a.fabric->isotropy->p_value < 1e-6);
+  CHECK(a.fabric->density->chi_square.p_value > 0.001);
+  CHECK(a.fabric->rose.size() == 18);
+  CHECK_FALSE(a.forces);
+
+  for (std::size_t k = 0; k < table.normal.size(); ++k) {
+    table.normal_force.push_back(k % 2 == 0 ? 1.0 : 3.0);
+    table.tangential_size.push_back(0.5);
+  }
+  a = measure_frame(table).packing;
+  REQUIRE(a.forces);
+  CHECK(a.forces->distribution.mean == relative(2, 1e-14));
+  CHECK(a.forces->Z_2 == relative(5.0 / 4, 1e-14));
+  REQUIRE(a.forces->mean_tangential_over_normal);
+  CHECK(*a.forces->mean_tangential_over_normal == relative(0.25, 1e-12)); // a sum of 20,000 roots
+  table.normal_force.clear();
+  table.tangential_size.clear();
+  for (const Vec3& n : table.normal)
+    table.force.push_back(2 * n);
+  CHECK(measure_frame(table).packing.forces->distribution.largest == relative(2, 1e-15));
+}
+
+TEST_CASE("frame: the equivalent radius keeps the prefactor of grains of several sizes") {
+  io::ImportedPacking packing = through_csv(specimen());
+  for (std::size_t g = 0; g < packing.assembly.radius.size(); g += 2)
+    packing.assembly.radius[g] *= 0.8;
+  const analysis::Measurement a = measure_frame(packing, {}, {}).packing;
+  const double r = specimen_radius;
+  CHECK(a.sizes.smallest == 0.8 * r);
+  CHECK(a.sizes.largest == r);
+  CHECK(a.sizes.equivalent == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
+}
+
+TEST_CASE("frame: options that cannot be are refused") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_shear_modulus = -1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_poisson_ratio = 0.7}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.friction_coefficient = -0.1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {.tangential_ratio = -0.1}), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/plan/plan.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+constexpr double speed = 2e-7; ///< of an imagined machine [s per grain and step]
+}
+
+TEST_CASE("the work of a study is that of its parts") {
+  Scene scene;
+  scene.study.contacts = {Shape::cone, Shape::flat};
+  scene.study.seeds = 3;
+  double parts = 0;
+  for (const Shape shape : scene.study.contacts) {
+    parts += preparation_work(scene);
+    for (const Density density : scene.study.densities)
+      for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage)
+        parts += stage_work(scene, density, shape, stage);
+  }
+  CHECK(parts > 0);
+  CHECK(total_work(scene) == relative(3 * parts, 1e-12)); // rounding of 40 terms
+}
+
+TEST_CASE("more grains, seeds, pressures or probes are more work") {
+  const Scene scene;
+  const double work = total_work(scene);
+  Scene more = scene;
+  more.study.grains = 8000; // eightfold grains, twice as far for sound
+  CHECK(total_work(more) == relative(16 * work, 1e-12));
+  more = scene;
+  more.study.seeds = 5;
+  CHECK(total_work(more) == relative(5 * work, 1e-12));
+  more = scene;
+  more.study.pressures.push_back(200e3);
+  CHECK(total_work(more) > work);
+  more = scene;
+  more.study.probe_pressures.push_back(50e3);
+  CHECK(total_work(more) > work);
+  CHECK(stage_work(scene, Density::loose, Shape::sphere, 0) >
+        stage_work(scene, Density::dense, Shape::sphere, 0));
+}
+
+TEST_CASE("a plan counts what a study runs") {
+  Scene scene;
+  scene.study.seeds = 2;
+  scene.study.grains = 200;
+  const Plan planned = plan(scene, speed);
+  CHECK(planned.packings == 6);
+  CHECK(planned.specimens == 12);
+  CHECK(planned.network_solutions == 120);
+  CHECK(planned.probes == 108); // three directions at three pressures
+  CHECK(planned.grain_steps == total_work(scene));
+  CHECK(planned.seconds_per_grain_step == speed);
+  CHECK(planned.memory > 0);
+}
+
+TEST_CASE("the predicted time shares the work among threads, no more than there are packings") {
+  Scene scene;
+  scene.study.contacts = {Shape::sphere};
+  scene.study.seeds = 2;
+  scene.study.grains = 40;
+  for (const auto& [threads, sharing] : {std::pair{1, 1}, {2, 2}, {64, 2}}) {
+    scene.study.threads = static_cast<std::size_t>(threads);
+    const Plan planned = plan(scene, speed);
+    CHECK(planned.seconds == relative(total_work(scene) * speed / sharing, 1e-12));
+  }
+}
+
+TEST_CASE("an impossible scene has no plan") {
+  Scene scene;
+  scene.study.pressures = {10e3};
+  CHECK_THROWS_AS((void)plan(scene, speed), InvalidArgument);
+  CHECK_THROWS_AS((void)measured_speed(scene), InvalidArgument);
+  for (const double wrong : {0.0, -1.0})
+    CHECK_THROWS_AS((void)plan(Scene{}, wrong), InvalidArgument);
+}
+
+TEST_CASE("the engine's speed can be measured for every law, with few grains and many") {
+  Scene scene;
+  for (const Shape shape : scene.study.contacts) {
+    scene.study.contacts = {shape};
+    const double measured = measured_speed(scene);
+    CHECK(measured > 0);
+    CHECK(std::isfinite(measured));
+  }
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/scene/scene.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/contact/friction.hpp>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+
+namespace {
+
+/// The message with which a scene is refused; empty if it is accepted.
+std::string refusal(const std::function<void(Scene&)>& change) {
+  Scene scene;
+  change(scene);
+  try {
+    require_valid(scene);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+struct Refused {
+  std::string begins;
+  std::function<void(Scene&)> change;
+};
+
+} // namespace
+
+TEST_CASE("the default scene is valid, and so is each contact alone") {
+  CHECK(refusal([](Scene&) {}).empty());
+  for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat, Shape::power_law})
+    CHECK(refusal([&](Scene& s) { s.study.contacts = {shape}; }).empty());
+}
+
+TEST_CASE("the edges of what is allowed are allowed") {
+  CHECK(refusal([](Scene& s) { s.study.grains = 40; }).empty());
+  CHECK(refusal([](Scene& s) { s.grain.poisson_ratio = 0.5; }).empty());
+  CHECK(refusal([](Scene& s) { s.grain.friction_angle = 0; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.probe_pressures = {}; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.threads = 1024; }).empty());
+  CHECK(refusal([](Scene& s) { s.study.seeds = 1000; }).empty());
+  CHECK(refusal([](Scene& s) { s.contact.tangential_ratio = 0; }).empty());
+  CHECK(refusal([](Scene& s) {
+          s.study.contacts = {Shape::power_law};
+          s.contact.alpha = 1;
+        }).empty());
+}
+
+TEST_CASE("each value that no study can have is refused by its name") {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Refused> cases{
+      {"study.grains = 0 ", [](Scene& s) { s.study.grains = 0; }},
+      {"study.grains = 1 ", [](Scene& s) { s.study.grains = 1; }},
+      {"study.grains = 39 ", [](Scene& s) { s.study.grains = 39; }},
+      {"study.seeds = 0 ", [](Scene& s) { s.study.seeds = 0; }},
+      {"study.seeds = 1001 ", [](Scene& s) { s.study.seeds = 1001; }},
+      {"study.threads = 1025 ", [](Scene& s) { s.study.threads = 1025; }},
+      {"study.pressures: at least 3 ",
+       [](Scene& s) {
+         s.study.pressures = {10e3, 20e3};
+       }},
+      {"study.pressures: at least 3 ", [](Scene& s) { s.study.pressures = {}; }},
+      {"study.pressures must rise",
+       [](Scene& s) {
+         s.study.pressures = {10e3, 30e3, 20e3};
+       }},
+      {"study.pressures must rise",
+       [](Scene& s) {
+         s.study.pressures = {10e3, 20e3, 20e3};
+       }},
+      {"study.pressures = 0 ",
+       [](Scene& s) {
+         s.study.pressures = {0, 10e3, 20e3};
+       }},
+      {"study.pressures = -10000 Pa",
+       [](Scene& s) {
+         s.study.pressures = {-10e3, 10e3, 20e3};
+       }},
+      {"study.pressures = ",
+       [](Scene& s) {
+         s.study.pressures = {10e3, nan, 20e3};
+       }},
+      {"study.probe_pressures = 15000 Pa",
+       [](Scene& s) {
+         s.study.probe_pressures = {10e3, 15e3};
+       }},
+      {"study.contacts and study.densities", [](Scene& s) { s.study.contacts = {}; }},
+      {"study.contacts and study.densities", [](Scene& s) { s.study.densities = {}; }},
+      {"study.contacts: sphere ",
+       [](Scene& s) {
+         s.study.contacts = {Shape::sphere, Shape::cone, Shape::sphere};
+       }},
+      {"study.densities: loose ",
+       [](Scene& s) {
+         s.study.densities = {triaxial::Density::loose, triaxial::Density::loose};
+       }},
+      {"grain.poisson_ratio = 0.6 ", [](Scene& s) { s.grain.poisson_ratio = 0.6; }},
+      {"grain.poisson_ratio = -1 ", [](Scene& s) { s.grain.poisson_ratio = -1; }},
+      {"grain.shear_modulus = 0 ", [](Scene& s) { s.grain.shear_modulus = 0; }},
+      {"grain.radius = -0.0005 ", [](Scene& s) { s.grain.radius = -0.5e-3; }},
+      {"grain.radius = 0 ",
+       [](Scene& s) {
+         s.study.contacts = {Shape::cone};
+         s.grain.radius = 0;
+       }},
+      {"grain.friction_angle = ", [](Scene& s) { s.grain.friction_angle = std::numbers::pi / 2; }},
+      {"grain.friction_angle = ", [](Scene& s) { s.grain.friction_angle = -0.1; }},
+      {"grain.density = 0 ", [](Scene& s) { s.grain.density = 0; }},
+      {"contact.tangential_ratio = ", [](Scene& s) { s.contact.tangential_ratio = nan; }},
+      {"contact.cone_slope = 0 ", [](Scene& s) { s.contact.cone_slope = 0; }},
+      {"contact.cone_slope = -0.4 ", [](Scene& s) { s.contact.cone_slope = -0.4; }},
+      {"contact.punch_radius = 0 ", [](Scene& s) { s.contact.punch_radius = 0; }},
+      {"contact.alpha = 0.9 ",
+       [](Scene& s) {
+         s.study.contacts = {Shape::power_law};
+         s.contact.alpha = 0.9;
+       }},
+      {"contact.profile_constant = 0 ",
+       [](Scene& s) {
+         s.study.contacts = {Shape::power_law};
+         s.contact.profile_constant = 0;
+       }},
+      {"specimen.expansion_void_ratio = 0.4 ", [](Scene& s) { s.specimen.expansion_void_ratio = 0.4; }},
+      {"specimen.unjamming_strain = 0 ", [](Scene& s) { s.specimen.unjamming_strain = 0; }},
+      {"specimen.agitation = 0.6 ", [](Scene& s) { s.specimen.agitation = 0.6; }},
+  };
+  for (const Refused& one : cases) {
+    const std::string message = refusal(one.change);
+    INFO(one.begins, " | ", message);
+    CHECK(message.starts_with(one.begins));
+  }
+}
+
+TEST_CASE("the contact laws are those the scene says") {
+  Scene scene;
+  scene.contact.alpha = 3;
+  scene.contact.profile_constant = 5e6;
+  const contact::GrainMaterial grain{scene.grain.shear_modulus, scene.grain.poisson_ratio};
+  const double overlap = 1e-7;
+  const auto same = [&](Shape shape, const contact::PowerLaw& expected) {
+    CHECK(law(scene, shape).force(overlap) == expected.force(overlap));
+    CHECK(law(scene, shape).stiffness_exponent() == expected.stiffness_exponent());
+  };
+  same(Shape::cone, contact::PowerLaw::cone(grain, 0.4));
+  same(Shape::sphere, contact::PowerLaw::sphere(grain, 0.5e-3));
+  same(Shape::flat, contact::PowerLaw::flat(grain, 5.7e-6));
+  same(Shape::power_law, contact::PowerLaw::general(grain, 3, 5e6));
+  CHECK(law(scene, Shape::cone).stiffness_exponent() == relative(0.5, 1e-15));
+  CHECK(law(scene, Shape::power_law).stiffness_exponent() == relative(0.25, 1e-15));
+}
+
+TEST_CASE("the recipe takes over every value of the scene") {
+  Scene scene;
+  scene.grain.radius = 0.4e-3;
+  scene.grain.density = 2700;
+  scene.grain.friction_angle = 0.3;
+  scene.study.grains = 77;
+  scene.specimen.expansion_void_ratio = 0.6;
+  scene.specimen.unjamming_strain = 0.004;
+  scene.specimen.agitation = 0.05;
+  scene.study.pressures = {5e3, 10e3, 20e3};
+  const triaxial::SpecimenRecipe specimen = recipe(scene, Shape::sphere, 9);
+  CHECK(specimen.radius == 0.4e-3);
+  CHECK(specimen.material.density == 2700);
+  CHECK(specimen.material.friction_coefficient == relative(std::tan(0.3), 1e-15));
+  CHECK(specimen.grains == 77);
+  CHECK(specimen.seed == 9);
+  CHECK(specimen.expansion_void_ratio == 0.6);
+  CHECK(specimen.unjamming_strain == 0.004);
+  CHECK(specimen.agitation == 0.05);
+  CHECK(specimen.first_pressure == 5e3);
+  CHECK(specimen.material.law.force(1e-7) == law(scene, Shape::sphere).force(1e-7));
+  // 2(1-nu)/(2-nu) at nu = 0.15
+  CHECK(specimen.material.tangential_ratio == relative(34.0 / 37.0, 1e-15));
+  scene.contact.tangential_ratio = 0;
+  CHECK(recipe(scene, Shape::sphere, 9).material.tangential_ratio == 0);
+}
+
+TEST_CASE("threads: as asked, or at least one") {
+  Scene scene;
+  CHECK(thread_count(scene) >= 1);
+  scene.study.threads = 3;
+  CHECK(thread_count(scene) == 3);
+}
+
+TEST_CASE("names are those of the command line") {
+  CHECK(name(Shape::cone) == "cone");
+  CHECK(name(Shape::sphere) == "sphere");
+  CHECK(name(Shape::flat) == "flat");
+  CHECK(name(Shape::power_law) == "power-law");
+  CHECK(name(triaxial::Density::dense) == "dense");
+  CHECK(name(triaxial::Density::loose) == "loose");
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/verify/study.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "studies/verify/tables.hpp"
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+
+Scene small_scene() {
+  Scene scene;
+  scene.study.grains = 120;
+  // Not flat: a flat contact that barely touches counts whole in the network but half in the probe, which
+  // opens it one way, and one such contact in 120 grains is 1 % of G. At 1,000 grains flat is within 1 % as
+  // well (validation/verify_default); smooth profiles lose their stiffness before they open.
+  scene.study.contacts = {Shape::sphere, Shape::cone};
+  scene.study.pressures = {10e3, 20e3, 40e3};
+  scene.study.probe_pressures = {20e3};
+  scene.study.threads = 2;
+  return scene;
+}
+
+/// Only spheres, dense and loose, on one thread: the cases that look at the order of things.
+Scene smaller_scene() {
+  Scene scene = small_scene();
+  scene.study.contacts = {Shape::sphere};
+  scene.study.probe_pressures = {};
+  scene.study.threads = 1;
+  return scene;
+}
+
+std::size_t state_count(const std::vector<SpecimenResult>& study) {
+  std::size_t count = 0;
+  for (const SpecimenResult& specimen : study)
+    count += specimen.states.size();
+  return count;
+}
+
+/// All figures of a study, with as many digits as tell one double from the next.
+std::string bits_of(const std::vector<SpecimenResult>& study) { return states_csv({}, study); }
+
+void check_state(const CompressedState& s) {
+  const elastic::Isotropic network = s.network(), uniform_strain = s.uniform_strain();
+  const packing::BulkModulusBounds bounds = s.packing.network->bulk_bounds;
+  // No stiffness lies outside the bounds of its own network; 1e-9 is the solver's residual.
+  CHECK(bounds.lower <= network.bulk_modulus() * (1 + 1e-9));
+  CHECK(network.bulk_modulus() <= uniform_strain.bulk_modulus() * (1 + 1e-9));
+  CHECK(uniform_strain.bulk_modulus() <= bounds.upper * (1 + 1e-9));
+  CHECK(bounds.lower > 0);
+  CHECK(network.shear_modulus() > 0);
+  CHECK(network.shear_modulus() <= uniform_strain.shear_modulus());
+  // Equal for a balanced network; what is left is the residual forces of the frozen state.
+  CHECK(*s.packing.pressure_by_work == relative(s.packing.stress->mean(), 1e-6));
+  // The stage ends within its stress tolerance; friction is taken off the state on the way to the frozen one.
+  CHECK(s.contact_pressure == relative(s.pressure, 1e-4));
+  CHECK(s.packing.counts.mechanical.coordination_number >= s.packing.counts.coordination_number);
+  CHECK(s.packing.counts.mechanical.coordination_number > 3.5);
+  CHECK(s.sliding_fraction >= 0);
+  CHECK(s.sliding_fraction < 1);
+  CHECK(s.packing.network->response.report().residual < 1e-8);
+  CHECK(s.steps > 0);
+}
+
+/// 1 %: the prestress terms that only the probe has, times the softening of weakly coordinated networks.
+void check_probes(const CompressedState& s) {
+  REQUIRE(s.probes);
+  CHECK(s.probes->G_hh == relative(G_hh_network(s), 0.01));
+  CHECK(s.probes->G_hv == relative(G_vh_network(s), 0.01));
+  CHECK(s.probes->G_vh == relative(G_vh_network(s), 0.01));
+  CHECK(s.probes->amplitude > 0);
+}
+
+} // namespace
+
+TEST_CASE("a study is complete, in order, and within the bounds of theory") {
+  const Scene scene = small_scene();
+  std::vector<double> done;
+  const std::vector<SpecimenResult> study =
+      run_study(scene, {.report = [&](const Progress& progress) { done.push_back(progress.done); }});
+  REQUIRE(study.size() == 4);
+  for (std::size_t k = 0; k < study.size(); ++k) {
+    CHECK(study[k].contact == scene.study.contacts[k / 2]);
+    CHECK(study[k].density == scene.study.densities[k % 2]);
+    CHECK(study[k].seed == scene.study.first_seed);
+    CHECK(study[k].failure == "");
+    REQUIRE(study[k].states.size() == scene.study.pressures.size());
+    for (std::size_t stage = 0; stage < scene.study.pressures.size(); ++stage) {
+      const CompressedState& state = study[k].states[stage];
+      CAPTURE(k);
+      CAPTURE(stage);
+      CHECK(state.pressure == scene.study.pressures[stage]);
+      CHECK(state.probes.has_value() == (stage == 1));
+      check_state(state);
+      if (state.probes)
+        check_probes(state);
+    }
+  }
+  // Dense packings of one grain law have more contacts than loose ones.
+  CHECK(study[0].states[0].packing.counts.coordination_number >
+        study[1].states[0].packing.counts.coordination_number);
+  CHECK(study[2].states[0].packing.counts.coordination_number >
+        study[3].states[0].packing.counts.coordination_number);
+  // Two packings and twelve states; done rises to the whole.
+  CHECK(done.size() == 14);
+  CHECK(std::is_sorted(done.begin(), done.end()));
+  CHECK(done.back() == relative(1.0, 1e-12));
+}
+
+TEST_CASE("the same bits with any number of threads") {
+  Scene scene = small_scene();
+  const std::vector<SpecimenResult> two = run_study(scene);
+  scene.study.threads = 1;
+  const std::vector<SpecimenResult> one = run_study(scene);
+  CHECK(state_count(two) == 12);
+  CHECK(bits_of(two) == bits_of(one));
+}
+
+TEST_CASE("another seed is another specimen, and the same one wherever it stands") {
+  Scene scene = smaller_scene();
+  scene.study.densities = {Density::dense};
+  scene.study.seeds = 2;
+  const std::vector<SpecimenResult> both = run_study(scene);
+  REQUIRE(both.size() == 2);
+  CHECK(both[1].seed == 2);
+  CHECK(both[0].states[0].network().shear_modulus() != both[1].states[0].network().shear_modulus());
+  scene.study.seeds = 1;
+  scene.study.first_seed = 2;
+  CHECK(bits_of({run_study(scene).front()}) == bits_of({both[1]}));
+}
+
+TEST_CASE("a stop before the first state leaves specimens that say so") {
+  Scene scene = smaller_scene();
+  scene.study.seeds = 2;
+  std::atomic<bool> stop = false;
+  std::size_t reports = 0;
+  const auto study = run_study(scene, {.report =
+                                           [&](const Progress&) {
+                                             ++reports;
+                                             stop = true;
+                                           },
+                                       .stop = &stop});
+  REQUIRE(study.size() == 4);
+  CHECK(state_count(study) == 0);
+  for (const SpecimenResult& specimen : study)
+    CHECK(specimen.failure.find("stopped on request") != std::string::npos);
+  CHECK(reports == 2); // one packing made, one not begun
+}
+
+TEST_CASE("a stop after the first state keeps it, to the bit") {
+  const Scene scene = smaller_scene();
+  std::atomic<bool> stop = false;
+  const auto study = run_study(scene, {.report =
+                                           [&](const Progress& progress) {
+                                             if (progress.what == "sphere loose #1")
+                                               stop = true;
+                                           },
+                                       .stop = &stop});
+  REQUIRE(study.size() == 2);
+  CHECK(study[0].states.empty());
+  REQUIRE(study[1].states.size() == 1);
+  CHECK(study[0].failure.find("stopped on request") != std::string::npos);
+  CHECK(study[1].failure == "stopped on request");
+  SpecimenResult whole = run_study(scene)[1];
+  whole.states.resize(1);
+  CHECK(bits_of({study[1]}) == bits_of({whole}));
+}
+
+TEST_CASE("a stop after the last state spoils nothing") {
+  Scene scene = smaller_scene();
+  scene.study.densities = {Density::dense};
+  std::atomic<bool> stop = false;
+  const auto study =
+      run_study(scene, {.report = [&](const Progress& p) { stop = p.done > 0.999; }, .stop = &stop});
+  CHECK(stop);
+  CHECK(study.at(0).failure == "");
+  CHECK(study.at(0).states.size() == 3);
+}
+
+TEST_CASE("a specimen that cannot be made fails alone, and throws nothing") {
+  Scene scene = smaller_scene();
+  scene.specimen.unjamming_strain = 1e-9; // the loose one stays jammed
+  scene.specimen.agitation = 0;
+  std::vector<SpecimenResult> study;
+  REQUIRE_NOTHROW(study = run_study(scene));
+  REQUIRE(study.size() == 2);
+  CHECK(study[0].failure == "");
+  CHECK(study[0].states.size() == 3);
+  CHECK(study[1].failure.find("unjamming_strain") != std::string::npos);
+  CHECK(study[1].states.empty());
+}
+
+TEST_CASE("an impossible scene is refused before anything runs") {
+  Scene scene = small_scene();
+  scene.study.grains = 1;
+  std::size_t reports = 0;
+  CHECK_THROWS_AS((void)run_study(scene, {.report = [&](const Progress&) { ++reports; }}), InvalidArgument);
+  CHECK(reports == 0);
+}

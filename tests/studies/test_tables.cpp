@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/verify/tables.hpp"
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "relative.hpp"
+#include "synthetic_study.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+
+const std::vector<double> pressures{10e3, 100e3 / 3, 100e3};
+
+std::vector<SpecimenResult> study() {
+  return {test::power_law_specimen(Shape::sphere, Density::dense, 7, 0.34, pressures),
+          test::power_law_specimen(Shape::flat, Density::loose, 8, 0.21, pressures)};
+}
+
+Scene scene_of_study() {
+  Scene scene;
+  scene.study.contacts = {Shape::sphere, Shape::flat};
+  return scene;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("states_csv reads back to the same bits") {
+  const io::CsvTable table("states.csv", states_csv(scene_of_study(), study()));
+  REQUIRE(table.row_count() == 6);
+  CHECK(table.headings().size() == 32);
+  const auto column = [&](const char* name) { return table.numbers(name, Dimension::pressure); };
+  std::size_t row = 0;
+  for (const SpecimenResult& specimen : study())
+    for (const CompressedState& s : specimen.states) {
+      CHECK(column("p")[row] == s.pressure);
+      CHECK(column("p_contacts")[row] == s.packing.stress->mean());
+      CHECK(column("p_work")[row] == s.packing.pressure_by_work);
+      CHECK(column("G_closed")[row] == s.G_closed);
+      CHECK(column("K_closed")[row] == s.K_closed);
+      CHECK(column("G_uniform_strain")[row] == s.uniform_strain().shear_modulus());
+      CHECK(column("K_uniform_strain")[row] == s.uniform_strain().bulk_modulus());
+      CHECK(column("G_network")[row] == s.network().shear_modulus());
+      CHECK(column("K_network")[row] == s.network().bulk_modulus());
+      CHECK(column("K_lower")[row] == s.packing.network->bulk_bounds.lower);
+      CHECK(column("K_upper")[row] == s.packing.network->bulk_bounds.upper);
+      CHECK(column("G_hv_probe")[row] == s.probes->G_hv);
+      CHECK(table.numbers("seed", Dimension::dimensionless)[row] == static_cast<double>(specimen.seed));
+      CHECK(table.numbers("C_n", Dimension::dimensionless)[row] == s.packing.counts.coordination_number);
+      CHECK(table.numbers("e", Dimension::dimensionless)[row] == s.packing.void_ratio);
+      ++row;
+    }
+}
+
+TEST_CASE("each figure stands in its own column") {
+  SpecimenResult specimen = test::power_law_specimen(Shape::cone, Density::dense, 1, 0.3, {100e3});
+  CompressedState& s = specimen.states[0];
+  // In the order of the headings after contact, density and seed.
+  s.pressure = 1;
+  s.packing.stress->symmetric = Mat3::diagonal(2, 2, 2);
+  s.packing.pressure_by_work = 3;
+  s.packing.void_ratio = 4;
+  s.packing.counts.coordination_number = 5;
+  s.packing.counts.mechanical.coordination_number = 6;
+  s.packing.counts.mechanical.rattler_fraction = 7;
+  s.packing.fabric = analysis::Fabric{};
+  s.packing.fabric->by_moment.anisotropy = 8;
+  s.packing.fabric->by_moment.standard_error = 9;
+  s.sliding_fraction = 10;
+  s.G_closed = 11;
+  s.K_closed = 12;
+  elastic::VoigtStiffness relaxed = test::solid(16, 15);
+  relaxed.matrix(5, 5) += 1; // the planes differ, the isotropic part is the same
+  relaxed.matrix(4, 4) += 2;
+  relaxed.matrix(3, 3) -= 3;
+  s.packing.network->response = {test::solid(14, 13), relaxed, {.iterations = 28, .residual = 29}};
+  s.packing.network->bulk_bounds = {.lower = 19, .upper = 20};
+  s.probes = Probes{21, 22, 23, 24};
+  s.steps = 25;
+  s.unbalanced_force_ratio = 26;
+  s.largest_inertial_number = 27;
+  const io::CsvTable table("states.csv", states_csv(scene_of_study(), {specimen}));
+  const std::vector<double> expected{1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
+                                     16, 16, 17, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+  REQUIRE(table.fields(0).size() == 3 + expected.size());
+  CHECK(table.fields(0)[0] == "cone");
+  CHECK(table.fields(0)[1] == "dense");
+  CHECK(table.fields(0)[2] == "1");
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    CAPTURE(table.headings()[3 + k]);
+    CHECK(std::stod(table.fields(0)[3 + k]) == relative(expected[k], 1e-14));
+  }
+  s.probes.reset();
+  CHECK(contains(states_csv(scene_of_study(), {specimen}), ",20,,,,,25,"));
+}
+
+TEST_CASE("exponents_csv reads back, and what is missing is empty") {
+  const std::vector<ExponentRow> rows = exponents(scene_of_study(), study());
+  const std::string csv = exponents_csv(rows);
+  const io::CsvTable table("exponents.csv", csv);
+  REQUIRE(table.row_count() == 4); // two contacts, two densities, with specimens or without
+  CHECK(table.numbers("contact_law", Dimension::dimensionless)[0] == rows[0].contact_law);
+  CHECK(table.numbers("paper", Dimension::dimensionless)[3] == 0.245);
+  CHECK_THROWS_AS((void)table.numbers("network", Dimension::dimensionless), FileError);
+  CHECK(contains(csv, "\nsphere,loose,"));
+  CHECK(contains(csv, ",,,,,,,,0.533"));
+  const io::CsvTable full("exponents.csv", exponents_csv({rows[0], rows[3]}));
+  CHECK(full.numbers("network", Dimension::dimensionless)[0] == rows[0].network->value);
+  CHECK(full.numbers("network_error", Dimension::dimensionless)[1] == rows[3].network->standard_error);
+  CHECK(full.numbers("closed_form", Dimension::dimensionless)[1] == rows[3].closed_form->value);
+  CHECK(full.numbers("probe", Dimension::dimensionless)[1] == rows[3].probe->value);
+}
+
+TEST_CASE("tables for people name each specimen, its end and the verdicts") {
+  std::vector<SpecimenResult> specimens = study();
+  specimens[1].failure = "stopped on request";
+  const std::string states = states_table(specimens);
+  CHECK(contains(states, "sphere, dense, seed 7\n"));
+  CHECK(contains(states, "flat, loose, seed 8\n"));
+  CHECK(contains(states, "ended early: stopped on request"));
+  CHECK(contains(states, "0.800")); // G network over uniform strain
+  const std::string table = exponents_table(exponents(scene_of_study(), study()));
+  CHECK(contains(table, "  sphere     dense        0.333    0.340 +- 0.000"));
+  CHECK(contains(table, "0.349"));
+  const std::string judged = verdicts_table({{"this", true, "1"}, {"that", false, "2"}});
+  CHECK(judged == "  holds  this: 1\n  FAILS  that: 2\n");
+}

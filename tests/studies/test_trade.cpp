@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/trade/trade.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "studies/verify/findings.hpp"
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+
+/// Every quantity varied once, with as few and small specimens as there can be.
+TradeScene small_trade() {
+  TradeScene trade = default_trade();
+  trade.scene.study.grains = 100;
+  trade.scene.study.seeds = 2;
+  trade.scene.study.pressures = {20e3, 40e3, 80e3};
+  trade.scene.study.densities = {Density::dense};
+  trade.scene.study.threads = 2;
+  trade.shear_inertial_number = 2e-3;
+  trade.grains = {60, 100};
+  trade.compression = {1e-3, 5e-4};
+  trade.shear = {4e-3, 2e-3};
+  trade.time_step = {0.8, 0.5};
+  trade.probe = {1e-4};
+  trade.walls = {100};
+  return trade;
+}
+
+/// Run once: it takes longest.
+const std::vector<TradeSample>& small_study() {
+  static const std::vector<TradeSample> samples = run_trade(small_trade());
+  return samples;
+}
+
+std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
+  std::vector<TradeSample> found;
+  std::copy_if(
+      small_study().begin(), small_study().end(), std::back_inserter(found),
+      [&](const TradeSample& s) { return s.varied == varied && s.value == value && s.boundary == boundary; });
+  return found;
+}
+
+/// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three quantities;
+/// probe and network; 100 grains between smooth and rough walls and without.
+constexpr std::size_t samples_in_all = 5 + 4 + 4 + 4 + 4 + 3 * 2;
+
+void check_that_it_is_whole() {
+  CHECK(small_study().size() == samples_in_all);
+  for (const TradeSample& sample : small_study()) {
+    CAPTURE(name(sample.varied));
+    CAPTURE(sample.value);
+    CHECK(sample.failure == "");
+    REQUIRE(sample.shear_modulus.size() == (sample.varied == Varied::shear ? 1 : 3));
+    for (const double modulus : sample.shear_modulus)
+      CHECK(modulus > 1e6);
+    CHECK(sample.exponent.has_value() == (sample.varied != Varied::shear));
+    CHECK(sample.peak_ratio.has_value() ==
+          (sample.varied == Varied::grains || sample.varied == Varied::shear ||
+           sample.varied == Varied::time_step));
+    CHECK(sample.cpu_seconds > 0);
+    CHECK((sample.steps > 0) == (sample.varied != Varied::probe || sample.value > 0));
+  }
+}
+
+void check_against_verify() {
+  const std::vector<SpecimenResult> study = run_study(small_trade().scene);
+  const std::vector<ExponentRow> rows = exponents(small_trade().scene, {study.front()});
+  const std::vector<TradeSample> samples = of(Varied::grains, 100);
+  REQUIRE(samples.size() == study.size());
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    for (std::size_t stage = 0; stage < 3; ++stage) {
+      CHECK(samples[k].seed == study[k].seed);
+      CHECK(samples[k].shear_modulus[stage] == study[k].states[stage].network().shear_modulus());
+    }
+  CHECK(*samples[0].exponent == rows.front().network->value);
+}
+
+void check_defaults() {
+  const TradeSample specimen = of(Varied::grains, 100).front();
+  const TradeSample compression = of(Varied::compression, 5e-4).front();
+  const TradeSample time_step = of(Varied::time_step, 0.8).front();
+  const TradeSample shear = of(Varied::shear, 2e-3).front();
+  CHECK(compression.shear_modulus == specimen.shear_modulus);
+  CHECK(time_step.shear_modulus == specimen.shear_modulus);
+  CHECK(time_step.peak_ratio == specimen.peak_ratio);
+  CHECK(shear.peak_ratio == specimen.peak_ratio);
+  // Work that does not depend on the varied quantity is not charged to it.
+  CHECK(compression.steps < specimen.steps);
+  CHECK(shear.steps + compression.steps == time_step.steps);
+  CHECK(of(Varied::compression, 1e-3).front().shear_modulus != specimen.shear_modulus);
+  CHECK(of(Varied::shear, 4e-3).front().steps < 0.6 * static_cast<double>(shear.steps));
+  CHECK(of(Varied::time_step, 0.5).front().steps > time_step.steps);
+}
+
+void check_probes_and_walls() {
+  const std::vector<TradeSample> probes = of(Varied::probe, 1e-4), networks = of(Varied::probe, 0);
+  REQUIRE(probes.size() == 2);
+  for (std::size_t k = 0; k < probes.size(); ++k)
+    for (std::size_t stage = 0; stage < 3; ++stage) // 1 %: contacts of a small specimen that barely touch
+      CHECK(probes[k].shear_modulus[stage] == relative(networks[k].shear_modulus[stage], 0.01));
+  const auto mean = [](Boundary boundary) {
+    double sum = 0;
+    for (const TradeSample& sample : of(Varied::boundary, 100, boundary))
+      sum += sample.shear_modulus.at(2) / 2;
+    return sum;
+  };
+  // Of 100 grains most stand at a wall, and smooth ones bear no shear; specimens scatter by a few per cent.
+  CHECK(mean(Boundary::smooth_walls) < 0.8 * mean(Boundary::periodic));
+  CHECK(mean(Boundary::rough_walls) > mean(Boundary::smooth_walls));
+}
+
+} // namespace
+
+TEST_CASE("a trade study has every value of every varied quantity, whole, and knows what each cost") {
+  check_that_it_is_whole();
+  // A default specimen is that of granum verify, to the bit, and the same at the default of every quantity.
+  check_against_verify();
+  check_defaults();
+  // Probe and network agree; walls are softer.
+  check_probes_and_walls();
+}
+
+TEST_CASE("a trade study gives the same bits with any number of threads") {
+  TradeScene trade = small_trade();
+  trade.scene.study.threads = 1;
+  trade.compression = trade.shear = {2e-3};
+  trade.time_step = {0.8};
+  trade.walls = {};
+  const std::vector<TradeSample> one = run_trade(trade);
+  trade.scene.study.threads = 2;
+  const std::vector<TradeSample> two = run_trade(trade);
+  REQUIRE(one.size() == two.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    CHECK(one[k].shear_modulus == two[k].shear_modulus);
+    CHECK(one[k].peak_ratio == two[k].peak_ratio);
+    CHECK(one[k].steps == two[k].steps);
+  }
+}
+
+TEST_CASE("a stop keeps what is finished and marks the rest") {
+  TradeScene trade = small_trade();
+  trade.scene.study.threads = 1;
+  std::atomic<bool> stop = false;
+  double last = 0;
+  const auto report = [&](const Progress& progress) {
+    CHECK(progress.done >= last);
+    last = progress.done;
+    stop = progress.what == "compressions";
+  };
+  const std::vector<TradeSample> samples = run_trade(trade, {.report = report, .stop = &stop});
+  CHECK(samples.size() == samples_in_all);
+  CHECK(last == relative(1.0, 1e-12));
+  std::size_t whole = 0;
+  for (const TradeSample& sample : samples) {
+    whole += sample.failure.empty();
+    if (!sample.failure.empty()) {
+      CHECK(sample.failure.find("stopped on request") != std::string::npos);
+      CHECK(sample.shear_modulus.empty());
+      CHECK_FALSE(sample.exponent);
+    }
+  }
+  // The first compression was finished; where a sample needs no more than it, there is one.
+  CHECK(whole > 0);
+  CHECK(whole < samples.size() / 2);
+}
+
+TEST_CASE("every size has about as many grains in all, and two specimens at least") {
+  TradeScene trade = default_trade();
+  trade.scene.study.grains = 1000;
+  trade.scene.study.seeds = 4;
+  CHECK(specimens_of(trade, 250) == 16);
+  CHECK(specimens_of(trade, 1000) == 4);
+  CHECK(specimens_of(trade, 2000) == 2);
+  CHECK(specimens_of(trade, 16000) == 2);
+}
+
+TEST_CASE("a budget cuts the largest sizes, and says what would be enough") {
+  TradeScene full = default_trade();
+  full.grains = full_trade().grains;
+  // Whatever this machine's speed is and whatever else it does: the speed is given.
+  constexpr double speed = 1e-7;
+  const double all = predicted_seconds(full, speed) / static_cast<double>(thread_count(full.scene));
+  const TradeScene part = within_budget(full, 0.5 * all, speed);
+  CHECK(part.grains.size() >= 2);
+  CHECK(part.grains.size() < full.grains.size());
+  CHECK(std::equal(part.grains.begin(), part.grains.end(), full.grains.begin()));
+  CHECK(predicted_seconds(part, speed) <= 0.5 * predicted_seconds(full, speed));
+  CHECK(within_budget(full, 1.001 * all, speed).grains == full.grains);
+  CHECK(within_budget(full, 0.999 * all, speed).grains.size() == full.grains.size() - 1);
+  // An engine half as fast fits half as much.
+  CHECK(within_budget(full, all, 2 * speed).grains == part.grains);
+  CHECK_THROWS_WITH_AS((void)within_budget(full, 1, speed), doctest::Contains("outside times of at least "),
+                       InvalidArgument);
+}
+
+TEST_CASE("impossible trade studies are refused") {
+  const auto refused = [](auto change) {
+    TradeScene bad = small_trade();
+    change(bad);
+    CHECK_THROWS_AS(require_valid(bad), InvalidArgument);
+    CHECK_THROWS_AS((void)run_trade(bad), InvalidArgument);
+  };
+  refused([](TradeScene& t) { t.scene.study.contacts = {Shape::sphere, Shape::cone}; });
+  refused([](TradeScene& t) { t.scene.study.seeds = 1; });
+  refused([](TradeScene& t) { t.grains = {}; });
+  refused([](TradeScene& t) { t.grains = {20}; });
+  refused([](TradeScene& t) { t.grains = {100, 100}; });
+  refused([](TradeScene& t) { t.compression = {0.5}; });
+  refused([](TradeScene& t) { t.shear = {0}; });
+  refused([](TradeScene& t) { t.time_step = {1.1}; });
+  refused([](TradeScene& t) { t.probe = {0}; });
+  refused([](TradeScene& t) { t.shear_strain = 0; });
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/trade/trade_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using triaxial::Density;
+
+namespace {
+
+TradeRow row(Varied varied, double value, std::size_t specimens, const Deviation& deviation) {
+  TradeRow out;
+  out.varied = varied;
+  out.value = value;
+  out.specimens = specimens;
+  out.shear_modulus = deviation;
+  return out;
+}
+
+/// Rows that obey c = 0.4, b = -3 and k = 20 exactly.
+std::vector<TradeRow> lawful() {
+  std::vector<TradeRow> rows;
+  for (const double grains : {250.0, 500.0, 2000.0})
+    rows.push_back(row(Varied::grains, grains, static_cast<std::size_t>(4000 / grains),
+                       {-3 / grains + 3 / 2000.0, 0.4 / std::sqrt(4000), 0.4 / std::sqrt(grains)}));
+  rows.back().reference = true;
+  for (const double rate : {4e-3, 1e-3, 2.5e-4})
+    rows.push_back(row(Varied::compression, rate, 4, {20 * (rate - 2.5e-4), 1e-4 + rate, 0.01}));
+  rows.back().reference = true;
+  return rows;
+}
+
+} // namespace
+
+TEST_CASE("laws give back the scatter, the bias by size and the bias by rate that rows were made with") {
+  const TradeLaws laws = laws_of(lawful());
+  CHECK(laws.dense_modulus.size.scatter == relative(0.4, 1e-12));
+  CHECK(laws.dense_modulus.size.bias == relative(-3.0, 1e-12));
+  CHECK(laws.dense_modulus.rate.bias == relative(20.0, 1e-12));
+  // 1/sqrt(sum of (x/SE)^2), x = 1/N - 1/2000
+  const double x1 = 1 / 250.0 - 1 / 2000.0, x2 = 1 / 500.0 - 1 / 2000.0, error = 0.4 / std::sqrt(4000);
+  CHECK(laws.dense_modulus.size.bias_error == relative(error / std::hypot(x1, x2), 1e-12));
+  CHECK(laws.dense_modulus.size.smallest == 250);
+  CHECK(laws.dense_modulus.size.largest == 2000);
+  CHECK(laws.loose_modulus.size.scatter == 0);
+  CHECK(laws.loose_modulus.size.largest == 0);
+  CHECK(laws.dense_peak.rate.bias == 0);
+}
+
+TEST_CASE("the recorded laws are those of validation/trade") {
+  const io::CsvTable table = io::read_csv(GRANUM_VALIDATION "/trade/trade.csv");
+  const auto place = [&](std::string_view heading) {
+    const auto found = std::find(table.headings().begin(), table.headings().end(), heading);
+    REQUIRE(found != table.headings().end());
+    return static_cast<std::size_t>(found - table.headings().begin());
+  };
+  const std::size_t varied = place("varied"), boundary = place("boundary"), density = place("density");
+  std::vector<TradeRow> rows;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    const std::vector<std::string>& fields = table.fields(k);
+    const auto number = [&](const std::string& heading) { return parse_number(fields[place(heading)]); };
+    const auto deviation = [&](const std::string& of) {
+      const auto bias = number(of + "_bias");
+      return bias ? std::optional(Deviation{*bias, *number(of + "_error"), *number(of + "_scatter")})
+                  : std::nullopt;
+    };
+    TradeRow read;
+    for (const Varied each : all_varied)
+      if (name(each) == fields[varied])
+        read.varied = each;
+    read.boundary =
+        fields[boundary] == name(Boundary::periodic) ? Boundary::periodic : Boundary::smooth_walls;
+    read.density = fields[density] == name(Density::dense) ? Density::dense : Density::loose;
+    read.value = *number("value");
+    read.specimens = static_cast<std::size_t>(*number("specimens"));
+    read.reference = *number("reference") == 1;
+    read.shear_modulus = deviation("G");
+    read.exponent = deviation("s");
+    read.peak_ratio = deviation("peak");
+    rows.push_back(read);
+  }
+  const TradeLaws now = laws_of(rows);
+  const auto check = [](const ErrorLaw& recorded, const ErrorLaw& found) {
+    // The constants have three digits; a bias that is far below its own error has fewer.
+    CHECK(recorded.size.scatter == relative(found.size.scatter, 5e-3));
+    CHECK(std::abs(recorded.size.bias - found.size.bias) <=
+          5e-3 * std::abs(found.size.bias) + 1e-3 * found.size.bias_error);
+    CHECK(recorded.size.bias_error == relative(found.size.bias_error, 5e-3));
+    CHECK(recorded.size.smallest == found.size.smallest);
+    CHECK(recorded.size.largest == found.size.largest);
+    CHECK(std::abs(recorded.rate.bias - found.rate.bias) <=
+          5e-3 * std::abs(found.rate.bias) + 1e-3 * found.rate.bias_error);
+    CHECK(recorded.rate.bias_error == relative(found.rate.bias_error, 5e-3));
+  };
+  check(recorded_laws().dense_modulus, now.dense_modulus);
+  check(recorded_laws().dense_exponent, now.dense_exponent);
+  check(recorded_laws().loose_modulus, now.loose_modulus);
+  check(recorded_laws().loose_exponent, now.loose_exponent);
+  check(recorded_laws().dense_peak, now.dense_peak);
+}
+
+TEST_CASE("rows of walls and of the other density do not enter a law") {
+  std::vector<TradeRow> rows = lawful();
+  const ErrorLaw before = laws_of(rows).dense_modulus;
+  rows.push_back(row(Varied::grains, 100, 9, {0.5, 0.01, 0.3}));
+  rows.back().density = Density::loose;
+  rows.push_back(row(Varied::grains, 100, 9, {0.5, 0.01, 0.3}));
+  rows.back().boundary = Boundary::rough_walls;
+  CHECK(laws_of(rows).dense_modulus.size.scatter == before.size.scatter);
+  CHECK(laws_of(rows).dense_modulus.size.bias == before.size.bias);
+}
+
+TEST_CASE("errors add in squares, biases with their signs") {
+  const ErrorLaw law{.size = {0.4, -3, 0.5}, .rate = {20, 1}};
+  CHECK(expected_error(law, 400, 1, 0) == relative(std::hypot(0.02, 0.0075), 1e-14));
+  CHECK(expected_error(law, 400, 4, 0) == relative(std::hypot(0.01, 0.0075), 1e-14));
+  CHECK(expected_error(law, 400, 4, 3e-4) == relative(std::hypot(0.01, 0.0015), 1e-12));
+  CHECK_THROWS_AS((void)expected_error(law, 0, 1, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)expected_error(law, 100, 0, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)expected_error(law, 100, 1, -1e-3), InvalidArgument);
+}
+
+TEST_CASE("a recipe keeps the error that it was asked for, and does not waste") {
+  for (const ErrorLaw& law :
+       {ErrorLaw{.size = {0.4, -3, 0.5}, .rate = {20, 1}}, ErrorLaw{.size = {1.5, 20, 2}, .rate = {-60, 9}}})
+    for (const double error : {0.003, 0.01, 0.05})
+      for (const std::size_t specimens : {1U, 4U}) {
+        CAPTURE(error);
+        CAPTURE(specimens);
+        const Recipe recipe = recipe_for(law, error, specimens);
+        CHECK(expected_error(law, recipe.grains, specimens, 0) <= error);
+        // Two digits, upwards: a tenth more grains than needed at most.
+        CHECK(expected_error(law, recipe.grains * 9 / 10, specimens, 0) > 0.999 * error);
+        CHECK(std::abs(law.rate.bias) * recipe.inertial_number == relative(error / 3, 1e-12));
+      }
+  // Rates that do not matter are not made larger than what was measured.
+  CHECK(recipe_for(ErrorLaw{.size = {0.4, 0, 0}, .rate = {1e-3, 0}}, 0.05, 1).inertial_number == 1e-2);
+  CHECK(recipe_for(ErrorLaw{.size = {1e-3, 0, 0}, .rate = {}}, 0.05, 1).grains == 40);
+  CHECK_THROWS_AS((void)recipe_for(ErrorLaw{}, 0, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)recipe_for(ErrorLaw{}, 0.01, 0), InvalidArgument);
+}
