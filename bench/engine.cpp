@@ -20,7 +20,7 @@ using bench::material;
 using bench::pressure;
 
 /// Grain-steps while the cell is sheared to and fro at constant volume.
-void add(const std::string& name, const dem::State& start, double friction, std::size_t threads = 1) {
+void add(const std::string& name, const dem::Specimen& start, double friction, std::size_t threads = 1) {
   const double grains = static_cast<double>(start.grain_count());
   benchmark::RegisterBenchmark(
       name.c_str(),
@@ -56,9 +56,9 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;
-  const dem::State thousand = bench::thousand_grains();
-  const dem::State small = bench::repeated(thousand, 1, 1, 1);
-  const dem::State medium = bench::repeated(thousand, 5, 2, 1);
+  const dem::Specimen thousand = bench::thousand_grains();
+  const dem::Specimen small = bench::repeated(thousand, 1, 1, 1);
+  const dem::Specimen medium = bench::repeated(thousand, 5, 2, 1);
   add("friction/1000", small, 0.5);
   add("friction/10000", medium, 0.5);
   add("friction/10000/threads:2", medium, 0.5, 2);

@@ -34,8 +34,8 @@ triaxial::SpecimenRecipe recipe_of(std::size_t grains, std::uint64_t seed) {
 }
 
 /// The specimen at rest at 10 kPa with friction.
-dem::State at_rest(const dem::State& start, const dem::Material& grains) {
-  dem::State state;
+dem::Specimen at_rest(const dem::Specimen& start, const dem::Material& grains) {
+  dem::Specimen state;
   const bool arrived = triaxial::isotropic_path(start, grains, {1e4}, triaxial::compression_options(),
                                                 [&](const triaxial::Snapshot& snapshot) {
                                                   state = snapshot.state;
@@ -51,7 +51,7 @@ void pack(const std::string& density, std::size_t grains, const std::string& out
     throw std::invalid_argument("'" + density + "' is neither dense nor loose");
   const triaxial::Density kind = density == "dense" ? triaxial::Density::dense : triaxial::Density::loose;
   const triaxial::SpecimenRecipe recipe = recipe_of(grains, 1);
-  const dem::State jammed = triaxial::frictionless_specimen(recipe).state;
+  const dem::Specimen jammed = triaxial::frictionless_specimen(recipe).state;
   save_packing(at_rest(triaxial::start_of_compression(jammed, kind, recipe), recipe.material), out);
 }
 
@@ -59,7 +59,7 @@ void prepare(std::size_t size, std::uint64_t seed) {
   const triaxial::SpecimenRecipe recipe = recipe_of(size, seed);
   const Meter meter;
   const triaxial::Preparation preparation = triaxial::frictionless_specimen(recipe);
-  const dem::State state = at_rest(preparation.state, recipe.material);
+  const dem::Specimen state = at_rest(preparation.state, recipe.material);
   const double wall = meter.seconds(), cpu = meter.cpu_seconds();
   const double grains = static_cast<double>(size);
   std::printf("specimen,%.0f,1,%.4g,%.4g,%.0f,%zu,%.2g,%.4f\n", grains, wall, cpu, meter.bytes() / grains,
@@ -67,7 +67,7 @@ void prepare(std::size_t size, std::uint64_t seed) {
               2 * static_cast<double>(dem::contact_network(state, recipe.material).contacts.size()) / grains);
 }
 
-void solve(const dem::State& state, bool copies) {
+void solve(const dem::Specimen& state, bool copies) {
   packing::Assembly assembly = dem::contact_network(state, material(friction));
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> factor(0.5, 1.5);
@@ -86,7 +86,7 @@ void solve(const dem::State& state, bool copies) {
                   static_cast<double>(response.report().grains));
 }
 
-void step(dem::State state, std::size_t steps, std::size_t threads) {
+void step(dem::Specimen state, std::size_t steps, std::size_t threads) {
   const double grains = static_cast<double>(state.grain_count());
   const Meter whole;
   dem::Engine engine(std::move(state), material(friction));

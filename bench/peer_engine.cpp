@@ -46,7 +46,7 @@ void pack(std::size_t grains, const std::filesystem::path& out) {
 }
 
 /// Before its first step, which moves nothing: its figures are those of the state that was loaded.
-dem::Engine started(const dem::State& state) {
+dem::Engine started(const dem::Specimen& state) {
   dem::Engine engine(state, material(friction));
   engine.set_time_step_fraction(time_step_fraction);
   engine.step();
@@ -57,7 +57,7 @@ void say_state(const dem::Engine& engine) {
   std::printf("state %zu %.10g\n", engine.figures().contacts, trace(engine.figures().stress) / 3);
 }
 
-void scene(const dem::State& state) {
+void scene(const dem::Specimen& state) {
   const packing::Assembly frozen = dem::contact_network(state, material(friction));
   // The spring of equal stiffness in all contacts that bears the same mean stress, for laws without Hertz.
   double overlap_stress = 0; // of springs of 1 N/m, in their unit [1/m]
@@ -95,7 +95,7 @@ void scene(const dem::State& state) {
 }
 
 /// Biaxial strain at constant volume: longer along x, shorter along y.
-void run(const dem::State& state, std::size_t steps, double strain, std::size_t threads) {
+void run(const dem::Specimen& state, std::size_t steps, double strain, std::size_t threads) {
   dem::Engine engine = started(state);
   engine.set_threads(threads); // specimens below 2,048 grains take one all the same
   say_state(engine);

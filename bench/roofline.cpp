@@ -68,7 +68,7 @@ double median(std::vector<double> values) {
 /// The parts of an engine that a sweep needs.
 class Sweep {
  public:
-  explicit Sweep(const dem::State& start)
+  explicit Sweep(const dem::Specimen& start)
       : state_(dem::reordered(start, dem::near_order(start))),
         list_(2 * state_.radius, 0.02 * state_.radius, dem::Images::periodic) {
     list_.build(state_.cell, state_.position);
@@ -104,7 +104,7 @@ class Sweep {
   }
 
  private:
-  dem::State state_;
+  dem::Specimen state_;
   dem::VerletList list_;
   dem::Partition parts_;
   dem::Grains grains_;
@@ -129,7 +129,7 @@ double arithmetic_rate() {
   return static_cast<double>(bench::chain_instructions * bench::vector_lanes()) / seconds;
 }
 
-void measure(const dem::State& start) {
+void measure(const dem::Specimen& start) {
   constexpr int rounds = 7;
   Sweep sweep(start);
   std::vector<double> per_pair, arithmetic, memory, share;
@@ -156,7 +156,7 @@ int main() {
       "| grains | pairs a grain | operations a pair | bytes a pair | arithmetic | memory | sweep | share |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
       bench::vector_lanes());
-  const dem::State thousand = bench::thousand_grains();
+  const dem::Specimen thousand = bench::thousand_grains();
   measure(bench::repeated(thousand, 1, 1, 1));
   measure(bench::repeated(thousand, 5, 2, 1));
   measure(bench::repeated(thousand, 5, 5, 4));

@@ -15,22 +15,22 @@ dem::Material material(double friction) {
           .friction_coefficient = friction};
 }
 
-dem::State thousand_grains(std::optional<double> wall_friction) {
+dem::Specimen thousand_grains(std::optional<double> wall_friction) {
   const triaxial::SpecimenRecipe recipe{
       .material = material(0.5), .radius = radius, .wall_friction = wall_friction};
   dem::Engine engine(triaxial::frictionless_specimen(recipe).state, recipe.material);
   (void)dem::equilibrate(engine, {pressure, pressure, pressure}, triaxial::compression_options());
-  dem::State state = engine.state();
+  dem::Specimen state = engine.state();
   state.history.clear();
   return state;
 }
 
-dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz) {
+dem::Specimen side_by_side(const dem::Specimen& one, std::size_t nx, std::size_t ny, std::size_t nz) {
   const auto steps = [](std::size_t x, std::size_t y, std::size_t z) {
     return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
   };
   const Vec3 copies = steps(nx, ny, nz);
-  dem::State all;
+  dem::Specimen all;
   all.cell = one.cell * Mat3::diagonal(copies.x, copies.y, copies.z);
   all.radius = one.radius;
   for (std::size_t x = 0; x < nx; ++x)
@@ -43,8 +43,8 @@ dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, s
   return all;
 }
 
-dem::State repeated(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz) {
-  dem::State all = side_by_side(one, nx, ny, nz);
+dem::Specimen repeated(const dem::Specimen& one, std::size_t nx, std::size_t ny, std::size_t nz) {
+  dem::Specimen all = side_by_side(one, nx, ny, nz);
   std::uint64_t random = 1;
   const auto next = [&random] {
     random = random * 6364136223846793005u + 1442695040888963407u;

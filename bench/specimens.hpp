@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 /// Packings that the engine is measured on.
 namespace granum::bench {
@@ -18,12 +18,14 @@ inline constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_r
 
 /// A dense specimen of 1,000 grains at that pressure, without histories; between walls of that friction
 /// coefficient [1], or periodic.
-[[nodiscard]] dem::State thousand_grains(std::optional<double> wall_friction = {});
+[[nodiscard]] dem::Specimen thousand_grains(std::optional<double> wall_friction = {});
 
 /// A periodic specimen so many times along each axis, at rest and without histories.
-[[nodiscard]] dem::State side_by_side(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz);
+[[nodiscard]] dem::Specimen side_by_side(const dem::Specimen& one, std::size_t nx, std::size_t ny,
+                                         std::size_t nz);
 
 /// The same; each copy moves its own way, by some mm/s.
-[[nodiscard]] dem::State repeated(const dem::State& one, std::size_t nx, std::size_t ny, std::size_t nz);
+[[nodiscard]] dem::Specimen repeated(const dem::Specimen& one, std::size_t nx, std::size_t ny,
+                                     std::size_t nz);
 
 } // namespace granum::bench

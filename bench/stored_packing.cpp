@@ -17,16 +17,16 @@ std::size_t count_of(const std::string& text) {
   return static_cast<std::size_t>(value);
 }
 
-dem::State load_packing(const std::filesystem::path& path) {
+dem::Specimen load_packing(const std::filesystem::path& path) {
   const packing::Assembly grains = io::read_lammps_data(io::TextSource(path)).assembly;
-  dem::State state;
+  dem::Specimen state;
   state.cell = grains.cell;
   state.radius = radius;
   state.position = grains.position;
   return side_by_side(state, 1, 1, 1);
 }
 
-void save_packing(const dem::State& state, const std::filesystem::path& path) {
+void save_packing(const dem::Specimen& state, const std::filesystem::path& path) {
   const dem::Material of = material(friction);
   io::write_file(path, io::lammps_data(dem::contact_network(state, of), of.density), io::Existing::replace);
 }

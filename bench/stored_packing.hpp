@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include "specimens.hpp"
 
@@ -19,7 +19,7 @@ inline constexpr double friction = 0.5; ///< [1]
 [[nodiscard]] std::size_t count_of(const std::string& text);
 
 /// Centres and cell; at rest, without histories.
-[[nodiscard]] dem::State load_packing(const std::filesystem::path& path);
-void save_packing(const dem::State& state, const std::filesystem::path& path);
+[[nodiscard]] dem::Specimen load_packing(const std::filesystem::path& path);
+void save_packing(const dem::Specimen& state, const std::filesystem::path& path);
 
 } // namespace granum::bench

@@ -46,7 +46,7 @@ Compressed measure(const triaxial::Snapshot& snapshot, const dem::Material& mate
   };
 }
 
-std::vector<Compressed> compress(const dem::State& packing, triaxial::Density density,
+std::vector<Compressed> compress(const dem::Specimen& packing, triaxial::Density density,
                                  const triaxial::SpecimenRecipe& recipe) {
   std::vector<Compressed> path;
   triaxial::isotropic_path(triaxial::start_of_compression(packing, density, recipe), recipe.material,
@@ -100,7 +100,7 @@ int main() {
       .grains = 300};
 
   // 2. One packing without friction, at 10 kPa. What follows differs only in when friction is switched on.
-  const dem::State packing = triaxial::frictionless_specimen(recipe).state;
+  const dem::Specimen packing = triaxial::frictionless_specimen(recipe).state;
 
   // 3. Compress both, freeze them at three pressures, and solve the network of contacts that is found there.
   const auto dense = compress(packing, triaxial::Density::dense, recipe);

@@ -13,7 +13,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/number.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/effective/ladder.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -24,9 +24,9 @@ namespace {
 
 constexpr double pressure = 100e3;
 
-dem::State loose_specimen(const triaxial::SpecimenRecipe& recipe) {
-  dem::State last;
-  const dem::State frictionless = triaxial::frictionless_specimen(recipe).state;
+dem::Specimen loose_specimen(const triaxial::SpecimenRecipe& recipe) {
+  dem::Specimen last;
+  const dem::Specimen frictionless = triaxial::frictionless_specimen(recipe).state;
   triaxial::isotropic_path(triaxial::start_of_compression(frictionless, triaxial::Density::loose, recipe),
                            recipe.material, {10e3, pressure}, triaxial::compression_options(),
                            [&last](const triaxial::Snapshot& snapshot) {
@@ -72,7 +72,7 @@ int main() {
                    .friction_coefficient = 0.4986},
       .radius = 0.5e-3,
       .grains = 500};
-  const dem::State specimen = loose_specimen(recipe);
+  const dem::Specimen specimen = loose_specimen(recipe);
   const analysis::Measurement measured =
       analysis::measure(dem::contact_network(specimen, recipe.material),
                         {.law = recipe.material.law, .tangential_ratio = recipe.material.tangential_ratio},

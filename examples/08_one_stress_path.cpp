@@ -31,8 +31,8 @@ int main() {
   const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 400};
 
   // 2. Dense: no friction until the first pressure is reached. Then with friction to 100 kPa.
-  dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                    triaxial::Density::dense, recipe);
+  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                       triaxial::Density::dense, recipe);
   const bool compressed =
       triaxial::isotropic_path(state, material, {30e3, 100e3}, triaxial::compression_options(),
                                [&](const triaxial::Snapshot& snapshot) {
@@ -53,7 +53,7 @@ int main() {
   double first_ratio = 0, smallest_early = 1e9, largest_early = 0, last_G = 0, largest_G = 0;
   while (test.advance() == triaxial::ShearEvent::snapshot) {
     // 4. A frozen copy: its network, and the closed form with what was counted on it.
-    const dem::State now = test.engine().state();
+    const dem::Specimen now = test.engine().state();
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(now, material);
     const analysis::Given given{.law = material.law, .tangential_ratio = material.tangential_ratio};
     const double G_vh = analysis::measure(dem::contact_network(frozen.state(), material), given,

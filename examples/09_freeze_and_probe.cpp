@@ -25,8 +25,8 @@ int main() {
       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
       .friction_coefficient = contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()};
   const triaxial::SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 300};
-  dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                    triaxial::Density::dense, recipe);
+  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                       triaxial::Density::dense, recipe);
   if (!triaxial::isotropic_path(state, material, {50e3}, triaxial::compression_options(),
                                 [&](const triaxial::Snapshot& snapshot) {
                                   state = snapshot.state;

@@ -19,9 +19,9 @@ using namespace granum;
 namespace {
 
 /// Dense, at 100 kPa; nothing if it did not converge.
-std::optional<dem::State> specimen(const triaxial::SpecimenRecipe& recipe) {
-  dem::State state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                    triaxial::Density::dense, recipe);
+std::optional<dem::Specimen> specimen(const triaxial::SpecimenRecipe& recipe) {
+  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                       triaxial::Density::dense, recipe);
   if (!triaxial::isotropic_path(state, recipe.material, {30e3, 100e3}, triaxial::compression_options(),
                                 [&](const triaxial::Snapshot& snapshot) {
                                   state = snapshot.state;
@@ -44,9 +44,9 @@ int main() {
                        contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()},
       .radius = radius,
       .grains = 500};
-  const std::optional<dem::State> periodic = specimen(recipe);
+  const std::optional<dem::Specimen> periodic = specimen(recipe);
   recipe.wall_friction = 0; // smooth
-  const std::optional<dem::State> walled = specimen(recipe);
+  const std::optional<dem::Specimen> walled = specimen(recipe);
   if (!periodic || !walled)
     return 1;
 

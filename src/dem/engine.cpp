@@ -33,7 +33,7 @@ void add(WallForces& forces, const WallForces& other) {
 
 } // namespace
 
-Engine::Data::Data(State initial, const Material& m, std::vector<std::uint32_t> given_order)
+Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_t> given_order)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
       friction(std::min(m.friction_coefficient, 1e100)), order(std::move(given_order)),
       cold(std::move(initial)), list(2 * cold.radius, 0.02 * cold.radius, images(cold)) {
@@ -274,7 +274,7 @@ void Engine::Data::kick(const Kick& of_step) {
     motion += chunk.motion;
 }
 
-Engine::Engine(State state, const Material& material)
+Engine::Engine(Specimen state, const Material& material)
     : data_(std::make_unique<Data>(std::move(state), material)) {}
 Engine::Engine(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 Engine::~Engine() = default;
@@ -352,8 +352,8 @@ void Engine::rest() {
   data_->motion = {};
 }
 
-State Engine::state() const {
-  State out = data_->cold;
+Specimen Engine::state() const {
+  Specimen out = data_->cold;
   for (std::size_t g = 0; g < data_->grains.size(); ++g) {
     out.position[g] = data_->grains.centre(g);
     out.velocity[g] = data_->grains.velocity(g);

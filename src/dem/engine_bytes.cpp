@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/core/bytes.hpp>
-#include <granum/dem/state_bytes.hpp>
+#include <granum/dem/specimen_bytes.hpp>
 
 #include "engine_data.hpp"
 
@@ -63,7 +63,7 @@ void take(ByteReader& from, std::vector<T>& list) {
 void Engine::save(ByteWriter& to) const {
   const Data& d = *data_;
   to.put(fingerprint(d.material));
-  save_state(to, state());
+  save_specimen(to, state());
   to.put_all(d.order);
   to.put_all(d.list.pairs());
   to.put_all(d.grains.row);
@@ -78,7 +78,7 @@ void Engine::save(ByteWriter& to) const {
 Engine Engine::load(ByteReader& from, const Material& material) {
   if (from.get<std::array<double, 5>>() != fingerprint(material))
     from.fail("was written for grains of another material or contact law");
-  State state = load_state(from);
+  Specimen state = load_specimen(from);
   std::vector<std::uint32_t> order = from.get_all<std::uint32_t>();
   if (!is_order(order, state.grain_count()))
     from.fail("holds an impossible order of its grains");

@@ -31,7 +31,7 @@ struct alignas(64) ChunkSums {
 /// material.
 struct Engine::Data {
   /// \param order  place in the engine of each grain of the state; by default neighbours come near each other
-  Data(State initial, const Material& m, std::vector<std::uint32_t> order = {});
+  Data(Specimen initial, const Material& m, std::vector<std::uint32_t> order = {});
 
   void rebuild();
   void lay_out();
@@ -54,7 +54,7 @@ struct Engine::Data {
   double friction;                  ///< finite stand-in for an infinite coefficient
   std::vector<std::uint32_t> order; ///< place of each grain of the outer state
   /// In the engine's order; cell and radius are current, the rest only between steps of rebuild.
-  State cold;
+  Specimen cold;
   double mass = 0;
   double inertia = 0;
   VerletList list;

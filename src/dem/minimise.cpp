@@ -56,7 +56,7 @@ struct FireRule {
 /// Grains in an order in which neighbours are near each other, with the list of their pairs.
 class Minimiser {
  public:
-  Minimiser(const State& state, const contact::PowerLaw& law, std::optional<double> pressure,
+  Minimiser(const Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
         options_(options),
@@ -93,7 +93,7 @@ class Minimiser {
   }
 
   /// Cell and centres as they are now.
-  void put_into(State& state) const {
+  void put_into(Specimen& state) const {
     state.cell = state_.cell;
     for (std::size_t g = 0; g < order_.size(); ++g)
       state.position[g] = state_.position[order_[g]];
@@ -228,7 +228,7 @@ class Minimiser {
   }
 
   std::vector<std::uint32_t> order_; ///< place of each grain of the outer state
-  State state_;                      ///< its cell is current, its centres after fetch_centres()
+  Specimen state_;                   ///< its cell is current, its centres after fetch_centres()
   contact::NormalKernel law_;
   std::optional<double> pressure_;
   MinimiseOptions options_;
@@ -246,7 +246,7 @@ class Minimiser {
   FireRule rule_;
 };
 
-void clear_tangential(State& state) {
+void clear_tangential(Specimen& state) {
   state.velocity.assign(state.grain_count(), Vec3{});
   state.angular_velocity.assign(state.grain_count(), Vec3{});
   state.history.clear();
@@ -254,7 +254,7 @@ void clear_tangential(State& state) {
     state.walls->history.clear();
 }
 
-RelaxReport minimise(State& state, const contact::PowerLaw& law, std::optional<double> pressure,
+RelaxReport minimise(Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
                      const MinimiseOptions& options) {
   if (state.grain_count() == 0)
     throw InvalidArgument("minimise: the state has no grains");
@@ -275,11 +275,11 @@ double RelaxReport::pressure() const {
   return last_pressure;
 }
 
-RelaxReport minimise_energy(State& state, const contact::PowerLaw& law, const MinimiseOptions& options) {
+RelaxReport minimise_energy(Specimen& state, const contact::PowerLaw& law, const MinimiseOptions& options) {
   return minimise(state, law, std::nullopt, options);
 }
 
-RelaxReport minimise_enthalpy(State& state, const contact::PowerLaw& law, double pressure,
+RelaxReport minimise_enthalpy(Specimen& state, const contact::PowerLaw& law, double pressure,
                               const MinimiseOptions& options) {
   require_positive("pressure", pressure, "Pa");
   return minimise(state, law, pressure, options);

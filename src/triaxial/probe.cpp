@@ -40,7 +40,7 @@ dem::Material sticking(dem::Material material) {
   return material;
 }
 
-dem::State sticking(dem::State state) {
+dem::Specimen sticking(dem::Specimen state) {
   if (state.walls && state.walls->friction_coefficient > 0)
     state.walls->friction_coefficient = std::numeric_limits<double>::infinity();
   return state;
@@ -50,7 +50,7 @@ double edge(const dem::Engine& engine) { return std::cbrt(determinant(engine.cel
 
 /// Drag that damps the slowest shear wave [1/s], as long as the cell or, between walls, twice as long: that
 /// is all that moves after a leg.
-double drag(const dem::Engine& engine, const dem::State& state) {
+double drag(const dem::Engine& engine, const dem::Specimen& state) {
   // Relaxed shear modulus over the p-wave modulus without relaxation: 0.2 in dense specimens, 0.02 near z* 4.
   constexpr double relaxed_share = 0.05;
   const double density = engine.material().density / (1 + dem::void_ratio(state));
@@ -93,7 +93,7 @@ dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag,
   return second;
 }
 
-Probed at_rest(const dem::State& state, const dem::Material& material, const ProbeOptions& options) {
+Probed at_rest(const dem::Specimen& state, const dem::Material& material, const ProbeOptions& options) {
   require_non_negative("amplitude", options.amplitude);
   dem::Engine engine =
       options.sliding ? dem::Engine(state, material) : dem::Engine(sticking(state), sticking(material));
@@ -172,7 +172,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   return result;
 }
 
-FrozenState frozen_once(const dem::State& state, const dem::Material& material, double force_tolerance,
+FrozenState frozen_once(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                         const StopRequest& stop_requested) {
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen{.last_state = {}, .report = {}, .force_tolerance = force_tolerance};
@@ -211,7 +211,7 @@ const std::vector<LoopPoint>& ProbeResult::loop() const {
   return last_loop;
 }
 
-const dem::State& FrozenState::state() const {
+const dem::Specimen& FrozenState::state() const {
   require_rest(at_rest(), report.unbalanced_force_ratio, "a frozen state");
   return last_state;
 }
@@ -221,7 +221,7 @@ const Mat3& FrozenState::stress() const {
   return report.last_stress;
 }
 
-FrozenState freeze_in_place(const dem::State& state, const dem::Material& material, double force_tolerance,
+FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                             const StopRequest& stop_requested) {
   constexpr int tries = 3;
   FrozenState frozen = frozen_once(state, material, force_tolerance, stop_requested);
@@ -233,12 +233,12 @@ FrozenState freeze_in_place(const dem::State& state, const dem::Material& materi
   return frozen;
 }
 
-ProbeResult probe(const dem::State& state, const dem::Material& material, ShearMode mode,
+ProbeResult probe(const dem::Specimen& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options) {
   return sheared(at_rest(state, material, options), mode, options);
 }
 
-std::array<ProbeResult, 3> probe_all(const dem::State& state, const dem::Material& material,
+std::array<ProbeResult, 3> probe_all(const dem::Specimen& state, const dem::Material& material,
                                      const ProbeOptions& options) {
   const Probed specimen = at_rest(state, material, options);
   ByteWriter bytes;

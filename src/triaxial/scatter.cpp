@@ -67,13 +67,13 @@ class Boxes {
 
 } // namespace
 
-dem::State scattered_specimen(const SpecimenRecipe& recipe, double solid_fraction) {
+dem::Specimen scattered_specimen(const SpecimenRecipe& recipe, double solid_fraction) {
   require_valid(recipe);
   if (!(solid_fraction > 0 && solid_fraction <= 0.3))
     throw InvalidArgument("solid_fraction", solid_fraction, "", "(0, 0.3]");
   const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
   const double edge = std::cbrt(static_cast<double>(recipe.grains) * grain / solid_fraction);
-  dem::State state;
+  dem::Specimen state;
   state.cell = Mat3::diagonal(edge, edge, edge);
   state.radius = recipe.radius;
   Boxes boxes(edge, 2 * recipe.radius);

@@ -53,7 +53,7 @@ ShearTest::ShearTest(dem::Engine engine, const ShearOptions& options)
   peak_ = now_;
 }
 
-ShearTest::ShearTest(dem::State state, const dem::Material& material, const ShearOptions& options)
+ShearTest::ShearTest(dem::Specimen state, const dem::Material& material, const ShearOptions& options)
     : ShearTest(dem::Engine((require_valid(options), std::move(state)), material), options) {}
 
 /// Figures of the state as it stands; work is added by step().

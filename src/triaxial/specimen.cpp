@@ -26,12 +26,12 @@ Vec3 uniform_in_cube(Random& random, double low, double high) {
   return {x, y, z};
 }
 
-dem::State seeds(const SpecimenRecipe& recipe) {
+dem::Specimen seeds(const SpecimenRecipe& recipe) {
   const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
   const double edge =
       std::cbrt(static_cast<double>(recipe.grains) * grain * (1 + recipe.expansion_void_ratio));
   Random random(recipe.seed);
-  dem::State state;
+  dem::Specimen state;
   state.cell = Mat3::diagonal(edge, edge, edge);
   state.radius = recipe.radius;
   if (recipe.wall_friction)
@@ -57,7 +57,7 @@ dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stag
 }
 
 /// Grains grow at fixed cell from a solid fraction of 0.2 to the whole of the recipe's.
-std::size_t expand(dem::State& state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
+std::size_t expand(dem::Specimen& state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   constexpr double first_fraction = 0.2, last_stage = 0.55, stage = 0.05;
   const double full = 1 / (1 + recipe.expansion_void_ratio);
   const contact::PowerLaw law = linear_law(recipe);
@@ -117,7 +117,7 @@ Preparation frictionless_specimen(const SpecimenRecipe& recipe, const StopReques
   return preparation;
 }
 
-dem::State unjam(dem::State state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
+dem::Specimen unjam(dem::Specimen state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   require_valid(recipe);
   const double growth = 1 + recipe.unjamming_strain;
   const double reach = recipe.agitation * recipe.radius;
@@ -139,8 +139,8 @@ dem::State unjam(dem::State state, const SpecimenRecipe& recipe, const StopReque
   return state;
 }
 
-dem::State start_of_compression(const dem::State& frictionless, Density density, const SpecimenRecipe& recipe,
-                                const StopRequest& stop_requested) {
+dem::Specimen start_of_compression(const dem::Specimen& frictionless, Density density,
+                                   const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   return density == Density::loose ? unjam(frictionless, recipe, stop_requested) : frictionless;
 }
 
@@ -152,7 +152,7 @@ dem::QuasistaticOptions compression_options() {
   return options;
 }
 
-bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
+bool isotropic_path(dem::Specimen state, const dem::Material& material, const std::vector<double>& pressures,
                     const dem::QuasistaticOptions& options,
                     const std::function<bool(const Snapshot&)>& visit) {
   for (const double pressure : pressures) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 namespace granum::test {
 
@@ -19,8 +19,8 @@ inline dem::Material quartz(double radius, double friction) {
 
 /// Face-centred cubic lattice of edges^3 cubic cells, spheres of radius R whose contacts overlap by
 /// `overlap`.
-inline dem::State fcc(double radius, int edges, double overlap) {
-  dem::State state;
+inline dem::Specimen fcc(double radius, int edges, double overlap) {
+  dem::Specimen state;
   state.radius = radius;
   const double edge = std::sqrt(2.0) * (2 * radius - overlap);
   state.cell = Mat3::diagonal(edges * edge, edges * edge, edges * edge);

@@ -21,8 +21,8 @@ namespace {
 constexpr double radius = 0.5e-3;
 
 /// Two spheres that touch with the given overlap along x.
-State pair_state(double overlap) {
-  State state;
+Specimen pair_state(double overlap) {
+  Specimen state;
   state.radius = radius;
   state.cell = Mat3::diagonal(8e-3, 8e-3, 8e-3);
   state.position = {{4e-3, 4e-3, 4e-3}, {4e-3 + 2 * radius - overlap, 4e-3, 4e-3}};
@@ -31,7 +31,7 @@ State pair_state(double overlap) {
   return state;
 }
 
-double elastic_energy(const State& state, const Material& material) {
+double elastic_energy(const Specimen& state, const Material& material) {
   double sum = 0;
   for (const packing::Contact& c : contact_network(state, material).contacts)
     sum += material.law.energy(c.overlap);
@@ -42,7 +42,7 @@ double elastic_energy(const State& state, const Material& material) {
 
 TEST_CASE("a frictionless contact pushes its grains apart along their line, and conserves momentum") {
   const Material material = test::quartz(radius, 0);
-  State state = pair_state(1e-7);
+  Specimen state = pair_state(1e-7);
   state.velocity = {{0, 0.002, 0}, {0, 0, 0.001}};
   Engine engine(state, material);
   engine.set_damping(0);
@@ -50,7 +50,7 @@ TEST_CASE("a frictionless contact pushes its grains apart along their line, and 
     engine.step();
   // Energy is not asked for: 0.8 of the stability limit takes one stiff contact apart in two steps.
   CHECK(elastic_energy(engine.state(), material) == 0);
-  const State after = engine.state();
+  const Specimen after = engine.state();
   CHECK(after.velocity[1].x > 0);
   const Vec3 momentum = after.velocity[0] + after.velocity[1];
   CHECK(norm(momentum - Vec3{0, 0.002, 0.001}) < 1e-14);
@@ -60,7 +60,7 @@ TEST_CASE(
     "tangential force: k_t times the relative displacement of the surfaces, equal and opposite torques") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const double overlap = 1e-7;
-  State state = pair_state(overlap);
+  Specimen state = pair_state(overlap);
   // Pure spin of both grains about z: surfaces move against each other by (w1 + w2) l/2 along y.
   const double spin = 1e-3;
   state.angular_velocity = {{0, 0, spin}, {0, 0, 2 * spin}};
@@ -78,7 +78,7 @@ TEST_CASE(
 
 TEST_CASE("Coulomb's limit holds at every contact, and sliding is counted") {
   const Material material = test::quartz(radius, 0.3);
-  State state = pair_state(1e-7);
+  Specimen state = pair_state(1e-7);
   state.velocity = {{0, 0, 0}, {0, 0.05, 0}};
   Engine engine(state, material);
   std::size_t sliding = 0;
@@ -97,7 +97,7 @@ TEST_CASE("Coulomb's limit holds at every contact, and sliding is counted") {
 TEST_CASE("a tangential force shrinks with its stiffness when the contact unloads") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const double overlap = 1e-7;
-  State state = pair_state(overlap);
+  Specimen state = pair_state(overlap);
   const double k_t = material.tangential_ratio * material.law.stiffness_at_overlap(overlap);
   state.history = {{0, 1, {0, 1e-4, 0}, k_t}};
   // Apart by a hundredth of the overlap in one step, straight along the normal.
@@ -129,7 +129,7 @@ TEST_CASE("the chosen time step stays below the stability limit of a stiff, regu
   // The highest frequency of the lattice shows as growth when the step is too long: give a random kick and
   // watch the energy for many steps without damping.
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
-  State state = test::fcc(radius, 3, 2e-7);
+  Specimen state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g)
     state.velocity[g] =
         1e-6 * Vec3{std::sin(7.0 * static_cast<double>(g)), std::cos(3.0 * static_cast<double>(g)),
@@ -149,17 +149,17 @@ TEST_CASE("the chosen time step stays below the stability limit of a stiff, regu
 TEST_CASE(
     "the same start gives the same bits, and a state taken out and put back goes on with the same forces") {
   const Material material = test::quartz(radius, 0.5);
-  State state = test::fcc(radius, 3, 2e-7);
+  Specimen state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g)
     state.velocity[g] = {1e-4 * std::sin(5.0 * static_cast<double>(g)), 0,
                          1e-4 * std::cos(2.0 * static_cast<double>(g))};
-  const auto run = [&](State start, int steps) {
+  const auto run = [&](Specimen start, int steps) {
     Engine engine(std::move(start), material);
     for (int k = 0; k < steps; ++k)
       engine.step();
     return engine.state();
   };
-  const State once = run(state, 300);
+  const Specimen once = run(state, 300);
   CHECK(once == run(state, 300));
   const packing::Assembly before = contact_network(once, material);
   Engine again(once, material);
@@ -174,7 +174,7 @@ TEST_CASE("the numbers of the grains do not matter, beyond round-off, for forces
   for (const bool walls : {false, true}) {
     CAPTURE(walls);
     const Material material = test::quartz(radius, 0.3);
-    State state = test::fcc(radius, 3, 2e-7);
+    Specimen state = test::fcc(radius, 3, 2e-7);
     const std::size_t count = state.grain_count();
     if (walls)
       state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
@@ -190,7 +190,7 @@ TEST_CASE("the numbers of the grains do not matter, beyond round-off, for forces
     const auto renumbered = [&](std::size_t g) {
       return (g * 53 + 7) % count;
     }; // 53 and 108: no common factor
-    State other = state;
+    Specimen other = state;
     for (std::size_t g = 0; g < count; ++g) {
       other.position[renumbered(g)] = state.position[g];
       other.velocity[renumbered(g)] = state.velocity[g];
@@ -212,7 +212,7 @@ TEST_CASE("the numbers of the grains do not matter, beyond round-off, for forces
       one.step();
       two.step();
     }
-    const State a = one.state(), b = two.state();
+    const Specimen a = one.state(), b = two.state();
     double velocity = 0, spin = 0, fastest = 0, fastest_spin = 0;
     for (std::size_t g = 0; g < count; ++g) {
       velocity = std::max(velocity, norm(a.velocity[g] - b.velocity[renumbered(g)]));
@@ -242,7 +242,7 @@ TEST_CASE("own velocities are measured against the cell: a deforming cell does n
 
 TEST_CASE("without friction no rotations and no histories are modelled") {
   const Material material = test::quartz(radius, 0);
-  State state = pair_state(1e-7);
+  Specimen state = pair_state(1e-7);
   state.angular_velocity = {{1, 2, 3}, {4, 5, 6}};
   state.velocity[1] = {0, 1e-3, 0};
   Engine engine(state, material);
@@ -253,15 +253,15 @@ TEST_CASE("without friction no rotations and no histories are modelled") {
 }
 
 TEST_CASE("impossible engines are refused") {
-  State empty;
+  Specimen empty;
   empty.radius = radius;
   empty.cell = Mat3::identity();
   CHECK_THROWS_AS(Engine(empty, test::quartz(radius, 0.5)), InvalidArgument);
-  State narrow = pair_state(1e-7);
+  Specimen narrow = pair_state(1e-7);
   narrow.cell = Mat3::diagonal(3 * radius, 1, 1);
   CHECK_THROWS_AS(Engine(narrow, test::quartz(radius, 0.5)), InvalidArgument);
   CHECK_THROWS_AS(Engine(pair_state(1e-7), test::quartz(radius, -1)), InvalidArgument);
-  State foreign = pair_state(1e-7);
+  Specimen foreign = pair_state(1e-7);
   foreign.history = {{0, 2, {0, 1e-4, 0}, 1e3}};
   CHECK_THROWS_AS(Engine(foreign, test::quartz(radius, 0.5)), InvalidArgument);
   foreign.history.clear();

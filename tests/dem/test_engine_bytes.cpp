@@ -9,7 +9,7 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
-#include <granum/dem/state_bytes.hpp>
+#include <granum/dem/specimen_bytes.hpp>
 
 #include "lattice_state.hpp"
 
@@ -21,8 +21,8 @@ namespace {
 constexpr double radius = 0.5e-3;
 
 /// A lattice in motion: contacts open, close and slide.
-State lively(bool walls, double speed = 5e-3) {
-  State state = test::fcc(radius, 3, 2e-7);
+Specimen lively(bool walls, double speed = 5e-3) {
+  Specimen state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
     state.velocity[g] = speed * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
@@ -112,12 +112,12 @@ TEST_CASE("a state comes back equal, walls and memories included") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(lively(true), material);
   run(engine, 100);
-  const State state = engine.state();
+  const Specimen state = engine.state();
   REQUIRE_FALSE(state.walls->history.empty());
   ByteWriter bytes;
-  save_state(bytes, state);
+  save_specimen(bytes, state);
   ByteReader reader(bytes.bytes(), "bytes");
-  CHECK(load_state(reader) == state);
+  CHECK(load_specimen(reader) == state);
   CHECK(reader.empty());
 }
 
@@ -171,22 +171,23 @@ TEST_CASE("bytes that were forged are refused, or an engine goes on with them wi
 
 TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
   const Material material = test::quartz(radius, 0.5);
-  const State sound = Engine(lively(true), material).state();
+  const Specimen sound = Engine(lively(true), material).state();
   const auto refused = [&](auto change) {
-    State bad = sound;
+    Specimen bad = sound;
     change(bad);
     ByteWriter bytes;
-    save_state(bytes, bad);
+    save_specimen(bytes, bad);
     ByteReader reader(bytes.bytes(), "bad");
-    CHECK_THROWS_WITH_AS((void)load_state(reader), "bad: holds an impossible state of its grains", FileError);
+    CHECK_THROWS_WITH_AS((void)load_specimen(reader), "bad: holds an impossible state of its grains",
+                         FileError);
   };
-  refused([](State& s) { s.position.pop_back(); });
-  refused([](State& s) { s.position.front().x = NAN; });
-  refused([](State& s) { s.position.front().y = 1e9; });
-  refused([](State& s) { s.radius = 0; });
-  refused([](State& s) { s.cell = Mat3{}; });
-  refused([](State& s) { s.cell = 1e6 * s.cell; });
-  refused([](State& s) { s.history.push_back({.i = 1, .j = 100000, .tangential_force = {}}); });
-  refused([](State& s) { s.walls->history.push_back({.grain = 0, .wall = 6, .tangential_force = {}}); });
-  refused([](State& s) { s.velocity.back().z = INFINITY; });
+  refused([](Specimen& s) { s.position.pop_back(); });
+  refused([](Specimen& s) { s.position.front().x = NAN; });
+  refused([](Specimen& s) { s.position.front().y = 1e9; });
+  refused([](Specimen& s) { s.radius = 0; });
+  refused([](Specimen& s) { s.cell = Mat3{}; });
+  refused([](Specimen& s) { s.cell = 1e6 * s.cell; });
+  refused([](Specimen& s) { s.history.push_back({.i = 1, .j = 100000, .tangential_force = {}}); });
+  refused([](Specimen& s) { s.walls->history.push_back({.grain = 0, .wall = 6, .tangential_force = {}}); });
+  refused([](Specimen& s) { s.velocity.back().z = INFINITY; });
 }

@@ -19,8 +19,8 @@ namespace {
 
 /// Elastic energy of all contacts of a state whose cell and centres are stretched by (1 + strain) along one
 /// axis.
-double energy(const State& state, const Material& material, int axis, double strain) {
-  State stretched = state;
+double energy(const Specimen& state, const Material& material, int axis, double strain) {
+  Specimen stretched = state;
   Mat3 stretch = Mat3::identity();
   stretch(axis, axis) += strain;
   stretched.cell = stretch * stretched.cell;
@@ -32,8 +32,8 @@ double energy(const State& state, const Material& material, int axis, double str
   return sum;
 }
 
-State disordered(double radius) {
-  State state = test::fcc(radius, 3, 0.03 * radius);
+Specimen disordered(double radius) {
+  Specimen state = test::fcc(radius, 3, 0.03 * radius);
   std::mt19937_64 random(11);
   for (Vec3& x : state.position)
     for (int axis = 0; axis < 3; ++axis)
@@ -44,7 +44,7 @@ State disordered(double radius) {
 } // namespace
 
 TEST_CASE("two overlapping spheres move apart along their line until no overlap is left") {
-  State state;
+  Specimen state;
   state.radius = 1e-3;
   state.cell = Mat3::diagonal(10e-3, 10e-3, 10e-3);
   state.position = {{5e-3, 5e-3, 5e-3}, {6e-3, 5.5e-3, 5e-3}};
@@ -61,7 +61,7 @@ TEST_CASE("two overlapping spheres move apart along their line until no overlap 
 
 TEST_CASE("a prescribed pressure is reached, and equals the work of the cell on every axis") {
   const double radius = 0.5e-3;
-  State state = disordered(radius);
+  Specimen state = disordered(radius);
   const Material material = test::quartz(radius, 0);
   for (const double pressure : {1e8, 1e5}) {
     const RelaxReport report = minimise_enthalpy(state, material.law, pressure);
@@ -80,7 +80,7 @@ TEST_CASE("a prescribed pressure is reached, and equals the work of the cell on 
 }
 
 TEST_CASE("frictionless stages clear rotations and histories") {
-  State state = disordered(1e-3);
+  Specimen state = disordered(1e-3);
   state.history = {{0, 1, {1, 0, 0}, 1}};
   state.angular_velocity.assign(state.grain_count(), Vec3{1, 2, 3});
   const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3));
@@ -90,7 +90,7 @@ TEST_CASE("frictionless stages clear rotations and histories") {
 }
 
 TEST_CASE("a minimiser that may not run says that it did not arrive") {
-  State state = disordered(1e-3);
+  Specimen state = disordered(1e-3);
   MinimiseOptions options;
   options.max_steps = 3;
   const RelaxReport report = minimise_energy(state, test::quartz_sphere(1e-3), options);
@@ -101,12 +101,12 @@ TEST_CASE("a minimiser that may not run says that it did not arrive") {
 }
 
 TEST_CASE("impossible minimisations are refused") {
-  State state = disordered(1e-3);
+  Specimen state = disordered(1e-3);
   const contact::PowerLaw law = test::quartz_sphere(1e-3);
   CHECK_THROWS_AS((void)minimise_enthalpy(state, law, 0), InvalidArgument);
   CHECK_THROWS_AS((void)minimise_enthalpy(state, law, std::numeric_limits<double>::quiet_NaN()),
                   InvalidArgument);
-  State empty;
+  Specimen empty;
   empty.radius = 1e-3;
   CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);
 }
@@ -116,7 +116,7 @@ TEST_CASE("a wish to stop ends a relaxation before its next step, in the state t
   for (const std::size_t question : {1u, 7u, 30u}) {
     CAPTURE(question);
     const auto relaxed = [&](const MinimiseOptions& options, bool enthalpy) {
-      State state = disordered(radius);
+      Specimen state = disordered(radius);
       const RelaxReport report = enthalpy
                                      ? minimise_enthalpy(state, test::quartz_sphere(radius), 1e7, options)
                                      : minimise_energy(state, test::quartz_sphere(radius), options);

@@ -40,7 +40,7 @@ TEST_CASE(
 TEST_CASE("small strains of a lattice give the closed-form moduli") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const double overlap = 2e-7;
-  const State state = test::fcc(radius, 3, overlap);
+  const Specimen state = test::fcc(radius, 3, overlap);
   const double k_n = material.law.stiffness_at_overlap(overlap);
   const double k_t = material.tangential_ratio * k_n;
   const double half_branch = radius - overlap / 2;
@@ -154,7 +154,7 @@ TEST_CASE("a wish to stop is seen before the next step, whatever the step") {
 
 TEST_CASE("a run at fixed cell may end when its stress stands still, in less time and with the same stress") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
-  const State state = test::fcc(radius, 3, 2e-7);
+  const Specimen state = test::fcc(radius, 3, 2e-7);
   Mat3 shear;
   shear(0, 2) = 1e-8;
   const auto sheared = [&](double settled_stress) {

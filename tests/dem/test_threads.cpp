@@ -22,7 +22,7 @@ constexpr double radius = 0.5e-3;
 
 /// A lattice of 4 * 11^3 grains in motion: contacts open, close and slide.
 Engine lively(double friction, bool walls) {
-  State state = test::fcc(radius, 11, 2e-7);
+  Specimen state = test::fcc(radius, 11, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
     state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
@@ -120,7 +120,7 @@ TEST_CASE("a team calls its job once for each member, as often as it is asked") 
 }
 
 TEST_CASE("a partition holds every pair once, and each chunk writes rows that no other one writes") {
-  const State state = test::fcc(radius, 11, 2e-7);
+  const Specimen state = test::fcc(radius, 11, 2e-7);
   const std::vector<Pair> pairs =
       neighbour_pairs(state.cell, state.position, 2.02 * radius, Images::periodic);
   const Partition parts = partition(pairs, state.grain_count());

@@ -58,7 +58,7 @@ struct Run {
 /// A lattice that is sheared until contacts slide, open and close.
 Run run(const Scene& scene, VectorLevel level) {
   const LevelSet at(level);
-  State state = test::fcc(radius, 3, 2e-7);
+  Specimen state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
     state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
@@ -109,7 +109,7 @@ TEST_CASE("a minimiser gives the same bits at the vector levels with fused multi
     CAPTURE(walls);
     const auto minimised = [&](VectorLevel level) {
       const LevelSet at(level);
-      State state = test::fcc(radius, 3, 0.03 * radius);
+      Specimen state = test::fcc(radius, 3, 0.03 * radius);
       for (std::size_t g = 0; g < state.grain_count(); ++g) {
         const double phase = static_cast<double>(g);
         state.position[g] +=

@@ -25,8 +25,8 @@ namespace {
 constexpr double radius = 0.5e-3;
 
 /// A box of walls that nothing touches unless a test places it so.
-State box(double x, double y, double z, double wall_friction) {
-  State state;
+Specimen box(double x, double y, double z, double wall_friction) {
+  Specimen state;
   state.radius = radius;
   state.cell = Mat3::diagonal(x, y, z);
   state.walls = Walls{.friction_coefficient = wall_friction, .history = {}};
@@ -34,15 +34,15 @@ State box(double x, double y, double z, double wall_friction) {
 }
 
 /// One grain between two walls across x, each at `overlap` from touching.
-State squeezed(double overlap, double wall_friction) {
-  State state = box(2 * (radius - overlap), 8e-3, 8e-3, wall_friction);
+Specimen squeezed(double overlap, double wall_friction) {
+  Specimen state = box(2 * (radius - overlap), 8e-3, 8e-3, wall_friction);
   state.position = {{radius - overlap, 4e-3, 4e-3}};
   return state;
 }
 
 /// Lattice of cubic cells, shaken, inside walls: enough grains for a box to press on.
-State shaken_box(double wall_friction) {
-  State state = test::fcc(radius, 3, -0.02 * radius);
+Specimen shaken_box(double wall_friction) {
+  Specimen state = test::fcc(radius, 3, -0.02 * radius);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
     state.position[g] +=
@@ -58,7 +58,7 @@ State shaken_box(double wall_friction) {
 
 /// What friction at the side walls adds to the contact stress: (1/V) sum of f_k x_k over the walls across the
 /// other two axes.
-Vec3 stress_by_wall_friction(const State& state) {
+Vec3 stress_by_wall_friction(const Specimen& state) {
   Vec3 sum;
   for (const WallHistory& contact : state.walls->history)
     for (int axis = 0; axis < 3; ++axis)
@@ -120,7 +120,7 @@ TEST_CASE("one grain between two walls: the force of a rigid plane in closed for
 
 TEST_CASE("a servo brings two walls to a stress; the grain's overlap is the law's") {
   const Material material = test::quartz(radius, 0.5);
-  State state = squeezed(1e-7, 0.5);
+  Specimen state = squeezed(1e-7, 0.5);
   state.cell(1, 1) = state.cell(2, 2) = 2 * (radius - 1e-7);
   state.position = {{radius - 1e-7, radius - 1e-7, radius - 1e-7}};
   Engine engine(state, material);
@@ -135,7 +135,7 @@ TEST_CASE("a servo brings two walls to a stress; the grain's overlap is the law'
 TEST_CASE("a rough wall carries tangential force to Coulomb's limit, a smooth one none") {
   const Material material = test::quartz(radius, 0.5);
   const double overlap = 1e-7;
-  State state = squeezed(overlap, std::numeric_limits<double>::infinity());
+  Specimen state = squeezed(overlap, std::numeric_limits<double>::infinity());
   state.velocity = {{0, 1e-4, 0}};
   const auto after_a_step = [&](double wall_friction) {
     state.walls->friction_coefficient = wall_friction;
@@ -167,7 +167,7 @@ TEST_CASE("a rough wall carries tangential force to Coulomb's limit, a smooth on
 TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating box feels no slip") {
   // Rigid rotation of the whole box about z at the rate w, the grain spinning with it.
   const Material material = test::quartz(radius, 0.5);
-  State state = squeezed(1e-7, 1e100);
+  Specimen state = squeezed(1e-7, 1e100);
   const double w = 10;
   state.angular_velocity = {{0, 0, w}};
   Engine engine(state, material);
@@ -182,7 +182,7 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
   // The normal has turned by w dt, which tilts the normal force by as much.
   CHECK(tangential <= 1.01 * w * engine.time_step() * norm(on_grain));
   // Without the grain's spin the surfaces slip: R w dt k_t.
-  State still = state;
+  Specimen still = state;
   still.angular_velocity = {{0, 0, 0}};
   Engine other(still, material);
   other.set_damping(0);
@@ -195,7 +195,7 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
 
 TEST_CASE("momentum: what the grains gain is what the walls gave") {
   const Material material = test::quartz(radius, 0.5);
-  State state = shaken_box(0.3);
+  Specimen state = shaken_box(0.3);
   for (std::size_t g = 0; g < state.grain_count(); ++g)
     state.velocity[g] = {0.01, -0.02 * std::sin(static_cast<double>(g)), 0.005};
   Engine engine(state, material);
@@ -203,7 +203,7 @@ TEST_CASE("momentum: what the grains gain is what the walls gave") {
   const double mass = material.density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
   const auto momentum = [&] {
     Vec3 sum;
-    const State now = engine.state();
+    const Specimen now = engine.state();
     for (const Vec3& v : now.velocity)
       sum += mass * v;
     return sum;
@@ -224,7 +224,7 @@ TEST_CASE("momentum: what the grains gain is what the walls gave") {
 }
 
 TEST_CASE("no pair is seen across a wall, and no grain leaves") {
-  State state = box(8e-3, 8e-3, 8e-3, 0);
+  Specimen state = box(8e-3, 8e-3, 8e-3, 0);
   state.position = {{radius, 4e-3, 4e-3}, {8e-3 - radius, 4e-3, 4e-3}};
   CHECK(contact_network(state, test::quartz(radius, 0.5)).contacts.empty());
   state.velocity = {{-0.02, 0, 0}, {0.03, 0, 0}};
@@ -232,7 +232,7 @@ TEST_CASE("no pair is seen across a wall, and no grain leaves") {
   engine.set_damping(0);
   for (int k = 0; k < 2000; ++k)
     engine.step();
-  const State after = engine.state();
+  const Specimen after = engine.state();
   CHECK(after.velocity[0].x > 0);
   CHECK(after.velocity[1].x < 0);
   for (const Vec3& x : after.position)
@@ -244,7 +244,7 @@ TEST_CASE(
   for (const double wall_friction : {0.0, 0.3}) {
     CAPTURE(wall_friction);
     const Material material = test::quartz(radius, 0.5);
-    State state = shaken_box(wall_friction);
+    Specimen state = shaken_box(wall_friction);
     REQUIRE(minimise_enthalpy(state, material.law, 1e6).converged);
     REQUIRE(minimise_enthalpy(state, material.law, 100e3).converged);
     Engine engine(state, material);
@@ -286,7 +286,7 @@ TEST_CASE(
 
 TEST_CASE("walls: the same bits on several threads, and wall memories go along with a state") {
   const Material material = test::quartz(radius, 0.5);
-  State start = shaken_box(0.3);
+  Specimen start = shaken_box(0.3);
   REQUIRE(minimise_enthalpy(start, material.law, 1e6).converged);
   const auto run = [&] {
     Engine engine(start, material);
@@ -295,7 +295,7 @@ TEST_CASE("walls: the same bits on several threads, and wall memories go along w
       engine.step();
     return engine.state();
   };
-  State first, second;
+  Specimen first, second;
   std::thread a([&] { first = run(); });
   std::thread b([&] { second = run(); });
   a.join();
@@ -303,7 +303,7 @@ TEST_CASE("walls: the same bits on several threads, and wall memories go along w
   CHECK(first == run());
   CHECK(second == first);
   CHECK(first.walls->history.size() > 10);
-  const State again = Engine(first, material).state();
+  const Specimen again = Engine(first, material).state();
   REQUIRE(again.walls->history.size() == first.walls->history.size());
   for (std::size_t k = 0; k < first.walls->history.size(); ++k) {
     const Vec3 before = first.walls->history[k].tangential_force;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <doctest/doctest.h>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/dem/walls.hpp>
 
 #include "dem/lattice_state.hpp"
@@ -20,8 +20,8 @@ namespace {
 constexpr double radius = 0.5e-3;
 
 /// A simple cubic lattice of n^3 grains that touch each other and, by the mirror law, the walls alike.
-dem::State boxed_lattice(int n, double overlap, double wall_friction) {
-  dem::State state;
+dem::Specimen boxed_lattice(int n, double overlap, double wall_friction) {
+  dem::Specimen state;
   state.radius = radius;
   const double edge = 2 * radius - overlap;
   state.cell = Mat3::diagonal(n * edge, n * edge, n * edge);
@@ -106,7 +106,7 @@ TEST_CASE("smooth walls with prestress: the second derivatives of the energy its
   // Frictionless grains pressed together by 2 % of their radius, out of their places by as much.
   dem::Material material = test::quartz(radius, 0);
   material.tangential_ratio = 0;
-  dem::State state = boxed_lattice(2, 0.02 * radius, 0);
+  dem::Specimen state = boxed_lattice(2, 0.02 * radius, 0);
   samples::Uniform uniform(2);
   for (Vec3& x : state.position)
     x += uniform.vector(0.004 * radius);

@@ -19,7 +19,7 @@ TEST_CASE("work of the cell and contact forces give one pressure, for every cont
        {contact::PowerLaw::sphere(quartz, radius), contact::PowerLaw::cone(quartz, 0.4),
         contact::PowerLaw::flat(quartz, 5.7e-6), contact::PowerLaw::general(quartz, 1.5, 180)}) {
     const dem::Material material{.law = law, .tangential_ratio = 0.9, .friction_coefficient = 0.5};
-    dem::State state = test::fcc(radius, 2, 4e-7);
+    dem::Specimen state = test::fcc(radius, 2, 4e-7);
     // Unequal overlaps and tangential forces: the identity needs neither symmetry nor equilibrium.
     for (std::size_t g = 0; g < state.grain_count(); ++g)
       state.position[g] +=

@@ -25,11 +25,11 @@ inline triaxial::SpecimenRecipe specimen_recipe(double first_pressure, std::size
 }
 
 /// Such a specimen at each of the pressures, as the engine holds it.
-inline std::vector<dem::State> states_at(const std::vector<double>& pressures,
-                                         const triaxial::SpecimenRecipe& recipe) {
-  const dem::State start = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                          triaxial::Density::dense, recipe);
-  std::vector<dem::State> states;
+inline std::vector<dem::Specimen> states_at(const std::vector<double>& pressures,
+                                            const triaxial::SpecimenRecipe& recipe) {
+  const dem::Specimen start = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                             triaxial::Density::dense, recipe);
+  std::vector<dem::Specimen> states;
   triaxial::isotropic_path(start, recipe.material, pressures, triaxial::compression_options(),
                            [&](const triaxial::Snapshot& snapshot) {
                              states.push_back(
@@ -43,7 +43,7 @@ inline std::vector<packing::Assembly> specimen_at(const std::vector<double>& pre
                                                   std::size_t grains = 80) {
   const triaxial::SpecimenRecipe recipe = specimen_recipe(pressures.front(), grains);
   std::vector<packing::Assembly> frozen;
-  for (const dem::State& state : states_at(pressures, recipe))
+  for (const dem::Specimen& state : states_at(pressures, recipe))
     frozen.push_back(dem::contact_network(state, recipe.material));
   return frozen;
 }

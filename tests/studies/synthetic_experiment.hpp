@@ -79,8 +79,8 @@ inline PathRun shear_run(const Scene& scene, stress::ShearPath path) {
 }
 
 /// Eight grains at the corners of a smaller cube in a cell of 4 mm, one of them a cell's length away.
-inline dem::State state() {
-  dem::State out;
+inline dem::Specimen state() {
+  dem::Specimen out;
   out.cell = Mat3::diagonal(4e-3, 4e-3, 4e-3);
   out.radius = 0.5e-3;
   for (int k = 0; k < 8; ++k)

@@ -297,7 +297,7 @@ TEST_CASE("the numbers of a panel go through its CSV file, which its script name
 }
 
 TEST_CASE("an assembly is painted from back to front, grains moved into the cell") {
-  const dem::State state = synthetic::state();
+  const dem::Specimen state = synthetic::state();
   const std::string svg = assembly_svg(state);
   CHECK(well_formed(svg));
   CHECK(count(svg, "<circle") == 8);
@@ -307,16 +307,16 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   CHECK(count(svg.substr(0, svg.find("<circle")), "<line") == 3);
   CHECK(svg.find("url(#granum-grain-5)") < svg.find("url(#granum-grain-0)"));
   // A grain a cell's length away is drawn where its image is.
-  dem::State moved = state;
+  dem::Specimen moved = state;
   moved.position[3].x -= 4e-3;
   CHECK(assembly_svg(moved) == svg);
 
   // Of a large cube only the part that can be seen.
-  dem::State large;
+  dem::Specimen large;
   large.cell = Mat3::diagonal(20e-3, 20e-3, 20e-3);
   large.radius = 0.5e-3;
   for (int k = 0; k < 8000; ++k)
     large.position.push_back({(k % 20 + 0.5) * 1e-3, (k / 20 % 20 + 0.5) * 1e-3, (k / 400 + 0.5) * 1e-3});
   CHECK(count(assembly_svg(large), "<circle") == 8000 - 16 * 16 * 16);
-  CHECK_THROWS_AS((void)assembly_svg(dem::State{}), InvalidArgument);
+  CHECK_THROWS_AS((void)assembly_svg(dem::Specimen{}), InvalidArgument);
 }

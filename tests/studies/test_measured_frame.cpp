@@ -77,11 +77,11 @@ TEST_CASE("frame: granum's own specimen through CSV and through a dump is the sp
 TEST_CASE("frame: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
   triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
   recipe.wall_friction = 0.3;
-  const dem::State state = states_at({50e3}, recipe).front();
+  const dem::Specimen state = states_at({50e3}, recipe).front();
   const packing::Assembly own = dem::contact_network(state, recipe.material);
   REQUIRE(own.wall_contacts.size() > 20);
   // The state was frozen with contacts that stick; those at the Coulomb limit would slip by a rounding.
-  dem::State sticking = state;
+  dem::Specimen sticking = state;
   dem::Material material = recipe.material;
   sticking.walls->friction_coefficient = material.friction_coefficient =
       std::numeric_limits<double>::infinity();

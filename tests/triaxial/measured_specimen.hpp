@@ -2,20 +2,20 @@
 #pragma once
 
 #include <granum/analysis/measure.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/triaxial/probe.hpp>
 
 namespace granum::test {
 
 /// A specimen as it stands, measured.
-inline analysis::Measurement measured(const dem::State& state, const dem::Material& material,
+inline analysis::Measurement measured(const dem::Specimen& state, const dem::Material& material,
                                       const analysis::Wanted& wanted = {}) {
   return analysis::measure(dem::contact_network(state, material),
                            {.law = material.law, .tangential_ratio = material.tangential_ratio}, wanted);
 }
 
 /// The network of the specimen frozen in place.
-inline analysis::Network frozen_network(const dem::State& state, const dem::Material& material) {
+inline analysis::Network frozen_network(const dem::Specimen& state, const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
   return measured(frozen.state(), material, {.network = network::Options{}}).solved_network();
 }

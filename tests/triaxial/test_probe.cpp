@@ -30,8 +30,8 @@ SpecimenRecipe recipe_of(const contact::PowerLaw& law) {
   return recipe;
 }
 
-dem::State compressed(const SpecimenRecipe& recipe, Density density, double pressure) {
-  dem::State state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
+dem::Specimen compressed(const SpecimenRecipe& recipe, Density density, double pressure) {
+  dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
   REQUIRE(isotropic_path(state, recipe.material, {recipe.first_pressure, pressure}, compression_options(),
                          [&](const Snapshot& snapshot) {
                            state = snapshot.state;
@@ -70,7 +70,7 @@ TEST_CASE("probe and network agree on every shear modulus, and G_hv = G_vh") {
 
 TEST_CASE("a contact that may slide answers softer, never stiffer, than the sticking network") {
   const SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
-  const dem::State state = compressed(recipe, Density::loose, 20e3);
+  const dem::Specimen state = compressed(recipe, Density::loose, 20e3);
   const FrozenState frozen = freeze_in_place(state, recipe.material);
   ProbeOptions sliding;
   sliding.sliding = true;
@@ -82,8 +82,8 @@ TEST_CASE("a contact that may slide answers softer, never stiffer, than the stic
 
 TEST_CASE("a probe does not change the state it is given, and repeats to the bit") {
   const SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
-  const dem::State state = compressed(recipe, Density::dense, 20e3);
-  const dem::State copy = state;
+  const dem::Specimen state = compressed(recipe, Density::dense, 20e3);
+  const dem::Specimen copy = state;
   const ProbeResult first = probe(state, recipe.material, ShearMode::hh);
   CHECK(state == copy);
   CHECK(first.shear_modulus() == probe(state, recipe.material, ShearMode::hh).shear_modulus());
@@ -99,7 +99,7 @@ TEST_CASE("a probe that does not come to rest gives no modulus, unless contacts 
   const FrozenState frozen =
       freeze_in_place(compressed(recipe, Density::dense, 20e3), recipe.material, 1e-10);
   REQUIRE(frozen.report.converged());
-  dem::State disturbed = frozen.state();
+  dem::Specimen disturbed = frozen.state();
   for (std::size_t g = 0; g < disturbed.grain_count(); g += 2)
     disturbed.position[g].x += 1e-3 * recipe.material.law.overlap(1.0);
   ProbeOptions hasty{.max_steps = 20};
@@ -140,7 +140,7 @@ TEST_CASE("a frozen state that is not at rest is there by its other name alone")
 
 TEST_CASE("rest, probes and the network's moduli end at the step at which they are asked to") {
   const SpecimenRecipe recipe = recipe_of(contact::PowerLaw::sphere({30e9, 0.15}, 0.5e-3));
-  const dem::State state = compressed(recipe, Density::dense, 20e3);
+  const dem::Specimen state = compressed(recipe, Density::dense, 20e3);
   const auto stops = [](const auto& work) {
     const test::StopAt never(0);
     work(never);
@@ -158,7 +158,7 @@ TEST_CASE("rest, probes and the network's moduli end at the step at which they a
         rested.state(), recipe.material, {.network = network::Options{.stop_requested = stop}});
     (void)packing.solved_network().response.relaxed();
   });
-  const dem::State frozen = freeze_in_place(state, recipe.material).state();
+  const dem::Specimen frozen = freeze_in_place(state, recipe.material).state();
   stops([&](const test::StopAt& stop) {
     (void)probe(frozen, recipe.material, ShearMode::vh, {.stop_requested = stop});
   });

@@ -24,7 +24,7 @@ SpecimenRecipe recipe_of(std::size_t grains) {
 TEST_CASE("scattered grains are all there, in the cell, and touch none") {
   for (const double fraction : {0.02, 0.2, 0.3}) {
     const SpecimenRecipe recipe = recipe_of(400);
-    const dem::State state = scattered_specimen(recipe, fraction);
+    const dem::Specimen state = scattered_specimen(recipe, fraction);
     CHECK(state.grain_count() == 400);
     CHECK(1 / (1 + dem::void_ratio(state)) == relative(fraction, 1e-12));
     CHECK(dem::neighbour_pairs(state.cell, state.position, 2 * recipe.radius).empty());
@@ -38,7 +38,7 @@ TEST_CASE("scattered grains are all there, in the cell, and touch none") {
 
 TEST_CASE("scattered grains: the seed decides, to the bit") {
   SpecimenRecipe recipe = recipe_of(100);
-  const dem::State first = scattered_specimen(recipe);
+  const dem::Specimen first = scattered_specimen(recipe);
   CHECK(first == scattered_specimen(recipe));
   recipe.seed = 2;
   CHECK_FALSE(first == scattered_specimen(recipe));

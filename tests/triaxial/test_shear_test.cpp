@@ -24,12 +24,12 @@ constexpr double pressure = 100e3;
 const dem::Material material = test::quartz(0.5e-3, 0.4986);
 
 /// Dense specimen of 300 grains at rest under 100 kPa, made once.
-const dem::State& specimen() {
-  static const dem::State made = [] {
+const dem::Specimen& specimen() {
+  static const dem::Specimen made = [] {
     SpecimenRecipe recipe{.material = material, .radius = 0.5e-3};
     recipe.grains = 300;
     recipe.seed = 3;
-    dem::State state = start_of_compression(frictionless_specimen(recipe).state, Density::dense, recipe);
+    dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, Density::dense, recipe);
     (void)isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
       state = snapshot.state;
       return snapshot.report.converged();
@@ -50,7 +50,7 @@ ShearOptions options_of(ShearPath path) {
 
 struct Point {
   PathPoint path;
-  dem::State state;
+  dem::Specimen state;
 };
 
 /// Start, snapshots and end of a test.
@@ -67,7 +67,7 @@ std::vector<Point> run(const ShearOptions& options) {
 }
 
 /// Energy stored in the contacts: f d alpha/(2 alpha + 1) along the normal, f_t^2/(2 k_t) across.
-double stored_energy(const dem::State& state) {
+double stored_energy(const dem::Specimen& state) {
   double sum = 0;
   for (const packing::Contact& c : dem::contact_network(state, material).contacts)
     sum += material.law.energy(c.overlap) +

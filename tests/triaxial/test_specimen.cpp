@@ -47,7 +47,7 @@ TEST_CASE("a frictionless specimen stands at its first pressure just above the i
 
 TEST_CASE("dense and loose specimens have almost one void ratio but not one coordination number") {
   const SpecimenRecipe recipe = small_recipe();
-  const dem::State jammed = frictionless_specimen(recipe).state;
+  const dem::Specimen jammed = frictionless_specimen(recipe).state;
   double c_n[2] = {}, e[2] = {};
   for (const Density density : {Density::dense, Density::loose}) {
     const auto kind = static_cast<std::size_t>(density);
@@ -67,21 +67,21 @@ TEST_CASE("dense and loose specimens have almost one void ratio but not one coor
 
 TEST_CASE("opening below jamming leaves no force anywhere") {
   const SpecimenRecipe recipe = small_recipe();
-  const dem::State opened = unjam(frictionless_specimen(recipe).state, recipe);
+  const dem::Specimen opened = unjam(frictionless_specimen(recipe).state, recipe);
   for (const packing::Contact& c : dem::contact_network(opened, recipe.material).contacts)
     CHECK(c.overlap < 1e-6 * recipe.radius);
 }
 
 TEST_CASE("the same recipe gives the same bits, another seed another packing, and a path can be taken up") {
   const SpecimenRecipe recipe = small_recipe();
-  const dem::State jammed = frictionless_specimen(recipe).state;
+  const dem::Specimen jammed = frictionless_specimen(recipe).state;
   CHECK(jammed == frictionless_specimen(recipe).state);
   SpecimenRecipe other = recipe;
   other.seed = 6;
   CHECK_FALSE(jammed == frictionless_specimen(other).state);
 
-  const auto path = [&](const dem::State& start, const std::vector<double>& pressures) {
-    std::vector<dem::State> states;
+  const auto path = [&](const dem::Specimen& start, const std::vector<double>& pressures) {
+    std::vector<dem::Specimen> states;
     const bool whole = isotropic_path(start, recipe.material, pressures, compression_options(),
                                       [&](const Snapshot& snapshot) {
                                         states.push_back(snapshot.state);
@@ -90,8 +90,8 @@ TEST_CASE("the same recipe gives the same bits, another seed another packing, an
     CHECK(whole);
     return states;
   };
-  const std::vector<dem::State> straight = path(jammed, {10e3, 20e3, 30e3});
-  const std::vector<dem::State> resumed = path(straight.at(0), {20e3, 30e3});
+  const std::vector<dem::Specimen> straight = path(jammed, {10e3, 20e3, 30e3});
+  const std::vector<dem::Specimen> resumed = path(straight.at(0), {20e3, 30e3});
   CHECK(straight.at(2) == resumed.at(1));
 }
 

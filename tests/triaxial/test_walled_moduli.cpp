@@ -36,8 +36,8 @@ SpecimenRecipe recipe(Density density) {
   return recipe;
 }
 
-dem::State made(Density density) {
-  dem::State state =
+dem::Specimen made(Density density) {
+  dem::Specimen state =
       start_of_compression(frictionless_specimen(recipe(density)).state, density, recipe(density));
   REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
     state = snapshot.state;
@@ -47,18 +47,18 @@ dem::State made(Density density) {
 }
 
 /// Specimens between smooth walls, frozen, each made once and when it is asked for.
-const dem::State& specimen(Density density) {
+const dem::Specimen& specimen(Density density) {
   if (density == Density::dense) {
-    static const dem::State dense = made(Density::dense);
+    static const dem::Specimen dense = made(Density::dense);
     return dense;
   }
-  static const dem::State loose = made(Density::loose);
+  static const dem::Specimen loose = made(Density::loose);
   return loose;
 }
 
 /// At rest without friction, and without the grains that bear next to nothing: those that just touch others
 /// have no place from which they could answer linearly.
-dem::State firmly_held(dem::State state) {
+dem::Specimen firmly_held(dem::Specimen state) {
   while (true) {
     state = freeze_in_place(state, material, 1e-10).state();
     const packing::Assembly assembly = dem::contact_network(state, material);
@@ -68,7 +68,7 @@ dem::State firmly_held(dem::State state) {
         largest[grain] = std::max(largest[grain], c.normal_force);
     for (const packing::Contact& c : assembly.wall_contacts)
       largest[c.i] = std::max(largest[c.i], c.normal_force);
-    dem::State held = state;
+    dem::Specimen held = state;
     held.position.clear();
     held.velocity.clear();
     held.angular_velocity.clear();
@@ -84,7 +84,7 @@ dem::State firmly_held(dem::State state) {
 }
 
 /// Stress swing of moving the walls by a strain to and fro, over the strain, with every contact sticking.
-Mat3 swing(const dem::State& state, const Mat3& direction, double strain) {
+Mat3 swing(const dem::Specimen& state, const Mat3& direction, double strain) {
   dem::Material sticking = material;
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
   Mat3 sum;
@@ -121,7 +121,7 @@ double dissipation(const ProbeResult& result, std::size_t loop_points) {
 TEST_CASE("between walls: network and moved walls agree on normal and shear moduli") {
   for (const Density density : {Density::dense, Density::loose}) {
     CAPTURE(density == Density::dense);
-    const dem::State& state = specimen(density);
+    const dem::Specimen& state = specimen(density);
     const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
     for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
       const ProbeResult result = probe(state, material, mode);
@@ -145,7 +145,7 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
   // -ds = C e + s tr(e) - s e, with the C of the network under its prestress.
   SpecimenRecipe at_pressure = recipe(Density::dense);
   at_pressure.first_pressure = pressure;
-  const dem::State state = firmly_held(frictionless_specimen(at_pressure).state);
+  const dem::Specimen state = firmly_held(frictionless_specimen(at_pressure).state);
   const packing::Assembly assembly = dem::contact_network(state, material);
   const Matrix6 c = network::linear_response(assembly, {.prestress = true}).relaxed().matrix;
   const ProbeOptions fine{
@@ -176,7 +176,7 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
 TEST_CASE("normal stresses held by servos while walls tilt: the network's modulus at held stress") {
   for (const Density density : {Density::dense, Density::loose}) {
     CAPTURE(density == Density::dense);
-    const dem::State& state = specimen(density);
+    const dem::Specimen& state = specimen(density);
     const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
     for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
       const int k = mode == ShearMode::hh ? 5 : 4;
@@ -189,7 +189,7 @@ TEST_CASE("normal stresses held by servos while walls tilt: the network's modulu
 }
 
 TEST_CASE("a loop: from the network's tangent, closed and elastic while it is tiny, wider as it grows") {
-  const dem::State& state = specimen(Density::dense);
+  const dem::Specimen& state = specimen(Density::dense);
   const Matrix6 c = test::frozen_network(state, material).response.relaxed().matrix;
   constexpr std::size_t points = 3;
   const auto loop = [&](double amplitude, double force_tolerance) {

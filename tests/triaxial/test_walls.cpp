@@ -34,8 +34,8 @@ SpecimenRecipe boxed() {
   return recipe;
 }
 
-dem::State compressed(const SpecimenRecipe& recipe, Density density) {
-  dem::State state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
+dem::Specimen compressed(const SpecimenRecipe& recipe, Density density) {
+  dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
   REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
     state = snapshot.state;
     return true;
@@ -44,8 +44,8 @@ dem::State compressed(const SpecimenRecipe& recipe, Density density) {
 }
 
 /// A dense specimen between smooth walls, made once.
-const dem::State& specimen() {
-  static const dem::State made = compressed(boxed(), Density::dense);
+const dem::Specimen& specimen() {
+  static const dem::Specimen made = compressed(boxed(), Density::dense);
   return made;
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("between walls a stress path is followed by the wall stress, to its pe
 
 TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough walls more fully than smooth") {
   const auto moduli = [](double wall_friction) {
-    dem::State state = specimen();
+    dem::Specimen state = specimen();
     state.walls->friction_coefficient = wall_friction;
     const FrozenState frozen = freeze_in_place(state, material, 1e-7);
     std::array<double, 3> G{};

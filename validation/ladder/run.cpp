@@ -173,7 +173,7 @@ Network solve_network(const Specimen& specimen, const packing::Assembly& assembl
 }
 
 /// One modulus a probe; the bulk modulus is not probed.
-Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Material& material) {
+Row probe_row(const Specimen& specimen, const dem::Specimen& frozen, const dem::Material& material) {
   using triaxial::ShearMode;
   const auto modulus = [&](ShearMode mode) {
     const triaxial::ProbeResult result = triaxial::probe(frozen, material, mode);
@@ -186,7 +186,7 @@ Row probe_row(const Specimen& specimen, const dem::State& frozen, const dem::Mat
           .cost = cost_of([&modulus] { sink = modulus(ShearMode::vh); }, 5)};
 }
 
-Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& frozen,
+Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::Specimen& frozen,
                  const packing::Assembly& assembly) {
   const analysis::Measurement measured = analysis::measure(assembly);
   const analysis::Microstructure micro = measured.microstructure();
@@ -205,8 +205,8 @@ Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const de
           .stress_h = (stress(0, 0) + stress(1, 1)) / 2};
 }
 
-void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage, const dem::State& state,
-               const dem::Material& material) {
+void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage,
+               const dem::Specimen& state, const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
   const packing::Assembly assembly = dem::contact_network(frozen.state(), material);
   const Specimen specimen = measure(c, seed, stage, frozen.state(), assembly);
@@ -222,7 +222,7 @@ void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& sta
 
 void run_specimen(Table& table, const Case& c, std::uint64_t seed, std::size_t grains) {
   const triaxial::SpecimenRecipe specimen = recipe(c, seed, grains);
-  dem::State state =
+  dem::Specimen state =
       triaxial::start_of_compression(triaxial::frictionless_specimen(specimen).state, c.density, specimen);
   for (const Stage& stage : c.path) {
     const double stress_h = stage.pressure * (1 - stage.stress_ratio / 3);

@@ -45,7 +45,7 @@ struct Sample {
   std::size_t steps = 0;
 };
 
-Sample compressed(const dem::State& packing, const triaxial::SpecimenRecipe& recipe) {
+Sample compressed(const dem::Specimen& packing, const triaxial::SpecimenRecipe& recipe) {
   Sample sample;
   const bool arrived = triaxial::isotropic_path(
       triaxial::start_of_compression(packing, triaxial::Density::loose, recipe), recipe.material, {pressure},
@@ -82,7 +82,7 @@ Mean mean(const std::vector<Sample>& samples, const Of& of) {
 }
 
 int run(const std::string& path, std::size_t grains, std::size_t seeds) {
-  std::vector<dem::State> packings;
+  std::vector<dem::Specimen> packings;
   for (std::size_t k = 0; k < seeds; ++k)
     packings.push_back(triaxial::frictionless_specimen(recipe(grains, k + 1)).state);
   io::CsvContent csv;

@@ -223,7 +223,7 @@ void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Materi
 }
 
 /// What one row says of a frozen state.
-void describe(Row& row, const dem::State& frozen, const dem::Material& material) {
+void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material) {
   const packing::Assembly assembly = dem::contact_network(frozen, material);
   row.add("e", dem::void_ratio(frozen));
   add_assembly(row, assembly, material);
@@ -288,7 +288,7 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
 /// Frictionless specimens, each made once and then used by every preparation of its shape, seed and size.
 class Packings {
  public:
-  dem::State get(const Shape& shape, const triaxial::SpecimenRecipe& recipe) {
+  dem::Specimen get(const Shape& shape, const triaxial::SpecimenRecipe& recipe) {
     Entry& entry = find({shape.name, recipe.seed, recipe.grains});
     const std::lock_guard lock(entry.mutex);
     if (!entry.state)
@@ -299,7 +299,7 @@ class Packings {
  private:
   struct Entry {
     std::mutex mutex;
-    std::optional<dem::State> state;
+    std::optional<dem::Specimen> state;
   };
   using Name = std::tuple<std::string, std::uint64_t, std::size_t>;
   Entry& find(const Name& name) {
@@ -324,7 +324,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
   const triaxial::SpecimenRecipe specimen = recipe(shape, preparation, seed);
   triaxial::SpecimenRecipe at_10_kPa = specimen;
   at_10_kPa.first_pressure = 10 * kPa;
-  dem::State state =
+  dem::Specimen state =
       triaxial::start_of_compression(packings.get(shape, at_10_kPa), preparation.density, specimen);
   // The loosest specimens creep for long. A stage that runs out of steps is frozen as it stands: its stress
   // is measured on the contacts.

@@ -6,7 +6,7 @@
 
 #include <granum/core/bytes.hpp>
 #include <granum/core/vec3.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/dem/walls.hpp>
 
 namespace granum::dem {
@@ -47,7 +47,7 @@ inline constexpr double default_time_step_fraction = 0.8;
 class Engine {
  public:
   /// \throws InvalidArgument for an empty state, a material or a radius that is impossible, a cell too small
-  Engine(State state, const Material& material);
+  Engine(Specimen state, const Material& material);
   ~Engine();
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
@@ -90,7 +90,7 @@ class Engine {
   /// Stops all own motion of the grains.
   void rest();
   /// The state as it stands after the last step.
-  [[nodiscard]] State state() const;
+  [[nodiscard]] Specimen state() const;
   [[nodiscard]] const Material& material() const;
 
   /// All that the next steps depend on, to the bit; no random numbers are drawn while an engine runs.

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include <granum/core/vec3.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 /// Six rigid plane walls, the faces of the cell, in place of its periodicity.
 ///

@@ -7,7 +7,7 @@
 
 #include <granum/core/stop_request.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 namespace granum::triaxial {
 
@@ -94,7 +94,7 @@ inline constexpr double creeping_force_tolerance = 1e-4;
 /// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
 struct [[nodiscard]] FrozenState {
-  dem::State last_state;         ///< at rest or not
+  dem::Specimen last_state;      ///< at rest or not
   dem::QuasistaticReport report; ///< of its rest: steps, what is unbalanced at the end
   double force_tolerance = 0;    ///< that was aimed at [1]
 
@@ -102,7 +102,7 @@ struct [[nodiscard]] FrozenState {
     return report.unbalanced_force_ratio <= largest_unbalance_at_rest(force_tolerance);
   }
   /// \throws   NotConverged unless at_rest()
-  [[nodiscard]] const dem::State& state() const;
+  [[nodiscard]] const dem::Specimen& state() const;
   /// Contact stress of that state [Pa].
   /// \throws   NotConverged unless at_rest()
   [[nodiscard]] const Mat3& stress() const;
@@ -115,7 +115,7 @@ struct [[nodiscard]] FrozenState {
 ///           5e-3; loose ones seldom rest beyond 5e-7, for all of 40,000 steps
 /// \throws   Stopped if so asked
 /// Checked by tests/triaxial/test_probe.cpp
-FrozenState freeze_in_place(const dem::State& state, const dem::Material& material,
+FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& material,
                             double force_tolerance = usual_force_tolerance,
                             const StopRequest& stop_requested = {});
 
@@ -127,13 +127,13 @@ FrozenState freeze_in_place(const dem::State& state, const dem::Material& materi
 /// amplitude, contacts that barely touch are open for half of the cycle: 0.3 % of G in small, loose
 /// specimens.
 /// Checked against the network's answer by tests/triaxial/test_probe.cpp
-ProbeResult probe(const dem::State& state, const dem::Material& material, ShearMode mode,
+ProbeResult probe(const dem::Specimen& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options = {});
 
 /// The same for hh, hv and vh, to the bit; the rest at zero strain, which takes longest, is shared. Its steps
 /// count in each.
 /// Checked by tests/triaxial/test_probe.cpp
-std::array<ProbeResult, 3> probe_all(const dem::State& state, const dem::Material& material,
+std::array<ProbeResult, 3> probe_all(const dem::Specimen& state, const dem::Material& material,
                                      const ProbeOptions& options = {});
 
 } // namespace granum::triaxial

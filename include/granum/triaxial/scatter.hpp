@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 namespace granum::triaxial {
@@ -13,6 +13,6 @@ namespace granum::triaxial {
 /// \throws   InvalidArgument (recipe, solid fraction)
 /// Cost      O(grains)
 /// Checked by tests/triaxial/test_scatter.cpp
-[[nodiscard]] dem::State scattered_specimen(const SpecimenRecipe& recipe, double solid_fraction = 0.2);
+[[nodiscard]] dem::Specimen scattered_specimen(const SpecimenRecipe& recipe, double solid_fraction = 0.2);
 
 } // namespace granum::triaxial

@@ -57,7 +57,7 @@ enum class ShearEvent {
 class ShearTest {
  public:
   /// \throws InvalidArgument for options or a state that no test can have
-  ShearTest(dem::State state, const dem::Material& material, const ShearOptions& options);
+  ShearTest(dem::Specimen state, const dem::Material& material, const ShearOptions& options);
 
   /// Goes on to the next event. After `finished` it returns that at once.
   [[nodiscard]] ShearEvent advance();

@@ -10,7 +10,7 @@
 #include <granum/core/stop_request.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 /// Specimens of equal spheres in a periodic cell or a box of walls: preparation, isotropic compression.
 namespace granum::triaxial {
@@ -43,7 +43,7 @@ void require_valid(const SpecimenRecipe& recipe);
 
 /// A specimen and how well each stage of its preparation converged.
 struct Preparation {
-  dem::State state;
+  dem::Specimen state;
   std::size_t minimiser_steps = 0;
   dem::RelaxReport last; ///< of the stage at first_pressure
 };
@@ -63,13 +63,13 @@ struct Preparation {
 /// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and
 /// removes overlaps: no contact carries force afterwards.
 /// \throws   InvalidArgument (recipe); NotConverged if contacts go on bearing force; Stopped if so asked
-[[nodiscard]] dem::State unjam(dem::State jammed, const SpecimenRecipe& recipe,
-                               const StopRequest& stop_requested = {});
+[[nodiscard]] dem::Specimen unjam(dem::Specimen jammed, const SpecimenRecipe& recipe,
+                                  const StopRequest& stop_requested = {});
 
 /// The state from which compression with friction starts: the jammed one (dense) or the opened one (loose).
-[[nodiscard]] dem::State start_of_compression(const dem::State& frictionless, Density density,
-                                              const SpecimenRecipe& recipe,
-                                              const StopRequest& stop_requested = {});
+[[nodiscard]] dem::Specimen start_of_compression(const dem::Specimen& frictionless, Density density,
+                                                 const SpecimenRecipe& recipe,
+                                                 const StopRequest& stop_requested = {});
 
 /// Options that suit isotropic compression of either kind.
 [[nodiscard]] dem::QuasistaticOptions compression_options();
@@ -77,7 +77,7 @@ struct Preparation {
 /// One equilibrium state on a stress path.
 struct Snapshot {
   double pressure = 0; ///< target [Pa]
-  dem::State state;
+  dem::Specimen state;
   dem::QuasistaticReport report;
 };
 
@@ -85,7 +85,7 @@ struct Snapshot {
 /// a run that is taken up from any snapshot ends in the same bits.
 /// \param    visit  called with each snapshot as it is reached; returning false ends the path
 /// \return   false if the path ended early: a stage did not converge, or visit said so
-bool isotropic_path(dem::State state, const dem::Material& material, const std::vector<double>& pressures,
+bool isotropic_path(dem::Specimen state, const dem::Material& material, const std::vector<double>& pressures,
                     const dem::QuasistaticOptions& options,
                     const std::function<bool(const Snapshot&)>& visit);
 

@@ -89,7 +89,7 @@ io::LammpsExperiment experiment_of(const studies::Scene& scene, const Specimen& 
           .path = path_of(options)};
 }
 
-dem::State start_state(const studies::Scene& scene, const Specimen& specimen, io::LammpsStart start) {
+dem::Specimen start_state(const studies::Scene& scene, const Specimen& specimen, io::LammpsStart start) {
   const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, specimen.seed);
   if (start == io::LammpsStart::scattered)
     return triaxial::scattered_specimen(recipe);

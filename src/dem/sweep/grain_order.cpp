@@ -29,7 +29,7 @@ std::uint32_t place_on_curve(const Vec3& fraction) {
 
 } // namespace
 
-std::vector<std::uint32_t> near_order(const State& state) {
+std::vector<std::uint32_t> near_order(const Specimen& state) {
   const Mat3 to_fraction = inverse(state.cell);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
   for (std::uint32_t g = 0; g < state.grain_count(); ++g)
@@ -58,8 +58,8 @@ bool is_order(const std::vector<std::uint32_t>& order, std::size_t count) {
   return order.size() == count;
 }
 
-State reordered(const State& state, const std::vector<std::uint32_t>& order) {
-  State out = state;
+Specimen reordered(const Specimen& state, const std::vector<std::uint32_t>& order) {
+  Specimen out = state;
   for (std::size_t g = 0; g < order.size(); ++g) {
     out.position[order[g]] = state.position[g];
     out.velocity[order[g]] = state.velocity[g];

@@ -7,17 +7,17 @@
 #include <cstdint>
 #include <vector>
 
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 namespace granum::dem {
 
 /// Along a space-filling curve through the cell.
-[[nodiscard]] std::vector<std::uint32_t> near_order(const State& state);
+[[nodiscard]] std::vector<std::uint32_t> near_order(const Specimen& state);
 [[nodiscard]] std::vector<std::uint32_t> inverse_order(const std::vector<std::uint32_t>& order);
 /// Whether it is an order of `count` grains.
 [[nodiscard]] bool is_order(const std::vector<std::uint32_t>& order, std::size_t count);
 
 /// The same state with its grains in another order; memories turn round where their grains change sides.
-[[nodiscard]] State reordered(const State& state, const std::vector<std::uint32_t>& order);
+[[nodiscard]] Specimen reordered(const Specimen& state, const std::vector<std::uint32_t>& order);
 
 } // namespace granum::dem

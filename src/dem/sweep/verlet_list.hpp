@@ -9,12 +9,12 @@
 
 #include <granum/core/vec3.hpp>
 #include <granum/dem/neighbours.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 namespace granum::dem {
 
 /// What the boundary of a state makes of pairs across its faces.
-inline Images images(const State& state) { return state.walls ? Images::none : Images::periodic; }
+inline Images images(const Specimen& state) { return state.walls ? Images::none : Images::periodic; }
 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.
 class VerletList {

@@ -6,7 +6,7 @@
 
 #include <granum/contact/power_law.hpp>
 #include <granum/core/bytes.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/dem/walls.hpp>
 
 #include "contact_sweep.hpp"

@@ -57,7 +57,7 @@ double measured_speed(const Scene& scene) {
   const int edges =
       static_cast<int>(std::clamp(std::cbrt(static_cast<double>(scene.study.grains) / 4), 3.0, 14.0));
   const double edge = std::sqrt(2.0) * 2 * specimen.radius * (1 - 1e-5);
-  dem::State state;
+  dem::Specimen state;
   state.radius = specimen.radius;
   state.cell = Mat3::diagonal(edges * edge, edges * edge, edges * edge);
   for (int x = 0; x < edges; ++x)

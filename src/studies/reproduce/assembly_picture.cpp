@@ -88,7 +88,7 @@ std::string gradients() {
   return "<defs>\n" + stops + "</defs>\n";
 }
 
-std::vector<Vec3> grains_in_cell(const dem::State& state) {
+std::vector<Vec3> grains_in_cell(const dem::Specimen& state) {
   std::vector<Vec3> centres = state.position;
   if (!state.walls)
     dem::wrap(state.cell, centres);
@@ -96,7 +96,7 @@ std::vector<Vec3> grains_in_cell(const dem::State& state) {
 }
 
 /// Farthest first.
-std::vector<Seen> drawn_grains(const dem::State& state) {
+std::vector<Seen> drawn_grains(const dem::Specimen& state) {
   const Vec3 corner = state.cell * Vec3{1, 1, 1};
   std::vector<Seen> out;
   for (const Vec3& centre : grains_in_cell(state)) {
@@ -132,7 +132,7 @@ std::string edges(const View& view, const Mat3& cell, bool far) {
 
 } // namespace
 
-std::string assembly_svg(const dem::State& state) {
+std::string assembly_svg(const dem::Specimen& state) {
   if (state.position.empty())
     throw InvalidArgument("a picture of a specimen without grains was asked for");
   const View view(state.cell, state.radius);
@@ -180,7 +180,7 @@ std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
   }
   if (shown == nullptr)
     return std::nullopt;
-  const dem::State& state = shown->end_of_iso;
+  const dem::Specimen& state = shown->end_of_iso;
   const Kind kind{.contact = shown->contact, .density = shown->density, .specimen = shown};
   const std::string edge_lengths = short_text(1e3 * state.cell(0, 0), 3) + " x " +
                                    short_text(1e3 * state.cell(1, 1), 3) + " x " +

@@ -44,7 +44,7 @@ class Stages {
 
  private:
   struct Packing {
-    dem::State state;
+    dem::Specimen state;
     std::string failure;
   };
 

@@ -12,7 +12,7 @@
 #include "studies/scene/scene.hpp"
 #include "studies/verify/study.hpp"
 #include <granum/analysis/measurement.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
@@ -80,7 +80,7 @@ struct ExperimentSpecimen {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
-  dem::State end_of_iso;     ///< from which the paths start; no grains if compression failed
+  dem::Specimen end_of_iso;  ///< from which the paths start; no grains if compression failed
   std::vector<PathRun> runs; ///< isotropic compression, then the paths of the scene
 };
 

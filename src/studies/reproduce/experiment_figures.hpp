@@ -56,6 +56,6 @@ struct AssemblyPicture {
 /// lie deeper than four diameters behind the faces that are seen are left out, as others hide them.
 /// \param    state   with grains; those of a periodic cell are moved into it
 /// \throws   InvalidArgument for a state without grains
-[[nodiscard]] std::string assembly_svg(const dem::State& state);
+[[nodiscard]] std::string assembly_svg(const dem::Specimen& state);
 
 } // namespace granum::studies

@@ -8,7 +8,7 @@
 #include "studies/verify/study.hpp"
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
-#include <granum/dem/state_bytes.hpp>
+#include <granum/dem/specimen_bytes.hpp>
 #include <granum/io/checkpoint/checkpoint.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -181,26 +181,26 @@ std::string path_in_file_names(const std::optional<stress::ShearPath>& path) {
   return lower_case(name(path));
 }
 
-dem::State packing(const Piece& piece) {
+dem::Specimen packing(const Piece& piece) {
   const std::string name_of_packing =
       std::string(name(piece.contact)) + "-" + std::to_string(piece.seed) + "-packing";
   const Store store(piece.checkpoints, name_of_packing);
   if (const std::optional<std::string> bytes = store.bytes()) {
     ByteReader from(*bytes, store.name());
     piece.meter.found(packing_steps(piece.scene), name_of_packing);
-    return dem::load_state(from);
+    return dem::load_specimen(from);
   }
-  dem::State state = triaxial::frictionless_specimen(recipe(piece.scene, piece.contact, piece.seed),
-                                                     piece.meter.stop_request())
-                         .state;
+  dem::Specimen state = triaxial::frictionless_specimen(recipe(piece.scene, piece.contact, piece.seed),
+                                                        piece.meter.stop_request())
+                            .state;
   ByteWriter to;
-  dem::save_state(to, state);
+  dem::save_specimen(to, state);
   store.write(to);
   piece.meter.add(packing_steps(piece.scene), name_of_packing);
   return state;
 }
 
-IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
+IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing) {
   const Scene& scene = piece.scene;
   const Store store(piece.checkpoints, stem(piece, std::nullopt));
   const triaxial::SpecimenRecipe specimen = recipe(scene, piece.contact, piece.seed);
@@ -210,7 +210,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
   Mat3 first_cell;
   if (const std::optional<std::string> bytes = store.bytes()) {
     ByteReader from(*bytes, store.name());
-    iso.state = dem::load_state(from);
+    iso.state = dem::load_specimen(from);
     first_cell = from.get<Mat3>();
     iso.run = load_run(from, std::nullopt);
     if (iso.run.points.size() > scene.study.pressures.size())
@@ -237,7 +237,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::State& packing) {
         holds(scene.study.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
     iso.state = snapshot.state;
     ByteWriter to;
-    dem::save_state(to, iso.state);
+    dem::save_specimen(to, iso.state);
     to.put(first_cell);
     save_run(to, iso.run);
     store.write(to);
@@ -259,7 +259,7 @@ namespace {
 /// A shear test with its record.
 class ShearRecord {
  public:
-  ShearRecord(const Piece& piece, const dem::State& start, stress::ShearPath path)
+  ShearRecord(const Piece& piece, const dem::Specimen& start, stress::ShearPath path)
       : piece_(piece), path_(path), store_(piece.checkpoints, stem(piece, path)),
         material_(recipe(piece.scene, piece.contact, piece.seed).material),
         work_(shear_steps(piece.scene, piece.contact)) {
@@ -395,7 +395,7 @@ class ShearRecord {
 
 } // namespace
 
-PathRun shear_run(const Piece& piece, const dem::State& start, stress::ShearPath path) {
+PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path) {
   return ShearRecord(piece, start, path).run();
 }
 

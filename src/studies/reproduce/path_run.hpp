@@ -23,17 +23,17 @@ struct Piece {
 };
 
 /// The frictionless packing; dense and loose specimens share it.
-[[nodiscard]] dem::State packing(const Piece& piece);
+[[nodiscard]] dem::Specimen packing(const Piece& piece);
 
 /// Isotropic compression of a frictionless packing.
 struct IsoRun {
   PathRun run;
-  dem::State state; ///< at the last pressure
+  dem::Specimen state; ///< at the last pressure
 };
-[[nodiscard]] IsoRun isotropic_run(const Piece& piece, const dem::State& packing);
+[[nodiscard]] IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing);
 
 /// A stress path from the end of isotropic compression.
-[[nodiscard]] PathRun shear_run(const Piece& piece, const dem::State& start, stress::ShearPath path);
+[[nodiscard]] PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path);
 
 /// What the file of a checkpoint calls a path: "txc"; nothing is isotropic compression, "iso".
 [[nodiscard]] std::string path_in_file_names(const std::optional<stress::ShearPath>& path);

@@ -24,7 +24,7 @@ std::array<double, 36> rows(const elastic::VoigtStiffness& stiffness) {
   return out;
 }
 
-analysis::Measurement measure(const dem::State& state, const dem::Material& material,
+analysis::Measurement measure(const dem::Specimen& state, const dem::Material& material,
                               const stress::AxialStress& stress, const StopRequest& stop_requested) {
   analysis::Given given = known_of(state, material);
   given.stress = stress;
@@ -61,7 +61,7 @@ void record(const analysis::Measurement& measured, StateRecord& out) {
 
 } // namespace
 
-StateRecord state_record(const dem::State& state, const dem::Material& material,
+StateRecord state_record(const dem::Specimen& state, const dem::Material& material,
                          const triaxial::PathPoint& at, bool probed, std::vector<std::string>& notes,
                          const StopRequest& stop_requested) {
   const triaxial::FrozenState frozen =

@@ -6,7 +6,7 @@
 
 #include "studies/reproduce/experiment.hpp"
 #include <granum/core/stop_request.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
 namespace granum::studies {
@@ -17,7 +17,7 @@ namespace granum::studies {
 /// \param    notes    takes one more where probes did not come to rest: the state then goes without them
 /// \throws   NotConverged if it does not come to rest, or its network is not solved; Stopped if so
 ///           asked
-[[nodiscard]] StateRecord state_record(const dem::State& state, const dem::Material& material,
+[[nodiscard]] StateRecord state_record(const dem::Specimen& state, const dem::Material& material,
                                        const triaxial::PathPoint& at, bool probed,
                                        std::vector<std::string>& notes, const StopRequest& stop_requested);
 

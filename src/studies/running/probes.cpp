@@ -7,13 +7,14 @@
 
 namespace granum::studies {
 
-analysis::Given known_of(const dem::State& state, const dem::Material& material) {
+analysis::Given known_of(const dem::Specimen& state, const dem::Material& material) {
   return {.law = material.law,
           .tangential_ratio = material.tangential_ratio,
           .void_ratio = dem::void_ratio(state)};
 }
 
-Probes run_probes(const dem::State& state, const dem::Material& material, const StopRequest& stop_requested) {
+Probes run_probes(const dem::Specimen& state, const dem::Material& material,
+                  const StopRequest& stop_requested) {
   const auto [hh, hv, vh] = triaxial::probe_all(state, material, {.stop_requested = stop_requested});
   return {.G_hh = hh.shear_modulus(),
           .G_hv = hv.shear_modulus(),
@@ -21,7 +22,7 @@ Probes run_probes(const dem::State& state, const dem::Material& material, const 
           .amplitude = hh.amplitude};
 }
 
-ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta, double amplitude,
+ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta, double amplitude,
                      const StopRequest& stop_requested) {
   triaxial::ProbeResult result = triaxial::probe(state, material, triaxial::ShearMode::hh,
                                                  {.amplitude = amplitude,

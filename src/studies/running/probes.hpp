@@ -4,23 +4,23 @@
 #include "studies/reproduce/experiment.hpp"
 #include <granum/analysis/measure.hpp>
 #include <granum/core/stop_request.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 /// What studies ask of a specimen of granum's own.
 namespace granum::studies {
 
 /// What the contacts of a specimen do not hold themselves: their law, and its void ratio.
-[[nodiscard]] analysis::Given known_of(const dem::State& state, const dem::Material& material);
+[[nodiscard]] analysis::Given known_of(const dem::Specimen& state, const dem::Material& material);
 
 /// Shear moduli of a frozen state by DEM.
 /// \throws   NotConverged if a probe does not come to rest; Stopped if so asked
-[[nodiscard]] Probes run_probes(const dem::State& state, const dem::Material& material,
+[[nodiscard]] Probes run_probes(const dem::Specimen& state, const dem::Material& material,
                                 const StopRequest& stop_requested);
 
 /// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest:
 /// the loop is drawn as it is.
 /// \throws   Stopped if so asked
-[[nodiscard]] ShearLoop shear_loop(const dem::State& state, const dem::Material& material, double eta,
+[[nodiscard]] ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta,
                                    double amplitude, const StopRequest& stop_requested);
 
 } // namespace granum::studies

@@ -22,7 +22,7 @@ struct Packing : Part {
   Boundary boundary = Boundary::periodic;
   std::size_t grains = 0;
   std::uint64_t seed = 0;
-  dem::State state;
+  dem::Specimen state;
 };
 
 /// A specimen on its isotropic path.
@@ -32,12 +32,12 @@ struct Compression : Part {
   double inertial_number = 0;
   double time_step_fraction = 0;
 
-  std::vector<double> void_ratio; ///< of the frozen states, as all below
-  std::vector<double> isotropic;  ///< G of the network [Pa]; none between walls
-  std::vector<double> planes;     ///< mean of G_hh and G_vh, by network or, between walls, by probes [Pa]
-  std::vector<double> vertical;   ///< G_vh of the network [Pa]
-  std::vector<dem::State> frozen; ///< where probes follow
-  dem::State last;                ///< at the highest pressure, not frozen, where a shear test follows
+  std::vector<double> void_ratio;    ///< of the frozen states, as all below
+  std::vector<double> isotropic;     ///< G of the network [Pa]; none between walls
+  std::vector<double> planes;        ///< mean of G_hh and G_vh, by network or, between walls, by probes [Pa]
+  std::vector<double> vertical;      ///< G_vh of the network [Pa]
+  std::vector<dem::Specimen> frozen; ///< where probes follow
+  dem::Specimen last;                ///< at the highest pressure, not frozen, where a shear test follows
   bool probed_later = false;
   bool sheared_later = false;
   double network_seconds = 0; ///< of one solution

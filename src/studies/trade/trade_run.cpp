@@ -55,7 +55,7 @@ void make(const TradeScene& trade, const StopRequest& stop_requested, Packing& p
   packing.steps = made.minimiser_steps;
 }
 
-double probed(const dem::State& state, const dem::Material& material, triaxial::ShearMode mode,
+double probed(const dem::Specimen& state, const dem::Material& material, triaxial::ShearMode mode,
               double amplitude, const StopRequest& stop_requested, Part& part) {
   const triaxial::ProbeResult result =
       triaxial::probe(state, material, mode, {.amplitude = amplitude, .stop_requested = stop_requested});
@@ -63,13 +63,13 @@ double probed(const dem::State& state, const dem::Material& material, triaxial::
   return result.shear_modulus();
 }
 
-analysis::Measurement measured(const dem::State& state, const dem::Material& material,
+analysis::Measurement measured(const dem::Specimen& state, const dem::Material& material,
                                const StopRequest& stop_requested) {
   return analysis::measure(dem::contact_network(state, material), known_of(state, material),
                            {.network = network::Options{.stop_requested = stop_requested}});
 }
 
-void measure_network(const dem::State& frozen, const dem::Material& material,
+void measure_network(const dem::Specimen& frozen, const dem::Material& material,
                      const StopRequest& stop_requested, Compression& out) {
   const ThreadClock clock;
   const analysis::Measurement packing = measured(frozen, material, stop_requested);
@@ -81,15 +81,15 @@ void measure_network(const dem::State& frozen, const dem::Material& material,
   out.vertical.push_back(c(4, 4));
 }
 
-triaxial::FrozenState brought_to_rest(const dem::State& state, const dem::Material& material,
+triaxial::FrozenState brought_to_rest(const dem::Specimen& state, const dem::Material& material,
                                       const StopRequest& stop_requested) {
   return triaxial::freeze_in_place(state, material, triaxial::usual_force_tolerance, stop_requested);
 }
 
-void measure(const dem::State& state, const dem::Material& material, const StopRequest& stop_requested,
+void measure(const dem::Specimen& state, const dem::Material& material, const StopRequest& stop_requested,
              Compression& out) {
   const triaxial::FrozenState specimen = brought_to_rest(state, material, stop_requested);
-  const dem::State& at_rest = specimen.state();
+  const dem::Specimen& at_rest = specimen.state();
   out.steps += specimen.report.steps;
   out.void_ratio.push_back(dem::void_ratio(at_rest));
   if (at_rest.walls)
@@ -155,7 +155,7 @@ void shear(const TradeScene& trade, const Compression& start, const dem::Materia
 }
 
 /// Full approach of two grains under the mean contact force, over their diameter.
-double mean_overlap_ratio(const dem::State& state, const dem::Material& material) {
+double mean_overlap_ratio(const dem::Specimen& state, const dem::Material& material) {
   const packing::Assembly assembly = dem::contact_network(state, material);
   double sum = 0;
   for (const packing::Contact& contact : assembly.contacts)
@@ -165,7 +165,7 @@ double mean_overlap_ratio(const dem::State& state, const dem::Material& material
 
 void probe_all(const Compression& start, const dem::Material& material, const StopRequest& stop_requested,
                Probing& out) {
-  for (const dem::State& state : start.frozen)
+  for (const dem::Specimen& state : start.frozen)
     out.shear_modulus.push_back(probed(state, material, triaxial::ShearMode::vh,
                                        out.amplitude * mean_overlap_ratio(state, material), stop_requested,
                                        out));

@@ -35,7 +35,7 @@ void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, CompressedStat
 struct Packing {
   contact::Shape contact = contact::Shape::sphere;
   std::uint64_t seed = 0;
-  dem::State state;
+  dem::Specimen state;
   std::string failure;
 };
 

@@ -120,9 +120,9 @@ States check_probes(const fs::path& folder) {
 }
 
 /// Compression by granum's own engine, from the same start: its last state, and the moduli of two.
-dem::State own_compression(const studies::Scene& scene, triaxial::Density density, States& moduli) {
+dem::Specimen own_compression(const studies::Scene& scene, triaxial::Density density, States& moduli) {
   const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, 1);
-  dem::State last =
+  dem::Specimen last =
       triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, density, recipe);
   (void)triaxial::isotropic_path(last, recipe.material, scene.study.pressures,
                                  triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
@@ -143,7 +143,7 @@ void check_own(const fs::path& folder, triaxial::Density density, const States& 
   scene.study.grains = packing_of(folder, "30kPa").grain_count();
   scene.study.pressures = {30e3, 60e3, 120e3};
   States own;
-  const dem::State last = own_compression(scene, density, own);
+  const dem::Specimen last = own_compression(scene, density, own);
   for (const std::string name : {"G_vh", "G_hh", "K"}) {
     const double off = exponent(probed, name) - exponent(own, name);
     if (density == triaxial::Density::dense)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include <limits>
 
@@ -15,8 +15,8 @@ namespace {
 
 /// Three spheres in a bent chain, R = 0.5 mm, G = 30 GPa, nu = 0.15, overlaps 1e-7 m and 2e-7 m: LAMMPS,
 /// LIGGGHTS and YADE all print the forces below for it.
-dem::State chain() {
-  dem::State state;
+dem::Specimen chain() {
+  dem::Specimen state;
   state.radius = 0.5e-3;
   state.cell = Mat3::diagonal(4e-3, 4e-3, 4e-3);
   state.position = {{1.0e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2e-3}, {1.9999e-3, 2e-3, 2.9998e-3}};
@@ -42,7 +42,7 @@ TEST_CASE("forces of a three-sphere chain are those that three other codes print
 }
 
 TEST_CASE("a frozen state carries tangential forces and says which contacts slide") {
-  dem::State state = chain();
+  dem::Specimen state = chain();
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   state.history = {{0, 1, {0, 0.5 * 0.0235294118 * 1.1, 0}, 1.0}, {1, 2, {1e-3, 0, 0}, 1.0}};
   const packing::Assembly assembly = dem::contact_network(state, material);
@@ -56,7 +56,7 @@ TEST_CASE("a frozen state carries tangential forces and says which contacts slid
 
 TEST_CASE("contacts across the border of the cell have the same branch as inside") {
   const dem::Material material = test::quartz(0.5e-3, 0.5);
-  dem::State state = chain();
+  dem::Specimen state = chain();
   const packing::Assembly inside = dem::contact_network(state, material);
   for (Vec3& x : state.position)
     x += Vec3{2.5e-3, -2.1e-3, 1.2e-3};

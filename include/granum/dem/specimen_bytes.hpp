@@ -2,16 +2,16 @@
 #pragma once
 
 #include <granum/core/bytes.hpp>
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 namespace granum::dem {
 
 /// A state to the bit: what load_state reads is equal to it.
 /// Checked by tests/dem/test_engine_bytes.cpp
-void save_state(ByteWriter& to, const State& state);
+void save_specimen(ByteWriter& to, const Specimen& state);
 /// \throws   FileError if the bytes end too early
 /// \throws   FileError if the bytes end early, or are of a state that no loop could go through safely: grains
 ///           that it does not have, cells without volume, numbers that are none
-[[nodiscard]] State load_state(ByteReader& from);
+[[nodiscard]] Specimen load_specimen(ByteReader& from);
 
 } // namespace granum::dem

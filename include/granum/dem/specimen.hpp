@@ -54,7 +54,7 @@ struct Walls {
 };
 
 /// Everything that a run of equal spheres needs to go on.
-struct State {
+struct Specimen {
   Mat3 cell;         ///< columns are the edge vectors [m]
   double radius = 0; ///< [m], all grains
   std::vector<Vec3> position;
@@ -64,17 +64,17 @@ struct State {
   std::optional<Walls> walls;          ///< without them the cell is periodic
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
-  bool operator==(const State&) const = default;
+  bool operator==(const Specimen&) const = default;
 };
 
 /// \throws InvalidArgument naming the value that no walls can have.
 void require_valid(const Walls& walls);
 
 /// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
-[[nodiscard]] double void_ratio(const State& state);
+[[nodiscard]] double void_ratio(const Specimen& state);
 
 /// The contacts of the grains of a state, with each other and with its walls, with forces and tangent
 /// stiffnesses from the material's law. Smooth walls have no tangential stiffness.
-[[nodiscard]] packing::Assembly contact_network(const State& state, const Material& material);
+[[nodiscard]] packing::Assembly contact_network(const Specimen& state, const Material& material);
 
 } // namespace granum::dem

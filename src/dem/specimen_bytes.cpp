@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/dem/state_bytes.hpp>
+#include <granum/dem/specimen_bytes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ bool all_finite(const std::vector<Vec3>& vectors) {
 }
 
 /// Whether every centre is in the cell or so near that it can be brought back without losing its digits.
-bool near_cell(const State& state) {
+bool near_cell(const Specimen& state) {
   const Mat3 to_fraction = inverse(state.cell);
   constexpr double far = 1e3;
   return std::all_of(state.position.begin(), state.position.end(), [&](const Vec3& x) {
@@ -27,7 +27,7 @@ bool near_cell(const State& state) {
 }
 
 /// Whether loops over grains, contacts and cells stay within what is there, whoever wrote the bytes.
-bool is_sound(const State& state) {
+bool is_sound(const Specimen& state) {
   const std::size_t count = state.grain_count();
   const double volume = determinant(state.cell);
   // Grains that fill between 4e-4 and 4 of their cell: what is listed of them is bounded.
@@ -50,7 +50,7 @@ bool is_sound(const State& state) {
 
 } // namespace
 
-void save_state(ByteWriter& to, const State& state) {
+void save_specimen(ByteWriter& to, const Specimen& state) {
   to.put(state.cell);
   to.put(state.radius);
   to.put_all(state.position);
@@ -64,8 +64,8 @@ void save_state(ByteWriter& to, const State& state) {
   }
 }
 
-State load_state(ByteReader& from) {
-  State state;
+Specimen load_specimen(ByteReader& from) {
+  Specimen state;
   state.cell = from.get<Mat3>();
   state.radius = from.get<double>();
   state.position = from.get_all<Vec3>();

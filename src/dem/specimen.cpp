@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/dem/state.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool at_limit(const Vec3& tangential_force, double limit) {
   return norm(tangential_force) >= (1 - 1e-9) * limit;
 }
 
-std::vector<packing::Contact> wall_contacts(const State& state, const Material& material) {
+std::vector<packing::Contact> wall_contacts(const Specimen& state, const Material& material) {
   const std::array<WallPlane, wall_count> planes = wall_planes(state.cell);
   const contact::NormalKernel kernel = material.law.kernel();
   const bool rough = state.walls->friction_coefficient > 0;
@@ -67,12 +67,12 @@ void require_valid(const Walls& walls) {
     throw InvalidArgument("friction_coefficient of the walls", walls.friction_coefficient, "", "[0, inf]");
 }
 
-double void_ratio(const State& state) {
+double void_ratio(const Specimen& state) {
   const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(state.radius, 3);
   return determinant(state.cell) / (grain * static_cast<double>(state.grain_count())) - 1;
 }
 
-packing::Assembly contact_network(const State& state, const Material& material) {
+packing::Assembly contact_network(const Specimen& state, const Material& material) {
   packing::Assembly assembly;
   assembly.cell = state.cell;
   assembly.position = state.position;
