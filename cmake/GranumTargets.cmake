@@ -72,14 +72,10 @@ function(granum_private library module)
   target_sources(granum_${library} PRIVATE ${sources})
 endfunction()
 
-# granum_tests(<module> <concept>...): program test_<module> from tests/<module>/test_<concept>.cpp; each doctest
-# case becomes a ctest of label "unit". The test of <room>/<concept> is tests/<module>/<room>/test_<concept>.cpp.
+# granum_tests(<module>): program test_<module> from all test_<concept>.cpp in tests/<module> and its rooms; each doctest
+# case becomes a ctest of label "unit". They are not listed, so that none can be left out.
 function(granum_tests module)
-  set(sources "")
-  foreach(concept IN LISTS ARGN)
-    string(REGEX REPLACE "([^/]+)$" "test_\\1" file "${concept}")
-    list(APPEND sources "${PROJECT_SOURCE_DIR}/tests/${module}/${file}.cpp")
-  endforeach()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${module}/test_*.cpp")
   list(SORT sources)
   add_executable(test_${module} ${sources})
   granum_compile_settings(test_${module})
