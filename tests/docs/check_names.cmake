@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every name in backticks in README.md and docs/*.md exists: paths in the tree, identifiers and namespaces in the headers,
 # commands and options in the program's help, keys in examples/scene.toml, libraries and presets in the build. So do the
-# commands, options, keys and paths of the program in blocks of shell.
+# commands, options, keys and paths of the program in blocks of shell, and cases in quotes behind the path of their test.
 #   cmake -DROOT=<source tree> -DPROGRAM=<granum> [-DPAGES=<other pages>] -P check_names.cmake
 # Names that stand nowhere in the tree, such as other people's commands: other_names.txt, each with its reason.
 cmake_minimum_required(VERSION 3.25)
@@ -247,6 +247,16 @@ foreach(page IN LISTS pages)
     else()
       string(REGEX MATCHALL "`[^`]+`" names "${line}")
       list(TRANSFORM names REPLACE "`" "")
+      string(REGEX MATCHALL "`tests/[^`]+\\.cpp` \"[^\"]+\"" cases "${line}")
+      foreach(case IN LISTS cases)
+        string(REGEX MATCH "`([^`]+)` (\"[^\"]+\")" case "${case}")
+        file(READ "${ROOT}/${CMAKE_MATCH_1}" tests)
+        string(FIND "${tests}" "TEST_CASE(${CMAKE_MATCH_2})" at)
+        if(at EQUAL -1)
+          message(NOTICE "${shown}: ${CMAKE_MATCH_1} has no case ${CMAKE_MATCH_2}")
+          math(EXPR missing "${missing} + 1")
+        endif()
+      endforeach()
     endif()
     foreach(name IN LISTS names)
       math(EXPR checked "${checked} + 1")
