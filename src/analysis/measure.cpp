@@ -8,7 +8,6 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
-#include <granum/effective/uniform_field.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/density.hpp>
 #include <granum/packing/fabric_tensor.hpp>
@@ -101,7 +100,7 @@ class Measuring {
       out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law);
     make_state();
     if (wanted_.closed_forms && out_.state)
-      out_.closed_forms = closed_forms(*out_.state, out_.microstructure().mechanical_coordination_number);
+      out_.closed_forms = closed_forms({*out_.state, out_.microstructure().mechanical_coordination_number});
     if (wanted_.network && out_.counts.mechanical.contact_count > 0)
       solve_network();
     return std::move(out_);
@@ -281,18 +280,17 @@ Forces measure_forces(const packing::Assembly& assembly, const Given& given, std
   return out;
 }
 
-std::optional<ClosedForms> closed_forms(const effective::State& state,
-                                        double mechanical_coordination_number) {
-  try {
-    const effective::RelaxedEstimate relaxed = effective::relaxed(state, mechanical_coordination_number);
-    return ClosedForms{.uniform_strain = effective::uniform_strain(state).stiffness,
-                       .uniform_stress = effective::uniform_stress(state).stiffness,
-                       .relaxed = relaxed.stiffness,
-                       .G_hh_error = relaxed.relative_error.G_hh,
-                       .G_vh_error = relaxed.relative_error.G_vh};
-  } catch (const InvalidArgument&) {
-    return std::nullopt;
+std::vector<ClosedForm> closed_forms(const effective::RungInputs& packing) {
+  std::vector<ClosedForm> out;
+  for (const effective::Rung& rung : effective::closed_forms()) {
+    out.push_back({.rung = &rung});
+    try {
+      out.back().answer = effective::answer(rung, packing);
+    } catch (const InvalidArgument& error) {
+      out.back().refusal = error.what();
+    }
   }
+  return out;
 }
 
 } // namespace granum::analysis

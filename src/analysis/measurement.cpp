@@ -34,6 +34,13 @@ Microstructure Measurement::microstructure() const {
           .sliding_fraction = counts.sliding_fraction};
 }
 
+std::optional<effective::RungAnswer> Measurement::closed_form(effective::RungName name) const {
+  for (const ClosedForm& form : closed_forms)
+    if (form.rung->name == name)
+      return form.answer;
+  return std::nullopt;
+}
+
 const Network& Measurement::solved_network() const {
   if (!network)
     throw NotConverged("no grain of the packing bears load: it has no network");

@@ -83,7 +83,8 @@ TEST_CASE("counts of three spheres in a row, by hand") {
 TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
   const packing::Assembly packing = cubic();
   const Measurement bare = measure(packing, own);
-  CHECK_FALSE((bare.network || bare.forces || bare.law_check || bare.interior || bare.closed_forms));
+  CHECK_FALSE((bare.network || bare.forces || bare.law_check || bare.interior));
+  CHECK(bare.closed_forms.empty());
   CHECK_FALSE(bare.pressure_by_work);
   CHECK_FALSE((bare.fabric->by_likelihood || bare.fabric->density));
   CHECK(bare.fabric->rose.empty());
@@ -97,7 +98,8 @@ TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
                                     .closed_forms = true,
                                     .interior_layer = R,
                                     .network = network::Options{}});
-  CHECK((full.network && full.law_check && full.interior && full.closed_forms && full.pressure_by_work));
+  CHECK((full.network && full.law_check && full.interior && full.pressure_by_work));
+  CHECK(full.closed_forms.size() == effective::closed_forms().size());
   CHECK(full.fabric->rose.size() == 3);
   REQUIRE(full.forces);
   CHECK(full.forces->distribution.bins.size() == 5);
@@ -128,8 +130,13 @@ TEST_CASE("the closed forms are asked what was measured, or what the caller know
   CHECK(m.state->stress_v == relative(f_n / (edge * edge), 1e-12));
   CHECK(m.state->coordination_number == relative(6, 1e-15));
   CHECK(m.state->void_ratio == m.void_ratio);
-  REQUIRE(m.closed_forms);
-  CHECK(m.closed_forms->uniform_strain == effective::uniform_strain(*m.state).stiffness);
+  using effective::RungName;
+  REQUIRE(m.closed_form(RungName::directional));
+  CHECK(m.closed_form(RungName::directional)->stiffness == effective::uniform_strain(*m.state).stiffness);
+  REQUIRE(m.closed_form(RungName::relaxed));
+  CHECK(m.closed_form(RungName::relaxed)->stiffness ==
+        effective::relaxed(*m.state, m.microstructure().mechanical_coordination_number).stiffness);
+  CHECK_FALSE(m.closed_form(RungName::network));
   Given better = own;
   better.void_ratio = 0.7;
   better.stress = {.v = 2e5, .h = 1e5};
@@ -142,7 +149,8 @@ TEST_CASE("the closed forms are asked what was measured, or what the caller know
   // No static force field bears tension.
   better.stress->v = -1;
   const Measurement none = measure(cubic(), better, {.closed_forms = true});
-  CHECK_FALSE((none.state || none.closed_forms));
+  CHECK_FALSE(none.state);
+  CHECK(none.closed_forms.empty());
   CHECK(none.notes.size() == 1);
 }
 

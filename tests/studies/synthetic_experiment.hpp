@@ -43,8 +43,8 @@ inline StateRecord point(const stress::AxialStress& stress) {
     out.contacts += out.polar_counts[k] = static_cast<std::uint32_t>(3 + 2 * k);
   out.network = rows(solid(G));
   out.affine = rows(solid(2 * G));
-  out.closed = analysis::ClosedForms{
-      .uniform_strain = solid(2 * G), .uniform_stress = solid(G), .relaxed = solid(1.1 * G)};
+  out.closed =
+      ClosedForms{.uniform_strain = solid(2 * G), .uniform_stress = solid(G), .relaxed = solid(1.1 * G)};
   return out;
 }
 

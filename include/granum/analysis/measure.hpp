@@ -42,7 +42,7 @@ struct Wanted {
   std::optional<std::size_t> force_bins = {}; ///< distribution and moments of the forces, friction, unbalance
   bool law_check = false;                     ///< forces against overlaps
   bool work = false;                          ///< the pressure by the work of the cell
-  bool closed_forms = false;                  ///< rungs 2 and 3
+  bool closed_forms = false;                  ///< rungs 0 to 3 and uniform stress
   std::optional<double> interior_layer = {};  ///< left out at each wall [m]
   std::optional<network::Options> network = {}; ///< rung 4, the part that takes time
 };
@@ -70,9 +70,7 @@ struct Wanted {
 ///           bins out of range
 [[nodiscard]] Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins);
 
-/// What the closed forms say of a state; nothing where no static force field has it.
-/// \param    mechanical_coordination_number   z* >= 0 [1]
-[[nodiscard]] std::optional<ClosedForms> closed_forms(const effective::State& state,
-                                                      double mechanical_coordination_number);
+/// What all closed forms of the table of rungs say of a state, in its order.
+[[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::RungInputs& packing);
 
 } // namespace granum::analysis

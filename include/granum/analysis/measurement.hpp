@@ -8,11 +8,10 @@
 
 #include <granum/analysis/interior_measures.hpp>
 #include <granum/analysis/law_check.hpp>
-#include <granum/effective/relaxation.hpp>
+#include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/symmetry.hpp>
-#include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/fabric/goodness_of_fit.hpp>
 #include <granum/fabric/likelihood_estimate.hpp>
@@ -87,15 +86,11 @@ struct Network {
   [[nodiscard]] double G_vh() const;
 };
 
-/// What the closed forms say of a packing from its state alone.
-struct ClosedForms {
-  elastic::TransverselyIsotropic uniform_strain; ///< rung 2
-  elastic::TransverselyIsotropic uniform_stress; ///< rung 2
-  elastic::TransverselyIsotropic relaxed;        ///< rung 3
-  double G_hh_error = 0;                         ///< standard error of relaxed, relative to it [1]
-  double G_vh_error = 0;
-
-  bool operator==(const ClosedForms&) const = default;
+/// What a rung that is a closed form says of a packing from its state alone, or why it says nothing.
+struct ClosedForm {
+  const effective::Rung* rung = nullptr; ///< its row of the table
+  std::optional<effective::RungAnswer> answer = {};
+  std::string refusal = {}; ///< empty where there is an answer
 };
 
 /// What one packing tells. Parts that were not wanted, or need what nobody knows, are empty; `notes` say what
@@ -115,15 +110,17 @@ struct Measurement {
   std::optional<contact::PowerLaw> law = {};        ///< of contacts of grains of the equivalent radius
   /// What the closed forms are asked: C_n, e and a, of the interior between walls, stress and contact law.
   std::optional<effective::State> state = {};
-  std::optional<ClosedForms> closed_forms = {}; ///< nothing where no static force field has such a state
-  std::optional<Network> network = {};          ///< nothing where no grain bears load
-  std::vector<std::string> notes = {};          ///< what was assumed or not there, a sentence each
+  std::vector<ClosedForm> closed_forms = {}; ///< as effective::closed_forms(); empty without a state
+  std::optional<Network> network = {};       ///< nothing where no grain bears load
+  std::vector<std::string> notes = {};       ///< what was assumed or not there, a sentence each
 
   /// C_n, z*, rattlers, a and sliding: of the interior where it was measured, else of all grains.
   /// \throws   InvalidArgument for fewer than 2 contacts, which have no fabric
   [[nodiscard]] Microstructure microstructure() const;
   /// Its void ratio.
   [[nodiscard]] double interior_void_ratio() const { return interior ? interior->void_ratio : void_ratio; }
+  /// What a closed form says; nothing where it was not asked or says nothing.
+  [[nodiscard]] std::optional<effective::RungAnswer> closed_form(effective::RungName name) const;
   /// The network that was asked for.
   /// \throws   NotConverged if no grain bears load, so that there is none
   [[nodiscard]] const Network& solved_network() const;

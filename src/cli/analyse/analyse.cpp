@@ -22,19 +22,13 @@ namespace granum::cli {
 namespace {
 
 void add_closed_forms(FrameAnswer& frame) {
-  const analysis::Measurement& measured = frame.measured.packing;
-  if (!measured.state)
-    return;
-  const effective::RungInputs packing{*measured.state, measured.counts.mechanical.coordination_number};
-  for (const effective::Rung& rung : effective::closed_forms()) {
-    RungResult result{.name = rung.column, .title = effective::label(rung)};
-    try {
-      const effective::RungAnswer form = effective::answer(rung, packing);
-      result.moduli = moduli_of(form.stiffness);
-      result.relative_error = form.relative_error;
-      frame.validity.merge(form.validity);
-    } catch (const InvalidArgument& error) {
-      result.error = error.what();
+  for (const analysis::ClosedForm& form : frame.measured.packing.closed_forms) {
+    RungResult result{
+        .name = form.rung->column, .title = effective::label(*form.rung), .error = form.refusal};
+    if (form.answer) {
+      result.moduli = moduli_of(form.answer->stiffness);
+      result.relative_error = form.answer->relative_error;
+      frame.validity.merge(form.answer->validity);
     }
     frame.rungs.push_back(std::move(result));
   }

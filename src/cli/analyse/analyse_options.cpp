@@ -121,7 +121,6 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
     out.stiffness_from =
         o.stiffness_from == "force" ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap;
   analysis::Wanted wanted = analysis::everything();
-  wanted.closed_forms = false; // every rung is asked by itself
   if (o.no_network)
     wanted.network.reset();
   return {std::move(out), wanted};

@@ -13,6 +13,7 @@
 #include "studies/verify/study.hpp"
 #include <granum/analysis/measurement.hpp>
 #include <granum/dem/specimen.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
@@ -22,6 +23,17 @@ namespace granum::studies {
 
 inline constexpr std::size_t polar_bins = 18; ///< of gamma in [0, pi/2]
 inline constexpr std::size_t force_bins = 32; ///< of f_n/<f_n> in [0, 8)
+
+/// What the closed forms say of a frozen state.
+struct ClosedForms {
+  elastic::TransverselyIsotropic uniform_strain; ///< rung 2
+  elastic::TransverselyIsotropic uniform_stress;
+  elastic::TransverselyIsotropic relaxed; ///< rung 3
+  double G_hh_error = 0;                  ///< standard error of relaxed, relative to it [1]
+  double G_vh_error = 0;
+
+  bool operator==(const ClosedForms&) const = default;
+};
 
 /// One frozen state: the part of its analysis::Measurement that the tables and figures are made of, in plain
 /// numbers, so that checkpoints hold it to the bit.
@@ -38,11 +50,10 @@ struct StateRecord {
   std::array<std::uint32_t, polar_bins> polar_counts{}; ///< all contacts by the polar angle of their normal
   std::array<std::uint32_t, force_bins> force_counts{}; ///< contacts by f_n/<f_n>
   std::uint32_t contacts = 0;
-  std::array<double, 36> network{}; ///< relaxed stiffness, rows of the Voigt matrix [Pa]
-  std::array<double, 36> affine{};  ///< under uniform strain [Pa]
-  std::optional<analysis::ClosedForms>
-      closed;                   ///< nothing where a state has no static force field (near failure)
-  std::optional<Probes> probes; ///< cyclic shear, where asked
+  std::array<double, 36> network{};  ///< relaxed stiffness, rows of the Voigt matrix [Pa]
+  std::array<double, 36> affine{};   ///< under uniform strain [Pa]
+  std::optional<ClosedForms> closed; ///< nothing where a state has no static force field (near failure)
+  std::optional<Probes> probes;      ///< cyclic shear, where asked
   double unbalanced_force_ratio = 0;
   std::size_t rest_steps = 0; ///< to freeze it
 

@@ -79,7 +79,7 @@ io::Columns<StateRecord> frozen_state_columns() {
   const auto add = [&](std::string heading, std::function<std::optional<double>(const StateRecord&)> of) {
     columns.emplace_back(std::move(heading), "", std::move(of));
   };
-  const auto closed = [&](std::string heading, double (*of)(const analysis::ClosedForms&)) {
+  const auto closed = [&](std::string heading, double (*of)(const ClosedForms&)) {
     add(std::move(heading),
         [of](const StateRecord& p) { return p.closed ? std::optional(of(*p.closed)) : std::nullopt; });
   };
@@ -93,7 +93,6 @@ io::Columns<StateRecord> frozen_state_columns() {
         add(prefix + std::to_string(i + 1) + std::to_string(j + 1) + "_Pa",
             [=](const StateRecord& p) { return (p.*of)[6 * i + j]; });
   };
-  using Closed = analysis::ClosedForms;
   add("eta", [](const StateRecord& p) { return p.at.stress.ratio(); });
   add("p_Pa", [](const StateRecord& p) { return p.at.stress.mean(); });
   add("s_v_Pa", [](const StateRecord& p) { return p.at.stress.v; });
@@ -121,14 +120,14 @@ io::Columns<StateRecord> frozen_state_columns() {
   add("contacts", [](const StateRecord& p) { return static_cast<double>(p.contacts); });
   add("G_hh_Pa", [](const StateRecord& p) { return p.G_hh(); });
   add("G_vh_Pa", [](const StateRecord& p) { return p.G_vh(); });
-  closed("G_hh_uniform_strain_Pa", [](const Closed& c) { return c.uniform_strain.G_hh(); });
-  closed("G_vh_uniform_strain_Pa", [](const Closed& c) { return c.uniform_strain.G_vh(); });
-  closed("G_hh_uniform_stress_Pa", [](const Closed& c) { return c.uniform_stress.G_hh(); });
-  closed("G_vh_uniform_stress_Pa", [](const Closed& c) { return c.uniform_stress.G_vh(); });
-  closed("G_hh_relaxed_Pa", [](const Closed& c) { return c.relaxed.G_hh(); });
-  closed("G_hh_relaxed_error_Pa", [](const Closed& c) { return c.G_hh_error * c.relaxed.G_hh(); });
-  closed("G_vh_relaxed_Pa", [](const Closed& c) { return c.relaxed.G_vh(); });
-  closed("G_vh_relaxed_error_Pa", [](const Closed& c) { return c.G_vh_error * c.relaxed.G_vh(); });
+  closed("G_hh_uniform_strain_Pa", [](const ClosedForms& c) { return c.uniform_strain.G_hh(); });
+  closed("G_vh_uniform_strain_Pa", [](const ClosedForms& c) { return c.uniform_strain.G_vh(); });
+  closed("G_hh_uniform_stress_Pa", [](const ClosedForms& c) { return c.uniform_stress.G_hh(); });
+  closed("G_vh_uniform_stress_Pa", [](const ClosedForms& c) { return c.uniform_stress.G_vh(); });
+  closed("G_hh_relaxed_Pa", [](const ClosedForms& c) { return c.relaxed.G_hh(); });
+  closed("G_hh_relaxed_error_Pa", [](const ClosedForms& c) { return c.G_hh_error * c.relaxed.G_hh(); });
+  closed("G_vh_relaxed_Pa", [](const ClosedForms& c) { return c.relaxed.G_vh(); });
+  closed("G_vh_relaxed_error_Pa", [](const ClosedForms& c) { return c.G_vh_error * c.relaxed.G_vh(); });
   probed("G_hh_probe_Pa", &Probes::G_hh);
   probed("G_hv_probe_Pa", &Probes::G_hv);
   probed("G_vh_probe_Pa", &Probes::G_vh);

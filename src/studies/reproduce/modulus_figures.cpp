@@ -51,7 +51,7 @@ void name_once(plot::Series& series, const Panel& in, const std::string& common)
 }
 
 void add_closed_form(Panel& to, const ExperimentSpecimen& specimen, const PathRun& run, const Coordinate& x,
-                     const Modulus& modulus, TransverselyIsotropic analysis::ClosedForms::*estimate,
+                     const Modulus& modulus, TransverselyIsotropic ClosedForms::*estimate,
                      const std::string& legend, std::size_t style) {
   plot::Series line = series_of(run, from_start(specimen, run), x, [&](const StateRecord& point) {
     return point.closed ? std::optional((((*point.closed).*estimate).*modulus.closed)()) : std::nullopt;
@@ -76,10 +76,10 @@ Panel modulus_panel(const Kind& kind, const std::string& stem, const Modulus& mo
         draw(run, std::string(name(run.path)));
   };
   each_run([&](const PathRun& run, const std::string&) {
-    add_closed_form(out, *kind.specimen, run, across, modulus, &analysis::ClosedForms::uniform_strain,
-                    "uniform strain", 0);
-    add_closed_form(out, *kind.specimen, run, across, modulus, &analysis::ClosedForms::relaxed,
-                    "relaxed (closed form)", 1);
+    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::uniform_strain, "uniform strain",
+                    0);
+    add_closed_form(out, *kind.specimen, run, across, modulus, &ClosedForms::relaxed, "relaxed (closed form)",
+                    1);
   });
   each_run([&](const PathRun& run, const std::string& path) {
     plot::Series past = series_of(run, past_peak(run), across, modulus.network);

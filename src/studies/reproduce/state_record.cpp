@@ -38,6 +38,21 @@ analysis::Measurement measure(const dem::Specimen& state, const dem::Material& m
   return analysis::measure(dem::contact_network(state, material), given, wanted);
 }
 
+std::optional<ClosedForms> closed_forms_of(const analysis::Measurement& measured) {
+  using effective::RungName;
+  const auto strain = measured.closed_form(RungName::directional);
+  const auto stress = measured.closed_form(RungName::uniform_stress);
+  const auto relaxed = measured.closed_form(RungName::relaxed);
+  if (!strain || !stress || !relaxed)
+    return std::nullopt;
+  const effective::ModulusErrors errors = relaxed->relative_error.value();
+  return ClosedForms{.uniform_strain = strain->stiffness,
+                     .uniform_stress = stress->stiffness,
+                     .relaxed = relaxed->stiffness,
+                     .G_hh_error = errors.G_hh,
+                     .G_vh_error = errors.G_vh};
+}
+
 /// The part of a measurement that checkpoints hold.
 void record(const analysis::Measurement& measured, StateRecord& out) {
   out.void_ratio = measured.void_ratio;
@@ -56,7 +71,7 @@ void record(const analysis::Measurement& measured, StateRecord& out) {
   const network::Response& response = measured.solved_network().response;
   out.network = rows(response.relaxed());
   out.affine = rows(response.affine());
-  out.closed = measured.closed_forms;
+  out.closed = closed_forms_of(measured);
 }
 
 } // namespace

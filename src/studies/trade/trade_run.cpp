@@ -156,11 +156,9 @@ void shear(const TradeScene& trade, const Compression& start, const dem::Materia
 
 /// Full approach of two grains under the mean contact force, over their diameter.
 double mean_overlap_ratio(const dem::Specimen& state, const dem::Material& material) {
-  const packing::Assembly assembly = dem::contact_network(state, material);
-  double sum = 0;
-  for (const packing::Contact& contact : assembly.contacts)
-    sum += contact.normal_force;
-  return material.law.overlap(sum / static_cast<double>(assembly.contacts.size())) / (2 * state.radius);
+  const analysis::Forces forces =
+      analysis::measure_forces(dem::contact_network(state, material), known_of(state, material), 1);
+  return material.law.overlap(forces.distribution.mean) / (2 * state.radius);
 }
 
 void probe_all(const Compression& start, const dem::Material& material, const StopRequest& stop_requested,

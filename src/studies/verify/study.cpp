@@ -8,7 +8,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
-#include <granum/effective/uniform_field.hpp>
+#include <granum/effective/rungs.hpp>
 #include <granum/triaxial/probe.hpp>
 
 #include "studies/running/outcome_text.hpp"
@@ -20,16 +20,17 @@ namespace granum::studies {
 namespace {
 
 void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, CompressedState& out) {
-  const effective::Estimate estimate =
-      effective::uniform_strain({.law = recipe.material.law,
-                                 .tangential_ratio = recipe.material.tangential_ratio,
-                                 .radius = recipe.radius,
-                                 .void_ratio = out.packing.void_ratio,
-                                 .coordination_number = out.packing.counts.coordination_number,
-                                 .stress_v = out.pressure,
-                                 .stress_h = out.pressure});
-  out.G_closed = estimate.stiffness.G_vh();
-  out.K_closed = estimate.stiffness.bulk_modulus();
+  const effective::State state{.law = recipe.material.law,
+                               .tangential_ratio = recipe.material.tangential_ratio,
+                               .radius = recipe.radius,
+                               .void_ratio = out.packing.void_ratio,
+                               .coordination_number = out.packing.counts.coordination_number,
+                               .stress_v = out.pressure,
+                               .stress_h = out.pressure};
+  const effective::RungAnswer form =
+      effective::answer(effective::rung(effective::RungName::directional), {state});
+  out.G_closed = form.stiffness.G_vh();
+  out.K_closed = form.stiffness.bulk_modulus();
 }
 
 struct Packing {
