@@ -8,6 +8,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
+#include <granum/elastic/wave_speeds.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/density.hpp>
 #include <granum/packing/fabric_tensor.hpp>
@@ -88,6 +89,9 @@ class Measuring {
   Measurement run() && {
     out_.volume = assembly_.volume();
     out_.void_ratio = given_.void_ratio ? *given_.void_ratio : void_ratio(assembly_);
+    if (given_.grain_density)
+      out_.bulk_density =
+          elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_.radius);
     out_.counts = count(assembly_);
     if (out_.counts.contacts >= 2)
@@ -210,10 +214,10 @@ class Measuring {
 
   void solve_network(const packing::Assembly& assembly) {
     const network::Response response = network::linear_response(assembly, *wanted_.network);
-    Network network{.response = response, .symmetry = {}, .bulk_bounds = bulk_modulus_bounds(assembly)};
-    if (response.last_iterate().matrix.norm() > 0)
-      network.symmetry = elastic::symmetry_distances(response.last_iterate());
-    out_.network = network;
+    out_.network = Network{.response = response,
+                           .affine = network_matrix(response.affine(), out_.bulk_density),
+                           .relaxed = network_matrix(response.last_iterate(), out_.bulk_density),
+                           .bulk_bounds = bulk_modulus_bounds(assembly)};
   }
 
   const packing::Assembly& assembly_;

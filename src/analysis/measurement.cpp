@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/measurement.hpp>
 
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/elastic/projection.hpp>
 
 namespace granum::analysis {
+
+NetworkMatrix network_matrix(const elastic::VoigtStiffness& stiffness,
+                             const std::optional<double>& bulk_density) {
+  NetworkMatrix out{.stiffness = stiffness, .moduli = elastic::engineering_moduli(stiffness)};
+  if (stiffness.matrix.norm() > 0)
+    out.symmetry = elastic::symmetry_distances(stiffness);
+  if (!bulk_density)
+    return out;
+  require_positive("bulk_density", *bulk_density, "kg/m3");
+  try {
+    out.waves = elastic::plane_waves_along_axes(stiffness, *bulk_density);
+  } catch (const InvalidArgument&) { // not positive semidefinite: nothing travels in it
+  }
+  return out;
+}
 
 elastic::Isotropic Network::isotropic_relaxed() const {
   return elastic::isotropic_projection(response.relaxed());

@@ -109,6 +109,11 @@ PlaneWaves plane_waves(const VoigtStiffness& stiffness, double bulk_density, con
   return waves;
 }
 
+std::array<PlaneWaves, 3> plane_waves_along_axes(const VoigtStiffness& stiffness, double bulk_density) {
+  return {plane_waves(stiffness, bulk_density, {1, 0, 0}), plane_waves(stiffness, bulk_density, {0, 1, 0}),
+          plane_waves(stiffness, bulk_density, {0, 0, 1})};
+}
+
 TransverselyIsotropicWaves plane_waves(const TransverselyIsotropic& stiffness, double bulk_density,
                                        const Vec3& direction) {
   require_positive("bulk_density", bulk_density, "kg/m3");

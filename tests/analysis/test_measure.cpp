@@ -124,6 +124,48 @@ TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its s
   CHECK(std::abs(micro.fabric_anisotropy) < 1e-12);
 }
 
+TEST_CASE("both matrices of a lattice stand in its axes, with the moduli and waves of its springs") {
+  Given given = own;
+  given.grain_density = 2650;
+  const Measurement m = measure(cubic(), given, {.network = network::Options{}});
+  const double density = 2650 / (1 + m.void_ratio);
+  REQUIRE(m.bulk_density);
+  CHECK(*m.bulk_density == relative(density, 1e-14));
+  const Network& network = m.solved_network();
+  CHECK(network.affine.stiffness.matrix == network.response.affine().matrix);
+  CHECK(network.relaxed.stiffness.matrix == network.response.relaxed().matrix);
+  for (const NetworkMatrix* matrix : {&network.affine, &network.relaxed}) {
+    const double axial = k_n / edge, shear = k_t / (2 * edge);
+    CHECK(matrix->moduli.bulk_modulus == relative(axial / 3, 1e-9));
+    for (const double E : {matrix->moduli.E_1, matrix->moduli.E_2, matrix->moduli.E_3})
+      CHECK(E == relative(axial, 1e-9));
+    for (const double C : {matrix->moduli.C44, matrix->moduli.C55, matrix->moduli.C66})
+      CHECK(C == relative(shear, 1e-9));
+    CHECK(matrix->symmetry.cubic < 1e-9);
+    CHECK(matrix->symmetry.isotropic > 0.1); // C11 - C12 is not 2 C44
+    REQUIRE(matrix->waves);
+    for (const elastic::PlaneWaves& along : *matrix->waves) {
+      CHECK(along.fastest.speed == relative(std::sqrt(axial / density), 1e-9));
+      CHECK(along.middle.speed == relative(std::sqrt(shear / density), 1e-9));
+      CHECK(along.slowest.speed == relative(std::sqrt(shear / density), 1e-9));
+    }
+  }
+}
+
+TEST_CASE("a matrix has waves if the density is known, and none if it is not positive semidefinite") {
+  elastic::VoigtStiffness c = voigt(elastic::Isotropic::from_bulk_and_shear(3e8, 2e8));
+  CHECK_FALSE(network_matrix(c).waves);
+  CHECK(network_matrix(c, 1700).waves);
+  CHECK(network_matrix(c).symmetry.isotropic < 1e-15);
+  CHECK(network_matrix(c).symmetry.transversely_isotropic < 1e-15);
+  c.matrix(3, 3) = -1e8;
+  CHECK_FALSE(network_matrix(c, 1700).waves);
+  CHECK(network_matrix({}, 1700).moduli.E_1 == 0);
+  CHECK_THROWS_AS((void)network_matrix(c, 0), InvalidArgument);
+  const Measurement unknown = measure(cubic(), own, {.network = network::Options{}});
+  CHECK_FALSE((unknown.bulk_density || unknown.network->relaxed.waves));
+}
+
 TEST_CASE("the closed forms are asked what was measured, or what the caller knows better") {
   const Measurement m = measure(cubic(), own, {.closed_forms = true});
   REQUIRE(m.state);

@@ -54,6 +54,17 @@ foreach(expectation "series/rung4/s/value=^0\\.333[345]" "series/rung0/s/value=^
   granum_cli_test("analyse: json of the lattice ${expectation}" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "${expectation}"
     ARGS analyse ${lattice} --json)
 endforeach()
+# Its C11 is K over 1/3, C12 = 0, C44 = C55 = C66.
+granum_cli_test("analyse: both matrices of the lattice on the screen" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+  STDOUT "in the axes of the file.*affine +11 +22 +33 +23 +13 +12.*relaxed .*along these axes.* C44 +C55 +C66\n.*no wave speeds: the density of the grains is not known"
+  ARGS analyse ${lattice} --grain-shear-modulus 30GPa)
+granum_cli_test("analyse: wave speeds of the lattice" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+  STDOUT "wave speeds \\[m/s\\] along 1, 2 and 3.*dry packing of 138[0-9]" ARGS analyse ${lattice} --grain-density 2650kg/m3)
+foreach(expectation "network/affine/C/5/5=^[0-9]" "network/relaxed/engineering_moduli/C55=^[0-9]"
+    "network/relaxed/distance_from_isotropy=^0\\.[0-9]" "network/relaxed/wave_speeds/along_3/fastest=^[0-9]" "bulk_density=^138")
+  granum_cli_test("analyse: json of the matrices ${expectation}" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+    JSON "frames/2/${expectation}" ARGS analyse ${lattice} --grain-density 2650kg/m3 --json)
+endforeach()
 granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "frames/1/step=^2$"
   ARGS analyse ${lattice} --frames 0::2 --no-network --json)
 
@@ -109,6 +120,7 @@ granum_analyse_refuses("a missing file of stresses" 3 "none: cannot be read" ${c
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)
+granum_analyse_refuses("grains without mass" 2 "--grain-density = 0 kg/m3 is outside" ${chain} --grain-density 0kg/m3)
 granum_analyse_refuses("a slope without cones" 2 "--slope goes with --contact cone" ${chain} --slope 0.4)
 granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: coordinates have"
   ARGS analyse ${chain} --strict)

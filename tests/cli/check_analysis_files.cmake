@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# An analysis writes six files, keeps them without --force, and writes the same tables again with it:
+# An analysis writes its files, keeps them without --force, and writes the same tables again with it:
 #   cmake -DPROGRAM=... -DIO=<folder of dumps> -DFOLDER=... -P check_analysis_files.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -36,6 +36,20 @@ foreach(table_and_rows rose.csv=36 forces.csv=64)
     message(FATAL_ERROR "${CMAKE_MATCH_1} has ${count} bins, expected ${CMAKE_MATCH_2}")
   endif()
 endforeach()
+
+# No grain of the chain bears load; the lattice has both matrices, of 3 frames.
+execute_process(COMMAND "${PROGRAM}" analyse "${CMAKE_CURRENT_LIST_DIR}/data/analyse_lattice.grains"
+  "${CMAKE_CURRENT_LIST_DIR}/data/analyse_lattice.contacts" --out "${FOLDER}_lattice" --force
+  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+file(STRINGS "${FOLDER}_lattice/stiffness.csv" rows REGEX "^[012],(affine|relaxed),(11|22|33|23|13|12)(,[^,]+)*$")
+list(LENGTH rows count)
+if(NOT (code EQUAL 0 AND count EQUAL 36))
+  message(FATAL_ERROR "stiffness.csv has ${count} rows of matrices, expected 36; exit code ${code}\n${err}")
+endif()
+file(STRINGS "${FOLDER}_lattice/frames.csv" rows REGEX "^frame,.*,relaxed_C55_Pa,")
+if(NOT rows)
+  message(FATAL_ERROR "frames.csv lacks the moduli of the matrices")
+endif()
 
 run()
 if(NOT (code EQUAL 3 AND err MATCHES "frames\\.csv: exists already and is kept"))

@@ -21,6 +21,7 @@ struct Given {
   LawFamily law_family =
       contact::PowerLaw::sphere;                  ///< else: the law of two grains of a material and a radius
   std::optional<double> grain_shear_modulus = {}; ///< G_g [Pa]; without it, from forces against overlaps
+  std::optional<double> grain_density = {};       ///< rho_s [kg/m3], > 0; without it no wave speeds
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
   std::optional<double> friction_coefficient = {}; ///< [1]; without it estimate_friction

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,6 +11,8 @@
 #include <granum/analysis/law_check.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/elastic/christoffel.hpp>
+#include <granum/elastic/engineering_moduli.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/symmetry.hpp>
 #include <granum/fabric/anisotropy_estimate.hpp>
@@ -70,10 +73,27 @@ struct Forces {
   packing::Unbalance unbalance = {};
 };
 
+/// A stiffness of the network as the axes of the packing show it; no symmetry is assumed.
+struct NetworkMatrix {
+  elastic::VoigtStiffness stiffness;
+  elastic::SymmetryDistances symmetry = {}; ///< zeros if it is zero
+  elastic::EngineeringModuli moduli = {};
+  /// Along axes 1, 2 and 3; nothing unless the density is known and the matrix is positive semidefinite.
+  std::optional<std::array<elastic::PlaneWaves, 3>> waves = {};
+};
+
+/// What can be read off a stiffness.
+/// \param    bulk_density   of the packing [kg/m3], > 0, where it is known
+/// \throws   InvalidArgument if an entry is not finite, or for another density
+/// Checked by tests/analysis/test_measure.cpp
+[[nodiscard]] NetworkMatrix network_matrix(const elastic::VoigtStiffness& stiffness,
+                                           const std::optional<double>& bulk_density = {});
+
 /// The contact network, rung 4.
 struct Network {
-  network::Response response;               ///< affine and relaxed stiffness; says whether it was solved
-  elastic::SymmetryDistances symmetry = {}; ///< of the relaxed stiffness, its last iterate
+  network::Response response; ///< affine and relaxed stiffness; says whether it was solved
+  NetworkMatrix affine = {};
+  NetworkMatrix relaxed = {}; ///< of the last iterate, where the network was not solved
   packing::BulkModulusBounds bulk_bounds = {};
 
   /// The nearest isotropic solids.
@@ -103,6 +123,7 @@ struct Measurement {
   std::optional<Fabric> fabric = {};                 ///< from 2 contacts on
   std::optional<InteriorMeasures> interior = {};     ///< between walls
   std::optional<packing::ContactStress> stress = {}; ///< by the contact forces
+  std::optional<double> bulk_density = {};           ///< dry, if that of the grains is given [kg/m3]
   std::optional<double> pressure_by_work = {};       ///< by the work of the cell [Pa]
   std::optional<Forces> forces = {};
   std::optional<LawCheck> law_check = {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include <granum/core/vec3.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
@@ -41,6 +43,12 @@ struct TransverselyIsotropicWaves {
 /// Accuracy  v^2 to 1e-14 of the largest v^2, polarisations orthonormal to 4e-15.
 [[nodiscard]] PlaneWaves plane_waves(const VoigtStiffness& stiffness, double bulk_density,
                                      const Vec3& direction);
+
+/// Waves of a full stiffness along the axes 1, 2 and 3.
+/// \throws   InvalidArgument as above
+/// Accuracy  as above.  Checked by tests/elastic/test_engineering_moduli.cpp
+[[nodiscard]] std::array<PlaneWaves, 3> plane_waves_along_axes(const VoigtStiffness& stiffness,
+                                                               double bulk_density);
 
 /// Waves of a transversely isotropic stiffness in closed form. Along the axis, where the plane of direction
 /// and axis is any vertical plane, axis 1 is taken to lie in it.

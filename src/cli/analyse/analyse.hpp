@@ -90,8 +90,8 @@ struct AnalyseAnswer {
 [[nodiscard]] std::string analyse_table(const AnalyseAnswer& answer);
 
 /// Names of the files that write_analysis writes.
-inline constexpr const char* analysis_files[] = {"frames.csv", "rose.csv",   "forces.csv",
-                                                 "rose.svg",   "forces.svg", "analysis.json"};
+inline constexpr const char* analysis_files[] = {"frames.csv", "stiffness.csv", "rose.csv",     "forces.csv",
+                                                 "rose.svg",   "forces.svg",    "analysis.json"};
 /// Writes tables of all frames, and pictures of the last one.
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer, io::Existing existing);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "analyse.hpp"
+#include "analyse_stiffness.hpp"
 
 namespace granum::cli {
 
@@ -108,6 +108,18 @@ void add_rung_columns(FrameColumns& to, const std::vector<RungResult>& rungs) {
   }
 }
 
+/// What is read off both matrices of the network, "relaxed_E_1_Pa" and so on.
+void add_matrix_columns(FrameColumns& to, const FrameAnswer& first) {
+  const std::vector<NamedMatrix> matrices = network_matrices(first);
+  for (std::size_t k = 0; k < matrices.size(); ++k)
+    for (const io::Column<analysis::NetworkMatrix>& column : matrix_columns())
+      to.emplace_back(std::string(matrices[k].name) + "_" + column.heading, "",
+                      [k, of = column.of](const FrameAnswer& frame) -> std::optional<double> {
+                        const std::vector<NamedMatrix> its = network_matrices(frame);
+                        return k < its.size() ? of(*its[k].matrix) : std::nullopt;
+                      });
+}
+
 /// G of the network over that of rung 3.
 std::optional<double> network_over_relaxed(const FrameAnswer& frame) {
   const Moduli* network = network_moduli(frame);
@@ -125,6 +137,7 @@ io::Columns<FrameAnswer> frame_columns(const AnalyseAnswer& answer) {
   FrameColumns columns = state_columns();
   add_stress_columns(columns);
   add_rung_columns(columns, answer.frames.front().rungs);
+  add_matrix_columns(columns, answer.frames.front());
   columns.emplace_back("", "", network_over_relaxed, io::ShownColumn{"ratio", 9, 3, true, 1, "-"});
   return columns;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analyse.hpp"
+#include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 
 namespace granum::cli {
@@ -133,8 +133,8 @@ ordered_json json_of(const analysis::Network& n) {
           {"contacts", report.contacts},
           {"iterations", report.iterations},
           {"residual", report.residual},
-          {"distance_from_isotropy", n.symmetry.isotropic},
-          {"distance_from_transverse_isotropy", n.symmetry.transversely_isotropic},
+          {"distance_from_isotropy", n.relaxed.symmetry.isotropic},
+          {"distance_from_transverse_isotropy", n.relaxed.symmetry.transversely_isotropic},
           {"K_lower", n.bulk_bounds.lower},
           {"K_upper", n.bulk_bounds.upper}};
 }
@@ -175,6 +175,10 @@ ordered_json json_of(const FrameAnswer& frame) {
     json["moduli"][rung.name] = json_of(rung, network_moduli(frame));
   if (a.network)
     json["network"] = json_of(*a.network);
+  for (const NamedMatrix& m : network_matrices(frame))
+    json["network"][m.name] = matrix_json(*m.matrix);
+  if (a.bulk_density)
+    json["bulk_density"] = *a.bulk_density;
   json["notes"] = a.notes;
   json["warnings"] = frame.measured.warnings;
   json["seconds"] = frame.seconds;
@@ -202,7 +206,12 @@ ordered_json analyse_json(const AnalyseAnswer& answer) {
   ordered_json json = json_head("analyse");
   for (std::size_t k = 0; k < answer.files.size(); ++k)
     json["files"].push_back({{"path", answer.files[k]}, {"kind", io::description(answer.kinds[k])}});
-  json["conventions"] = {{"units", "SI"}, {"signs", "compression positive; z is the vertical axis v"}};
+  json["conventions"] = {
+      {"units", "SI"},
+      {"signs", "compression positive; z is the vertical axis v"},
+      {"stiffness",
+       "C of the network in the axes of the file, Voigt order 11 22 33 23 13 12, engineering shear "
+       "strains; moduli are projections: K and G isotropic, the others symmetric about z"}};
   json["frames_skipped"] = answer.skipped;
   json["frames"] = ordered_json::array();
   for (const FrameAnswer& frame : answer.frames)

@@ -113,6 +113,8 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
                       .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
   if (o.packing.grain_shear_modulus.given())
     out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
+  if (o.grain_density.given())
+    out.grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3");
   if (o.packing.tangential_ratio.given())
     out.tangential_ratio = o.packing.tangential_ratio.value;
   if (o.friction_angle.given())
@@ -133,6 +135,8 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->type_name("FILE");
   add_law_options(command, o.packing, "--law,--contact");
   command.get_option("--grain-shear-modulus")->default_str("from forces and overlaps");
+  add_number_without_default(command, "--grain-density", o.grain_density,
+                             "rho_s of the grains' solid, 2650kg/m3; without it no wave speeds");
   add_number_without_default(command, "--tangential-ratio", o.packing.tangential_ratio,
                              "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
   add_number_without_default(
@@ -157,10 +161,12 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->type_name("LENGTHS");
   command.add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
       ->capture_default_str();
-  command.add_flag("--no-network", o.no_network, "Leave rung 4 out, which takes the time");
+  command.add_flag("--no-network", o.no_network, "Leave rung 4 and its 6x6 out, which take the time");
   command.add_flag("--json", o.json, "Print one JSON object, SI units");
   command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
-  auto* out = add_path(command, "--out", o.out, "Folder for CSV, JSON and pictures")->type_name("DIR");
+  auto* out =
+      add_path(command, "--out", o.out, "Folder for CSV (frames, stiffness, rose, forces), JSON and pictures")
+          ->type_name("DIR");
   command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
   command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
       ->needs(out);

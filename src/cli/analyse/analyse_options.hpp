@@ -19,6 +19,7 @@ namespace granum::cli {
 struct AnalyseOptions {
   std::vector<std::string> files;
   PackingOptions packing; ///< contact law and grains
+  Number grain_density{0, Dimension::density};
   Number friction_angle{0, Dimension::angle};
   std::string column_map;
   std::string box;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -8,7 +9,7 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 
-#include "analyse.hpp"
+#include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 
 namespace granum::cli {
@@ -117,6 +118,12 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   const auto add = [&](const char* name, std::string text) { files.emplace_back(name, std::move(text)); };
   const FrameAnswer& last = answer.frames.back();
   add("frames.csv", frames_csv(answer));
+  if (std::any_of(answer.frames.begin(), answer.frames.end(),
+                  [](const FrameAnswer& frame) { return !network_matrices(frame).empty(); })) {
+    io::CsvContent stiffness = stiffness_csv(answer);
+    stiffness.notes = notes(answer);
+    add("stiffness.csv", io::csv_text(stiffness));
+  }
   if (last.measured.packing.fabric) {
     add("rose.csv", rose_csv(answer));
     add("rose.svg", rose_picture(last));

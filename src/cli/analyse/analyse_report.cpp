@@ -6,7 +6,7 @@
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 
-#include "analyse.hpp"
+#include "analyse_stiffness.hpp"
 
 namespace granum::cli {
 
@@ -162,8 +162,11 @@ std::string stated_error(const RungResult& rung) {
 }
 
 std::string moduli_text(const FrameAnswer& frame) {
-  std::string text = fmt::format("\n{:<24} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   network/this: K, G\n",
-                                 "moduli [MPa]", "K", "G", "G_hh", "G_vh", "C11", "C33");
+  std::string text =
+      "\nprojected: K and G of the nearest isotropic stiffness, the others of the nearest one that "
+      "is symmetric about z\n";
+  text += fmt::format("{:<24} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   network/this: K, G\n", "moduli [MPa]",
+                      "K", "G", "G_hh", "G_vh", "C11", "C33");
   const Moduli* network = network_moduli(frame);
   for (const RungResult& rung : frame.rungs) {
     text += fmt::format("  {:<22}", rung.title);
@@ -196,7 +199,7 @@ std::string frame_text(const FrameAnswer& frame) {
   if (a.law_check && a.law_check->contacts > 0)
     text += law_text(*a.law_check);
   if (!frame.rungs.empty())
-    text += moduli_text(frame);
+    text += moduli_text(frame) + stiffness_text(frame);
   if (!a.notes.empty())
     text += "\n";
   for (const std::string& note : a.notes)

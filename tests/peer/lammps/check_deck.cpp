@@ -119,6 +119,24 @@ States check_probes(const fs::path& folder) {
   return probed;
 }
 
+/// What `granum analyse` prints of the frozen states against what LAMMPS probes of them, in the planes of the
+/// file. A probe shears by a finite amplitude, at which a loose packing has lost more of its contacts.
+void check_printed(const fs::path& folder, triaxial::Density density, const States& probed) {
+  const double limit = density == triaxial::Density::dense ? 0.005 : 0.02;
+  for (const auto& [state, moduli] : probed) {
+    const Row printed = rows_of(folder / ("analysis." + state) / "frames.csv").at(0);
+    for (const auto& [modulus, column] :
+         {std::pair{"G_vh", "relaxed_C55_Pa"}, {"G_hh", "relaxed_C66_Pa"}, {"K", "relaxed_K_Pa"}}) {
+      const double off = number(printed, column) / moduli.at(modulus) - 1;
+      expect(std::abs(off) < limit, state + ": printed " + column + " over the probe - 1", off, limit);
+    }
+    std::printf("       C44 %.5g, C55 %.5g, C66 %.5g MPa; projected G_vh %.5g, G_hh %.5g\n",
+                number(printed, "relaxed_C44_Pa") / 1e6, number(printed, "relaxed_C55_Pa") / 1e6,
+                number(printed, "relaxed_C66_Pa") / 1e6, number(printed, "G_vh_rung4_Pa") / 1e6,
+                number(printed, "G_hh_rung4_Pa") / 1e6);
+  }
+}
+
 /// Compression by granum's own engine, from the same start: its last state, and the moduli of two.
 dem::Specimen own_compression(const studies::Scene& scene, triaxial::Density density, States& moduli) {
   const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, 1);
@@ -199,6 +217,7 @@ int main(int argc, char** argv) try {
   expect((moving > 0) == dense, "states on the stress path", static_cast<double>(moving), dense ? 1 : 0);
   const States probed = check_probes(folder);
   expect(probed.size() == 2 + moving, "states probed", static_cast<double>(probed.size()), 2);
+  check_printed(folder, dense ? triaxial::Density::dense : triaxial::Density::loose, probed);
   check_again(folder);
   check_own(folder, dense ? triaxial::Density::dense : triaxial::Density::loose, probed);
   return failures == 0 ? 0 : 1;

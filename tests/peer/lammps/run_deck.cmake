@@ -34,5 +34,11 @@ run(COMMAND "${PROGRAM}" export lammps --grains ${GRAINS} --set study.contacts=s
 run(COMMAND ${on_${RANKS}} -in in.all)
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/again.lmp" DESTINATION "${FOLDER}/${DENSITY}-1")
 run(COMMAND ${on_${others}} -in again.lmp)
+file(GLOB frozen RELATIVE "${FOLDER}/${DENSITY}-1" "${FOLDER}/${DENSITY}-1/atoms.*.frozen.dump")
+foreach(atoms IN LISTS frozen)
+  string(REGEX REPLACE "^atoms\\.(.*)\\.frozen\\.dump$" "\\1" state "${atoms}")
+  run(COMMAND "${PROGRAM}" analyse ${atoms} contacts.${state}.frozen.dump --grain-shear-modulus 30GPa
+    --out analysis.${state})
+endforeach()
 run(COMMAND "${CHECK}" . ${DENSITY})
 message(STATUS "${last_output}")
