@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/scene/scene.hpp"
@@ -120,9 +121,9 @@ States check_probes(const fs::path& folder) {
 }
 
 /// What `granum analyse` prints of the frozen states against what LAMMPS probes of them, in the planes of the
-/// file. A probe shears by a finite amplitude, at which a loose packing has lost more of its contacts.
-void check_printed(const fs::path& folder, triaxial::Density density, const States& probed) {
-  const double limit = density == triaxial::Density::dense ? 0.005 : 0.02;
+/// file: of 500 grains within 0.05 % dense, 0.21 % loose, where projections about z were off by up to 6 %.
+void check_printed(const fs::path& folder, const States& probed) {
+  constexpr double limit = 0.005;
   for (const auto& [state, moduli] : probed) {
     const Row printed = rows_of(folder / ("analysis." + state) / "frames.csv").at(0);
     for (const auto& [modulus, column] :
@@ -217,7 +218,7 @@ int main(int argc, char** argv) try {
   expect((moving > 0) == dense, "states on the stress path", static_cast<double>(moving), dense ? 1 : 0);
   const States probed = check_probes(folder);
   expect(probed.size() == 2 + moving, "states probed", static_cast<double>(probed.size()), 2);
-  check_printed(folder, dense ? triaxial::Density::dense : triaxial::Density::loose, probed);
+  check_printed(folder, probed);
   check_again(folder);
   check_own(folder, dense ? triaxial::Density::dense : triaxial::Density::loose, probed);
   return failures == 0 ? 0 : 1;
