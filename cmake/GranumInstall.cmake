@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
 
-# One export a library: who asks for one of them loads what that one needs and no more.
+# One export a library: a project that names one component loads only what that component needs.
 foreach(library IN LISTS granum_built)
   install(TARGETS granum_${library}
     EXPORT granum-${library}

@@ -20,7 +20,7 @@ function(granum_compile_settings target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
-  # Private headers are named by their path below src; tests/layering says who may include whose.
+  # Private headers are named by their path below src; tests/layering says which module may include which.
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
 endfunction()
 

@@ -165,13 +165,13 @@ void Engine::Data::sweep(double elapsed) {
       sums[c].walls = walls->sweep(law, input, chunk.grains, tangential, load, sums[c].contacts);
   };
   const auto settle = [&](std::size_t c) {
-    sums[c].power = settle_loads(grains, parts.chunks[c], parts.loans, load);
+    sums[c].power = settle_loads(grains, parts.chunks[c], parts.additions, load);
   };
   if (team) {
     each_chunk(contacts_of);
     each_chunk(settle);
   } else {
-    // Loans come from earlier chunks alone, as j > i: what a chunk needs is there, and still near.
+    // j > i: only earlier chunks fill spare rows for a chunk, and those rows are still in the cache.
     each_chunk([&](std::size_t c) {
       contacts_of(c);
       settle(c);
@@ -209,7 +209,8 @@ void Engine::Data::take_figures(const SweepSums& total) {
   figures.p_wave_modulus = total.stiffness * (1.0 / 5 + 2.0 / 15 * ratio) / volume;
 }
 
-/// Now and then, and at once when contacts have become stiffer or more by a tenth.
+/// True every time_step_interval steps, and at once when the largest stiffness or the number of contacts has
+/// grown by a tenth.
 bool Engine::Data::time_step_is_due() const {
   return steps % time_step_interval == 0 || stiffest > 1.1 * stiffest_chosen ||
          10 * (figures.contacts + figures.wall_contacts) > 11 * contacts_chosen;

@@ -142,7 +142,7 @@ class Minimiser {
       if (walls_)
         balance.all += walls_->sweep(law_, input, chunk.grains, false, load_, sums).contacts;
       // Spare rows come from earlier chunks alone, as j > i.
-      balance.grains += settle_pushes(grains_, chunk, parts_.loans, load_);
+      balance.grains += settle_pushes(grains_, chunk, parts_.additions, load_);
       balance.contacts += sums;
     }
     balance.all += balance.contacts.contacts;

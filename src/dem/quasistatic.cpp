@@ -15,9 +15,9 @@ namespace {
 
 /// The servo closes the gap between stress and target in about this many steps.
 constexpr double servo_steps = 40;
-/// Steps between two looks at the stop criteria.
+/// The stop criteria are checked after this many steps, again and again.
 constexpr std::size_t check_interval = 10;
-/// Steps between two questions whether the motion is finite.
+/// Steps between two checks that the motion is finite.
 constexpr std::size_t watch_interval = 500;
 
 double square(double x) { return x * x; }
@@ -59,7 +59,7 @@ void conclude(const Engine& engine, QuasistaticReport& report) {
     report.outcome = Outcome::unstable;
 }
 
-/// Whether the stress has stopped moving, or moves steadily; looked at once in a spell.
+/// Whether the stress no longer changes, or changes at a steady rate; checked every settle_steps steps.
 class StressWatch {
  public:
   StressWatch(const QuasistaticOptions& options, const Mat3& stress)

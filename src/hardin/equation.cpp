@@ -7,7 +7,7 @@
 
 namespace granum::hardin {
 
-double shear_modulus(const Equation& equation, const State& state) {
+double shear_modulus(const Equation& equation, const SoilState& state) {
   const double pa = require_positive("atmospheric_pressure", equation.atmospheric_pressure, "Pa");
   const double c = require_positive("coefficient", equation.coefficient);
   const double m = require_finite("exponent_i", equation.exponent_i);

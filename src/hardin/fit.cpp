@@ -170,7 +170,8 @@ Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t itera
 // --- from rows to the problem, and back
 // ------------------------------------------------------------------------------
 
-Problem make_problem(std::span<const Measurement> rows, const FitOptions& options, Eigen::Index parameters) {
+Problem make_problem(std::span<const MeasuredModulus> rows, const FitOptions& options,
+                     Eigen::Index parameters) {
   const double pa = require_positive("atmospheric_pressure", options.atmospheric_pressure, "Pa");
   if (rows.size() <= static_cast<std::size_t>(parameters))
     throw InvalidArgument("a fit of " + std::to_string(parameters) +
@@ -180,7 +181,7 @@ Problem make_problem(std::span<const Measurement> rows, const FitOptions& option
   Problem problem{Eigen::MatrixXd::Ones(count, parameters), Eigen::VectorXd(count), Eigen::VectorXd(count),
                   options.weights, 1};
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Measurement& row = rows[static_cast<std::size_t>(k)];
+    const MeasuredModulus& row = rows[static_cast<std::size_t>(k)];
     try {
       require_valid(row, options.void_ratio_function);
     } catch (const InvalidArgument& error) {
@@ -299,13 +300,13 @@ void note_correlation(const Problem& problem, const Eigen::VectorXd& theta, Vali
                  short_text(correlation) + "); their sum s is the better number");
 }
 
-void note_unequal_stresses(std::span<const Measurement> rows, Validity& validity) {
-  const auto log_ratio = [](const Measurement& row) {
+void note_unequal_stresses(std::span<const MeasuredModulus> rows, Validity& validity) {
+  const auto log_ratio = [](const MeasuredModulus& row) {
     return std::log(row.state.stress_i / row.state.stress_j);
   };
   const double first = log_ratio(rows.front());
   double spread = 0, offset = 0;
-  for (const Measurement& row : rows) {
+  for (const MeasuredModulus& row : rows) {
     spread = std::max(spread, std::abs(log_ratio(row) - first));
     offset = std::max(offset, std::abs(log_ratio(row)));
   }
@@ -330,14 +331,14 @@ const Fit& FitReport::fit() const {
   return last_;
 }
 
-void require_valid(const Measurement& row, VoidRatioFunction function) {
+void require_valid(const MeasuredModulus& row, VoidRatioFunction function) {
   require_positive("shear_modulus", row.shear_modulus, "Pa");
   require_positive("stress_i", row.state.stress_i, "Pa");
   require_positive("stress_j", row.state.stress_j, "Pa");
   (void)void_ratio_value(function, row.state.void_ratio);
 }
 
-FitReport fit(std::span<const Measurement> rows, const FitOptions& options) {
+FitReport fit(std::span<const MeasuredModulus> rows, const FitOptions& options) {
   Problem problem = make_problem(rows, options, 3);
   require_distinct_exponents(problem.design);
   const Solution solution = solve(problem, start_of(problem), options.iteration_limit);
@@ -346,7 +347,7 @@ FitReport fit(std::span<const Measurement> rows, const FitOptions& options) {
   return {solution.status, solution.iterations, std::move(result)};
 }
 
-FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options) {
+FitReport fit_exponent_sum(std::span<const MeasuredModulus> rows, const FitOptions& options) {
   Problem problem = make_problem(rows, options, 2);
   const Eigen::VectorXd u = problem.design.col(1);
   if (u.maxCoeff() - u.minCoeff() < smallest_scatter)

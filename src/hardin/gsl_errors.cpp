@@ -8,7 +8,7 @@ namespace granum::hardin {
 namespace {
 
 std::mutex handler_mutex;
-std::size_t users = 0; ///< GslErrorsReturned that live
+std::size_t users = 0; ///< objects of GslErrorsReturned that exist
 gsl_error_handler_t* handler_before = nullptr;
 
 } // namespace

@@ -12,12 +12,12 @@
 
 #include <granum/core/error.hpp>
 
-/// Calls of GSL that tell their errors by exceptions: GSL's own handler of errors would abort the program.
+/// Calls of GSL whose errors become exceptions: GSL's own error handler would abort the program.
 namespace granum::hardin {
 
-/// GSL's handler of errors is one for the whole program. While at least one of these lives, in whatever
-/// thread, there is none, so that functions of GSL return their error; the last one puts back the handler
-/// that the first one found. Checked by tests/hardin/test_gsl_errors.cpp
+/// GSL has one error handler for the whole program. While at least one object of this class exists, in any
+/// thread, that handler is off, so that functions of GSL return their error; the last object puts back the
+/// handler that the first one found. Checked by tests/hardin/test_gsl_errors.cpp
 class GslErrorsReturned {
  public:
   GslErrorsReturned();
@@ -33,7 +33,7 @@ using GslVector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
 using GslMatrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
 using LinearWorkspace = std::unique_ptr<gsl_multifit_linear_workspace, decltype(&gsl_multifit_linear_free)>;
 
-/// What GSL allocated, if it did.
+/// The handle, checked: GSL returns null where there is no memory.
 /// \throws   Error if there is no memory, as the next three do
 template <class Handle>
 Handle required(Handle handle, std::size_t rows) {

@@ -33,7 +33,7 @@ double count_within(const std::vector<double>& sorted, double low, double high) 
 } // namespace
 
 std::optional<FrictionEstimate> estimate_friction(const Assembly& assembly) {
-  constexpr double window = 1e-4; // of the limit itself; 0.9 to 0.99 of it tells what is usual nearby
+  constexpr double window = 1e-4; // relative, below the limit; 0.9 to 0.99 of it gives the usual density
   constexpr double fewest = 5, excess = 10;
   const std::vector<double> ratios = force_ratios(assembly);
   std::optional<FrictionEstimate> found;

@@ -58,7 +58,8 @@ double drag(const dem::Engine& engine, const dem::Specimen& state) {
   return 4 * std::numbers::pi * speed / ((state.walls ? 2 : 1) * edge(engine));
 }
 
-/// Steps in which that wave passes several times, and slower, softer modes show that they still move.
+/// Steps in which the slowest shear wave crosses the cell several times, so that softer modes that still move
+/// are seen.
 std::size_t spell(const dem::Engine& engine) {
   return static_cast<std::size_t>(20 * std::ceil(edge(engine) / engine.diameter()));
 }
@@ -76,10 +77,11 @@ struct Probed {
   double amplitude;
 };
 
-/// Grains held by two or three contacts are the last to rest: their springs are 1e-5 of those of a contact.
-/// Adaptive drag follows them where the drag of the waves lets them creep for tens of thousands of steps;
-/// but for a rattler on its way out it all but vanishes, and nothing else comes to rest either. The drag of
-/// the waves then has its turn, and the stress may settle.
+/// Brings the specimen to rest in two stages, first with adaptive drag, then with the drag of the waves.
+/// Grains held by two or three contacts rest last: what holds them is 1e-5 times as stiff as a contact. With
+/// the drag of the waves they creep for tens of thousands of steps; adaptive drag becomes small enough for
+/// them. But while a rattler is being squeezed out, adaptive drag nearly vanishes and no grain comes to rest.
+/// Then the second stage runs, which also ends when the stress settles.
 dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag,
                                     const dem::QuasistaticOptions& relax) {
   dem::QuasistaticOptions forces_alone = relax;
@@ -130,7 +132,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   };
   const double start = shear_stress(specimen.start);
   const Vec3 held = engine.figures().boundary_stress;
-  // What does not come to rest here drifts by more than the shear brings about, and no leg would end.
+  // A specimen that does not rest here drifts by more stress than the shear causes, and no leg would end.
   const auto hopeless = [&] { return !options.sliding && !result.converged; };
   if (hopeless())
     return result;

@@ -21,7 +21,7 @@ constexpr double servo_steps = 20;
 constexpr double integral_factor = 10;
 /// Strain rate that a servo may reach, in driven rates: a dilating specimen near its peak needs 1 at most.
 constexpr double largest_servo_rate = 3;
-/// Steps between two questions whether the motion is finite.
+/// Steps between two checks that the motion is finite.
 constexpr std::size_t watch_interval = 500;
 
 bool drives_axial(stress::ShearPath path) {
@@ -71,7 +71,7 @@ double ShearTest::servo_rate(Servo& servo, double gap, double modulus, double li
   const double per_step = 1 / (servo_steps * integral_factor);
   const double proportional = gap / (modulus * servo_steps * engine_.time_step());
   const double wanted = proportional + servo.integral;
-  // No winding up while the rate is at its limit.
+  // The integral is held while the rate is at its limit, so that it does not overshoot later.
   if (std::abs(wanted) < limit || wanted * gap < 0)
     servo.integral = std::clamp(servo.integral + per_step * proportional, -limit, limit);
   return std::clamp(wanted, -limit, limit);

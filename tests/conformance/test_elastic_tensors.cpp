@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults seen in public codes that deal with elastic and fabric tensors, one case each: what granum does
-// there.
-// W... numbers a wrong formula, 3.5 absolute tolerances, 3.6 identities that every code should keep.
+// Faults of public codes that deal with elastic and fabric tensors, and identities that every such code
+// should keep. Each test shows that granum does not have the fault, or keeps the identity, that its name
+// states.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,7 +51,7 @@ packing::Assembly row_of_four() {
 
 } // namespace
 
-TEST_CASE("W16: the full matrix of transverse isotropy has every entry once, C33 and C23 among them") {
+TEST_CASE("fault, entries lost: the full matrix of transverse isotropy has C33 and C23 too") {
   const Matrix6 c = voigt(shale).matrix;
   CHECK(c(0, 0) == 34.3e9);
   CHECK(c(1, 1) == 34.3e9);
@@ -72,7 +72,7 @@ TEST_CASE("W16: the full matrix of transverse isotropy has every entry once, C33
   CHECK(back.C12 == relative(shale.C12, 1e-15));
 }
 
-TEST_CASE("W17: Thomsen parameters go by name, and a round trip permutes none of them") {
+TEST_CASE("fault, results permuted: Thomsen parameters go by name, and a round trip permutes none of them") {
   const ThomsenSolid solid = thomsen_solid(shale, 2400);
   // definitions, typed anew
   CHECK(solid.vertical_p_speed == relative(std::sqrt(22.7e9 / 2400), 1e-15));
@@ -96,7 +96,7 @@ TEST_CASE("W17: Thomsen parameters go by name, and a round trip permutes none of
   CHECK(after.pure_s.speed == relative(before.pure_s.speed, 1e-14));
 }
 
-TEST_CASE("W20: a contact that is left out leaves the sums of the others whole, wherever it stands") {
+TEST_CASE("fault, wrong contact removed: leaving one out keeps the sums of the others") {
   for (std::size_t left_out = 0; left_out < 3; ++left_out) {
     packing::Assembly row = row_of_four();
     row.contacts.erase(row.contacts.begin() + static_cast<std::ptrdiff_t>(left_out));
@@ -114,7 +114,7 @@ TEST_CASE("W20: a contact that is left out leaves the sums of the others whole, 
       CHECK(std::abs(A(i, j)) < 1e-15);
 }
 
-TEST_CASE("3.5: a soil at 100 MPa is judged by relative distances, the same in Pa and in GPa") {
+TEST_CASE("fault, absolute tolerance: a soil at 100 MPa is judged alike in Pa and in GPa") {
   const SymmetryDistances in_Pa = symmetry_distances(voigt(soil));
   CHECK(in_Pa.transversely_isotropic < 1e-15);
   CHECK(in_Pa.cubic > 5e-3); // not cubic: an absolute 1e-3 GPa would have called it so
@@ -127,7 +127,7 @@ TEST_CASE("3.5: a soil at 100 MPa is judged by relative distances, the same in P
   }
 }
 
-TEST_CASE("3.5: isotropic data in Pa are isotropic in spite of their rounding") {
+TEST_CASE("fault, absolute tolerance: isotropic data in Pa are isotropic in spite of their rounding") {
   for (const double size : {1e-3, 1e5, 1e11}) {
     const SymmetryDistances d = symmetry_distances(voigt(Isotropic::from_young_and_poisson(size, 0.217)));
     CHECK(d.isotropic < 1e-15);
@@ -135,13 +135,13 @@ TEST_CASE("3.5: isotropic data in Pa are isotropic in spite of their rounding") 
   }
 }
 
-TEST_CASE("3.5: eigenvalues are those of the tensor, not of the Voigt matrix") {
+TEST_CASE("fault, Voigt eigenvalues: they are those of the tensor, not of the Voigt matrix") {
   const double K = 60e6, G = 40e6;
   const MandelStiffness c = mandel(voigt(Isotropic::from_bulk_and_shear(K, G)));
   CHECK(relative_smallest_eigenvalue(c) == relative(2 * G / (3 * K), 1e-14)); // Voigt: G/(3K)
 }
 
-TEST_CASE("3.5: a bad stiffness is an error to catch, and never ends the program") {
+TEST_CASE("fault, program ended: a bad stiffness is an error that the caller can catch") {
   VoigtStiffness broken = voigt(soil);
   broken.matrix(2, 2) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS((void)symmetry_distances(broken), InvalidArgument);
@@ -149,7 +149,7 @@ TEST_CASE("3.5: a bad stiffness is an error to catch, and never ends the program
   CHECK_THROWS_AS((void)plane_waves(broken, 1600, {0, 0, 1}), InvalidArgument);
 }
 
-TEST_CASE("3.6: the density of contact normals integrates to one, and is none beyond |a| = 1") {
+TEST_CASE("identity: the density of contact normals integrates to one, and is none beyond |a| = 1") {
   for (double a = -1; a <= 1; a += 0.0625) {
     double whole = 0, least = 1;
     for (const auto& [x, w] : gauss_legendre(12)) {
@@ -163,7 +163,7 @@ TEST_CASE("3.6: the density of contact normals integrates to one, and is none be
   CHECK_THROWS_AS((void)fabric::density(0, -1.01), InvalidArgument);
 }
 
-TEST_CASE("3.6: a, F33 and the contact tensor of LAMMPS map into one another exactly") {
+TEST_CASE("identity: a, F33 and the contact tensor of LAMMPS map into one another exactly") {
   for (const double a : {-1.0, -0.4, 1e-12, 0.3, 1.0}) {
     const auto m = fabric::measures_from_anisotropy(a);
     CHECK(m.F33 == relative((5 + a) / (5 * (3 - a)), 1e-15));
@@ -173,7 +173,7 @@ TEST_CASE("3.6: a, F33 and the contact tensor of LAMMPS map into one another exa
   }
 }
 
-TEST_CASE("3.6: a fabric beyond the density is reported and not clipped") {
+TEST_CASE("fault, silent clipping: a fabric beyond the density is reported and not clipped") {
   for (const double F33 : {0.0, 0.1, 0.65, 1.0}) {
     const auto m = fabric::measures_from_F33(F33);
     CHECK(m.anisotropy == relative((15 * F33 - 5) / (1 + 5 * F33), 1e-14));
@@ -185,7 +185,7 @@ TEST_CASE("3.6: a fabric beyond the density is reported and not clipped") {
   CHECK_THROWS_AS((void)fabric::measures_from_F33(1.01), InvalidArgument);
 }
 
-TEST_CASE("3.6: isotropic contacts scatter a by 1.677/sqrt(N_c)") {
+TEST_CASE("identity: isotropic contacts scatter a by 1.677/sqrt(N_c)") {
   CHECK(fabric::isotropic_standard_error(29500) == relative(1.677 / std::sqrt(29500), 1e-3));
   std::uint64_t seed = 1;
   for (const std::size_t contacts : {200UL, 1000UL, 5000UL}) {
@@ -200,7 +200,7 @@ TEST_CASE("3.6: isotropic contacts scatter a by 1.677/sqrt(N_c)") {
   }
 }
 
-TEST_CASE("3.6: the average over contacts is the scalar formula of Hertz and Mindlin") {
+TEST_CASE("identity: the average over contacts is the scalar formula of Hertz and Mindlin") {
   const double K = 36.6e9, G = 45e9, nu = (3 * K - 2 * G) / (2 * (3 * K + G));
   for (const double radius : {1.0, 0.5e-3}) {
     effective::State state{.law = contact::PowerLaw::sphere({G, nu}, radius),
@@ -220,7 +220,7 @@ TEST_CASE("3.6: the average over contacts is the scalar formula of Hertz and Min
   }
 }
 
-TEST_CASE("3.6: which coordination number is meant has a name, and no contacts is no mean, not NaN") {
+TEST_CASE("fault, NaN without contacts: each coordination number has its own name, and none is NaN") {
   const packing::Assembly row = row_of_four();
   CHECK(coordination_number(row) == 1.5); // 2 N_c over all grains
   const auto mechanical = mechanical_coordination(row, packing::ContactKind::frictional);

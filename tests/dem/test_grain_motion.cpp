@@ -42,14 +42,14 @@ TEST_CASE("sums over forces count what spare rows hold") {
   const Vec3 lent{0.5, 4, -3};
   load.push_back(LoadRow{});
   add_force(load.back(), lent);
-  const std::vector<Loan> loans = {{count, 2}};
-  const Chunk chunk{.grains = {1, 5}, .pairs = {}, .spare_rows = {}, .loans = {0, 1}};
+  const std::vector<Addition> additions = {{count, 2}};
+  const Chunk chunk{.grains = {1, 5}, .pairs = {}, .spare_rows = {}, .additions = {0, 1}};
   PushSums expected;
   for (std::size_t g = 1; g < 5; ++g) {
     const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
     expected += {.power = dot(f, grains.velocity(g)), .squares = dot(f, f), .lengths = norm(f)};
   }
-  const PushSums sums = settle_pushes(grains, chunk, loans, load);
+  const PushSums sums = settle_pushes(grains, chunk, additions, load);
   CHECK(sums.power == relative(expected.power, 1e-14));
   CHECK(sums.squares == relative(expected.squares, 1e-14));
   CHECK(sums.lengths == relative(expected.lengths, 1e-14));

@@ -128,8 +128,8 @@ TEST_CASE("a partition holds every pair once, and each chunk writes rows that no
   std::vector<int> writer(parts.rows, -1);
   std::vector<std::uint32_t> owner(parts.rows);
   std::iota(owner.begin(), owner.end(), 0u);
-  for (const Loan& loan : parts.loans)
-    owner[loan.row] = loan.grain;
+  for (const Addition& addition : parts.additions)
+    owner[addition.row] = addition.grain;
   std::size_t next = 0;
   for (std::size_t c = 0; c < parts.chunks.size(); ++c) {
     const Chunk& chunk = parts.chunks[c];
@@ -146,11 +146,11 @@ TEST_CASE("a partition holds every pair once, and each chunk writes rows that no
       REQUIRE((pairs[next].i == pair.i && pairs[next].j == pair.j && pairs[next].image == pair.image));
       ++next;
     }
-    for (std::size_t k = chunk.loans.begin; k < chunk.loans.end; ++k) {
-      const std::uint32_t grain = parts.loans[k].grain;
+    for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k) {
+      const std::uint32_t grain = parts.additions[k].grain;
       REQUIRE((grain >= chunk.grains.begin && grain < chunk.grains.end));
     }
   }
   CHECK(next == pairs.size());
-  CHECK(parts.loans.size() == parts.rows - state.grain_count());
+  CHECK(parts.additions.size() == parts.rows - state.grain_count());
 }

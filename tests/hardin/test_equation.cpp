@@ -44,7 +44,7 @@ TEST_CASE("another atmospheric pressure changes C by its power 1 - s, never the 
 }
 
 TEST_CASE("constants and states outside their range are refused") {
-  const State state{1e5, 1e5, 0.6};
+  const SoilState state{1e5, 1e5, 0.6};
   Equation bad = sand;
   bad.atmospheric_pressure = 0;
   CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);

@@ -21,8 +21,8 @@ constexpr double pa = 1e5;
 /// The paper's states between eta = -0.6 and 0.6 in steps of 0.05, from the isotropic 100 kPa: TXC and TXE
 /// change one stress upwards, RTXC and RTXE the same downwards. `stress_i` is horizontal, `stress_j`
 /// vertical, as for G_hv.
-std::vector<State> triaxial_paths() {
-  std::vector<State> states{{pa, pa, 0.558}};
+std::vector<SoilState> triaxial_paths() {
+  std::vector<SoilState> states{{pa, pa, 0.558}};
   for (int step = 1; step <= 12; ++step) {
     const double eta = 0.05 * step;
     const double compression = (3 + 2 * eta) / (3 - eta); // sigma_v/sigma_h at q/p' = eta
@@ -35,16 +35,16 @@ std::vector<State> triaxial_paths() {
   return states;
 }
 
-std::vector<State> isotropic_path() {
-  std::vector<State> states;
+std::vector<SoilState> isotropic_path() {
+  std::vector<SoilState> states;
   for (int step = 1; step <= 10; ++step)
     states.push_back({0.1 * step * pa, 0.1 * step * pa, 0.56});
   return states;
 }
 
-std::vector<Measurement> measured(const Equation& equation, const std::vector<State>& states) {
-  std::vector<Measurement> rows;
-  for (const State& state : states)
+std::vector<MeasuredModulus> measured(const Equation& equation, const std::vector<SoilState>& states) {
+  std::vector<MeasuredModulus> rows;
+  for (const SoilState& state : states)
     rows.push_back({shear_modulus(equation, state), state});
   return rows;
 }
@@ -57,7 +57,7 @@ FitOptions with(Weights weights) { return {.atmospheric_pressure = pa, .weights 
 
 /// The message with which a fit is refused; empty if it is done.
 template <typename Fitter>
-std::string refusal(Fitter fitter, const std::vector<Measurement>& rows) {
+std::string refusal(Fitter fitter, const std::vector<MeasuredModulus>& rows) {
   try {
     (void)fitter(rows, with(Weights::relative));
   } catch (const InvalidArgument& error) {
@@ -104,7 +104,7 @@ TEST_CASE("noise in the moduli moves the result by what the standard errors say"
     boost::random::normal_distribution<double> normal;
     for (int seed = 0; seed < seeds; ++seed) {
       auto rows = measured(truth, states);
-      for (Measurement& row : rows)
+      for (MeasuredModulus& row : rows)
         if (weights == Weights::relative)
           row.shear_modulus *= std::exp(0.03 * normal(bits));
         else
@@ -134,7 +134,7 @@ TEST_CASE("the two weights differ on noisy data, and each is at its own minimum"
   const FitReport absolute_report = fit(rows, with(Weights::absolute));
   const auto cost = [&](Equation trial, Weights weights) {
     double sum = 0;
-    for (const Measurement& row : rows) {
+    for (const MeasuredModulus& row : rows) {
       const double g = shear_modulus(trial, row.state);
       const double r = weights == Weights::relative ? std::log(row.shear_modulus / g) : row.shear_modulus - g;
       sum += r * r;
@@ -171,7 +171,7 @@ TEST_CASE("covariance, residuals and R squared belong together") {
   CHECK(std::sqrt(v[1][1]) == relative(result.exponent_i->standard_error, 1e-12));
   CHECK(std::sqrt(v[1][1] + v[2][2] + 2 * v[1][2]) == relative(result.exponent_sum.standard_error, 1e-12));
   double residual = 0, total = 0, mean = 0;
-  for (const Measurement& row : rows)
+  for (const MeasuredModulus& row : rows)
     mean += row.shear_modulus / static_cast<double>(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     CHECK(result.residuals[k] ==
@@ -186,7 +186,7 @@ TEST_CASE("units of the data change nothing but C") {
   auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
   rows[3].shear_modulus *= 1.2;
   const FitReport first = fit(rows, with(Weights::absolute));
-  for (Measurement& row : rows) {
+  for (MeasuredModulus& row : rows) {
     row.shear_modulus *= 8;
     row.state.stress_i *= 8;
     row.state.stress_j *= 8;
@@ -201,7 +201,7 @@ TEST_CASE("a proportional path gives s only, and says so") {
   auto states = isotropic_path();
   CHECK(refusal(fit, measured(truth, states)).find("only the sum s = m + n has a meaning") !=
         std::string::npos);
-  for (State& state : states)
+  for (SoilState& state : states)
     state.stress_j *= 0.5;
   CHECK(refusal(fit, measured(truth, states)).find("only the sum s = m + n has a meaning") !=
         std::string::npos);
@@ -248,11 +248,10 @@ TEST_CASE("rows that cannot be fitted are refused") {
         std::string::npos);
   CHECK(refusal(fit_exponent_sum, {rows.begin(), rows.begin() + 2}).find("needs at least 3 rows, not 2") !=
         std::string::npos);
-  CHECK(refusal(fit, std::vector<Measurement>(6, rows[0])).find("all rows have the same stresses") !=
+  CHECK(refusal(fit, std::vector<MeasuredModulus>(6, rows[0])).find("all rows have the same stresses") !=
         std::string::npos);
-  CHECK(
-      refusal(fit_exponent_sum, std::vector<Measurement>(6, rows[0])).find("all rows have the same stress") !=
-      std::string::npos);
+  CHECK(refusal(fit_exponent_sum, std::vector<MeasuredModulus>(6, rows[0]))
+            .find("all rows have the same stress") != std::string::npos);
   rows[4].state.stress_j = -5e3;
   CHECK(refusal(fit, rows) == "row 5: stress_j = -5000 Pa is outside (0, inf)");
   rows[4].state.stress_j = std::numeric_limits<double>::quiet_NaN();

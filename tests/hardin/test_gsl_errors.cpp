@@ -38,8 +38,8 @@ class HostHandler {
   gsl_error_handler_t* before_;
 };
 
-std::vector<hardin::Measurement> measurements() {
-  std::vector<hardin::Measurement> rows;
+std::vector<hardin::MeasuredModulus> measurements() {
+  std::vector<hardin::MeasuredModulus> rows;
   for (int k = 1; k <= 12; ++k) {
     const double i = 1e4 * k, j = 1e4 * (1 + k * k % 7);
     rows.push_back({8e7 * std::pow(i, 0.3) * std::pow(j, 0.2) * (1 + 0.01 * (k % 3)), {i, j, 0.6}});
@@ -83,7 +83,7 @@ TEST_CASE("a polynomial through fewer places than it has terms is finite, or ref
 
 TEST_CASE("fits in several threads leave the host its handler") {
   const HostHandler host;
-  const std::vector<hardin::Measurement> rows = measurements();
+  const std::vector<hardin::MeasuredModulus> rows = measurements();
   const hardin::FitOptions options{.atmospheric_pressure = 100e3};
   const double expected = hardin::fit(rows, options).fit().exponent_sum.value;
   std::atomic<int> different = 0;

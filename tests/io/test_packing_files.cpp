@@ -65,7 +65,7 @@ TEST_CASE("packing files: each format is told by what stands in it") {
 TEST_CASE("packing files: every format says what it is, and files of its own kinds are told by no other") {
   for (const PackingFormat* format : packing_formats) {
     INFO(format->name);
-    CHECK_FALSE((format->name.empty() || format->told_by.empty() || format->grains.empty()));
+    CHECK_FALSE((format->name.empty() || format->sign.empty() || format->grains.empty()));
     CHECK(description({format, Holds::grains}) == format->grains);
     CHECK(description({format, Holds::contacts}) == format->contacts);
   }

@@ -9,7 +9,7 @@
 #include "relative.hpp"
 
 using namespace granum;
-using hardin::Measurement;
+using hardin::MeasuredModulus;
 using studies::fit_series;
 
 namespace {
@@ -23,7 +23,7 @@ std::vector<Measurement> states(double m, double n, double step, int count = 6) 
                                   .void_ratio_function = hardin::VoidRatioFunction::none};
   std::vector<Measurement> out;
   for (int k = 0; k < count; ++k) {
-    const hardin::State state{(50e3 + 20e3 * k) * (1 + step * k * k), 50e3 + 20e3 * k, 0.6};
+    const hardin::SoilState state{(50e3 + 20e3 * k) * (1 + step * k * k), 50e3 + 20e3 * k, 0.6};
     out.push_back({hardin::shear_modulus(equation, state), state});
   }
   return out;

@@ -167,12 +167,12 @@ TEST_CASE("frame: three frames of one specimen give the exponent of its contacts
   }
   io::LammpsDump dump(io::TextSource::of_text("grains", grains),
                       io::TextSource::of_text("contacts", contacts));
-  std::vector<hardin::Measurement> measured, own;
+  std::vector<hardin::MeasuredModulus> measured, own;
   while (const auto packing = dump.next()) {
     const MeasuredFrame frame = measure_frame(*packing, known);
     const analysis::Measurement& a = frame.packing;
     REQUIRE((a.network && a.state));
-    const hardin::State state{a.state->stress_v, a.state->stress_h, a.void_ratio};
+    const hardin::SoilState state{a.state->stress_v, a.state->stress_h, a.void_ratio};
     measured.push_back({a.network->isotropic_relaxed().shear_modulus(), state});
     const packing::Assembly& direct = states[static_cast<std::size_t>(frame.step)];
     own.push_back(

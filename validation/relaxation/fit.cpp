@@ -266,7 +266,7 @@ double exponent_by_law(const Packing& last, const granum::effective::ClosingGapL
 
 /// s of a path, fitted as `granum verify` does.
 double fitted_exponent(const std::vector<const Packing*>& path) {
-  std::vector<granum::hardin::Measurement> rows;
+  std::vector<granum::hardin::MeasuredModulus> rows;
   for (const Packing* p : path)
     rows.push_back({own_shear_modulus(*p), {p->pressure, p->pressure, p->state.void_ratio}});
   return granum::hardin::fit_exponent_sum(rows,

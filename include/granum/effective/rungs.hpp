@@ -26,7 +26,7 @@ enum class RungName {
   probe           ///< rung 5, simulation of one
 };
 
-/// A packing as the closed forms are asked about it.
+/// What the closed forms take of a packing.
 struct RungInputs {
   State state;
   std::optional<double> mechanical_coordination_number = std::nullopt; ///< z*, where it is known
@@ -44,22 +44,22 @@ struct RungAnswer {
 /// One row of the table.
 struct Rung {
   RungName name;
-  std::optional<int> number; ///< on the ladder, where it is on it
-  const char* key;           ///< on a command line
-  const char* column;        ///< in headings and JSON
+  std::optional<int> number = std::nullopt; ///< on the ladder, where it is on it
+  const char* key;                          ///< on a command line
+  const char* column;                       ///< in headings and JSON
   const char* title;
   const char* description;
-  const char* needs;        ///< beyond contact law, C_n, e and the mean stress, in symbols
-  bool needs_fabric;        ///< a that was measured: what it says hangs on it
-  bool needs_coordination;  ///< z*
-  bool needs_packing;       ///< grains and contacts, no State: the functions below refuse it
-  double typical_time;      ///< of one evaluation, as measured in validation/ladder [s]
-  const char* error_source; ///< where its stated errors come from
+  const char* needs;               ///< beyond contact law, C_n, e and the mean stress, in symbols
+  bool needs_fabric = false;       ///< a that was measured: its answer depends on it
+  bool needs_coordination = false; ///< z*
+  bool needs_packing = false;      ///< grains and contacts, no State: the functions below refuse it
+  double typical_time;             ///< of one evaluation, as measured in validation/ladder [s]
+  const char* error_source;        ///< where its stated errors come from
 
-  // What the functions below call, at a packing that has what the rung needs.
-  RungAnswer (*answer)(const RungInputs& packing);
-  StressExponents (*exponents)(const RungInputs& packing, Modulus which);
-  CalibratedGradient (*gradient)(const RungInputs& packing, Modulus which);
+  // What the functions below call, at a packing that has what the rung needs; null where it needs a packing.
+  RungAnswer (*answer)(const RungInputs& packing) = nullptr;
+  StressExponents (*exponents)(const RungInputs& packing, Modulus which) = nullptr;
+  CalibratedGradient (*gradient)(const RungInputs& packing, Modulus which) = nullptr;
 };
 
 /// All rows: rungs 0 to 3, uniform stress, rungs 4 and 5.

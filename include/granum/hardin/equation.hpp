@@ -9,7 +9,7 @@ namespace granum::hardin {
 
 /// Where a modulus G_ij is wanted: the effective stresses along the direction i of propagation and j of
 /// polarisation.
-struct State {
+struct SoilState {
   double stress_i = 0;   ///< sigma_i > 0 [Pa]
   double stress_j = 0;   ///< sigma_j > 0 [Pa]
   double void_ratio = 0; ///< e > 0 [1]
@@ -29,6 +29,6 @@ struct Equation {
 /// \return   G_ij [Pa]
 /// \throws   InvalidArgument if a constant or a part of the state is outside its range
 /// Accuracy  1e-15 relative for stresses within 1e-3 to 1e3 p_a.
-[[nodiscard]] double shear_modulus(const Equation& equation, const State& state);
+[[nodiscard]] double shear_modulus(const Equation& equation, const SoilState& state);
 
 } // namespace granum::hardin

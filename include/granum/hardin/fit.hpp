@@ -16,9 +16,9 @@
 namespace granum::hardin {
 
 /// One measured modulus G_ij > 0 [Pa] and the state it was measured at.
-struct Measurement {
+struct MeasuredModulus {
   double shear_modulus = 0;
-  State state;
+  SoilState state;
 };
 
 enum class Weights {
@@ -74,7 +74,7 @@ class [[nodiscard]] FitReport {
 /// Whether a row can be fitted: G and stresses positive and finite, void ratio within the range of the
 /// function.
 /// \throws   InvalidArgument naming what is not
-void require_valid(const Measurement& row, VoidRatioFunction function);
+void require_valid(const MeasuredModulus& row, VoidRatioFunction function);
 
 /// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [More1978]
 /// Assumes   independent errors of equal size in what is weighted (ln G or G), exact stresses.
@@ -85,13 +85,13 @@ void require_valid(const Measurement& row, VoidRatioFunction function);
 ///           is a scatter across the path of 1e-3 of that along it, in ln sigma: finer than stresses are
 ///           measured.
 /// Accuracy  data that obey Eq. (1) give C, m, n back to 1e-10; standard errors to first order in the scatter
-FitReport fit(std::span<const Measurement> rows, const FitOptions& options);
+FitReport fit(std::span<const MeasuredModulus> rows, const FitOptions& options);
 
 /// C and s alone, with m = n = s/2: for paths of constant sigma_i/sigma_j, such as isotropic compression.
 /// The value of s does not depend on the split on such a path; C does unless sigma_i = sigma_j, which a note
 /// then says.
 /// \param    rows  at least 3
 /// \throws   InvalidArgument if a row is not valid, if there are too few, or if all have the same stress
-FitReport fit_exponent_sum(std::span<const Measurement> rows, const FitOptions& options);
+FitReport fit_exponent_sum(std::span<const MeasuredModulus> rows, const FitOptions& options);
 
 } // namespace granum::hardin

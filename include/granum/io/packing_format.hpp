@@ -20,7 +20,7 @@ namespace granum::io {
 /// What a file of a packing holds.
 enum class Holds { grains, contacts };
 
-/// What files of some formats do not tell.
+/// What files of some formats do not contain.
 struct PackingFileOptions {
   ColumnMap columns = {};         ///< of dumps
   std::optional<CsvBox> box = {}; ///< of CSV files
@@ -35,11 +35,11 @@ struct PackingFrames {
 
 struct PackingFormat {
   std::string_view name;     ///< in lists of formats
-  std::string_view told_by;  ///< by what its files are told, for help
+  std::string_view sign;     ///< what its files are recognised by, for help
   std::string_view grains;   ///< "a LAMMPS dump of grains"
   std::string_view contacts; ///< the companion that goes with it; empty if none does
   /// Whether a file, from its beginning, looks like one of this format, and which.
-  /// \throws   FileError for a file that can be of no other format, but tells not what it holds
+  /// \throws   FileError for a file that can be of no other format, but does not say what it holds
   std::optional<Holds> (*recognise)(TextSource& source);
   /// Reads the file of grains, and its companion where there is one.
   /// \throws   FileError as the reader of the format, here or from next()
@@ -65,7 +65,7 @@ PackingFrames one_frame(ImportedPacking packing);
 extern const PackingFormat lammps_dump_format, yade_vtk_format, vtk_xml_format, yade_text_format,
     mercury_format, lammps_data_format, csv_format;
 
-/// All formats, in the order in which a file is held against them.
+/// All formats, in the order in which a file is compared with them.
 inline constexpr const PackingFormat* packing_formats[] = {
     &lammps_dump_format, &yade_vtk_format,    &vtk_xml_format, &yade_text_format,
     &mercury_format,     &lammps_data_format, &csv_format};

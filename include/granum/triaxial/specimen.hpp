@@ -51,10 +51,10 @@ struct Preparation {
 /// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a
 /// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
 /// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-5,
-/// which compression_options() ask as well. After friction is switched on, G of 1,000 spheres is then within
+/// the tolerance of compression_options() too. After friction is switched on, G of 1,000 spheres is then within
 /// 1e-3 of what 1e-6 leads to (15 of 16 specimens; the other one went on to another packing, 1.6 % softer at
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
-/// (Preparation::last tells), and come to rest once friction is on.
+/// (see Preparation::last), and come to rest once friction is on.
 /// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive; Stopped if so asked
 [[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe,

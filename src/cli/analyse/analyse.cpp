@@ -67,7 +67,7 @@ std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
     return a.rungs.size() < b.rungs.size();
   });
   for (const RungResult& rung : longest->rungs) {
-    std::vector<hardin::Measurement> states;
+    std::vector<hardin::MeasuredModulus> states;
     for (const FrameAnswer& frame : frames)
       for (const RungResult& other : frame.rungs)
         if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 &&

@@ -67,7 +67,7 @@ std::array<double, count> parse_list(const std::string& name, const std::string&
 std::string formats_help() {
   std::string text = "Formats, plain or gzip, and what they are told by, whatever the name:\n";
   for (const io::PackingFormat* format : io::packing_formats)
-    text += fmt::format("  {:<30} {}\n", format->name, format->told_by);
+    text += fmt::format("  {:<30} {}\n", format->name, format->sign);
   return text;
 }
 

@@ -43,7 +43,7 @@ void fill_in_stress_columns(Options& options) {
     options.stress_j_column = std::string("sigma_") + directions[1];
 }
 
-std::vector<hardin::Measurement> read_rows(const Options& options, hardin::VoidRatioFunction function) {
+std::vector<hardin::MeasuredModulus> read_rows(const Options& options, hardin::VoidRatioFunction function) {
   const io::CsvTable table = io::read_csv(options.file);
   const auto modulus = table.numbers(options.modulus_column, Dimension::pressure);
   const auto stress_i = table.numbers(options.stress_i_column, Dimension::pressure);
@@ -51,7 +51,7 @@ std::vector<hardin::Measurement> read_rows(const Options& options, hardin::VoidR
   std::vector<double> void_ratio(table.row_count(), 1.0); // any value does where f(e) = 1
   if (function != hardin::VoidRatioFunction::none || table.has(options.void_ratio_column))
     void_ratio = table.numbers(options.void_ratio_column, Dimension::dimensionless);
-  std::vector<hardin::Measurement> rows;
+  std::vector<hardin::MeasuredModulus> rows;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     rows.push_back({modulus[k], {stress_i[k], stress_j[k], void_ratio[k]}});
     try {

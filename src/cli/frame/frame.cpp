@@ -33,7 +33,7 @@ void print(const std::string& text) {
     throw FileError("standard output", 0, "cannot be written");
 }
 
-/// Who reads the JSON need not read standard error as well.
+/// The warnings stand in the JSON too, so that its reader does not need standard error.
 nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity) {
   if (json.is_object() && !validity.ok())
     json["warnings"] = validity.notes;

@@ -15,7 +15,8 @@ namespace granum::cli {
 
 namespace {
 
-/// While it lives, writing to a pipe that nobody reads is an error and no signal that would end the program.
+/// While an object of this class exists, writing to a pipe without a reader gives an error instead of the
+/// signal that would end the program.
 class PipesMayBreak {
  public:
   PipesMayBreak() noexcept {

@@ -32,17 +32,18 @@ GRANUM_INLINE void move_at_level(Grains& grains, Range range, const Mat3& stretc
 }
 
 template <class Level>
-GRANUM_INLINE void pay_back(const Range& range, const std::vector<Loan>& loans, std::vector<LoadRow>& load) {
+GRANUM_INLINE void add_spare_rows(const Range& range, const std::vector<Addition>& additions,
+                                  std::vector<LoadRow>& load) {
   for (std::size_t k = range.begin; k < range.end; ++k) {
-    LoadRow& on = load[loans[k].grain];
-    Level::put(&on, Level::get(&on) + Level::get(&load[loans[k].row]));
+    LoadRow& on = load[additions[k].grain];
+    Level::put(&on, Level::get(&on) + Level::get(&load[additions[k].row]));
   }
 }
 
 template <class Level>
-GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
-                                     std::vector<LoadRow>& load) {
-  pay_back<Level>(chunk.loans, loans, load);
+GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk,
+                                     const std::vector<Addition>& additions, std::vector<LoadRow>& load) {
+  add_spare_rows<Level>(chunk.additions, additions, load);
   auto sum = Level::row(Four{}, Four{});
   double turn_y = 0;
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
@@ -57,8 +58,8 @@ GRANUM_INLINE double sum_of_three(const Four& row) { return row[0] + row[1] + ro
 
 template <class Level>
 GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
-                                       const std::vector<Loan>& loans, std::vector<LoadRow>& load) {
-  pay_back<Level>(chunk.loans, loans, load);
+                                       const std::vector<Addition>& additions, std::vector<LoadRow>& load) {
+  add_spare_rows<Level>(chunk.additions, additions, load);
   Four power{}, squares{};
   double lengths = 0;
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
@@ -131,11 +132,11 @@ void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt) {
   at_vector_level([&](auto) __attribute__((always_inline)) { move_at_level(grains, range, stretch, dt); });
 }
 
-double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load) {
   double power = 0;
   at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    power = settle_at_level<Rows<level>>(grains, chunk, loans, load);
+    power = settle_at_level<Rows<level>>(grains, chunk, additions, load);
   });
   return power;
 }
@@ -147,11 +148,11 @@ PushSums& PushSums::operator+=(const PushSums& other) {
   return *this;
 }
 
-PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                        std::vector<LoadRow>& load) {
   PushSums sums;
   at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    sums = pushes_at_level<Rows<level>>(grains, chunk, loans, load);
+    sums = pushes_at_level<Rows<level>>(grains, chunk, additions, load);
   });
   return sums;
 }

@@ -54,10 +54,10 @@ struct GlideSums {
 void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
 /// Adds the spare rows that hold loads for a chunk, then sums f v + t w over it, with the velocities before
 /// their kick [W].
-double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load);
 /// Adds the spare rows that hold loads for a chunk, and sums over its forces. Grains do not turn.
-PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Loan>& loans,
+PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                        std::vector<LoadRow>& load);
 /// Velocities and centres of all grains after the step. They do not turn.
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);

@@ -21,15 +21,15 @@ class SpareRows {
       return j;
     if (row_[j] < chunk.spare_rows.begin) {
       row_[j] = static_cast<std::uint32_t>(rows++);
-      borrowed_.push_back({row_[j], j});
+      additions_.push_back({row_[j], j});
     }
     return row_[j];
   }
-  [[nodiscard]] const std::vector<Loan>& borrowed() const { return borrowed_; }
+  [[nodiscard]] const std::vector<Addition>& additions() const { return additions_; }
 
  private:
   std::vector<std::uint32_t> row_; ///< of each grain, the last one given
-  std::vector<Loan> borrowed_;
+  std::vector<Addition> additions_;
 };
 
 /// Where chunks of like work end: a grain takes about as long as a pair.
@@ -45,23 +45,23 @@ std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t 
   return ends;
 }
 
-/// Loans by the chunk of their grain; those of a chunk stay in the order in which they were taken.
-void sort_loans(const std::vector<Loan>& borrowed, Partition& out) {
-  const auto chunk_of = [&](const Loan& loan) {
-    return std::upper_bound(out.chunks.begin(), out.chunks.end(), loan.grain,
+/// Sorts the additions by the chunk of their grain; those of one chunk keep the order in which they came.
+void sort_additions(const std::vector<Addition>& additions, Partition& out) {
+  const auto chunk_of = [&](const Addition& addition) {
+    return std::upper_bound(out.chunks.begin(), out.chunks.end(), addition.grain,
                             [](std::uint32_t grain, const Chunk& chunk) { return grain < chunk.grains.end; });
   };
-  for (const Loan& loan : borrowed)
-    ++chunk_of(loan)->loans.end;
+  for (const Addition& addition : additions)
+    ++chunk_of(addition)->additions.end;
   std::size_t before = 0;
   for (Chunk& chunk : out.chunks) {
-    const std::size_t count = chunk.loans.end;
-    chunk.loans = {before, before};
+    const std::size_t count = chunk.additions.end;
+    chunk.additions = {before, before};
     before += count;
   }
-  out.loans.resize(borrowed.size());
-  for (const Loan& loan : borrowed)
-    out.loans[chunk_of(loan)->loans.end++] = loan;
+  out.additions.resize(additions.size());
+  for (const Addition& addition : additions)
+    out.additions[chunk_of(addition)->additions.end++] = addition;
 }
 
 } // namespace
@@ -88,7 +88,7 @@ Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
     chunk.spare_rows.end = out.rows;
     out.chunks.push_back(chunk);
   }
-  sort_loans(spare.borrowed(), out);
+  sort_additions(spare.additions(), out);
   return out;
 }
 

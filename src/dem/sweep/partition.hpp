@@ -32,22 +32,23 @@ struct Range {
   std::size_t begin = 0, end = 0;
 };
 
-/// Some grains that follow each other, the pairs whose i is one of them, in whole blocks, and what other
-/// chunks' spare rows hold for them.
+/// Some grains that follow each other, the pairs whose i is one of them, in whole blocks, the spare rows that
+/// these pairs fill, and the range of Partition::additions that adds spare rows of earlier chunks to the
+/// grains.
 struct Chunk {
-  Range grains, pairs, spare_rows, loans;
+  Range grains, pairs, spare_rows, additions;
 };
 
-/// A spare row that has to be added to that of a grain.
-struct Loan {
+/// Spare row `row` holds forces on `grain` and is to be added to that grain's own row.
+struct Addition {
   std::uint32_t row, grain;
 };
 
 struct Partition {
   std::vector<Chunk> chunks;
   std::vector<ListedPair> pairs;
-  std::vector<Loan> loans; ///< by the chunk of their grain
-  std::size_t rows = 0;    ///< of loads: one a grain, and the spare ones
+  std::vector<Addition> additions; ///< by the chunk of their grain
+  std::size_t rows = 0;            ///< of loads: one a grain, and the spare ones
 };
 
 /// \param    pairs   sorted by (i, j), i < j

@@ -5,10 +5,10 @@ namespace granum::dem {
 
 namespace {
 
-/// Some ten microseconds of looking, then a tenth of a millisecond of turns given to others: longer than
-/// members wait for each other where each has a processor, while waking one that sleeps takes longer than
-/// its share of a step. On a busy machine the others may have lost their processors for much longer: who
-/// spins on would lose his as well.
+/// A waiting thread checks its condition `looks` times (some ten microseconds), then yields the processor
+/// `turns` times (a tenth of a millisecond), then sleeps. Where each thread has its own processor the wait is
+/// over before that, and no time goes into waking threads, which takes longer than a thread's share of a
+/// step. On a busy machine other threads may have to wait for a processor much longer; sleeping frees one.
 constexpr int looks = 300;
 constexpr int turns = 500;
 
@@ -18,7 +18,7 @@ void pause() {
 #endif
 }
 
-/// Whether it came true within the time that is worth waiting awake.
+/// Whether the condition came true before it is time to sleep.
 template <class Condition>
 bool came_true(const Condition& condition) {
   for (int k = 0; k < looks; ++k) {

@@ -11,14 +11,14 @@
 
 namespace granum::dem {
 
-/// Threads that stand ready to work off the same job side by side: a step of an engine has some microseconds
-/// for each of its jobs, too few to start threads or to wake them. They spin for a while, then let others
-/// run, and sleep where no job comes.
+/// Threads that run the same job side by side. They stay alive between jobs: a job in a step of an engine
+/// takes some microseconds, less than starting or waking a thread. Without a job they spin for a while, then
+/// yield the processor, then sleep.
 class Team {
  public:
   /// \param    members   threads, that of the caller among them, at least 1
   explicit Team(std::size_t members);
-  /// The members that are there go, also where one more could not be had.
+  /// Ends the threads that were started, also where starting another one failed.
   ~Team();
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;

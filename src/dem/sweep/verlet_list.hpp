@@ -13,7 +13,7 @@
 
 namespace granum::dem {
 
-/// What the boundary of a state makes of pairs across its faces.
+/// Whether pairs across the faces of the cell count, by the state's boundary.
 inline Images images(const Specimen& state) { return state.walls ? Images::none : Images::periodic; }
 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.

@@ -216,7 +216,7 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
 
 const PackingFormat csv_format{
     .name = "CSV",
-    .told_by = "headings between commas: nx, ny, nz are contacts, which can stand alone; else grains",
+    .sign = "headings between commas: nx, ny, nz are contacts, which can stand alone; else grains",
     .grains = "a CSV table of grains",
     .contacts = "a CSV table of contacts",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

@@ -174,7 +174,7 @@ std::string lammps_data(const packing::Assembly& assembly, double density, std::
 
 const PackingFormat lammps_data_format{
     .name = "LAMMPS data",
-    .told_by = "a line N atoms below the first",
+    .sign = "a line N atoms below the first",
     .grains = "a LAMMPS data file",
     .contacts = "",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

@@ -387,7 +387,7 @@ std::size_t LammpsDump::skipped() const { return impl_->skipped; }
 
 const PackingFormat lammps_dump_format{
     .name = "LAMMPS or LIGGGHTS dumps",
-    .told_by = "ITEM: lines of dump custom (grains) and dump local (contacts)",
+    .sign = "ITEM: lines of dump custom (grains) and dump local (contacts)",
     .grains = "a LAMMPS dump of grains",
     .contacts = "a LAMMPS dump of contacts",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

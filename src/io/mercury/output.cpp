@@ -252,7 +252,7 @@ std::size_t MercuryOutput::skipped() const { return impl_->skipped; }
 
 const PackingFormat mercury_format{
     .name = "MercuryDPM's .data and .fstat",
-    .told_by = "a first line of numbers alone, behind # in .fstat",
+    .sign = "a first line of numbers alone, behind # in .fstat",
     .grains = "a MercuryDPM .data file",
     .contacts = "a MercuryDPM .fstat file",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

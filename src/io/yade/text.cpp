@@ -275,7 +275,7 @@ ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts)
 
 const PackingFormat yade_text_format{
     .name = "YADE's text",
-    .told_by = "the first line of share/yade/granum_export.py or export.text",
+    .sign = "the first line of share/yade/granum_export.py or export.text",
     .grains = "grains of YADE as text",
     .contacts = "contacts of YADE as text",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

@@ -223,7 +223,7 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
 
 const PackingFormat yade_vtk_format{
     .name = "YADE's VTK",
-    .told_by = "a first line # vtk DataFile, of export.VTKExporter",
+    .sign = "a first line # vtk DataFile, of export.VTKExporter",
     .grains = "grains of YADE as VTK",
     .contacts = "contacts of YADE as VTK",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

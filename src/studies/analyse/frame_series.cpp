@@ -11,10 +11,11 @@ namespace granum::studies {
 
 namespace {
 
-using FitFunction = hardin::FitReport (*)(std::span<const hardin::Measurement>, const hardin::FitOptions&);
+using FitFunction = hardin::FitReport (*)(std::span<const hardin::MeasuredModulus>,
+                                          const hardin::FitOptions&);
 
 /// A fit, or nothing and a remark.
-std::optional<hardin::Fit> try_fit(FitFunction function, std::span<const hardin::Measurement> states,
+std::optional<hardin::Fit> try_fit(FitFunction function, std::span<const hardin::MeasuredModulus> states,
                                    const hardin::FitOptions& options, std::string& remark) {
   try {
     const hardin::FitReport report = function(states, options);
@@ -28,9 +29,9 @@ std::optional<hardin::Fit> try_fit(FitFunction function, std::span<const hardin:
 }
 
 /// Largest over smallest product of the two stresses, as a stress.
-double stress_range(std::span<const hardin::Measurement> states) {
+double stress_range(std::span<const hardin::MeasuredModulus> states) {
   double low = 0, high = 0;
-  for (const hardin::Measurement& m : states) {
+  for (const hardin::MeasuredModulus& m : states) {
     const double stress = std::sqrt(m.state.stress_i) * std::sqrt(m.state.stress_j);
     low = low == 0 ? stress : std::min(low, stress);
     high = std::max(high, stress);
@@ -40,7 +41,7 @@ double stress_range(std::span<const hardin::Measurement> states) {
 
 } // namespace
 
-SeriesFit fit_series(std::span<const hardin::Measurement> states, double atmospheric_pressure) {
+SeriesFit fit_series(std::span<const hardin::MeasuredModulus> states, double atmospheric_pressure) {
   require_positive("atmospheric_pressure", atmospheric_pressure, "Pa");
   constexpr double varies = 1.1;
   SeriesFit out{.states = states.size(), .sum = {}, .sum_with_void_ratio = {}, .separate = {}, .remark = {}};

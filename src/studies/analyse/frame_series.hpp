@@ -27,7 +27,7 @@ struct SeriesFit {
 /// \return   without a fit, and with a remark, for states that cannot be fitted
 /// \throws   InvalidArgument if the atmospheric pressure is not positive
 /// Accuracy  that of hardin::fit.
-[[nodiscard]] SeriesFit fit_series(std::span<const hardin::Measurement> states,
+[[nodiscard]] SeriesFit fit_series(std::span<const hardin::MeasuredModulus> states,
                                    double atmospheric_pressure = 100e3);
 
 } // namespace granum::studies

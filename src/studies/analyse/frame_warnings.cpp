@@ -34,7 +34,7 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     }
 }
 
-/// A boundary that is no periodic one: nobody knows the volume that belongs to the grains.
+/// A boundary that is no periodic one: the volume that belongs to the grains is not known.
 void judge_boundary(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   const auto open = std::count(packing.periodic.begin(), packing.periodic.end(), false);
   if (open > 0 && !packing.has(Finding::cell_unknown))

@@ -25,7 +25,7 @@ constexpr double hidden = 8;  // radii behind the seen faces
 constexpr double azimuth = 30 * std::numbers::pi / 180;
 constexpr double elevation = 22 * std::numbers::pi / 180;
 
-/// Parallel projection: x to the right, y up, depth towards who looks on.
+/// Parallel projection: x to the right, y up, depth towards the viewer.
 struct Seen {
   double x = 0;
   double y = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that run_experiment leaves in its folder of checkpoints, told by their names.
+// The files that run_experiment leaves in its folder of checkpoints, recognised by their names.
 #include "studies/reproduce/experiment.hpp"
 
 #include <algorithm>
@@ -60,14 +60,14 @@ bool is_piece(std::string_view stem) {
   return false;
 }
 
-/// A checkpoint, or what a writer that was killed left of one: "<piece>.checkpoint.granum.part".
+/// A checkpoint, or the unfinished file of a writer that was killed: "<piece>.checkpoint.granum.part".
 bool is_checkpoint(std::string_view file) {
-  constexpr std::string_view ending = ".checkpoint";
-  const std::size_t at = file.find(ending);
+  constexpr std::string_view extension = ".checkpoint";
+  const std::size_t at = file.find(extension);
   if (at == std::string_view::npos || !is_piece(file.substr(0, at)))
     return false;
-  const std::string_view rest = file.substr(at + ending.size());
-  return rest.empty() || rest == io::part_ending;
+  const std::string_view rest = file.substr(at + extension.size());
+  return rest.empty() || rest == io::part_extension;
 }
 
 } // namespace

@@ -52,10 +52,11 @@ class Stages {
     return {scene_, checkpoints_, meter_, specimen.contact, specimen.density, specimen.seed};
   }
 
-  /// What work failed of, in words; a file that cannot be written ends all work.
+  /// Runs a piece of work; returns why it failed, empty if it did not. A file that cannot be written ends all
+  /// work.
   std::string guarded(const std::function<void()>& work) {
     try {
-      return ending_of([&] {
+      return failure_or_stop_of([&] {
         throw_if_stopped(meter_.stop_request());
         work();
       });

@@ -6,7 +6,7 @@
 
 #include "studies/reproduce/experiment.hpp"
 
-/// Ways into an experiment that its tables, claims and figures share.
+/// Parts of an experiment that its tables, claims and figures all use.
 namespace granum::studies {
 
 /// eta up to which the paper fits its Table 5 and calls a dense specimen's structure constant.
@@ -21,7 +21,7 @@ inline constexpr double early_eta = 0.6;
 /// The same and those of isotropic compression: what Eq. (1) is fitted to.
 [[nodiscard]] std::vector<const StateRecord*> fit_points(const ExperimentSpecimen& specimen);
 
-/// Cells of further_exponents that a claim asks for.
+/// Cells of further_exponents that a claim needs.
 inline constexpr const char* exponent_h_of_G_hh = "exponent of sigma_h in G_hh";
 inline constexpr const char* exponent_v_of_G_hh = "exponent of sigma_v in G_hh";
 

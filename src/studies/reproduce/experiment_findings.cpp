@@ -89,7 +89,7 @@ struct FitOf {
 };
 
 std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitOf& what) {
-  std::vector<hardin::Measurement> rows;
+  std::vector<hardin::MeasuredModulus> rows;
   for (const StateRecord* point : fit_points(specimen))
     if (const std::optional<double> modulus = what.modulus(*point); modulus && *modulus > 0) {
       const double other = what.two_exponents ? point->stress.v : point->stress.h;

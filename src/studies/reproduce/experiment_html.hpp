@@ -10,7 +10,7 @@
 
 namespace granum::studies {
 
-/// What of a run no result tells.
+/// Facts about a run that are not part of its results.
 struct RunTime {
   double seconds = 0;   ///< wall time [s]
   bool resumed = false; ///< of the last part alone

@@ -302,14 +302,14 @@ class ShearRecord {
         if (due.cycled)
           cycle();
         save();
-        tell();
+        report_progress();
       }
       return;
     case triaxial::ShearEvent::finished:
       run_.curve.push_back(test_->now());
       test_.reset();
       save();
-      tell();
+      report_progress();
       return;
     case triaxial::ShearEvent::stopped:
       save();
@@ -328,8 +328,8 @@ class ShearRecord {
     run_.steps = test_->now().step;
   }
 
-  /// A state that does not come to rest is left out with a note: the path goes on without it. Stopped here,
-  /// the run goes on from the checkpoint before.
+  /// A state that does not come to rest is left out with a note, and the path goes on. A run that is stopped
+  /// here resumes from the checkpoint before.
   void freeze(bool probed) {
     const std::string failure = failure_of([&] {
       run_.points.push_back(state_record(test_->engine().state(), material_, test_->now(), probed, run_.notes,
@@ -368,18 +368,18 @@ class ShearRecord {
     run_ = load_run(from, path_);
     if (under_way)
       test_ = triaxial::ShearTest::load(from, material_, piece_.meter.stop_request());
-    told_ = share();
-    piece_.meter.found(told_ * work_, title(piece_, path_));
+    reported_ = share();
+    piece_.meter.found(reported_ * work_, title(piece_, path_));
   }
 
   [[nodiscard]] double share() const {
     return test_ ? std::min(1.0, std::abs(test_->now().axial_strain) / piece_.scene.shear.largest_strain) : 1;
   }
 
-  void tell() {
-    const double now = std::max(told_, share());
-    piece_.meter.add((now - told_) * work_, title(piece_, path_));
-    told_ = now;
+  void report_progress() {
+    const double now = std::max(reported_, share());
+    piece_.meter.add((now - reported_) * work_, title(piece_, path_));
+    reported_ = now;
   }
 
   const Piece& piece_;
@@ -387,7 +387,7 @@ class ShearRecord {
   Store store_;
   dem::Material material_;
   double work_;
-  double told_ = 0;
+  double reported_ = 0;
   PathRun run_;
   Schedule schedule_;
   std::optional<triaxial::ShearTest> test_; ///< nothing once the path is finished

@@ -36,7 +36,7 @@ std::string failure_of(const std::function<void()>& work) {
   return {};
 }
 
-std::string ending_of(const std::function<void()>& work) {
+std::string failure_or_stop_of(const std::function<void()>& work) {
   try {
     return failure_of(work);
   } catch (const Stopped& stopped) {

@@ -15,11 +15,11 @@ inline constexpr const char* stopped_on_request = "stopped on request"; ///< as 
 
 /// Runs a part of a piece of work and turns an error into the text of a failure; empty if there was none.
 /// \throws   FileError as work does: a file that cannot be written ends the whole study; Stopped as work
-///           does: the piece has then not failed of this part, and goes on with it when it is taken up again
+///           does: a stopped part has not failed, and runs again when the study is resumed
 [[nodiscard]] std::string failure_of(const std::function<void()>& work);
 
-/// Runs a whole piece of work; that it was stopped is told like a failure.
+/// Runs a whole piece of work. As failure_of, but a stop on request also gives a text, stopped_on_request.
 /// \throws   FileError as work does
-[[nodiscard]] std::string ending_of(const std::function<void()>& work);
+[[nodiscard]] std::string failure_or_stop_of(const std::function<void()>& work);
 
 } // namespace granum::studies

@@ -10,7 +10,7 @@
 #include "studies/verify/study.hpp"
 #include <granum/core/stop_request.hpp>
 
-/// How studies share work among threads and tell how far they are.
+/// How studies share work among threads and report their progress.
 namespace granum::studies {
 
 /// Adds up the predicted work of the finished pieces and reports its share of the whole.
@@ -19,14 +19,14 @@ class Meter {
   Meter(const RunControl& control, double total) : control_(control), total_(total) {}
 
   void add(double work, const std::string& what);
-  /// Work that an earlier run of the same study has done: it tells nothing of the speed of this one.
+  /// Work that an earlier run of the same study has done; it does not count for the speed of this run.
   void found(double work, const std::string& what);
-  /// Asks all pieces to stop, as the caller's own wish does.
+  /// Makes stopped() true for all pieces, as RunControl::stop does.
   void stop_all() { all_stopped_ = true; }
   [[nodiscard]] bool stopped() const {
     return all_stopped_ || (control_.stop != nullptr && control_.stop->load());
   }
-  /// For the loops of a piece of work, which the meter outlives.
+  /// For the loops of a piece of work. The meter must outlive it.
   [[nodiscard]] StopRequest stop_request() const {
     return [this] { return stopped(); };
   }

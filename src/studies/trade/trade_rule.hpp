@@ -7,7 +7,7 @@
 
 #include "studies/trade/trade_findings.hpp"
 
-/// Plain power laws through measured errors, and what they say to someone who wants a given accuracy.
+/// Plain power laws through measured errors, and the setting that each gives for a wanted accuracy.
 /// Checked by tests/studies/test_trade_rule.cpp
 namespace granum::studies {
 

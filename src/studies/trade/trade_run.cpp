@@ -215,7 +215,7 @@ class Runner {
     side_by_side(parts.size(), thread_count(trade_.scene), [&](std::size_t position) {
       Kind& part = parts[order[position]];
       const ThreadClock clock;
-      part.failure = ending_of([&] {
+      part.failure = failure_or_stop_of([&] {
         throw_if_stopped(meter_.stop_request());
         work(part);
       });
@@ -232,7 +232,7 @@ class Runner {
 /// s as `granum verify` fits it.
 std::optional<double> exponent_of(const TradeScene& trade, const std::vector<double>& shear_modulus,
                                   const std::vector<double>& void_ratio) {
-  std::vector<hardin::Measurement> states;
+  std::vector<hardin::MeasuredModulus> states;
   for (std::size_t k = 0; k < shear_modulus.size(); ++k) {
     const double pressure = trade.scene.study.pressures.at(k);
     states.push_back({shear_modulus[k], {pressure, pressure, void_ratio.at(k)}});
@@ -281,7 +281,7 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
       sample.shear_modulus = {*part.vertical};
   }
   if (sample.varied == Varied::probe) {
-    // One state and one answer: what a user pays for a modulus.
+    // One state and one answer: the cost of one modulus.
     sample.cpu_seconds = compression->network_seconds;
     sample.steps = 0;
     if (source.probing != none) {

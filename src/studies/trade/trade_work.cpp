@@ -12,7 +12,7 @@ namespace {
 
 using triaxial::Density;
 
-/// Index of the part that `same` tells, made if there is none yet.
+/// Index of the part for which `same` is true; it is made if there is none yet.
 template <class Kind, class Same>
 std::size_t place_of(std::vector<Kind>& parts, const Kind& wanted, const Same& same) {
   const auto found =

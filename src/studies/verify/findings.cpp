@@ -27,7 +27,7 @@ std::optional<double> paper_exponent(contact::Shape contact, Density density) {
 
 std::optional<Measured> exponent_of(const SpecimenResult& specimen, const ModulusOf& modulus_of,
                                     hardin::VoidRatioFunction function) {
-  std::vector<hardin::Measurement> rows;
+  std::vector<hardin::MeasuredModulus> rows;
   for (const CompressedState& state : specimen.states)
     if (const std::optional<double> modulus = modulus_of(state))
       rows.push_back({*modulus, {state.pressure, state.pressure, state.packing.void_ratio}});
@@ -119,7 +119,7 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
 
 } // namespace
 
-std::optional<Measured> fitted_exponent(const std::vector<hardin::Measurement>& rows,
+std::optional<Measured> fitted_exponent(const std::vector<hardin::MeasuredModulus>& rows,
                                         hardin::VoidRatioFunction function) {
   if (rows.size() < 3)
     return std::nullopt;

@@ -15,7 +15,7 @@ namespace granum::studies {
 /// \return   nothing with fewer than three states, or if the fit does not converge
 /// \throws   InvalidArgument if a modulus or a stress is not positive
 [[nodiscard]] std::optional<Measured>
-fitted_exponent(const std::vector<hardin::Measurement>& states,
+fitted_exponent(const std::vector<hardin::MeasuredModulus>& states,
                 hardin::VoidRatioFunction function = hardin::VoidRatioFunction::none);
 
 /// s of G ~ p^s by every route, for one contact and density.

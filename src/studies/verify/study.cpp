@@ -103,7 +103,7 @@ std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
       packings.push_back({shape, scene.study.first_seed + k, {}, {}});
   side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
     Packing& packing = packings[k];
-    packing.failure = ending_of([&] {
+    packing.failure = failure_or_stop_of([&] {
       throw_if_stopped(meter.stop_request());
       packing.state =
           triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed), meter.stop_request())
@@ -147,7 +147,7 @@ std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& cont
   side_by_side(specimens.size(), thread_count(scene), [&](std::size_t position) {
     const std::size_t k = order[position];
     const std::string failure =
-        ending_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+        failure_or_stop_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
     if (!failure.empty())
       specimens[k].failure = failure;
   });
