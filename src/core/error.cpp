@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/error.hpp>
 
-#include <cstdio>
+#include <granum/core/number.hpp>
 
 namespace granum {
 
@@ -9,9 +9,8 @@ namespace {
 
 std::string out_of_range_text(const std::string& name, double value, const std::string& unit,
                               const std::string& range) {
-  char number[40];
-  std::snprintf(number, sizeof number, "%.10g", value);
-  return name + " = " + number + (unit.empty() ? "" : " " + unit) + " is outside " + range;
+  return name + " = " + detail::formatted("%.10g", value) + (unit.empty() ? "" : " " + unit) +
+         " is outside " + range;
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdarg>
+#include <cstdio>
 #include <string>
 #include <system_error>
 
@@ -70,6 +72,15 @@ std::string percent_text(double share) {
   const double percent = 100 * share;
   const double whole = std::round(percent);
   return short_text(std::abs(percent) < 100 ? percent : whole, std::abs(percent) < 100 ? 2 : 15) + " %";
+}
+
+std::string detail::formatted(const char* format, ...) {
+  char buffer[256];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(buffer, sizeof buffer, format, arguments);
+  va_end(arguments);
+  return buffer;
 }
 
 } // namespace granum

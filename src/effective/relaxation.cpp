@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <granum/core/check.hpp>
+#include <granum/core/number.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
@@ -88,12 +88,6 @@ RelaxingFactor bulk_factor(double z, double r, double b) {
   return with_scatter(factor, kernel::bulk_scatter, r * factor.by_ratio);
 }
 
-std::string text(const char* format, double first, double second = 0) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, first, second);
-  return buffer;
-}
-
 double isostatic(double r) {
   return r > 0 ? kernel::frictional_isostatic(kernel::shear_coefficients) : frictionless_isostatic;
 }
@@ -102,17 +96,18 @@ double isostatic(double r) {
 Validity notes_of(double z, double r) {
   Validity validity;
   if (!(z > isostatic(r)))
-    validity.add(
-        text("z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
-             isostatic(r)));
+    validity.add(detail::formatted(
+        "z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
+        isostatic(r)));
   if (z < smallest_coordination || z > largest_coordination)
-    validity.add(text("z* is %.3g: the relaxation factors are calibrated from 4.1 to 8.7", z));
+    validity.add(detail::formatted("z* is %.3g: the relaxation factors are calibrated from 4.1 to 8.7", z));
   if (r > largest_ratio)
-    validity.add(text("k_t/k_n is %.3g: the relaxation factors are calibrated up to 1", r));
+    validity.add(detail::formatted("k_t/k_n is %.3g: the relaxation factors are calibrated up to 1", r));
   if (r > 0 && r < smallest_ratio)
-    validity.add(text("k_t/k_n is %.3g: between 0 and 0.1 the relaxation factor of K depends on the "
-                      "tangential forces that the packing carries, which are not known",
-                      r));
+    validity.add(
+        detail::formatted("k_t/k_n is %.3g: between 0 and 0.1 the relaxation factor of K depends on the "
+                          "tangential forces that the packing carries, which are not known",
+                          r));
   return validity;
 }
 
@@ -142,31 +137,33 @@ kernel::Stretch stretch_of(const State& s, double shear) {
 
 void note_state(const State& s, double z, Validity& validity) {
   if (z < 0.99 * s.coordination_number)
-    validity.add(text("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
-                      "coordination number",
-                      z, s.coordination_number));
+    validity.add(
+        detail::formatted("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
+                          "coordination number",
+                          z, s.coordination_number));
   const double force = s.coordination_number > 0 ? mean_contact_force(s) : 0;
   const double overlap = s.law.overlap(force) / (2 * s.radius);
   if (overlap > largest_overlap)
-    validity.add(
-        text("mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
-             "as long as the diameter, are too stiff",
-             overlap));
+    validity.add(detail::formatted(
+        "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
+        "as long as the diameter, are too stiff",
+        overlap));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
-    validity.add(text("stress ratio %.3g or fabric anisotropy %.3g is beyond what the relaxation of "
-                      "anisotropic packings was compared with (2.2 and 0.25)",
-                      ratio, s.fabric_anisotropy));
+    validity.add(
+        detail::formatted("stress ratio %.3g or fabric anisotropy %.3g is beyond what the relaxation of "
+                          "anisotropic packings was compared with (2.2 and 0.25)",
+                          ratio, s.fabric_anisotropy));
 }
 
 void note_bound(const kernel::RelaxedConstants<double>& strained,
                 const kernel::RelaxedConstants<double>& unbounded, Validity& validity) {
   const double excess = kernel::bulk_modulus(unbounded) / kernel::bulk_modulus(strained) - 1;
   if (excess > 1e-12)
-    validity.add(
-        text("the relaxed K would be %.2g %% above that of uniform strain, its upper bound: all moduli "
-             "are scaled down to that",
-             100 * excess));
+    validity.add(detail::formatted(
+        "the relaxed K would be %.2g %% above that of uniform strain, its upper bound: all moduli "
+        "are scaled down to that",
+        100 * excess));
 }
 
 RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }

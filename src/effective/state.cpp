@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/fabric/orientation.hpp>
 
 #include "checked_state.hpp"
@@ -38,14 +38,11 @@ void require_members(const State& s) {
 void note_contact_size(const State& s, double stiffness, Validity& validity) {
   const auto& grain = s.law.grain();
   const double contact_radius = stiffness * (1 - grain.poisson_ratio) / (2 * grain.shear_modulus);
-  if (contact_radius > largest_contact_radius * s.radius) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "contact radius is %.3g grain radii: contact laws are derived for contacts that are small "
-                  "against the grain (0.1)",
-                  contact_radius / s.radius);
-    validity.add(text);
-  }
+  if (contact_radius > largest_contact_radius * s.radius)
+    validity.add(
+        detail::formatted("contact radius is %.3g grain radii: contact laws are derived for contacts "
+                          "that are small against the grain (0.1)",
+                          contact_radius / s.radius));
 }
 
 } // namespace

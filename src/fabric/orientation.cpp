@@ -3,10 +3,10 @@
 #include <granum/fabric/orientation.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include <granum/core/check.hpp>
+#include <granum/core/number.hpp>
 
 namespace granum::fabric {
 
@@ -38,14 +38,11 @@ double anisotropy_from_F33(double F33) {
 
 Validity anisotropy_validity(double anisotropy) {
   Validity validity;
-  if (std::abs(anisotropy) > 1) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "fabric anisotropy %.4g is outside [-1, 1]: the density of contact normals is negative in "
-                  "some directions",
-                  anisotropy);
-    validity.add(text);
-  }
+  if (std::abs(anisotropy) > 1)
+    validity.add(
+        detail::formatted("fabric anisotropy %.4g is outside [-1, 1]: the density of contact normals "
+                          "is negative in some directions",
+                          anisotropy));
   return validity;
 }
 

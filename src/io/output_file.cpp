@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 class PartFile {
  public:
   explicit PartFile(const fs::path& target)
-      : target_(target.string()), name_(target_ + std::string(part_ending)) {
+      : target_(target.string()), name_(target_ + std::string(part_extension)) {
     while (!open_new())
       close();
     struct stat old {};

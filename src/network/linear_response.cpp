@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/network/linear_response.hpp>
 
-#include <cstdio>
 #include <string>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
@@ -31,12 +31,11 @@ Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Resp
 }
 
 std::string failure_text(const Response::Report& report) {
-  char text[160];
-  std::snprintf(text, sizeof text, "network response %s after %d iterations, relative residual %.3g",
-                report.status == Status::not_positive_definite ? "is that of an unstable network, found"
-                                                               : "did not converge",
-                report.iterations, report.residual);
-  return text;
+  return detail::formatted("network response %s after %d iterations, relative residual %.3g",
+                           report.status == Status::not_positive_definite
+                               ? "is that of an unstable network, found"
+                               : "did not converge",
+                           report.iterations, report.residual);
 }
 
 } // namespace

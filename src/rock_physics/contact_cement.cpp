@@ -4,11 +4,12 @@
 #include <granum/rock_physics/contact_cement.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "sphere_checks.hpp"
+
+#include <granum/core/number.hpp>
 
 namespace granum::rock_physics {
 
@@ -56,12 +57,9 @@ void require_packing(const CementedPacking& p) {
 }
 
 void note_if_outside(const char* what, double value, double low, double high, Validity& validity) {
-  if (value >= low && value <= high)
-    return;
-  char text[200];
-  std::snprintf(text, sizeof text, "%s is %.3g: the contact-cement regression holds in [%g, %g]", what, value,
-                low, high);
-  validity.add(text);
+  if (!(value >= low && value <= high))
+    validity.add(detail::formatted("%s is %.3g: the contact-cement regression holds in [%g, %g]", what, value,
+                                   low, high));
 }
 
 Validity range_notes(const CementedPacking& p, double alpha, const StiffnessRatios& lambda) {

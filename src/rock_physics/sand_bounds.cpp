@@ -2,9 +2,9 @@
 #include <granum/rock_physics/sand_bounds.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include <granum/core/number.hpp>
 #include <granum/rock_physics/hertz_mindlin.hpp>
 
 #include "sphere_checks.hpp"
@@ -54,12 +54,11 @@ void require_porosity(double porosity, double critical) {
   require_positive("porosity of the packing", critical);
   if (porosity >= 0 && porosity <= critical)
     return;
-  char range[160];
-  std::snprintf(range, sizeof range,
-                "[0, %g], the critical porosity of the packing: looser grains do not touch; for a looser "
-                "packing give that porosity to the packing itself",
-                critical);
-  throw InvalidArgument("porosity", porosity, "", range);
+  throw InvalidArgument(
+      "porosity", porosity, "",
+      detail::formatted("[0, %g], the critical porosity of the packing: looser grains do not "
+                        "touch; for a looser packing give that porosity to the packing itself",
+                        critical));
 }
 
 enum class Surrounding { packing, mineral };

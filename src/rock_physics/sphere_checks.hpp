@@ -3,13 +3,13 @@
 // types: all have shear_modulus, poisson_ratio, porosity and coordination_number.
 #pragma once
 
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <string_view>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/core/validity.hpp>
 
 namespace granum::rock_physics::sphere {
@@ -39,14 +39,11 @@ void note_coordination(const Packing& s, Validity& validity) {
 
 /// Contacts of the half-space must be small. `contact_radius` by grain radius.
 inline void note_contact_radius(double contact_radius, Validity& validity) {
-  if (!(contact_radius > 0.1))
-    return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "contact radius is %.3g grain radii: Hertz contacts must be small against the grain (0.1); "
-                "are all numbers in the same units?",
-                contact_radius);
-  validity.add(text);
+  if (contact_radius > 0.1)
+    validity.add(
+        detail::formatted("contact radius is %.3g grain radii: Hertz contacts must be small against the "
+                          "grain (0.1); are all numbers in the same units?",
+                          contact_radius));
 }
 
 /// C_n (1-phi)/(3 pi (1-nu_g)): K = stiffness_density G_g a/R for contacts of radius a.

@@ -31,4 +31,9 @@ struct LeadingNumber {
 /// A share as per cent, two significant digits or whole numbers: "2.7 %", "64 %", "418 %".
 [[nodiscard]] std::string percent_text(double share);
 
+namespace detail {
+/// The text that printf makes of a format and its arguments, for messages; cut after 255 characters.
+[[nodiscard, gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+} // namespace detail
+
 } // namespace granum

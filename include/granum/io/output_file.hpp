@@ -12,7 +12,7 @@ enum class Existing {
 };
 
 /// What a file that is being written has behind its name.
-inline constexpr std::string_view part_ending = ".granum.part";
+inline constexpr std::string_view part_extension = ".granum.part";
 
 /// Whether something stands at a path, be it a link that leads nowhere.
 [[nodiscard]] bool is_taken(const std::filesystem::path& path);

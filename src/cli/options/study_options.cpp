@@ -35,6 +35,18 @@ void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneComma
   app.footer(key_help(command));
 }
 
+void ResultOptions::print(const std::string& report, const nlohmann::ordered_json& manifest) const {
+  deliver({.json = json, .strict = false, .force = false, .out = {}}, report, manifest, {});
+}
+
+void add_result_options(CLI::App& app, ResultOptions& options, const std::string& out_help,
+                        const std::string& json_help, const std::string& replaced) {
+  add_path(app, "--out", options.out, out_help)->type_name("DIR");
+  app.add_flag("--json", options.json, json_help);
+  app.add_flag("--force", options.force, "Let --out replace " + replaced);
+  app.add_flag("--quiet", options.quiet, "No progress line on a terminal");
+}
+
 studies::Scene resolve(const StudyOptions& options, studies::SceneCommand command,
                        const studies::Scene& base) {
   SceneInput input(command, base);

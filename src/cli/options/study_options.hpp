@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "studies/scene/scene_keys.hpp"
+#include <granum/io/output_file.hpp>
+#include <nlohmann/json.hpp>
 
 namespace CLI {
 class App;
@@ -24,6 +26,27 @@ struct StudyOptions {
 };
 
 void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command);
+
+/// The options by which they say where results go.
+struct ResultOptions {
+  std::string out; ///< folder; empty: not given
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+
+  /// With --json alone nothing is written.
+  [[nodiscard]] bool writes_files() const { return !json || !out.empty(); }
+  [[nodiscard]] io::Existing existing() const { return force ? io::Existing::replace : io::Existing::keep; }
+  /// Prints the report, or the manifest with --json.
+  void print(const std::string& report, const nlohmann::ordered_json& manifest) const;
+};
+
+/// \param    out_help, json_help   help of --out and --json
+/// \param    replaced              what --force replaces, for its help
+void add_result_options(CLI::App& app, ResultOptions& options, const std::string& out_help,
+                        const std::string& json_help = "Print one JSON object, SI units; writes files only "
+                                                       "with --out",
+                        const std::string& replaced = "existing results");
 
 /// `base`, then the scene file, then --set, then --grains, --seeds and --threads.
 /// \throws   FileError, InvalidArgument

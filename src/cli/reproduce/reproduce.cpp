@@ -30,11 +30,8 @@ namespace fs = std::filesystem;
 struct Options {
   StudyOptions study;
   bool paper = false;
-  std::string out;
   std::string resume;
-  bool json = false;
-  bool force = false;
-  bool quiet = false;
+  ResultOptions results;
 };
 
 constexpr const char* scene_name = "scene.toml";
@@ -72,10 +69,9 @@ Place new_place(const Options& options) {
   std::vector<const char*> names(result_names().begin(), result_names().end());
   names.push_back(scene_name);
   names.push_back(checkpoints_name);
-  place.folder = results_folder(options.out, "reproduce", names, options.force);
+  place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
   studies::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
-  io::write_file(place.folder / scene_name, studies::toml_of(place.scene),
-                 options.force ? io::Existing::replace : io::Existing::keep);
+  io::write_file(place.folder / scene_name, studies::toml_of(place.scene), options.results.existing());
   return place;
 }
 
@@ -83,7 +79,7 @@ Place new_place(const Options& options) {
 Place old_place(const Options& options) {
   const StudyOptions& study = options.study;
   if (options.paper || !study.scene_file.empty() || !study.settings.empty() || study.grains || study.seeds ||
-      !options.out.empty())
+      !options.results.out.empty())
     throw InvalidArgument("--resume takes its scene and folder from the earlier run; only --threads may "
                           "be given with it");
   const fs::path folder = options.resume;
@@ -104,7 +100,7 @@ ExitCode run(const Options& options) {
   fs::create_directories(checkpoints);
   studies::Experiment experiment;
   {
-    ProgressLine line(options.quiet);
+    ProgressLine line(options.results.quiet);
     experiment = studies::run_experiment(
         place.scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop},
         {.folder = checkpoints, .scene_text = identity(place.scene)});
@@ -117,11 +113,9 @@ ExitCode run(const Options& options) {
   const RunFigures figures{.seconds = seconds_since(start), .resumed = !options.resume.empty()};
   const nlohmann::ordered_json manifest = manifest_of(experiment, verdicts, figures);
   write_results(place.folder, experiment, verdicts, manifest);
-  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
-  deliver(to_screen,
-          report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
-              place.folder.string() + "\n",
-          manifest, {});
+  options.results.print(report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
+                            place.folder.string() + "\n",
+                        manifest);
   if (!experiment.complete())
     return ExitCode::not_converged;
   return std::all_of(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.holds; })
@@ -138,15 +132,13 @@ Command add_reproduce(CLI::App& program) {
   add_study_options(*command, options->study, studies::SceneCommand::reproduce);
   command->add_flag("--paper", options->paper,
                     "10,000 grains between six rigid walls, as in the paper; an hour or more");
-  add_path(*command, "--out", options->out, "Folder for the results; by default a new granum-reproduce-N")
-      ->type_name("DIR");
   add_path(*command, "--resume", options->resume,
            "Go on with the run of this folder from its last checkpoints, to the same bits; "
            "a finished run writes its tables and pictures again")
       ->type_name("DIR");
-  command->add_flag("--json", options->json, "Print the manifest as one JSON object, SI units");
-  command->add_flag("--force", options->force, "Let --out replace existing results and checkpoints");
-  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  add_result_options(*command, options->results,
+                     "Folder for the results; by default a new granum-reproduce-N",
+                     "Print the manifest as one JSON object, SI units", "existing results and checkpoints");
   return {command, [options] { return run(*options); }};
 }
 

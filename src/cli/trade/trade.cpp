@@ -30,10 +30,7 @@ struct Options {
   bool quick = false;
   bool full = false;
   std::optional<double> budget; ///< [s]
-  std::string out;
-  bool json = false;
-  bool force = false;
-  bool quiet = false;
+  ResultOptions results;
 };
 
 constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json"};
@@ -101,7 +98,7 @@ std::string report_of(const Outcome& outcome) {
 }
 
 void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
-  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
+  const io::Existing existing = options.results.existing();
   io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
   io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
   io::write_file(folder / file_names[2], trade_picture(outcome.rows), existing);
@@ -111,15 +108,15 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 ExitCode run(const Options& options) {
   const studies::TradeScene trade = scene_of(options);
   const std::atomic<bool>& stop = listen_for_stop();
-  const bool writes = !options.json || !options.out.empty();
+  const ResultOptions& results = options.results;
+  const bool writes = results.writes_files();
   const fs::path folder =
-      writes ? results_folder(options.out, "trade", file_names, options.force) : fs::path();
-  const Outcome outcome = run_study(trade, stop, options.quiet);
+      writes ? results_folder(results.out, "trade", file_names, results.force) : fs::path();
+  const Outcome outcome = run_study(trade, stop, results.quiet);
   if (writes)
     write_results(folder, outcome, options);
-  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
   const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
-  deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
+  results.print(report_of(outcome) + where, manifest_of(outcome, options));
   if (outcome.failure().empty())
     return ExitCode::ok;
   return stop ? exit_code_of_stop() : ExitCode::fell_short;
@@ -136,11 +133,7 @@ Command add_trade(CLI::App& program) {
   command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
   add_quantity(*command, "--budget", options->budget, Dimension::time,
                "As far up in grains as this wall time allows: --budget 600s");
-  add_path(*command, "--out", options->out, "Folder for results; by default a new granum-trade-N")
-      ->type_name("DIR");
-  command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
-  command->add_flag("--force", options->force, "Let --out replace existing results");
-  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  add_result_options(*command, options->results, "Folder for results; by default a new granum-trade-N");
   return {command, [options] { return run(*options); }};
 }
 

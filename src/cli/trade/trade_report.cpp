@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
-#include <granum/io/csv/table.hpp>
+#include <granum/io/csv/columns.hpp>
 #include <granum/plot/chart.hpp>
 
 #include "cli/frame/frame.hpp"
@@ -97,13 +97,16 @@ ordered_json json_of(const std::optional<studies::Deviation>& d) {
   return {{"bias", d->bias}, {"standard_error", d->standard_error}, {"scatter", d->scatter}};
 }
 
-void append(std::vector<io::CsvCell>& row, const std::optional<studies::Deviation>& d) {
-  for (const double value :
-       {d ? d->bias : nothing, d ? d->standard_error : nothing, d ? d->scatter : nothing})
-    row.emplace_back(value);
-}
-
 std::string text(std::string_view view) { return std::string(view); }
+
+/// The columns that rows and samples begin with.
+template <class Row>
+io::Columns<Row> subject_columns() {
+  return {{"varied", [](const Row& row) { return text(studies::name(row.varied)); }},
+          {"boundary", [](const Row& row) { return text(studies::name(row.boundary)); }},
+          {"value", "", [](const Row& row) { return row.value; }},
+          {"density", [](const Row& row) { return text(studies::name(row.density)); }}};
+}
 
 struct NamedLaw {
   const char* name;
@@ -162,51 +165,48 @@ std::string laws_table(const TradeScene& trade, const studies::TradeLaws& laws) 
 }
 
 std::string trade_csv(const std::vector<TradeRow>& rows) {
-  io::CsvContent csv;
-  csv.notes = {{"program", "granum " + text(version()) + " trade"},
-               {"bias", "of the mean against the reference, in parts of it for G and peak"},
-               {"scatter", "standard deviation of one specimen; of differences where packings are the same"}};
-  csv.headings = {"varied",    "boundary",   "value",        "density", "specimens", "reference",
-                  "G_bias",    "G_error",    "G_scatter",    "s_bias",  "s_error",   "s_scatter",
-                  "peak_bias", "peak_error", "peak_scatter", "cpu_s",   "steps"};
-  for (const TradeRow& row : rows) {
-    std::vector<io::CsvCell> cells{
-        text(studies::name(row.varied)),  text(studies::name(row.boundary)),  row.value,
-        text(studies::name(row.density)), static_cast<double>(row.specimens), row.reference ? 1.0 : 0.0};
-    append(cells, row.shear_modulus);
-    append(cells, row.exponent);
-    append(cells, row.peak_ratio);
-    cells.emplace_back(row.specimens > 0 ? row.cpu_seconds : nothing);
-    cells.emplace_back(row.specimens > 0 ? row.steps : nothing);
-    csv.rows.push_back(cells);
-  }
-  return io::csv_text(csv);
+  using studies::Deviation;
+  io::Columns<TradeRow> columns = subject_columns<TradeRow>();
+  const auto add = [&](const std::string& heading, auto of) { columns.emplace_back(heading, "", of); };
+  add("specimens", [](const TradeRow& row) { return static_cast<double>(row.specimens); });
+  add("reference", [](const TradeRow& row) { return row.reference ? 1.0 : 0.0; });
+  for (const auto& [quantity, deviation] : {std::pair{"G", &TradeRow::shear_modulus},
+                                            {"s", &TradeRow::exponent},
+                                            {"peak", &TradeRow::peak_ratio}})
+    for (const auto& [part, of] : {std::pair{"_bias", &Deviation::bias},
+                                   {"_error", &Deviation::standard_error},
+                                   {"_scatter", &Deviation::scatter}})
+      add(std::string(quantity) + part, [deviation = deviation, of = of](const TradeRow& row) {
+        return row.*deviation ? std::optional((*(row.*deviation)).*of) : std::nullopt;
+      });
+  for (const auto& [heading, of] : {std::pair{"cpu_s", &TradeRow::cpu_seconds}, {"steps", &TradeRow::steps}})
+    add(heading,
+        [of = of](const TradeRow& row) { return row.specimens > 0 ? std::optional(row.*of) : std::nullopt; });
+  return io::csv_text(
+      columns, rows,
+      {{"program", "granum " + text(version()) + " trade"},
+       {"bias", "of the mean against the reference, in parts of it for G and peak"},
+       {"scatter", "standard deviation of one specimen; of differences where packings are the same"}});
 }
 
 std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>& samples) {
-  io::CsvContent csv;
-  csv.notes = {{"program", "granum " + text(version()) + " trade"},
-               {"scene", json_text(json_of(trade), -1)},
-               {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}};
-  csv.headings = {"varied", "boundary", "value", "density", "seed"};
-  for (const double pressure : trade.scene.study.pressures)
-    csv.headings.push_back(fmt::format("G_at_{}kPa_Pa", short_text(pressure / 1e3)));
-  for (const char* heading : {"s", "peak_q_over_p", "cpu_s", "steps", "failure"})
-    csv.headings.emplace_back(heading);
-  for (const TradeSample& sample : samples) {
-    std::vector<io::CsvCell> cells{text(studies::name(sample.varied)), text(studies::name(sample.boundary)),
-                                   sample.value, text(studies::name(sample.density)),
-                                   static_cast<double>(sample.seed)};
-    for (std::size_t k = 0; k < trade.scene.study.pressures.size(); ++k)
-      cells.emplace_back(k < sample.shear_modulus.size() ? sample.shear_modulus[k] : nothing);
-    cells.emplace_back(sample.exponent.value_or(nothing));
-    cells.emplace_back(sample.peak_ratio.value_or(nothing));
-    cells.emplace_back(sample.cpu_seconds);
-    cells.emplace_back(static_cast<double>(sample.steps));
-    cells.emplace_back(sample.failure);
-    csv.rows.push_back(cells);
-  }
-  return io::csv_text(csv);
+  io::Columns<TradeSample> columns = subject_columns<TradeSample>();
+  const auto add = [&](const std::string& heading, auto of) { columns.emplace_back(heading, "", of); };
+  add("seed", [](const TradeSample& sample) { return static_cast<double>(sample.seed); });
+  for (std::size_t k = 0; k < trade.scene.study.pressures.size(); ++k)
+    add(fmt::format("G_at_{}kPa_Pa", short_text(trade.scene.study.pressures[k] / 1e3)),
+        [k](const TradeSample& sample) {
+          return k < sample.shear_modulus.size() ? std::optional(sample.shear_modulus[k]) : std::nullopt;
+        });
+  add("s", [](const TradeSample& sample) { return sample.exponent; });
+  add("peak_q_over_p", [](const TradeSample& sample) { return sample.peak_ratio; });
+  add("cpu_s", [](const TradeSample& sample) { return sample.cpu_seconds; });
+  add("steps", [](const TradeSample& sample) { return static_cast<double>(sample.steps); });
+  columns.emplace_back("failure", [](const TradeSample& sample) { return sample.failure; });
+  return io::csv_text(columns, samples,
+                      {{"program", "granum " + text(version()) + " trade"},
+                       {"scene", json_text(json_of(trade), -1)},
+                       {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}});
 }
 
 std::string trade_picture(const std::vector<TradeRow>& rows) {

@@ -28,10 +28,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   StudyOptions study;
-  std::string out;
-  bool json = false;
-  bool force = false;
-  bool quiet = false;
+  ResultOptions results;
 };
 
 constexpr const char* file_names[] = {"states.csv", "exponents.csv", "manifest.json"};
@@ -135,7 +132,7 @@ std::string report_of(const Outcome& outcome) {
 }
 
 void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
-  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::keep;
+  const io::Existing existing = options.results.existing();
   io::write_file(folder / file_names[0], studies::states_csv(outcome.scene, outcome.specimens), existing);
   io::write_file(folder / file_names[1], studies::exponents_csv(outcome.exponents), existing);
   io::write_file(folder / file_names[2], json_text(manifest_of(outcome, options)), existing);
@@ -144,15 +141,15 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 ExitCode run(const Options& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::verify);
   const std::atomic<bool>& stop = listen_for_stop();
-  const bool writes = !options.json || !options.out.empty();
+  const ResultOptions& results = options.results;
+  const bool writes = results.writes_files();
   const fs::path folder =
-      writes ? results_folder(options.out, "verify", file_names, options.force) : fs::path();
-  const Outcome outcome = run_and_judge(scene, stop, options.quiet);
+      writes ? results_folder(results.out, "verify", file_names, results.force) : fs::path();
+  const Outcome outcome = run_and_judge(scene, stop, results.quiet);
   if (writes)
     write_results(folder, outcome, options);
-  const OutputOptions to_screen{.json = options.json, .strict = false, .force = false, .out = {}};
   const std::string where = writes ? "CSV and manifest in " + folder.string() + "\n" : "";
-  deliver(to_screen, report_of(outcome) + where, manifest_of(outcome, options), {});
+  results.print(report_of(outcome) + where, manifest_of(outcome, options));
   if (!outcome.complete())
     return outcome.stopped ? exit_code_of_stop() : ExitCode::not_converged;
   return outcome.all_hold() ? ExitCode::ok : ExitCode::fell_short;
@@ -165,11 +162,8 @@ Command add_verify(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "verify", "Closed form against network and DEM, dense and loose: the exponent s");
   add_study_options(*command, options->study, studies::SceneCommand::verify);
-  add_path(*command, "--out", options->out, "Folder for CSV and manifest; by default a new granum-verify-N")
-      ->type_name("DIR");
-  command->add_flag("--json", options->json, "Print one JSON object, SI units; writes files only with --out");
-  command->add_flag("--force", options->force, "Let --out replace existing results");
-  command->add_flag("--quiet", options->quiet, "No progress line on a terminal");
+  add_result_options(*command, options->results,
+                     "Folder for CSV and manifest; by default a new granum-verify-N");
   return {command, [options] { return run(*options); }};
 }
 

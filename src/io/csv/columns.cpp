@@ -2,7 +2,8 @@
 #include <granum/io/csv/columns.hpp>
 
 #include <algorithm>
-#include <cstdio>
+
+#include <granum/core/number.hpp>
 
 namespace granum::io {
 
@@ -21,9 +22,10 @@ std::string heading_text(const ShownColumn& column) { return to_the_right(column
 std::string number_text(const ShownColumn& column, const std::optional<double>& number) {
   if (!number)
     return to_the_right(column.absent, column.width);
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, column.fixed ? "%.*f" : "%.*g", column.digits, *number / column.unit);
-  return to_the_right(buffer, column.width);
+  const double shown = *number / column.unit;
+  return to_the_right(column.fixed ? detail::formatted("%.*f", column.digits, shown)
+                                   : detail::formatted("%.*g", column.digits, shown),
+                      column.width);
 }
 
 } // namespace granum::io

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <granum/io/csv/table.hpp>
 
@@ -148,7 +147,6 @@ std::vector<Figure> experiment_figures(const Experiment& experiment) {
 }
 
 std::string panel_csv(const Panel& panel) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
   io::CsvContent csv;
   std::size_t rows = 0;
   const std::vector<plot::CsvColumns> headings = columns(panel);
@@ -162,7 +160,7 @@ std::string panel_csv(const Panel& panel) {
   for (std::size_t row = 0; row < rows; ++row) {
     std::vector<io::CsvCell> cells;
     const auto append = [&](const std::vector<double>& numbers) {
-      cells.emplace_back(row < numbers.size() ? numbers[row] : nothing);
+      cells.emplace_back(row < numbers.size() ? numbers[row] : io::empty_cell);
     };
     for (const plot::Series& series : panel.chart.series) {
       append(series.x);

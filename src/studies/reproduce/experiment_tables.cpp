@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/reproduce/experiment_tables.hpp"
 
-#include <cstdio>
-#include <limits>
 #include <utility>
 
+#include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/csv/columns.hpp>
 #include <granum/io/csv/table.hpp>
@@ -12,8 +11,6 @@
 namespace granum::studies {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
 
 std::string words(std::string_view view) { return std::string(view); }
 
@@ -50,11 +47,20 @@ std::string rows_of(const Experiment& experiment, io::CsvContent csv, Items item
   return io::csv_text(csv);
 }
 
-std::string number(double value, int digits) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
-  return buffer;
+/// The same with one row an item, by columns.
+template <class Item>
+std::string csv_of(const Experiment& experiment, std::vector<Item> PathRun::*items,
+                   const io::Columns<Item>& columns) {
+  io::CsvContent csv = headed(experiment, {});
+  io::add_headings(csv, columns);
+  return rows_of(experiment, std::move(csv), items,
+                 [&columns](io::CsvContent& to, Cells cells, const Item& item) {
+                   io::add_cells(cells, columns, item);
+                   to.rows.push_back(std::move(cells));
+                 });
 }
+
+std::string number(double value, int digits) { return detail::formatted("%.*f", digits, value); }
 
 /// Digits behind the point that a quantity of this size is shown with.
 int digits_of(double value) { return value >= 10 ? 1 : 3; }
@@ -142,25 +148,20 @@ io::Columns<StateRecord> frozen_state_columns() {
 } // namespace
 
 std::string frozen_states_csv(const Experiment& experiment) {
-  const io::Columns<StateRecord> columns = frozen_state_columns();
-  io::CsvContent csv = headed(experiment, {});
-  io::add_headings(csv, columns);
-  return rows_of(experiment, std::move(csv), &PathRun::points,
-                 [&columns](io::CsvContent& to, Cells cells, const StateRecord& point) {
-                   io::add_cells(cells, columns, point);
-                   to.rows.push_back(std::move(cells));
-                 });
+  return csv_of(experiment, &PathRun::points, frozen_state_columns());
 }
 
 std::string curves_csv(const Experiment& experiment) {
-  return rows_of(experiment,
-                 headed(experiment, {"eta", "p_Pa", "s_v_Pa", "s_h_Pa", "axial_strain", "volumetric_strain",
-                                     "work_J_per_m3", "step"}),
-                 &PathRun::curve, [](io::CsvContent& csv, Cells cells, const triaxial::PathPoint& p) {
-                   append(cells, {p.stress.ratio(), p.stress.mean(), p.stress.v, p.stress.h, p.axial_strain,
-                                  p.volumetric_strain, p.work, static_cast<double>(p.step)});
-                   csv.rows.push_back(std::move(cells));
-                 });
+  using Point = triaxial::PathPoint;
+  return csv_of<Point>(experiment, &PathRun::curve,
+                       {{"eta", "", [](const Point& p) { return p.stress.ratio(); }},
+                        {"p_Pa", "", [](const Point& p) { return p.stress.mean(); }},
+                        {"s_v_Pa", "", [](const Point& p) { return p.stress.v; }},
+                        {"s_h_Pa", "", [](const Point& p) { return p.stress.h; }},
+                        {"axial_strain", "", [](const Point& p) { return p.axial_strain; }},
+                        {"volumetric_strain", "", [](const Point& p) { return p.volumetric_strain; }},
+                        {"work_J_per_m3", "", [](const Point& p) { return p.work; }},
+                        {"step", "", [](const Point& p) { return static_cast<double>(p.step); }}});
 }
 
 std::string loops_csv(const Experiment& experiment) {
@@ -200,9 +201,10 @@ std::string table_csv(const std::vector<TableRow>& rows) {
   for (const TableRow& row : rows)
     for (const Cell& cell : row.cells)
       csv.rows.push_back({words(name(row.contact)), words(name(row.density)), cell.quantity, cell.ours.value,
-                          cell.ours.standard_error.value_or(nothing), cell.printed.value_or(nothing),
-                          cell.printed ? cell.ours.value - *cell.printed : nothing,
-                          cell.reach.value_or(nothing),
+                          cell.ours.standard_error.value_or(io::empty_cell),
+                          cell.printed.value_or(io::empty_cell),
+                          cell.printed ? cell.ours.value - *cell.printed : io::empty_cell,
+                          cell.reach.value_or(io::empty_cell),
                           std::string(!cell.printed  ? ""
                                       : cell.holds() ? "yes"
                                                      : "no")});
@@ -210,11 +212,11 @@ std::string table_csv(const std::vector<TableRow>& rows) {
 }
 
 std::string verdicts_csv(const std::vector<Verdict>& verdicts) {
-  io::CsvContent csv;
-  csv.headings = {"claim", "holds", "measured"};
-  for (const Verdict& verdict : verdicts)
-    csv.rows.push_back({verdict.claim, std::string(verdict.holds ? "yes" : "no"), verdict.measured});
-  return io::csv_text(csv);
+  const io::Columns<Verdict> columns = {
+      {"claim", [](const Verdict& verdict) { return verdict.claim; }},
+      {"holds", [](const Verdict& verdict) { return std::string(verdict.holds ? "yes" : "no"); }},
+      {"measured", [](const Verdict& verdict) { return verdict.measured; }}};
+  return io::csv_text(columns, verdicts);
 }
 
 std::string table_text(const std::string& title, const std::vector<TableRow>& rows) {

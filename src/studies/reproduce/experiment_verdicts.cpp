@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "studies/reproduce/experiment_findings.hpp"
 
 #include "experiment_data.hpp"
+
+#include <granum/core/number.hpp>
 
 namespace granum::studies {
 
 namespace {
 
 using triaxial::Density;
-
-std::string text(const char* format, double a, double b = 0, double c = 0) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, a, b, c);
-  return buffer;
-}
 
 std::string title(const ExperimentSpecimen& specimen) {
   return std::string(name(specimen.density)) + " " + std::string(name(specimen.contact)) + " #" +
@@ -46,10 +41,10 @@ Near near(const std::vector<TableRow>& rows, double distance, const std::string&
 
 void judge_all_near(std::vector<Verdict>& out, const std::string& claim, const Near& near) {
   if (near.cells > 0)
-    out.push_back(
-        {claim, near.within == near.cells,
-         text("%.0f of %.0f, worst ", static_cast<double>(near.within), static_cast<double>(near.cells)) +
-             text("%.3g", near.worst)});
+    out.push_back({claim, near.within == near.cells,
+                   detail::formatted("%.0f of %.0f, worst ", static_cast<double>(near.within),
+                                     static_cast<double>(near.cells)) +
+                       detail::formatted("%.3g", near.worst)});
 }
 
 void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
@@ -57,10 +52,10 @@ void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
   judge_all_near(out, "Table 2: C_n within 0.4 of the paper", near(initial, 0.4, "C_n"));
   judge_all_near(out, "Table 2: e within 0.02 of the paper", near(initial, 0.02, "e"));
   if (const Near close = near(peaks, 1.5); close.cells > 0)
-    out.push_back(
-        {"Table 4: five of six friction angles within 1.5 deg of the paper",
-         6 * close.within >= 5 * close.cells,
-         text("%.0f of %.0f", static_cast<double>(close.within), static_cast<double>(close.cells))});
+    out.push_back({"Table 4: five of six friction angles within 1.5 deg of the paper",
+                   6 * close.within >= 5 * close.cells,
+                   detail::formatted("%.0f of %.0f", static_cast<double>(close.within),
+                                     static_cast<double>(close.cells))});
   judge_all_near(out, "Table 4: all friction angles within 2.5 deg", near(peaks, 2.5));
   const std::vector<TableRow> fits = table_5(experiment);
   for (const auto& [letter, what] : {std::pair{'s', "s within 0.04 (dense), 0.08 (loose)"},
@@ -96,7 +91,7 @@ void judge_vertical_shear(std::vector<Verdict>& out, const Experiment& experimen
       }
   if (states > 0)
     out.push_back({"G_vh = G_hv by cyclic shear up to 0.9 of failure, within 2 %", worst <= 0.02,
-                   text("worst %.2g in %.0f states", worst, static_cast<double>(states))});
+                   detail::formatted("worst %.2g in %.0f states", worst, static_cast<double>(states))});
 }
 
 /// Largest distance of a figure from its value at the start of the paths, over |eta| <= 0.6.
@@ -120,9 +115,9 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
       error = point->micro.fabric_anisotropy_error;
     }
   out.push_back({title(specimen) + ": C_n within 3 % of its start for |eta| <= 0.6", coordination <= 0.03,
-                 text("worst %.2g", coordination)});
+                 detail::formatted("worst %.2g", coordination)});
   out.push_back({title(specimen) + ": a within 0.03 of zero for |eta| <= 0.6", anisotropy <= 0.03,
-                 text("worst %.3f +- %.3f", anisotropy, error)});
+                 detail::formatted("worst %.3f +- %.3f", anisotropy, error)});
   double kept = 0, turned = 10;
   for (const PathRun& run : specimen.runs)
     if (run.path && !run.points.empty() && run.failure.empty()) {
@@ -135,7 +130,7 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
   if (kept > 0)
     out.push_back({title(specimen) + ": past the peak C_n has dropped and a grown on every path",
                    kept < 0.9 && turned > 0.1,
-                   text("at most %.2f of C_n is left, a is %.2f or more", kept, turned)});
+                   detail::formatted("at most %.2f of C_n is left, a is %.2f or more", kept, turned)});
 }
 
 double G_vh_of(const StateRecord& point) { return point.G_vh(); }
@@ -146,10 +141,10 @@ void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
   const double change = std::max(worst_change(specimen, G_vh_of), worst_change(specimen, G_hh_of));
   if (specimen.density == Density::dense)
     out.push_back({title(specimen) + ": G constant within 5 % for |eta| <= 0.6", change <= 0.05,
-                   text("worst %.2g", change)});
+                   detail::formatted("worst %.2g", change)});
   else
     out.push_back({title(specimen) + ": G not constant within 5 % for |eta| <= 0.6", change > 0.05,
-                   text("changes by %.2g", change)});
+                   detail::formatted("changes by %.2g", change)});
 }
 
 /// The paper takes G_hh to follow sigma_h alone.
@@ -167,8 +162,8 @@ void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experim
     const double error = vertical->ours.standard_error.value_or(0);
     out.push_back({"dense " + std::string(name(row.contact)) + ": G_hh does not depend on sigma_v",
                    std::abs(vertical->ours.value) <= 2 * error,
-                   text("exponent of sigma_v %.3f +- %.3f, ", vertical->ours.value, error) +
-                       text("of sigma_h %.3f", horizontal->ours.value)});
+                   detail::formatted("exponent of sigma_v %.3f +- %.3f, ", vertical->ours.value, error) +
+                       detail::formatted("of sigma_h %.3f", horizontal->ours.value)});
   }
 }
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 #include "studies/reproduce/paper.hpp"
+#include <granum/core/number.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/hardin/polynomial.hpp>
 
@@ -55,12 +55,6 @@ std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& s
   return group;
 }
 
-std::string text(const char* format, double a, double b = 0, double c = 0) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, a, b, c);
-  return buffer;
-}
-
 /// The largest of a figure over all states that have it.
 struct Worst {
   double value = -1;
@@ -87,7 +81,7 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
                  const char* format) {
   if (worst.states > 0)
     out.push_back({claim, worst.value <= limit,
-                   text(format, worst.value) + ", " + std::to_string(worst.states) + " states"});
+                   detail::formatted(format, worst.value) + ", " + std::to_string(worst.states) + " states"});
 }
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
@@ -101,8 +95,8 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
       out.push_back(
           {"dense " + std::string(name(row.contact)) + ": s is the contact law's 1/(1+alpha), -0.01 to +0.05",
            excess >= -0.01 && excess <= 0.05,
-           text("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
-                row.contact_law)});
+           detail::formatted("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
+                             row.contact_law)});
       continue;
     }
     const auto dense = std::find_if(rows.begin(), rows.end(), [&](const ExponentRow& other) {
@@ -113,7 +107,7 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
     const double gap = row.network->value - dense->network->value;
     const double error = std::hypot(row.network->standard_error, dense->network->standard_error);
     out.push_back({"loose " + std::string(name(row.contact)) + ": s is larger than dense by 0.12 or more",
-                   gap >= 0.12, text("by %.3f +- %.3f", gap, error)});
+                   gap >= 0.12, detail::formatted("by %.3f +- %.3f", gap, error)});
   }
 }
 
@@ -175,8 +169,9 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
   std::vector<Verdict> out;
   judge_exponents(out, exponents(scene, specimens));
   if (const std::optional<RelaxationCurve> curve = relaxation_curve(specimens))
-    out.push_back({"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
-                   text("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
+    out.push_back(
+        {"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
+         detail::formatted("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
   judge_worst(out, "K(uniform stress, refined) <= K <= K(uniform strain)",
               worst_of(specimens,
                        [](const CompressedState& s) {

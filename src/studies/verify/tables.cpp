@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/tables.hpp"
 
-#include <cstdarg>
-#include <cstdio>
-#include <limits>
-
+#include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/csv/table.hpp>
 
@@ -12,23 +9,7 @@ namespace granum::studies {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN(); // an empty cell
-
 std::string words(std::string_view view) { return std::string(view); }
-
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char buffer[256];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer, sizeof buffer, format, arguments);
-  va_end(arguments);
-  return buffer;
-}
-
-io::CsvCell value(const std::optional<Measured>& exponent) { return exponent ? exponent->value : nothing; }
-io::CsvCell error(const std::optional<Measured>& exponent) {
-  return exponent ? exponent->standard_error : nothing;
-}
 
 std::optional<double> fabric_number(const CompressedState& state, double fabric::AnisotropyEstimate::*of) {
   return state.packing.fabric ? std::optional(state.packing.fabric->by_moment.*of) : std::nullopt;
@@ -39,7 +20,8 @@ const network::Response::Report& report(const CompressedState& state) {
 }
 
 std::string shown(const std::optional<Measured>& exponent) {
-  return exponent ? line("%6.3f +- %.3f", exponent->value, exponent->standard_error) : "       -       ";
+  return exponent ? detail::formatted("%6.3f +- %.3f", exponent->value, exponent->standard_error)
+                  : "       -       ";
 }
 
 } // namespace
@@ -133,27 +115,34 @@ std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& sp
 }
 
 std::string exponents_csv(const std::vector<ExponentRow>& rows) {
-  io::CsvContent csv;
-  csv.notes = {{"program", "granum " + words(version()) + " verify"},
-               {"meaning", "s of G ~ p^s by Levenberg-Marquardt on G; paper: Table 5, G_hv"}};
-  csv.headings = {"contact",       "density",           "contact_law",
-                  "closed_form",   "closed_form_error", "network",
-                  "network_error", "network_with_f_e",  "network_with_f_e_error",
-                  "probe",         "probe_error",       "paper"};
-  for (const ExponentRow& row : rows)
-    csv.rows.push_back({words(name(row.contact)), words(name(row.density)), row.contact_law,
-                        value(row.closed_form), error(row.closed_form), value(row.network),
-                        error(row.network), value(row.network_void), error(row.network_void),
-                        value(row.probe), error(row.probe), row.paper.value_or(nothing)});
-  return io::csv_text(csv);
+  io::Columns<ExponentRow> columns = {
+      {"contact", [](const ExponentRow& row) { return words(name(row.contact)); }},
+      {"density", [](const ExponentRow& row) { return words(name(row.density)); }},
+      {"contact_law", "", [](const ExponentRow& row) { return row.contact_law; }}};
+  const auto add = [&](const std::string& heading, std::optional<Measured> ExponentRow::*route) {
+    for (const auto& [suffix, part] :
+         {std::pair{"", &Measured::value}, {"_error", &Measured::standard_error}})
+      columns.emplace_back(heading + suffix, "", [route, part = part](const ExponentRow& row) {
+        return row.*route ? std::optional((*(row.*route)).*part) : std::nullopt;
+      });
+  };
+  add("closed_form", &ExponentRow::closed_form);
+  add("network", &ExponentRow::network);
+  add("network_with_f_e", &ExponentRow::network_void);
+  add("probe", &ExponentRow::probe);
+  columns.emplace_back("paper", "", [](const ExponentRow& row) { return row.paper; });
+  return io::csv_text(columns, rows,
+                      {{"program", "granum " + words(version()) + " verify"},
+                       {"meaning", "s of G ~ p^s by Levenberg-Marquardt on G; paper: Table 5, G_hv"}});
 }
 
 std::string states_table(const std::vector<SpecimenResult>& specimens) {
   const io::Columns<CompressedState> columns = state_columns();
   std::string out;
   for (const SpecimenResult& specimen : specimens) {
-    out += line("\n%s, %s, seed %llu\n", words(name(specimen.contact)).c_str(),
-                words(name(specimen.density)).c_str(), static_cast<unsigned long long>(specimen.seed));
+    out += detail::formatted("\n%s, %s, seed %llu\n", words(name(specimen.contact)).c_str(),
+                             words(name(specimen.density)).c_str(),
+                             static_cast<unsigned long long>(specimen.seed));
     out += io::heading_line(columns) + "\n";
     for (const CompressedState& state : specimen.states)
       out += io::number_line(columns, state) + "\n";
@@ -167,10 +156,11 @@ std::string exponents_table(const std::vector<ExponentRow>& rows) {
   std::string out = "s of G ~ p^s\n  contact    density  1/(1+alpha)   closed form       network           "
                     "with f(e)         probe             paper\n";
   for (const ExponentRow& row : rows)
-    out += line("  %-9s  %-7s  %9.3f   %s   %s   %s   %s   %s\n", words(name(row.contact)).c_str(),
-                words(name(row.density)).c_str(), row.contact_law, shown(row.closed_form).c_str(),
-                shown(row.network).c_str(), shown(row.network_void).c_str(), shown(row.probe).c_str(),
-                row.paper ? line("%5.3f", *row.paper).c_str() : "    -");
+    out += detail::formatted("  %-9s  %-7s  %9.3f   %s   %s   %s   %s   %s\n",
+                             words(name(row.contact)).c_str(), words(name(row.density)).c_str(),
+                             row.contact_law, shown(row.closed_form).c_str(), shown(row.network).c_str(),
+                             shown(row.network_void).c_str(), shown(row.probe).c_str(),
+                             row.paper ? detail::formatted("%5.3f", *row.paper).c_str() : "    -");
   return out;
 }
 

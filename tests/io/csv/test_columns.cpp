@@ -44,6 +44,15 @@ TEST_CASE("on the screen some columns stand ahead, in the CSV all stand as they 
   CHECK(csv.headings == std::vector<std::string>{"R_m", "m_kg"});
 }
 
+TEST_CASE("a column of texts stands in the CSV, below the notes") {
+  const Columns<Grain> named{
+      {"size", [](const Grain& g) { return std::string(g.radius > 0.3 ? "large" : "small, round"); }},
+      {"m_kg", "", [](const Grain& g) { return g.mass; }},
+  };
+  CHECK(csv_text(named, {Grain{0.5, 2}, Grain{0.25}}, {{"program", "granum"}}) ==
+        "# program: granum\nsize,m_kg\nlarge,2\n\"small, round\",\n");
+}
+
 TEST_CASE("what is wider than its column is shown whole") {
   const ShownColumn narrow{"a long heading", 3, 6};
   CHECK(heading_text(narrow) == "a long heading");

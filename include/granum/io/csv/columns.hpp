@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,11 +32,13 @@ enum class ColumnKind {
 template <class Row>
 struct Column {
   using Of = std::function<std::optional<double>(const Row&)>;
+  using Text = std::function<std::string(const Row&)>;
 
   std::string heading; ///< in CSV, with its unit; empty: not there
   std::string key;     ///< in JSON, "probes/G_hh_Pa" within an object; empty: not there
   Of of;               ///< the number of a row, SI; nothing: an empty cell
-  ColumnKind kind;
+  Text text;           ///< the text of a row, in CSV; null where the column holds numbers
+  ColumnKind kind = ColumnKind::number;
   std::optional<ShownColumn> shown; ///< nothing: not on the screen
 
   Column(std::string heading_, std::string key_, Of of_, ColumnKind kind_ = ColumnKind::number)
@@ -45,6 +46,9 @@ struct Column {
   Column(std::string heading_, std::string key_, Of of_, ShownColumn shown_)
       : heading(std::move(heading_)), key(std::move(key_)), of(std::move(of_)), kind(ColumnKind::number),
         shown(std::move(shown_)) {}
+  /// A column of texts.
+  Column(std::string heading_, Text text_)
+      : heading(std::move(heading_)), of([](const Row&) { return std::nullopt; }), text(std::move(text_)) {}
 };
 
 template <class Row>
@@ -61,7 +65,18 @@ template <class Row>
 void add_cells(std::vector<CsvCell>& to, const Columns<Row>& columns, const Row& row) {
   for (const Column<Row>& column : columns)
     if (!column.heading.empty())
-      to.emplace_back(column.of(row).value_or(std::numeric_limits<double>::quiet_NaN()));
+      to.push_back(column.text ? CsvCell(column.text(row)) : CsvCell(column.of(row).value_or(empty_cell)));
+}
+
+/// The text of a file with a row for each of `rows`, below the notes.
+template <class Row>
+[[nodiscard]] std::string csv_text(const Columns<Row>& columns, const std::vector<Row>& rows,
+                                   std::vector<std::pair<std::string, std::string>> notes = {}) {
+  CsvContent csv{.notes = std::move(notes), .headings = {}, .rows = {}};
+  add_headings(csv, columns);
+  for (const Row& row : rows)
+    add_cells(csv.rows.emplace_back(), columns, row);
+  return csv_text(csv);
 }
 
 /// A heading, or a number in its unit, to the right of the column; what is shown for nothing.

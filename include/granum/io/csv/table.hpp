@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,6 +68,8 @@ class CsvTable {
 
 /// A number or a text. NaN is written as an empty field, any other number with 17 significant digits.
 using CsvCell = std::variant<double, std::string>;
+/// The number that makes an empty field.
+inline constexpr double empty_cell = std::numeric_limits<double>::quiet_NaN();
 
 /// What a CSV file is to hold.
 struct CsvContent {
