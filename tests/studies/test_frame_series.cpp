@@ -15,13 +15,13 @@ using studies::fit_series;
 namespace {
 
 /// States that obey Eq. (1) without f(e), sigma_v/sigma_h from 1 by `step` a state.
-std::vector<Measurement> states(double m, double n, double step, int count = 6) {
+std::vector<MeasuredModulus> states(double m, double n, double step, int count = 6) {
   const hardin::Equation equation{.coefficient = 800,
                                   .exponent_i = m,
                                   .exponent_j = n,
                                   .atmospheric_pressure = 100e3,
                                   .void_ratio_function = hardin::VoidRatioFunction::none};
-  std::vector<Measurement> out;
+  std::vector<MeasuredModulus> out;
   for (int k = 0; k < count; ++k) {
     const hardin::SoilState state{(50e3 + 20e3 * k) * (1 + step * k * k), 50e3 + 20e3 * k, 0.6};
     out.push_back({hardin::shear_modulus(equation, state), state});
@@ -52,12 +52,12 @@ TEST_CASE("frame series: states of one stress ratio give s alone, those of sever
 TEST_CASE("frame series: what cannot be fitted says why") {
   CHECK(fit_series({}).remark == "exponents need at least 3 states");
   CHECK(fit_series(states(0.2, 0.2, 0, 2)).remark == "exponents need at least 3 states");
-  std::vector<Measurement> alike = states(0.2, 0.2, 0, 1);
+  std::vector<MeasuredModulus> alike = states(0.2, 0.2, 0, 1);
   alike.insert(alike.end(), 3, alike.front());
   const studies::SeriesFit flat = fit_series(alike);
   CHECK(flat.remark == "the stress hardly varies: no exponents");
   CHECK_FALSE(flat.sum);
-  std::vector<Measurement> bad = states(0.2, 0.2, 0);
+  std::vector<MeasuredModulus> bad = states(0.2, 0.2, 0);
   bad[1].shear_modulus = -1;
   CHECK(fit_series(bad).remark.find("shear_modulus") != std::string::npos);
   CHECK_THROWS_AS((void)fit_series(states(0.2, 0.2, 0), 0), InvalidArgument);
