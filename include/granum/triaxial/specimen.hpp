@@ -51,7 +51,7 @@ struct Preparation {
 /// Frictionless specimen in equilibrium at the first pressure, by particle expansion: points at random in a
 /// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
 /// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-5,
-/// the tolerance of compression_options() too. After friction is switched on, G of 1,000 spheres is then within
+/// the tolerance of compression_options() too. After friction is switched on, G of 1,000 spheres is within
 /// 1e-3 of what 1e-6 leads to (15 of 16 specimens; the other one went on to another packing, 1.6 % softer at
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
 /// (see Preparation::last), and come to rest once friction is on.
