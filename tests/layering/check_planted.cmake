@@ -61,8 +61,11 @@ endforeach()
 planted(include/granum/core/p.hpp "inline void f() { puts(text); }" "uses puts(")
 planted(src/core/bytes.cpp "#include <vector>\n#include <granum/core/bytes.hpp>" "does not include <granum/core/bytes.hpp> first")
 planted(src/core/bytes.cpp "" "does not include <granum/core/bytes.hpp> first")
+planted(src/fabric/p.cpp "void f() { try { g(); } catch (...) {} }" "catches an exception")
 
 # What is allowed stays allowed.
+planted(src/dem/p.cpp "void f() { try { g(); } catch (...) {} }" "")
+planted(src/effective/sensitivity/sampling.cpp "void f() { try { g(); } catch (...) {} }" "")
 planted(src/core/bytes.cpp "#include <granum/core/bytes.hpp>\n#include <vector>" "")
 planted(src/hardin/p.cpp "#include <gsl/gsl_vector.h>" "")
 planted(src/contact/p.cpp "#include <Eigen/Core>" "")
