@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cli/frame/frame.hpp"
+
+/// The program but for main().
+namespace granum::cli {
+
+/// Adds every command to the program, which takes one of them.
+[[nodiscard]] std::vector<Command> add_commands(CLI::App& program);
+
+/// Does what the command line asks for.
+/// \throws   granum's errors, which main() turns into a message and an exit code
+[[nodiscard]] ExitCode parse_and_run(int argc, char** argv);
+
+/// Writes the error message and gives the code back.
+ExitCode fail(ExitCode code, std::string_view message);
+
+} // namespace granum::cli
