@@ -287,6 +287,9 @@ class Attack {
     demand(h.shear.value >= 0 && h.shear.value <= 1 + 1e-13, "a factor of G is outside [0, 1]");
     demand(h.bulk.value >= 0 && h.bulk.value <= 1 + 1e-13, "a factor of K is outside [0, 1]");
     demand(h_more.shear.value >= h.shear.value * (1 - 1e-13), "more contacts relax G further");
+    if (is_density(s.state))
+      demand(relaxed.stiffness.bulk_modulus() <= strain.bulk_modulus() * (1 + 1e-11),
+             "relaxed K is above uniform strain");
     if (s.state.fabric_anisotropy == 0 && s.state.stress_v == s.state.stress_h)
       demand(not_stiffer(relaxed.stiffness, strain, 1e-11), "relaxed is stiffer than uniform strain");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The draws of an uncertainty: the one source of this library that catches exceptions, kept apart for targets that
-// cannot.
+// The draws of an uncertainty: the one source of this library that catches exceptions, kept apart for
+// targets that cannot.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
