@@ -122,16 +122,34 @@ void ShearTest::step() {
   path_error_ = std::max(path_error_, gap / options_.mean_stress);
 }
 
+namespace {
+
+/// Whether the value has come to the next multiple of the step, which is then moved on to the first one above
+/// it, in a few steps also where a forged checkpoint or a test that is no longer finite is beyond them all.
+bool passes_multiple(double value, double step, std::size_t& next) {
+  if (!(value >= static_cast<double>(next) * step))
+    return false;
+  constexpr double beyond_all = 0x1p53; // above it doubles skip whole numbers
+  const double reached = std::floor(value / step);
+  if (!(reached < beyond_all)) {
+    next = std::max(next, static_cast<std::size_t>(beyond_all));
+    return true;
+  }
+  if (reached > 1) // one less: the quotient may have been rounded up
+    next = std::max(next, static_cast<std::size_t>(reached) - 1);
+  while (value >= static_cast<double>(next) * step)
+    ++next;
+  return true;
+}
+
+} // namespace
+
 /// Whether eta or the strain has passed its next multiple, which is then moved on.
 bool ShearTest::passes_snapshot() {
-  bool passes = false;
   const double eta = now_.stress.ratio() * (stress::is_compression(options_.path) ? 1 : -1);
-  for (; eta >= static_cast<double>(next_eta_) * options_.eta_step; ++next_eta_)
-    passes = true;
-  for (; std::abs(now_.axial_strain) >= static_cast<double>(next_strain_) * options_.strain_step;
-       ++next_strain_)
-    passes = true;
-  return passes;
+  const bool by_eta = passes_multiple(eta, options_.eta_step, next_eta_);
+  const bool by_strain = passes_multiple(std::abs(now_.axial_strain), options_.strain_step, next_strain_);
+  return by_eta || by_strain;
 }
 
 ShearEvent ShearTest::advance() {
