@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds a corpus to a fuzz target where libFuzzer is not at hand: every file of a folder as it is, cut off at
-// many places, and with bytes changed at random, always the same ones.    replay_<target> <folder>
+// many places, and with bytes changed at random, always the same ones.
+//   replay_<target> <folder> [<changes of each file, 1000 by default>]
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -45,10 +47,12 @@ std::string changed(std::string input, std::mt19937_64& random) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s <corpus folder>\n", argv[0]);
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: %s <corpus folder> [<changes>]\n", argv[0]);
     return 2;
   }
+  const std::size_t changes = argc == 3 ? std::strtoull(argv[2], nullptr, 10) : 1000;
+  const std::size_t cuts = changes / 5;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(argv[1]))
     files.push_back(entry.path());
@@ -60,7 +64,6 @@ int main(int argc, char** argv) {
     bytes << std::ifstream(path, std::ios::binary).rdbuf();
     const std::string whole = bytes.str();
     feed(whole);
-    constexpr std::size_t cuts = 200, changes = 1000;
     for (std::size_t k = 0; k < cuts; ++k)
       feed(whole.substr(0, whole.size() * k / cuts));
     for (std::size_t k = 0; k < changes; ++k)
