@@ -6,12 +6,11 @@
 
 namespace granum::dem {
 
-/// A state to the bit: what load_state reads is equal to it.
+/// A specimen to the bit: what load_specimen reads is equal to it.
 /// Checked by tests/dem/test_engine_bytes.cpp
 void save_specimen(ByteWriter& to, const Specimen& state);
-/// \throws   FileError if the bytes end too early
-/// \throws   FileError if the bytes end early, or are of a state that no loop could go through safely: grains
-///           that it does not have, cells without volume, numbers that are none
+/// \throws   FileError if the bytes end early, or are of a specimen that no loop could go through safely:
+///           grains that it does not have, cells without volume, numbers that are none
 [[nodiscard]] Specimen load_specimen(ByteReader& from);
 
 } // namespace granum::dem
