@@ -132,11 +132,13 @@ void add_batch_of_pressures(const std::string& name, const contact::PowerLaw& la
 
 void add_scalar_calls() {
   add("hertz_mindlin, rung 0", 1,
-      [packing = SpherePacking{.shear_modulus = quartz.shear_modulus,
-                               .poisson_ratio = quartz.poisson_ratio,
-                               .porosity = 0.375,
-                               .coordination_number = 6,
-                               .pressure = 1e5}] { return hertz_mindlin(packing); });
+      [packing = rock_physics::SpherePacking{.shear_modulus = quartz.shear_modulus,
+                                             .poisson_ratio = quartz.poisson_ratio,
+                                             .porosity = 0.375,
+                                             .coordination_number = 6,
+                                             .pressure = 1e5}] {
+        return rock_physics::hertz_mindlin(packing);
+      });
   add("K and G, rung 0", 1, [state = isotropic_state()] { return uniform_strain(state); });
   add("6x6 with fabric from a state, rung 1", 1,
       [state = anisotropic_state()] { return voigt(uniform_strain_stiffness(uniform_contacts(state))); });
