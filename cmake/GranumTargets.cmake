@@ -14,7 +14,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
-# every machine computes the same bits. The engine's sweep names its own (src/dem/sweep/vector_level.hpp).
+# every machine computes the same bits. The engine's sweep names its own (src/core/vector/level.hpp).
 function(granum_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)

@@ -9,24 +9,11 @@
 #include <cstdint>
 #include <numbers>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "vector_math.hpp"
-
-// Same source for each vector level, chosen when the program starts by what the machine can do;
-// x86-64-v3 is AVX2 with FMA ("arch=haswell" would be that one model).
-// Sanitized builds take the plain one: their runtime starts after the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
-    !defined(__SANITIZE_THREAD__)
-#define GRANUM_VECTOR_LEVELS __attribute__((target_clones("avx512f", "arch=x86-64-v3", "default")))
-#else
-#define GRANUM_VECTOR_LEVELS
-#endif
+#include "core/vector/math.hpp"
+#include "core/vector/stream.hpp"
 
 namespace granum::effective {
 
@@ -67,62 +54,62 @@ struct Work {
 /// then passes that make roots of it, and root() of every row, to be multiplied by `factor`.
 struct SphereRule {
   double factor; ///< c 2^-60
-  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+  GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
     const double x = w * w * (p * lift);
     work.x[k] = good ? x : 0.0;
     work.y[k] = vector_math::inverse_cube_root_guess(work.x[k]);
   }
-  [[gnu::always_inline]] static void pass(Work& work, std::size_t k) {
+  GRANUM_INLINE static void pass(Work& work, std::size_t k) {
     work.y[k] = vector_math::inverse_cube_root_step(work.x[k], work.y[k]);
   }
-  [[gnu::always_inline]] double root(const Work& work, std::size_t k) const {
+  GRANUM_INLINE double root(const Work& work, std::size_t k) const {
     return vector_math::cube_root_from(work.x[k], work.y[k]);
   }
 };
 struct ConeRule {
   double factor; ///< c 2^-90
-  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+  GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
     const double x = w * (p * lift);
     work.x[k] = good ? x : 0.0;
   }
-  [[gnu::always_inline]] static void pass(Work&, std::size_t) {}
-  [[gnu::always_inline]] static double root(const Work& work, std::size_t k) { return std::sqrt(work.x[k]); }
+  GRANUM_INLINE static void pass(Work&, std::size_t) {}
+  GRANUM_INLINE static double root(const Work& work, std::size_t k) { return std::sqrt(work.x[k]); }
 };
 struct FlatRule {
   double factor; ///< c
-  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double, bool good) {
+  GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double, bool good) {
     work.x[k] = good ? w : 0.0;
   }
-  [[gnu::always_inline]] static void pass(Work&, std::size_t) {}
-  [[gnu::always_inline]] static double root(const Work& work, std::size_t k) { return work.x[k]; }
+  GRANUM_INLINE static void pass(Work&, std::size_t) {}
+  GRANUM_INLINE static double root(const Work& work, std::size_t k) { return work.x[k]; }
 };
 struct GeneralRule {
   double factor; ///< c 2^(-180 b)
   vector_math::Exponent b;
-  [[gnu::always_inline]] static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+  GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
     const bool loaded = good & (p > 0) & (w > 0);
     const double ratio = p * lift / w;
     work.x[k] = loaded ? w : 0.0;
     work.y[k] = loaded ? ratio : 1.0;
   }
-  [[gnu::always_inline]] static void pass(Work& work, std::size_t k) {
+  GRANUM_INLINE static void pass(Work& work, std::size_t k) {
     const vector_math::Log2 log2 = vector_math::log2_of(work.y[k]);
     work.y[k] = log2.whole;
     work.z[k] = log2.part;
   }
-  [[gnu::always_inline]] double root(const Work& work, std::size_t k) const {
+  GRANUM_INLINE double root(const Work& work, std::size_t k) const {
     return work.x[k] * vector_math::power_from({work.y[k], work.z[k]}, b);
   }
 };
 
 /// NaN fails every comparison.
-[[gnu::always_inline]] inline bool is_good(double p, double C, double n) {
+GRANUM_INLINE bool is_good(double p, double C, double n) {
   return (p >= 0) & (p <= most_pressure) & (C >= 0) & (C <= most_contacts) & (n > 0) & (n < 1);
 }
 
 /// Bad rows go on as rows without forces, which gives them moduli of 0. Returns whether all rows are good.
 template <class Rule>
-[[gnu::always_inline]] inline bool prepare(const Rule&, const Inputs& in, Work& work) {
+GRANUM_INLINE bool prepare_at_level(const Inputs& in, Work& work) {
   const double* const __restrict pressure = in.pressure;
   const double* const __restrict contacts = in.coordination_number;
   const double* const __restrict porosity = in.porosity;
@@ -137,8 +124,7 @@ template <class Rule>
 }
 
 template <class Rule>
-[[gnu::always_inline]] inline void finish(const Rule& rule, Work& work, const Results& out,
-                                          std::size_t count) {
+GRANUM_INLINE void finish_at_level(const Rule& rule, Work& work, const Results& out, std::size_t count) {
   double* const __restrict bulk = out.bulk_modulus;
   double* const __restrict shear = out.shear_modulus;
   for (std::size_t k = 0; k < count; ++k)
@@ -150,33 +136,16 @@ template <class Rule>
   }
 }
 
-GRANUM_VECTOR_LEVELS bool prepare_for(const SphereRule& rule, const Inputs& in, Work& work) {
-  return prepare(rule, in, work);
+template <class Rule>
+bool prepare(const Rule&, const Inputs& in, Work& work) {
+  bool good = false;
+  at_vector_level([&](auto) __attribute__((always_inline)) { good = prepare_at_level<Rule>(in, work); });
+  return good;
 }
-GRANUM_VECTOR_LEVELS void finish_for(const SphereRule& rule, Work& work, const Results& out,
-                                     std::size_t count) {
-  finish(rule, work, out, count);
-}
-GRANUM_VECTOR_LEVELS bool prepare_for(const ConeRule& rule, const Inputs& in, Work& work) {
-  return prepare(rule, in, work);
-}
-GRANUM_VECTOR_LEVELS void finish_for(const ConeRule& rule, Work& work, const Results& out,
-                                     std::size_t count) {
-  finish(rule, work, out, count);
-}
-GRANUM_VECTOR_LEVELS bool prepare_for(const FlatRule& rule, const Inputs& in, Work& work) {
-  return prepare(rule, in, work);
-}
-GRANUM_VECTOR_LEVELS void finish_for(const FlatRule& rule, Work& work, const Results& out,
-                                     std::size_t count) {
-  finish(rule, work, out, count);
-}
-GRANUM_VECTOR_LEVELS bool prepare_for(const GeneralRule& rule, const Inputs& in, Work& work) {
-  return prepare(rule, in, work);
-}
-GRANUM_VECTOR_LEVELS void finish_for(const GeneralRule& rule, Work& work, const Results& out,
-                                     std::size_t count) {
-  finish(rule, work, out, count);
+
+template <class Rule>
+void finish(const Rule& rule, Work& work, const Results& out, std::size_t count) {
+  at_vector_level([&](auto) __attribute__((always_inline)) { finish_at_level(rule, work, out, count); });
 }
 
 /// The rows of a column from `first` on: its own memory, or a block filled with its one value.
@@ -216,24 +185,6 @@ std::string complaint(double pressure, double coordination_number, double porosi
 /// Results that exceed the caches are written past them, which saves reading their old content first.
 constexpr std::size_t rows_beyond_caches = std::size_t{1} << 17;
 
-void store_past_caches(const Block& from, std::size_t count, double* to) {
-#if defined(__SSE2__)
-  if (reinterpret_cast<std::uintptr_t>(to) % 16 == 0 && count % 2 == 0) {
-    for (std::size_t k = 0; k < count; k += 2)
-      _mm_stream_pd(to + k, _mm_load_pd(from.data() + k));
-    return;
-  }
-#endif
-  std::copy_n(from.data(), count, to);
-}
-
-/// Orders the stores of store_past_caches() before all that follows.
-void finish_stores() {
-#if defined(__SSE2__)
-  _mm_sfence();
-#endif
-}
-
 /// Counts the bad rows of a block and says of the first of all what is wrong.
 void report_bad_rows(const Inputs& in, std::size_t first, BatchReport& report) {
   for (std::size_t k = 0; k < in.count; ++k) {
@@ -257,14 +208,14 @@ BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& mo
     const Inputs in{pressure.from(first), contacts.from(first), porosity.from(first), count};
     double* const K = moduli.bulk_modulus.data() + first;
     double* const G = moduli.shear_modulus.data() + first;
-    if (!prepare_for(rule, in, work))
+    if (!prepare(rule, in, work))
       report_bad_rows(in, first, report);
     if (!past_caches) {
-      finish_for(rule, work, {K, G, shear_by_bulk}, count);
+      finish(rule, work, {K, G, shear_by_bulk}, count);
     } else {
-      finish_for(rule, work, {bulk.data(), shear.data(), shear_by_bulk}, count);
-      store_past_caches(bulk, count, K);
-      store_past_caches(shear, count, G);
+      finish(rule, work, {bulk.data(), shear.data(), shear_by_bulk}, count);
+      store_past_caches(bulk.data(), count, K);
+      store_past_caches(shear.data(), count, G);
     }
   }
   if (past_caches)

@@ -12,6 +12,7 @@
 #include <granum/elastic/eigen_system.hpp>
 
 #include "contact_operator.hpp"
+#include "core/vector/level.hpp"
 
 namespace granum::network {
 
@@ -35,8 +36,7 @@ constexpr double runaway = 1e6;
 constexpr double holding_spring = 1e-14;
 
 template <int Dof>
-GRANUM_VECTOR_LEVELS void accumulate_products(std::size_t n, const Rows<Dof>* x, const Rows<Dof>* y,
-                                              Gram* out) {
+GRANUM_INLINE void accumulate_products(std::size_t n, const Rows<Dof>* x, const Rows<Dof>* y, Gram* out) {
   Lanes sum[load_cases] = {};
   for (std::size_t g = 0; g < n; ++g)
     for (int d = 0; d < Dof; ++d)
@@ -48,8 +48,8 @@ GRANUM_VECTOR_LEVELS void accumulate_products(std::size_t n, const Rows<Dof>* x,
 
 /// y = base + x m, or x m without base; y may be base or x.
 template <int Dof>
-GRANUM_VECTOR_LEVELS void accumulate_combination(std::size_t n, const Rows<Dof>* base, const Rows<Dof>* x,
-                                                 const Gram* m, Rows<Dof>* y) {
+GRANUM_INLINE void accumulate_combination(std::size_t n, const Rows<Dof>* base, const Rows<Dof>* x,
+                                          const Gram* m, Rows<Dof>* y) {
   for (std::size_t g = 0; g < n; ++g)
     for (int d = 0; d < Dof; ++d) {
       Lanes value = {};
@@ -62,7 +62,7 @@ GRANUM_VECTOR_LEVELS void accumulate_combination(std::size_t n, const Rows<Dof>*
 }
 
 template <int Dof>
-GRANUM_VECTOR_LEVELS void accumulate_squares(std::size_t n, const Rows<Dof>* x, double* out) {
+GRANUM_INLINE void accumulate_squares(std::size_t n, const Rows<Dof>* x, double* out) {
   Lanes sum = {};
   for (std::size_t g = 0; g < n; ++g)
     for (int d = 0; d < Dof; ++d)
@@ -83,7 +83,9 @@ Gram gram(const Matrix6& m) {
 template <int Dof>
 Matrix6 products(const Field<Dof>& x, const Field<Dof>& y) {
   Gram g;
-  accumulate_products<Dof>(x.size(), x.data(), y.data(), &g);
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    accumulate_products<Dof>(x.size(), x.data(), y.data(), &g);
+  });
   Matrix6 m;
   for (int r = 0; r < load_cases; ++r)
     for (int c = 0; c < load_cases; ++c)
@@ -95,14 +97,18 @@ Matrix6 products(const Field<Dof>& x, const Field<Dof>& y) {
 template <int Dof>
 void combine(const Field<Dof>& base, const Field<Dof>& x, const Matrix6& m, Field<Dof>& y) {
   const Gram coefficients = gram(m);
-  accumulate_combination<Dof>(x.size(), base.data(), x.data(), &coefficients, y.data());
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    accumulate_combination<Dof>(x.size(), base.data(), x.data(), &coefficients, y.data());
+  });
 }
 
 /// x = x m
 template <int Dof>
 void multiply(Field<Dof>& x, const Matrix6& m) {
   const Gram coefficients = gram(m);
-  accumulate_combination<Dof>(x.size(), nullptr, x.data(), &coefficients, x.data());
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    accumulate_combination<Dof>(x.size(), nullptr, x.data(), &coefficients, x.data());
+  });
 }
 
 struct Whitening {
@@ -168,7 +174,9 @@ class Relaxation {
 
   static PerCase norms(const Field<Dof>& x) {
     PerCase result{};
-    accumulate_squares<Dof>(x.size(), x.data(), result.data());
+    at_vector_level([&](auto) __attribute__((always_inline)) {
+      accumulate_squares<Dof>(x.size(), x.data(), result.data());
+    });
     for (double& value : result)
       value = std::sqrt(value);
     return result;

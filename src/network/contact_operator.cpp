@@ -11,25 +11,27 @@
 #include <array>
 #include <cmath>
 
+#include "core/vector/level.hpp"
+
 namespace granum::network {
 
 namespace {
 
 using Vec = std::array<Lanes, 3>;
 
-[[gnu::always_inline]] inline Vec cross(const Vec3& n, const Vec& t) {
+GRANUM_INLINE Vec cross(const Vec3& n, const Vec& t) {
   return {n.y * t[2] - n.z * t[1], n.z * t[0] - n.x * t[2], n.x * t[1] - n.y * t[0]};
 }
 
-[[gnu::always_inline]] inline Vec anisotropic(double along, double across, const Vec3& n, const Vec& d) {
+GRANUM_INLINE Vec anisotropic(double along, double across, const Vec3& n, const Vec& d) {
   const Lanes excess = (along - across) * (n.x * d[0] + n.y * d[1] + n.z * d[2]);
   return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
 }
 
 /// Adds what a contact answers to the displacements of its two sides.
 template <int Dof>
-[[gnu::always_inline]] inline void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb,
-                                          Rows<Dof>& ya, Rows<Dof>& yb) {
+GRANUM_INLINE void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb, Rows<Dof>& ya,
+                          Rows<Dof>& yb) {
   const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
   Vec delta = v;
   if constexpr (Dof == 6) {
@@ -59,14 +61,13 @@ template <int Dof>
 }
 
 template <int Dof>
-GRANUM_VECTOR_LEVELS void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
+GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
   for (std::size_t c = 0; c < count; ++c)
     answer<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
 }
 
 template <int Dof>
-GRANUM_VECTOR_LEVELS void sweep_walls(const Link* links, std::size_t count, const Rows<Dof>* x,
-                                      Rows<Dof>* y) {
+GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
   for (std::size_t c = 0; c < count; ++c) {
     Link elastic = links[c];
     elastic.prestress = 0;
@@ -145,8 +146,10 @@ void apply_stiffness(const Backbone& backbone, double hold, const Field<Dof>& x,
   for (std::size_t g = 0; g < x.size(); ++g)
     for (int d = 0; d < Dof; ++d)
       y[g].row[d] = hold * x[g].row[d];
-  sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
-  sweep_walls<Dof>(backbone.wall_links.data(), backbone.wall_links.size(), x.data(), y.data());
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
+    sweep_walls<Dof>(backbone.wall_links.data(), backbone.wall_links.size(), x.data(), y.data());
+  });
 }
 
 template <int Dof>

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "contact_operator.hpp"
+#include "core/vector/level.hpp"
 
 namespace granum::network {
 
@@ -30,8 +31,7 @@ void add(const Block<Dof>& from, Block<Dof>& to) {
 
 /// target -= left * right
 template <int Dof>
-[[gnu::always_inline]] inline void subtract_product(const Block<Dof>& left, const Block<Dof>& right,
-                                                    Block<Dof>& target) {
+GRANUM_INLINE void subtract_product(const Block<Dof>& left, const Block<Dof>& right, Block<Dof>& target) {
   for (int r = 0; r < Dof; ++r)
     for (int k = 0; k < Dof; ++k)
       for (int c = 0; c < Dof; ++c)
@@ -39,7 +39,7 @@ template <int Dof>
 }
 
 template <int Dof>
-[[gnu::always_inline]] inline Block<Dof> transposed(const Block<Dof>& b) {
+GRANUM_INLINE Block<Dof> transposed(const Block<Dof>& b) {
   Block<Dof> t;
   for (int r = 0; r < Dof; ++r)
     for (int c = 0; c < Dof; ++c)
@@ -62,24 +62,21 @@ bool invert_pivot(Block<Dof>& pivot, double floor) {
 
 /// target -= M^T source, or M source, for the stored (transposed) block M = L^T.
 template <int Dof>
-[[gnu::always_inline]] inline void subtract_lower(const Block<Dof>& stored, const Rows<Dof>& source,
-                                                  Rows<Dof>& target) {
+GRANUM_INLINE void subtract_lower(const Block<Dof>& stored, const Rows<Dof>& source, Rows<Dof>& target) {
   for (int k = 0; k < Dof; ++k)
     for (int r = 0; r < Dof; ++r)
       target.row[r] -= stored.at[k][r] * source.row[k];
 }
 template <int Dof>
-[[gnu::always_inline]] inline void subtract_upper(const Block<Dof>& stored, const Rows<Dof>& source,
-                                                  Rows<Dof>& target) {
+GRANUM_INLINE void subtract_upper(const Block<Dof>& stored, const Rows<Dof>& source, Rows<Dof>& target) {
   for (int r = 0; r < Dof; ++r)
     for (int k = 0; k < Dof; ++k)
       target.row[r] -= stored.at[r][k] * source.row[k];
 }
 
 template <int Dof>
-GRANUM_VECTOR_LEVELS void substitute(std::size_t n, const std::uint32_t* row_start,
-                                     const std::uint32_t* column, const Block<Dof>* lower,
-                                     const Block<Dof>* inverse_pivot, Rows<Dof>* z) {
+GRANUM_INLINE void substitute(std::size_t n, const std::uint32_t* row_start, const std::uint32_t* column,
+                              const Block<Dof>* lower, const Block<Dof>* inverse_pivot, Rows<Dof>* z) {
   for (std::size_t i = 0; i < n; ++i) {
     Rows<Dof> zi = z[i];
     for (std::uint32_t e = row_start[i]; e < row_start[i + 1]; ++e)
@@ -202,8 +199,10 @@ bool IncompleteFactor<Dof>::factorise() {
 template <int Dof>
 void IncompleteFactor<Dof>::solve(const Field<Dof>& r, Field<Dof>& z) const {
   z = r;
-  substitute<Dof>(z.size(), row_start_.data(), column_.data(), lower_.data(), inverse_pivot_.data(),
-                  z.data());
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    substitute<Dof>(z.size(), row_start_.data(), column_.data(), lower_.data(), inverse_pivot_.data(),
+                    z.data());
+  });
 }
 
 template class IncompleteFactor<3>;

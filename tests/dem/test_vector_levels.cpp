@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/sweep/vector_level.hpp"
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -12,6 +10,7 @@
 #include <granum/dem/minimise.hpp>
 
 #include "lattice_state.hpp"
+#include "vector_levels.hpp"
 
 using namespace granum;
 using namespace granum::dem;
@@ -20,18 +19,6 @@ namespace {
 
 constexpr double radius = 0.5e-3;
 constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-
-/// Sets a level, and the one that stood before at its end.
-class LevelSet {
- public:
-  explicit LevelSet(VectorLevel level) : before_(vector_level()) { set_vector_level(level); }
-  ~LevelSet() { set_vector_level(before_); }
-  LevelSet(const LevelSet&) = delete;
-  LevelSet& operator=(const LevelSet&) = delete;
-
- private:
-  VectorLevel before_;
-};
 
 struct Scene {
   std::string name;
@@ -57,7 +44,7 @@ struct Run {
 
 /// A lattice that is sheared until contacts slide, open and close.
 Run run(const Scene& scene, VectorLevel level) {
-  const LevelSet at(level);
+  const test::LevelSet at(level);
   Specimen state = test::fcc(radius, 3, 2e-7);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const double phase = static_cast<double>(g);
@@ -108,7 +95,7 @@ TEST_CASE("a minimiser gives the same bits at the vector levels with fused multi
   for (const bool walls : {false, true}) {
     CAPTURE(walls);
     const auto minimised = [&](VectorLevel level) {
-      const LevelSet at(level);
+      const test::LevelSet at(level);
       Specimen state = test::fcc(radius, 3, 0.03 * radius);
       for (std::size_t g = 0; g < state.grain_count(); ++g) {
         const double phase = static_cast<double>(g);

@@ -5,12 +5,16 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
+#include "core/vector/math.hpp"
 #include "relative.hpp"
 #include "support.hpp"
+#include "vector_levels.hpp"
 
 namespace {
 
@@ -112,6 +116,42 @@ TEST_CASE("batch: large batches, which bypass the caches, give the same bits as 
     CHECK(out.shear[k] == shifted.shear[k + 1]);
   }
   CHECK(out.bulk.back() > 0);
+}
+
+TEST_CASE("batch: spheres, at the vector level in use, have the bits of plain code") {
+  const contact::PowerLaw law = test::law_of(2, 0.15);
+  constexpr double R = 5e-4;
+  const double c =
+      law.stiffness_at_force(4 * std::numbers::pi * R * R) / (6 * std::numbers::pi * R) * 0x1p-60;
+  const Inputs in(5000);
+  std::vector<double> plain;
+  for (std::size_t k = 0; k < in.pressure.size(); ++k) {
+    const double w = in.coordination_number[k] * (1 - in.porosity[k]);
+    const double x = w * w * (in.pressure[k] * 0x1p180);
+    const double r = vector_math::inverse_cube_root_step(x, vector_math::inverse_cube_root_guess(x));
+    plain.push_back(c * vector_math::cube_root_from(x, r));
+  }
+  Outputs out(5000);
+  REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
+  CHECK(out.bulk == plain);
+}
+
+TEST_CASE("batch: every shape has the same bits at every vector level") {
+  if (test::levels_beyond_baseline().empty())
+    MESSAGE("NOT COMPARED: this machine or build has the plain level only");
+  for (const double alpha : {1.0, 1.5, 2.0, 8.0, test::infinity}) {
+    CAPTURE(alpha);
+    const contact::PowerLaw law = test::law_of(alpha, 0.15);
+    const Inputs in(700);
+    const auto moduli = [&](VectorLevel level) {
+      const test::LevelSet at(level);
+      Outputs out(700);
+      REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
+      return std::pair{out.bulk, out.shear};
+    };
+    for (const VectorLevel level : test::levels_beyond_baseline())
+      CHECK(moduli(level) == moduli(VectorLevel::baseline));
+  }
 }
 
 TEST_CASE("batch: results may take the place of the inputs") {

@@ -62,8 +62,14 @@ planted(include/granum/core/p.hpp "inline void f() { puts(text); }" "uses puts("
 planted(src/core/bytes.cpp "#include <vector>\n#include <granum/core/bytes.hpp>" "does not include <granum/core/bytes.hpp> first")
 planted(src/core/bytes.cpp "" "does not include <granum/core/bytes.hpp> first")
 planted(src/fabric/p.cpp "void f() { try { g(); } catch (...) {} }" "catches an exception")
+planted(src/network/p.cpp "using Lanes = double __attribute__((vector_size(64)));" "uses vector_size; vector code has its room, src/core/vector")
+planted(src/dem/p.cpp "#include <immintrin.h>" "uses immintrin.h; vector code has its room, src/core/vector")
+planted(src/effective/p.cpp "__attribute__((target_clones(\"avx2\", \"default\"))) void f();" "uses target_clones; vector code")
+planted(src/packing/p.cpp "#include \"core/vector/level.hpp\"" "includes \"core/vector/level.hpp\", a private header of core")
 
 # What is allowed stays allowed.
+planted(src/core/vector/p.hpp "using Lanes = double __attribute__((vector_size(64)));" "")
+planted(src/effective/p.cpp "#include \"core/vector/level.hpp\"" "")
 planted(src/dem/p.cpp "void f() { try { g(); } catch (...) {} }" "")
 planted(src/effective/sensitivity/sampling.cpp "void f() { try { g(); } catch (...) {} }" "")
 planted(src/core/bytes.cpp "#include <granum/core/bytes.hpp>\n#include <vector>" "")

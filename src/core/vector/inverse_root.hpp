@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem.
+// Private to src.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
-#include "vector_level.hpp"
+#include "level.hpp"
 
-namespace granum::dem {
+namespace granum {
 
 /// x^(-1/2) of a normal positive number within 2 ulp, without root and quotient, which take longer than
 /// all the rest of a contact law. For 0 a finite number.
-/// Checked by tests/dem/test_inverse_root.cpp
+/// Checked by tests/core/vector/test_inverse_root.cpp
 template <VectorLevel level>
 GRANUM_INLINE double inverse_root(double x) {
   constexpr std::uint64_t three_halves_of_one = 0x5fe6e31fa0cbbed5; // of the bits of 1, and a little
@@ -25,4 +25,4 @@ GRANUM_INLINE double inverse_root(double x) {
   return fused<level>(near, rest * fused<level>(0.375, rest, 0.5), near);
 }
 
-} // namespace granum::dem
+} // namespace granum

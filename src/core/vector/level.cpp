@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vector_level.hpp"
+#include "level.hpp"
 
 #include <atomic>
 
 #include <granum/core/error.hpp>
 
-namespace granum::dem {
+namespace granum {
 
 namespace {
 
@@ -46,4 +46,4 @@ void set_vector_level(VectorLevel level) {
   setting().store(level, std::memory_order_relaxed);
 }
 
-} // namespace granum::dem
+} // namespace granum

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Loops over grains and pairs are compiled for some vector levels, of which the machine
-// takes the widest that it has. None reorders. AVX2 with FMA and AVX-512 give the same bits; the baseline
-// has no fused multiply-adds and differs from them by round-off (tests/dem/test_vector_levels.cpp).
+// Private to src. Loops over many numbers are compiled for some vector levels, of which the machine takes the
+// widest that it has: over grains and pairs (dem), rows of packings (effective), contacts of a network (network).
+// None reorders sums. AVX2 with FMA and AVX-512 give the same bits. The baseline has no fused multiply-adds: what
+// asks for fused() differs there by round-off, what does not has the same bits everywhere
+// (tests/dem/test_vector_levels.cpp, tests/effective/test_batch.cpp, tests/network/test_vector_levels.cpp).
 #pragma once
 
 #include <type_traits>
 
 #define GRANUM_INLINE [[gnu::always_inline]] inline
 
-namespace granum::dem {
+namespace granum {
 
 enum class VectorLevel { baseline, avx2, avx512 };
 
@@ -16,7 +18,7 @@ enum class VectorLevel { baseline, avx2, avx512 };
 [[nodiscard]] bool runs_here(VectorLevel level);
 /// The level in use: the widest that runs here, unless another was set.
 [[nodiscard]] VectorLevel vector_level();
-/// For tests and measurements; not while an engine steps.
+/// For tests and measurements; not while another thread computes.
 void set_vector_level(VectorLevel level);
 
 template <VectorLevel level>
@@ -59,4 +61,4 @@ void at_vector_level(const Body& body) {
   body(AtLevel<VectorLevel::baseline>{});
 }
 
-} // namespace granum::dem
+} // namespace granum

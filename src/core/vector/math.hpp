@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Roots and powers of positive numbers without branches, tables or calls, so that loops over them become
+// Private to src. Roots and powers of positive numbers without branches, tables or calls, so that loops over them become
 // vector code. Every fused operation is written out: the bits do not depend on what the compiler may fuse.
 #pragma once
 
@@ -9,14 +9,16 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace granum::effective::vector_math {
+#include "level.hpp"
+
+namespace granum::vector_math {
 
 /// 2^52: added to a whole number below it, puts the number into the low bits of the mantissa.
 constexpr double two_52 = 4503599627370496.0;
 constexpr std::uint64_t bits_of_two_52 = 0x4330000000000000;
 
 /// The whole number below 2^52 as a double.
-[[gnu::always_inline]] inline double as_double(std::uint64_t whole) {
+GRANUM_INLINE double as_double(std::uint64_t whole) {
   return std::bit_cast<double>(whole | bits_of_two_52) - two_52;
 }
 
@@ -24,7 +26,7 @@ constexpr std::uint64_t bits_of_two_52 = 0x4330000000000000;
 /// step over the whole block: a chain of all three is too long for a processor to keep several in flight.
 ///
 /// r near x^(-1/3), |1 - x r^3| <= 0.1021: the bits of x over -3.
-[[gnu::always_inline]] inline double inverse_cube_root_guess(double x) {
+GRANUM_INLINE double inverse_cube_root_guess(double x) {
   constexpr double top = 1099511627776.0; // 2^40: the mantissa without its 12 last bits
   const double bits = as_double(std::bit_cast<std::uint64_t>(x) >> 12);
   const double guess = std::fma(bits, -1.0 / 3, (1023.0 * 4 / 3 - 0.068) * top);
@@ -32,7 +34,7 @@ constexpr std::uint64_t bits_of_two_52 = 0x4330000000000000;
 }
 
 /// r to 4e-10: (1-h)^(-1/3) = 1 + h q(h), q interpolated at the Chebyshev nodes of |h| <= 0.1021.
-[[gnu::always_inline]] inline double inverse_cube_root_step(double x, double r) {
+GRANUM_INLINE double inverse_cube_root_step(double x, double r) {
   const double h = std::fma(-(x * r), r * r, 1.0); // 1 - x r^3
   double q = 0.11265994048729445;
   q = std::fma(q, h, 0.12641728729454452);
@@ -44,7 +46,7 @@ constexpr std::uint64_t bits_of_two_52 = 0x4330000000000000;
 }
 
 /// The root from r by a Newton step, which squares the error.
-[[gnu::always_inline]] inline double cube_root_from(double x, double r) {
+GRANUM_INLINE double cube_root_from(double x, double r) {
   const double r2 = r * r;
   const double y = x * r2;
   return std::fma(std::fma(y * y, y, -x), r2 * (-1.0 / 3), y);
@@ -63,7 +65,7 @@ inline Exponent exponent(double b) {
 }
 
 /// log2(m) for m in [sqrt(1/2), sqrt(2)], absolute error below 2e-16: 2/ln 2 artanh((m-1)/(m+1)).
-[[gnu::always_inline]] inline double log2_near_one(double m) {
+GRANUM_INLINE double log2_near_one(double m) {
   const double s = (m - 1) / (m + 1);
   const double t = s * s;
   double sum = 1.0 / 19;
@@ -84,7 +86,7 @@ constexpr std::array<double, 14> inverse_factorials = [] {
 }();
 
 /// 2^r for |r| <= 1/2 and a little more, within 1 ulp: the exponential series.
-[[gnu::always_inline]] inline double exp2_near_zero(double r) {
+GRANUM_INLINE double exp2_near_zero(double r) {
   const double x = r * 0.69314718055994530942; // ln 2
   double sum = inverse_factorials.back();
 #pragma GCC unroll 16
@@ -100,7 +102,7 @@ struct Log2 {
 };
 
 /// log2 of a normal positive number; some finite number for other x.
-[[gnu::always_inline]] inline Log2 log2_of(double x) {
+GRANUM_INLINE Log2 log2_of(double x) {
   constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t biased = (bits + (one - root_half)) >> 52; // exponent of two plus 1023
@@ -109,7 +111,7 @@ struct Log2 {
 }
 
 /// x^b from log2 x, within 1.5 ulp, for 0 <= b <= 1/2.
-[[gnu::always_inline]] inline double power_from(const Log2& x, const Exponent& b) {
+GRANUM_INLINE double power_from(const Log2& x, const Exponent& b) {
   constexpr std::uint64_t one = 0x3ff0000000000000;
   const double small = std::fma(x.whole, b.low, b.whole * x.part);
   constexpr double rounder = 1.5 * two_52;
@@ -119,4 +121,4 @@ struct Log2 {
   return scale * exp2_near_zero(std::fma(x.whole, b.high, -whole) + small);
 }
 
-} // namespace granum::effective::vector_math
+} // namespace granum::vector_math

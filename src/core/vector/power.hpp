@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. The power of src/effective/vector_math.hpp with fused operations only where the level
+// Private to src. The power of math.hpp with fused operations only where the level
 // has them, and for exponents up to 1.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
-#include "vector_level.hpp"
+#include "level.hpp"
 
-namespace granum::dem {
+namespace granum {
 
 /// b in [0, 1]; high has 40 bits, its product with an exponent of two is exact.
 struct SplitExponent {
@@ -43,7 +43,7 @@ GRANUM_INLINE double plain_exp2_near_zero(double r) {
 }
 
 /// x^b of a normal positive number within 2.5 ulp as vector code. For 0 a small number.
-/// Checked by tests/dem/test_vector_power.cpp
+/// Checked by tests/core/vector/test_power.cpp
 template <VectorLevel level>
 GRANUM_INLINE double vector_power(double x, const SplitExponent& b) {
   constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
@@ -60,4 +60,4 @@ GRANUM_INLINE double vector_power(double x, const SplitExponent& b) {
   return scale * plain_exp2_near_zero<level>((large - (shifted - rounder)) + small);
 }
 
-} // namespace granum::dem
+} // namespace granum

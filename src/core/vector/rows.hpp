@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Rows of eight numbers, one vector where the level has vectors of eight and two of four
+// Private to src. Rows of eight numbers, one vector where the level has vectors of eight and two of four
 // elsewhere, and their turning into columns: one number of each of several grains or pairs.
 #pragma once
 
 #include <cstddef>
 #include <type_traits>
 
-#include "grain_rows.hpp"
-#include "vector_level.hpp"
+#include "level.hpp"
+#include "types.hpp"
 
-namespace granum::dem {
-
-using Eight = double __attribute__((vector_size(8 * sizeof(double))));
-using FourInMemory __attribute__((may_alias)) = Four;
-using EightInMemory __attribute__((may_alias)) = Eight;
+namespace granum {
 
 struct Halves {
   Four low, high;
@@ -119,4 +115,4 @@ GRANUM_INLINE void to_columns(const Eight (&rows)[8], Eight (&columns)[8]) {
 }
 GRANUM_INLINE void to_rows(const Eight (&columns)[8], Eight (&rows)[8]) { to_columns(columns, rows); }
 
-} // namespace granum::dem
+} // namespace granum

@@ -13,9 +13,9 @@
 
 #include <granum/dem/neighbours.hpp>
 
-#include "inverse_root.hpp"
-#include "vector_power.hpp"
-#include "vector_rows.hpp"
+#include "core/vector/inverse_root.hpp"
+#include "core/vector/power.hpp"
+#include "core/vector/rows.hpp"
 
 namespace granum::dem {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "vector_rows.hpp"
+#include "core/vector/rows.hpp"
 
 namespace granum::dem {
 

@@ -9,9 +9,9 @@
 
 #include <granum/core/vec3.hpp>
 
-namespace granum::dem {
+#include "core/vector/types.hpp"
 
-using Four = double __attribute__((vector_size(4 * sizeof(double))));
+namespace granum::dem {
 
 /// Centre x, own velocity v and part of the angular velocity w of a grain.
 struct alignas(64) MotionRow {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/sweep/inverse_root.hpp"
+#include "core/vector/inverse_root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace granum::dem;
+using namespace granum;
 
 // How the levels differ is whether products and sums are fused.
 using Plain = AtLevel<VectorLevel::baseline>;

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "effective/vector_math.hpp"
+#include "core/vector/math.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/effective/batch.hpp>
 
-#include "support.hpp"
-
-using namespace granum;
-namespace vm = granum::effective::vector_math;
+namespace vm = granum::vector_math;
 
 namespace {
 
@@ -22,7 +16,7 @@ long double exactly(double x) { return x; }
 /// Error of `value` in units of the last place of the exact number, which long double knows 11 bits better.
 double ulps(double value, long double exact) {
   const double nearest = static_cast<double>(exact);
-  const double place = std::nextafter(nearest, test::infinity) - nearest;
+  const double place = std::nextafter(nearest, std::numeric_limits<double>::infinity()) - nearest;
   return static_cast<double>(std::abs(exactly(value) - exact) / exactly(place));
 }
 
@@ -72,25 +66,4 @@ TEST_CASE("vector math: powers with the exponents of contact laws within 1.5 ulp
     CAPTURE(b);
     CHECK(worst < 1.5);
   }
-}
-
-TEST_CASE("vector math: the batch, at whatever vector level it runs here, has the bits of plain code") {
-  const contact::PowerLaw law = test::law_of(2, 0.15);
-  constexpr double R = 5e-4;
-  const double c =
-      law.stiffness_at_force(4 * std::numbers::pi * R * R) / (6 * std::numbers::pi * R) * 0x1p-60;
-  std::vector<double> pressure, contacts, porosity;
-  for (int k = 0; k < 5000; ++k) {
-    pressure.push_back(std::pow(10, -12 + std::fmod(0.7331 * k, 24)));
-    contacts.push_back(0.1 + std::fmod(0.613 * k, 13));
-    porosity.push_back(0.05 + std::fmod(0.1717 * k, 0.9));
-  }
-  std::vector<double> bulk(5000), shear(5000);
-  REQUIRE(effective::uniform_strain({law, 0.8, R, pressure, contacts, porosity}, {bulk, shear}).ok());
-  bool same = true;
-  for (std::size_t k = 0; k < bulk.size(); ++k) {
-    const double w = contacts[k] * (1 - porosity[k]);
-    same = same && bulk[k] == c * cube_root(w * w * (pressure[k] * 0x1p180));
-  }
-  CHECK(same);
 }

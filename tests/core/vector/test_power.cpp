@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/sweep/vector_power.hpp"
+#include "core/vector/power.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ double ulps(double value, long double exact) {
 }
 
 // How the levels differ is whether products and sums are fused.
-using Plain = dem::AtLevel<dem::VectorLevel::baseline>;
-using Fused = dem::AtLevel<dem::VectorLevel::avx2>;
+using Plain = AtLevel<VectorLevel::baseline>;
+using Fused = AtLevel<VectorLevel::avx2>;
 
 } // namespace
 
 TEST_CASE_TEMPLATE("powers with all exponents of contact laws within 2.5 ulp of long double", Level, Plain,
                    Fused) {
-  constexpr dem::VectorLevel level = Level::value;
+  constexpr VectorLevel level = Level::value;
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> mantissa(1, 2);
   for (const double b : {1.0, 0.97, 0.7, 0.5, 1.0 / 3, 0.1, 1.0 / 301, 1e-9}) {
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("powers with all exponents of contact laws within 2.5 ulp of 
       for (int k = 0; k < 100; ++k) {
         const double x = std::ldexp(mantissa(random), octave);
         const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(b));
-        worst = std::max(worst, ulps(dem::vector_power<level>(x, dem::SplitExponent(b)), exact));
+        worst = std::max(worst, ulps(vector_power<level>(x, SplitExponent(b)), exact));
       }
     CAPTURE(b);
     CHECK(worst < 2.5);
@@ -43,14 +43,14 @@ TEST_CASE_TEMPLATE("powers with all exponents of contact laws within 2.5 ulp of 
 }
 
 TEST_CASE_TEMPLATE("powers near the ends of the mantissa, of 1 and of 0", Level, Plain, Fused) {
-  constexpr dem::VectorLevel level = Level::value;
+  constexpr VectorLevel level = Level::value;
   for (const double b : {1.0, 0.7, 0.5, 0.1}) {
-    CHECK(dem::vector_power<level>(1, dem::SplitExponent(b)) == 1);
+    CHECK(vector_power<level>(1, SplitExponent(b)) == 1);
     for (const double x : {std::sqrt(0.5), std::sqrt(2.0), 1 - 0x1p-53, 1 + 0x1p-52}) {
       const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(b));
-      CHECK(ulps(dem::vector_power<level>(x, dem::SplitExponent(b)), exact) < 2.5);
+      CHECK(ulps(vector_power<level>(x, SplitExponent(b)), exact) < 2.5);
     }
-    const double of_nothing = dem::vector_power<level>(0, dem::SplitExponent(b));
+    const double of_nothing = vector_power<level>(0, SplitExponent(b));
     CHECK(of_nothing >= 0);
     CHECK(of_nothing < 1e-30);
   }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src. Vectors of numbers, of the compiler's own kind: a level with narrower registers works them out in parts.
+#pragma once
+
+namespace granum {
+
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using Eight = double __attribute__((vector_size(8 * sizeof(double))));
+
+/// To read and write them where single numbers are stored.
+using FourInMemory __attribute__((may_alias)) = Four;
+using EightInMemory __attribute__((may_alias)) = Eight;
+
+} // namespace granum
