@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <granum/contact/pair.hpp>
 #include <granum/packing/force_distribution.hpp>
 
 namespace granum::analysis {
@@ -26,8 +27,7 @@ std::vector<Point> points_of(const packing::Assembly& assembly, const LawFamily&
   for (const packing::Contact& c : assembly.contacts) {
     if (!(c.overlap > 0) || !(c.normal_force > 0) || !(c.normal_force >= hardly * mean))
       continue;
-    const double ri = assembly.radius[c.i], rj = assembly.radius[c.j];
-    const double radius = 2 * ri * (rj / (ri + rj));
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
     points.push_back({std::log(c.overlap / radius), std::log(c.normal_force / radius / radius),
                       c.normal_force / family(grain, radius).force(c.overlap)});
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <granum/contact/pair.hpp>
+
 namespace granum::packing {
 
 namespace {
@@ -38,9 +40,8 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
   require_valid(assembly);
   const double checked_ratio = contact::given_stiffness_ratio(ratio);
   for (Contact& c : assembly.contacts) {
-    const double ri = assembly.radius[c.i], rj = assembly.radius[c.j];
-    const double equal_radius = 2 * ri * (rj / (ri + rj)); // two spheres of it have the same R*
-    assign(c, contact::PowerLaw::sphere(grain, equal_radius), checked_ratio, from);
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
+    assign(c, contact::PowerLaw::sphere(grain, radius), checked_ratio, from);
   }
   for (Contact& c : assembly.wall_contacts)
     assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), checked_ratio, from);

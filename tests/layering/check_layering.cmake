@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(floor_core 0)
 set(floor_contact 1)
+set(floor_sizes 1)
 set(floor_stress 1)
 set(floor_elastic 1)
 set(floor_fabric 1)
@@ -22,14 +23,14 @@ set(floor_studies 5)
 set(floor_cli 6)
 
 # Modules whose headers a user without Eigen can include.
-set(modules_without_eigen core contact stress fabric hardin packing)
+set(modules_without_eigen core contact sizes stress fabric hardin packing)
 # Libraries that stay an affair of the sources.
 set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat)\\.h")
 # What only the program may do: print and exit.
 set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|putchar|perror|exit|_Exit|quick_exit|abort)[ \t]*\\(|fprintf[ \t]*\\([ \t]*(stdout|stderr)")
 
 # Exceptions of the closed forms are caught in one source alone, so that targets that cannot catch leave one source out.
-set(theory_modules core contact stress elastic fabric effective rock_physics)
+set(theory_modules core contact sizes stress elastic fabric effective rock_physics)
 set(catching_source src/effective/sensitivity/sampling.cpp)
 
 # Whose private headers, named by their path below src, a module may include: its own, and of these modules.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <granum/sizes/distribution.hpp>
+
+/// Which sizes touch which, and the means over contacts that closed forms take of it.
+namespace granum::sizes {
+
+/// Means over the contacts of a packing, and its mean grain, over those of equal grains of a reference radius R:
+/// the default, in which every member is exactly 1.
+struct ContactMeans {
+  double branch = 1;        ///< <l>/(2 R), l = R_i + R_j of a contact [1]
+  double branch_square = 1; ///< <l^2>/(4 R^2) [1]
+  double pair_radius = 1;   ///< 2 <R*>/R, R* = R_i R_j/(R_i + R_j): of the law at the mean R* [1]
+  double grain_volume = 1;  ///< <V_g>/(4/3 pi R^3), over all grains, those without contact as well [1]
+
+  bool operator==(const ContactMeans&) const = default;
+};
+
+/// Checks the means: each positive, and no mean square below the square of the mean (1 - 1e-9 for its rounding).
+/// \throws   InvalidArgument naming the first that is not
+/// Checked by tests/sizes/test_contact_means.cpp
+void require_valid(const ContactMeans& means);
+
+/// Two grains that touch.
+struct TouchingPair {
+  double radius_i = 0; ///< [m]
+  double radius_j = 0; ///< [m]
+};
+
+/// Counted in a packing: over its contacts, and over its grains.
+/// \param    radii       of all grains, each > 0 [m]
+/// \param    contacts    of those grains, at least one
+/// \param    reference   R > 0 that the means refer to [m]
+/// \throws   InvalidArgument for an empty list or a radius that is not positive
+/// Accuracy  rounding; exactly 1 where all radii are the reference.
+///           Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] ContactMeans counted_contact_means(std::span<const double> radii,
+                                                 std::span<const TouchingPair> contacts, double reference);
+
+/// Contacts of a grain of radius x = r/<r> over those of a grain of the mean radius: Omega(1)/Omega(x), with
+/// Omega(x) = 1 - sqrt(1 - 1/(1 + x)^2) the share of its sky that a mean neighbour takes.
+///                                                                              [Shaebani2012]
+/// Assumes   the coverage of grains does not depend on their size. Small grains have fewer contacts than that:
+///           below the 20 % quantile some 0.8 times as many, most rattlers being small.
+/// \param    x   > 0, not checked
+/// Accuracy  4 ulp.  Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] double relative_contact_number(double x);
+
+/// The means that a distribution leads to: contacts of a grain as relative_contact_number, partners independent
+/// of each other's size. R is the mean radius by number.
+/// Accuracy  of the quadrature 1e-10. Against counted packings: see docs/theory.md.
+///           Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes);
+/// The same of the radii of grains, e.g. of a file without contacts; R is their mean. <R*> of more than 1,024
+/// grains is counted in as many classes of equal number.
+/// \throws   InvalidArgument for no radii, or one that is not positive
+/// Accuracy  of the classes 1e-4.  Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] ContactMeans expected_contact_means(std::span<const double> radii);
+
+/// The same means referred to another radius, R' = scale R.
+/// \throws   InvalidArgument unless scale > 0
+/// Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] ContactMeans with_reference(const ContactMeans& means, double scale);
+
+} // namespace granum::sizes

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/sizes/contact_means.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/mean.hpp>
+
+#include "sorted_radii.hpp"
+
+namespace granum::sizes {
+
+namespace {
+
+/// Grains of one radius, counted by their contacts.
+struct Partners {
+  double radius = 0;
+  double contacts = 0;
+};
+
+/// <2 R*> of independent partners, each found as often as it has contacts.
+double mean_pair_radius(const std::vector<Partners>& partners) {
+  double contacts = 0, sum = 0;
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    const auto& [x, of_x] = partners[i];
+    double with_smaller = 0;
+    for (std::size_t j = 0; j < i; ++j)
+      with_smaller += partners[j].contacts * harmonic_mean(x, partners[j].radius);
+    sum += of_x * (of_x * x + 2 * with_smaller);
+    contacts += of_x;
+  }
+  return sum / contacts / contacts;
+}
+
+/// Sums over grains, each with a share of their number and radius x.
+class Sums {
+ public:
+  void add(double x, double share) {
+    const double often = share * relative_contact_number(x);
+    number_ += share;
+    cubes_ += share * (x * x * x);
+    contacts_ += often;
+    mean_ += often * x;
+    square_ += often * x * x;
+  }
+  [[nodiscard]] ContactMeans means(double pair_radius) const {
+    const double mean = mean_ / contacts_; // <R_i + R_j>/2
+    return {.branch = mean,
+            .branch_square = 0.5 * (square_ / contacts_ + mean * mean),
+            .pair_radius = pair_radius,
+            .grain_volume = cubes_ / number_};
+  }
+
+ private:
+  double number_ = 0, cubes_ = 0, contacts_ = 0, mean_ = 0, square_ = 0;
+};
+
+} // namespace
+
+void require_valid(const ContactMeans& means) {
+  require_positive("contact means: branch", means.branch);
+  require_positive("contact means: branch_square", means.branch_square);
+  require_positive("contact means: pair_radius", means.pair_radius);
+  require_positive("contact means: grain_volume", means.grain_volume);
+  constexpr double rounding = 1e-9;
+  if (!(means.branch_square >= (1 - rounding) * means.branch * means.branch))
+    throw InvalidArgument(
+        "contact means: the mean square of the branches, branch_square, is smaller than the "
+        "square of their mean");
+}
+
+ContactMeans counted_contact_means(std::span<const double> radii, std::span<const TouchingPair> contacts,
+                                   double reference) {
+  require_positive("reference radius", reference, "m");
+  if (radii.empty() || contacts.empty())
+    throw InvalidArgument("contact means need one grain and one contact or more");
+  double volume = 0;
+  for (const double radius : radii) {
+    const double relative = require_positive("radius", radius, "m") / reference;
+    volume += relative * relative * relative;
+  }
+  ContactMeans sum{.branch = 0, .branch_square = 0, .pair_radius = 0};
+  for (const auto& [radius_i, radius_j] : contacts) {
+    const double i = require_positive("radius of a contact", radius_i, "m") / reference;
+    const double j = require_positive("radius of a contact", radius_j, "m") / reference;
+    const double half = 0.5 * (i + j);
+    sum.branch += half;
+    sum.branch_square += half * half;
+    sum.pair_radius += harmonic_mean(i, j);
+  }
+  const double count = static_cast<double>(contacts.size());
+  return {.branch = sum.branch / count,
+          .branch_square = sum.branch_square / count,
+          .pair_radius = sum.pair_radius / count,
+          .grain_volume = volume / static_cast<double>(radii.size())};
+}
+
+double relative_contact_number(double x) {
+  // 1/Omega = (1 + sqrt(1 - s))/s with s = 1/(1 + x)^2; at x = 1 s = 1/4.
+  const double inverse_s = (1 + x) * (1 + x);
+  return inverse_s * (1 + std::sqrt(1 - 1 / inverse_s)) / (4 * (1 + std::sqrt(0.75)));
+}
+
+ContactMeans expected_contact_means(const Distribution& sizes) {
+  if (sizes.is_equal())
+    return {};
+  Sums sums;
+  std::vector<Partners> partners;
+  for (const auto& [x, share] : sizes.nodes()) {
+    sums.add(x, share);
+    partners.push_back({.radius = x, .contacts = share * relative_contact_number(x)});
+  }
+  return sums.means(mean_pair_radius(partners));
+}
+
+ContactMeans expected_contact_means(std::span<const double> radii) {
+  constexpr std::size_t most_classes = 1024;
+  if (radii.empty())
+    throw InvalidArgument("contact means need one grain or more");
+  const std::vector<double> sorted = sorted_radii(radii);
+  if (sorted.front() == sorted.back())
+    return {};
+  const double count = static_cast<double>(sorted.size());
+  const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / count;
+  const std::size_t classes = std::min(sorted.size(), most_classes);
+  Sums sums;
+  std::vector<Partners> partners;
+  for (std::size_t k = 0; k < classes; ++k) {
+    double contacts = 0, sum = 0;
+    for (std::size_t g = k * sorted.size() / classes; g < (k + 1) * sorted.size() / classes; ++g) {
+      const double x = sorted[g] / mean, of_x = relative_contact_number(x);
+      sums.add(x, 1);
+      contacts += of_x;
+      sum += of_x * x;
+    }
+    partners.push_back({.radius = sum / contacts, .contacts = contacts});
+  }
+  return sums.means(mean_pair_radius(partners));
+}
+
+ContactMeans with_reference(const ContactMeans& means, double scale) {
+  require_positive("scale of the reference radius", scale);
+  return {.branch = means.branch / scale,
+          .branch_square = means.branch_square / (scale * scale),
+          .pair_radius = means.pair_radius / scale,
+          .grain_volume = means.grain_volume / (scale * scale * scale)};
+}
+
+} // namespace granum::sizes

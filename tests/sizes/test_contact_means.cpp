@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/sizes/contact_means.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/sizes/sampling.hpp>
+
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::sizes;
+
+namespace {
+
+const std::vector<Distribution> unequal{Distribution::bidisperse(1.4), Distribution::uniform(1, 3),
+                                        Distribution::lognormal(0.35), Distribution::power_law(3.5, 10),
+                                        Distribution::uniformity(2.5), Distribution::uniformity(4)};
+
+void check_same(const ContactMeans& a, const ContactMeans& b, double tolerance) {
+  CHECK(a.branch == relative(b.branch, tolerance));
+  CHECK(a.branch_square == relative(b.branch_square, tolerance));
+  CHECK(a.pair_radius == relative(b.pair_radius, tolerance));
+  CHECK(a.grain_volume == relative(b.grain_volume, tolerance));
+}
+
+} // namespace
+
+TEST_CASE("equal grains are exactly 1, by every way") {
+  const ContactMeans one;
+  CHECK(expected_contact_means(Distribution::equal()) == one);
+  CHECK(expected_contact_means(Distribution::lognormal(0)) == one);
+  CHECK(expected_contact_means(std::vector<double>(7, 0.3e-3)) == one);
+  const std::vector<double> radii(5, 0.3e-3);
+  const std::vector<TouchingPair> contacts(11, {0.3e-3, 0.3e-3});
+  CHECK(counted_contact_means(radii, contacts, 0.3e-3) == one);
+}
+
+TEST_CASE("nearly equal grains have nearly the means of equal ones, whichever way they approach them") {
+  for (const double small : {1e-2, 1e-4, 1e-7})
+    for (const Distribution& sizes :
+         {Distribution::bidisperse(1 + small), Distribution::uniform(1, 1 + small),
+          Distribution::lognormal(small), Distribution::uniformity(1 + small)}) {
+      CAPTURE(sizes.text());
+      check_same(expected_contact_means(sizes), {}, 4 * small);
+      CHECK(expected_contact_means(sizes).branch_square >= 1);
+    }
+}
+
+TEST_CASE("quadrature and a sample of radii agree") {
+  for (const Distribution& sizes : unequal) {
+    CAPTURE(sizes.text());
+    const std::vector<double> radii = sample_radii(sizes, 20000, 4);
+    double mean = 0;
+    for (const double x : radii)
+      mean += x / 20000;
+    // Where one grain in 20,000 holds a per cent of the mass, its own size is seen.
+    const double tolerance = sizes.size_ratio() > 15 ? 5e-2 : 1e-3;
+    check_same(with_reference(expected_contact_means(radii), 1 / mean), expected_contact_means(sizes),
+               tolerance);
+  }
+}
+
+TEST_CASE("classes of a large sample make no difference to its means") {
+  const Distribution sizes = Distribution::uniformity(4);
+  std::vector<double> radii = sample_radii(sizes, 1000, 9), repeated;
+  for (int copy = 0; copy < 3; ++copy)
+    repeated.insert(repeated.end(), radii.begin(), radii.end());
+  check_same(expected_contact_means(repeated), expected_contact_means(radii), 1e-4);
+}
+
+TEST_CASE("contacts drawn as the theory says have the expected means") {
+  // 400 radii by classes; every pair counted in proportion to the product of both contact numbers.
+  const Distribution sizes = Distribution::lognormal(0.35);
+  const std::vector<double> radii = sample_radii(sizes, 400, 2);
+  double mean = 0;
+  for (const double x : radii)
+    mean += x / 400;
+  std::vector<TouchingPair> contacts;
+  for (const double a : radii)
+    for (const double b : radii) {
+      const double often = 4 * relative_contact_number(a / mean) * relative_contact_number(b / mean);
+      for (int k = 0; k < static_cast<int>(std::lround(often)); ++k)
+        contacts.push_back({a, b});
+    }
+  check_same(counted_contact_means(radii, contacts, mean), expected_contact_means(radii), 5e-3);
+}
+
+TEST_CASE("a grain has as many contacts as mean neighbours find room for") {
+  CHECK(relative_contact_number(1) == relative(1, 1e-15));
+  const auto share_of_sky = [](double x) { return 1 - std::sqrt(1 - 1 / ((1 + x) * (1 + x))); };
+  for (const double x : {0.01, 0.3, 2.0, 5.0})
+    CHECK(relative_contact_number(x) == relative(share_of_sky(1) / share_of_sky(x), 1e-13));
+  CHECK(relative_contact_number(1e6) == relative(1e12 / (2 * (1 + std::sqrt(0.75))), 1e-5)); // as its surface
+  // <r^3 C>/(<C> <r^3>) to second order in x - 1 for a uniform distribution: 1.225 (Shaebani et al.).
+  const Distribution sizes = Distribution::uniform(1, 3);
+  double contacts = 0, cubes = 0;
+  for (const auto& [x, share] : sizes.nodes()) {
+    contacts += share * relative_contact_number(x);
+    cubes += share * relative_contact_number(x) * x * x * x;
+  }
+  CHECK(cubes / contacts / sizes.moment(3) == relative(1.225, 2e-3));
+}
+
+TEST_CASE("by hand: two grains of radius 1 and 2, one contact of each kind") {
+  const std::vector<double> radii{1, 2};
+  const std::vector<TouchingPair> contacts{{1, 1}, {1, 2}, {2, 2}};
+  const ContactMeans means = counted_contact_means(radii, contacts, 1);
+  CHECK(means.branch == relative(1.5, 1e-15));
+  CHECK(means.branch_square == relative((1 + 2.25 + 4) / 3, 1e-15));
+  CHECK(means.pair_radius == relative((1 + 4.0 / 3 + 2) / 3, 1e-15));
+  CHECK(means.grain_volume == relative(4.5, 1e-15));
+  check_same(with_reference(means, 2), counted_contact_means(radii, contacts, 2), 1e-15);
+  require_valid(means);
+}
+
+TEST_CASE("means do not depend on the unit of length") {
+  for (const Distribution& sizes : unequal) {
+    const std::vector<double> radii = sample_radii(sizes, 300, 8);
+    std::vector<double> millimetres;
+    for (const double x : radii)
+      millimetres.push_back(1e-3 * x);
+    check_same(expected_contact_means(millimetres), expected_contact_means(radii), 1e-13);
+  }
+}
+
+TEST_CASE("means that no packing can have are refused") {
+  CHECK_THROWS_WITH_AS(require_valid({.branch = 0}), "contact means: branch = 0 is outside (0, inf)",
+                       InvalidArgument);
+  CHECK_THROWS_AS(require_valid({.branch = 1.2, .branch_square = 1.3}), InvalidArgument);
+  CHECK_THROWS_AS(require_valid({.pair_radius = std::nan("")}), InvalidArgument);
+  CHECK_THROWS_AS(require_valid({.grain_volume = -1}), InvalidArgument);
+  CHECK_THROWS_AS((void)counted_contact_means(std::vector<double>{}, std::vector<TouchingPair>{{1, 1}}, 1),
+                  InvalidArgument);
+  CHECK_THROWS_AS((void)counted_contact_means(std::vector<double>{1}, {}, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)counted_contact_means(std::vector<double>{1}, std::vector<TouchingPair>{{1, -1}}, 1),
+                  InvalidArgument);
+  CHECK_THROWS_AS((void)expected_contact_means(std::vector<double>{}), InvalidArgument);
+  CHECK_THROWS_AS((void)expected_contact_means(std::vector<double>{1, 0}), InvalidArgument);
+}
