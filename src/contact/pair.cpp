@@ -12,8 +12,8 @@ GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j) {
   }
   if (i.shear_modulus == j.shear_modulus && i.poisson_ratio == j.poisson_ratio)
     return i;
-  // Both conditions are linear in the compliance s = 1/G and in nu s: s - nu s and 2 s - nu s are the means of
-  // the two grains'.
+  // Both conditions are linear in the compliance s = 1/G and in nu s: s - nu s and 2 s - nu s are the means
+  // of the two grains'.
   const double share = j.shear_modulus / (i.shear_modulus + j.shear_modulus); // of 1/G_i in the sum of both
   return {.shear_modulus = harmonic_mean(i.shear_modulus, j.shear_modulus),
           .poisson_ratio = share * i.poisson_ratio + (1 - share) * j.poisson_ratio};

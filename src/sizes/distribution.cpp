@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Gaussian in t = ln x, counted x^k times, is a Gaussian about median + k deviation^2; a power x^slope is one of
-// exponent slope + k. So number, mass and every moment are one integral with another k.
+// A Gaussian in t = ln x, counted x^k times, is a Gaussian about median + k deviation^2; a power x^slope is
+// one of exponent slope + k. So number, mass and every moment are one integral with another k.
 #include <granum/sizes/distribution.hpp>
 
 #include <algorithm>

@@ -75,7 +75,8 @@ TEST_CASE("one seed is one sample, and equal grains are equal") {
 }
 
 TEST_CASE("the bits of a sample do not depend on the vendor of the standard library") {
-  // Of uniform grains, sums and products alone stand between the radius and the bits, which the standard fixes.
+  // Of uniform grains, sums and products alone stand between the radius and the bits, which the standard
+  // fixes.
   std::mt19937_64 bits(1);
   const Distribution sizes = Distribution::uniform(1, 3);
   for (const double radius : sample_radii(sizes, 3, 1, Drawing::plain)) {

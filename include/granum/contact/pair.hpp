@@ -17,9 +17,9 @@ namespace granum::contact {
   return harmonic_mean(radius_i, radius_j);
 }
 
-/// Whether the law of a pair depends on the sizes of its grains. A sphere's curvature is its size. The profile
-/// of a cone, a flat contact or a power law is one of the surface, A_alpha being given in absolute terms: all
-/// grains have the same, so that pairs of all sizes have the law of two equal grains.
+/// Whether the law of a pair depends on the sizes of its grains. A sphere's curvature is its size. The
+/// profile of a cone, a flat contact or a power law is one of the surface, A_alpha being given in absolute
+/// terms: all grains have the same, so that pairs of all sizes have the law of two equal grains.
 [[nodiscard]] constexpr bool depends_on_size(Shape shape) noexcept { return shape == Shape::sphere; }
 
 /// The one material of two grains whose contact is that of two different ones, normal and tangential alike:

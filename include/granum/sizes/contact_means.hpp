@@ -9,7 +9,8 @@
 /// Which sizes touch which, and the means over contacts that closed forms take of it.
 namespace granum::sizes {
 
-/// Means over the contacts of a packing, and its mean grain, over those of equal grains of a reference radius R:
+/// Means over the contacts of a packing, and its mean grain, over those of equal grains of a reference
+/// radius R:
 /// the default, in which every member is exactly 1.
 struct ContactMeans {
   double branch = 1;        ///< <l>/(2 R), l = R_i + R_j of a contact [1]
@@ -20,7 +21,7 @@ struct ContactMeans {
   bool operator==(const ContactMeans&) const = default;
 };
 
-/// Checks the means: each positive, and no mean square below the square of the mean (1 - 1e-9 for its rounding).
+/// Checks the means: each positive, and no mean square below the square of the mean (but for rounding).
 /// \throws   InvalidArgument naming the first that is not
 /// Checked by tests/sizes/test_contact_means.cpp
 void require_valid(const ContactMeans& means);
@@ -44,14 +45,15 @@ struct TouchingPair {
 /// Contacts of a grain of radius x = r/<r> over those of a grain of the mean radius: Omega(1)/Omega(x), with
 /// Omega(x) = 1 - sqrt(1 - 1/(1 + x)^2) the share of its sky that a mean neighbour takes.
 ///                                                                              [Shaebani2012]
-/// Assumes   the coverage of grains does not depend on their size. Small grains have fewer contacts than that:
+/// Assumes   the coverage of grains does not depend on their size. Small grains have fewer contacts than
+///           that:
 ///           below the 20 % quantile some 0.8 times as many, most rattlers being small.
 /// \param    x   > 0, not checked
 /// Accuracy  4 ulp.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] double relative_contact_number(double x);
 
-/// The means that a distribution leads to: contacts of a grain as relative_contact_number, partners independent
-/// of each other's size. R is the mean radius by number.
+/// The means that a distribution leads to: contacts of a grain as relative_contact_number, partners
+/// independent of each other's size. R is the mean radius by number.
 /// Accuracy  of the quadrature 1e-10. Against counted packings: see docs/theory.md.
 ///           Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes);

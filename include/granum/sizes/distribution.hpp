@@ -54,18 +54,18 @@ class Distribution {
   /// \throws   InvalidArgument outside these ranges
   [[nodiscard]] static Distribution power_law(double exponent, double size_ratio);
   /// Lognormal by mass with the uniformity coefficient C_u = d60/d10 that is asked for. The finest and the
-  /// coarsest 5 % of the mass are cut off, which leaves the size ratio C_u^2.52: else the finest, which hardly
-  /// touch, would be nearly all grains by number. Or it is cut at a size ratio, about the median by mass, but
-  /// never beyond 9 standard deviations.
+  /// coarsest 5 % of the mass are cut off, which leaves the size ratio C_u^2.52: else the finest, which
+  /// hardly touch, would be nearly all grains by number. Or it is cut at a size ratio, about the median by
+  /// mass, but never beyond 9 standard deviations.
   /// \param    coefficient   C_u in [1, 20]; equal() at 1
   /// \param    size_ratio    largest over smallest radius, in (C_u^2, 1e6]
   /// \throws   InvalidArgument outside these ranges
   [[nodiscard]] static Distribution uniformity(double coefficient,
                                                std::optional<double> size_ratio = std::nullopt);
-  /// A sieve curve, straight in log d between its points, as it is drawn: between two sieves the mass is spread
-  /// evenly over ln d, the number as d^-4. It knows its mean radius.
-  /// \param    curve   ascending d > 0, d_last <= 1e6 d_first; passing from exactly 0 to exactly 1, never less
-  ///                   than before
+  /// A sieve curve, straight in log d between its points, as it is drawn: between two sieves the mass is
+  /// spread evenly over ln d, the number as d^-4. It knows its mean radius.
+  /// \param    curve   ascending d > 0, d_last <= 1e6 d_first; passing from exactly 0 to exactly 1, never
+  ///                   less than before
   /// \throws   InvalidArgument naming the first point that is not so
   [[nodiscard]] static Distribution sieve(std::span<const SievePoint> curve);
 
@@ -81,8 +81,8 @@ class Distribution {
 
   /// <x^k> by number [1]; any finite k. Accuracy  relative 1e-13 for |k| <= 6.
   [[nodiscard]] double moment(double k) const;
-  /// Of all grains counted x^k times, the share that is smaller than or as small as x: k = 0 by number, k = 3 by
-  /// mass [1]. Accuracy  1e-13.
+  /// Of all grains counted x^k times, the share that is smaller than or as small as x: k = 0 by number,
+  /// k = 3 by mass [1]. Accuracy  1e-13.
   [[nodiscard]] double share_below(double x, double k = 0) const;
   /// The inverse of share_below: the x up to which grains hold a share in [0, 1].
   /// \throws   InvalidArgument for a share out of range

@@ -8,7 +8,8 @@
 
 namespace granum::sizes {
 
-/// The distribution that a text names, as command lines and scenes write it; Distribution::text() writes it back.
+/// The distribution that a text names, as command lines and scenes write it; Distribution::text() writes it
+/// back.
 ///   equal
 ///   bidisperse:RATIO[:SHARE]          large over small radius, share of large grains by number (0.5)
 ///   uniform:SMALLEST:LARGEST          radii, in any unit, by number
