@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src. Loops over many numbers are compiled for some vector levels, of which the machine takes the
-// widest that it has: over grains and pairs (dem), rows of packings (effective), contacts of a network (network).
-// None reorders sums. AVX2 with FMA and AVX-512 give the same bits. The baseline has no fused multiply-adds: what
-// asks for fused() differs there by round-off, what does not has the same bits everywhere
+// widest that it has: over grains and pairs (dem), rows of packings (effective), contacts of a network
+// (network). None reorders sums. AVX2 with FMA and AVX-512 give the same bits. The baseline has no fused
+// multiply-adds: what asks for fused() differs there by round-off, what does not has the same bits everywhere
 // (tests/dem/test_vector_levels.cpp, tests/effective/test_batch.cpp, tests/network/test_vector_levels.cpp).
 #pragma once
 

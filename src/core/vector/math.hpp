@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Roots and powers of positive numbers without branches, tables or calls, so that loops over them become
-// vector code. Every fused operation is written out: the bits do not depend on what the compiler may fuse.
+// Private to src. Roots and powers of positive numbers without branches, tables or calls, so that loops over
+// them become vector code. Every fused operation is written out: the bits do not depend on what the compiler
+// may fuse.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Stores that go past the caches, where the processor has them: memory that is wholly overwritten need
-// not be read first.
+// Private to src. Stores that go past the caches, where the processor has them: memory that is wholly
+// overwritten need not be read first.
 #pragma once
 
 #include <algorithm>

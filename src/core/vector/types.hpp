@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Vectors of numbers, of the compiler's own kind: a level with narrower registers works them out in parts.
+// Private to src. Vectors of numbers, of the compiler's own kind: a level with narrower registers works them
+// out in parts.
 #pragma once
 
 namespace granum {
