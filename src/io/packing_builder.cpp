@@ -113,7 +113,7 @@ void PackingBuilder::bound_grains() {
        "no box in the file: the smallest upright box around the grains stands for the cell");
 }
 
-std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
+std::optional<std::uint32_t> PackingBuilder::find(long id) const {
   const auto& ids = packing_.id;
   // Most codes number their grains from 1 on, without gaps.
   if (id >= ids.front() && id - ids.front() < static_cast<long>(ids.size())) {
@@ -123,10 +123,18 @@ std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
   }
   const auto found = std::lower_bound(ids.begin(), ids.end(), id);
   if (found == ids.end() || *found != id)
+    return std::nullopt;
+  return static_cast<std::uint32_t>(found - ids.begin());
+}
+
+std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
+  const auto found = find(id);
+  const auto& ids = packing_.id;
+  if (!found)
     fail_contact(line, "the grain " + std::to_string(id) + " is not among the " + many(ids.size(), "grains") +
                            " (ids " + std::to_string(ids.front()) + " to " + std::to_string(ids.back()) +
                            ")");
-  return static_cast<std::uint32_t>(found - ids.begin());
+  return *found;
 }
 
 Vec3 PackingBuilder::straight(std::uint32_t a, std::uint32_t b) const { return position(b) - position(a); }

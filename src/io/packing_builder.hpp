@@ -70,6 +70,8 @@ class PackingBuilder {
   /// Index of the grain of an id.
   /// \throws   FileError if there is none
   [[nodiscard]] std::uint32_t index(long id, std::size_t line) const;
+  /// The same; nothing if there is none.
+  [[nodiscard]] std::optional<std::uint32_t> find(long id) const;
   [[nodiscard]] double radius(std::uint32_t grain) const { return packing_.assembly.radius[grain]; }
   [[nodiscard]] double radius_sum(std::uint32_t a, std::uint32_t b) const { return radius(a) + radius(b); }
   [[nodiscard]] const std::vector<Vec3>& positions() const { return packing_.assembly.position; }

@@ -31,6 +31,12 @@ granum_cli_test("analyse: contacts alone" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.500
   ARGS analyse analyse_chain_contacts.csv)
 granum_cli_test("analyse: grains alone" EXIT 0 STDOUT "grains without contact +3" ARGS analyse ${io}/lammps_chain.data)
 
+# 54 spheres at rest in a box under their weight, contacts of 15 values without a column map, walls among the grains
+set(box "${io}/lammps_box.atoms" "${io}/lammps_box.contacts")
+granum_cli_test("analyse: a layout told by its values" EXIT 0 STDERR "47 contacts with walls"
+  STDOUT "c_p15\\[1\\] to c_p15\\[15\\] as dist force fx fy fz p1 to p10.*contacts with walls +47"
+  ARGS analyse ${box} --no-network)
+
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
   STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "

@@ -20,6 +20,7 @@ enum class Finding {
   open_contacts,      ///< contacts whose grains do not overlap
   wall_contacts,      ///< contacts with walls are there; they bear stress, and are none of C_n and fabric
   one_sided,          ///< pairs of which one of two expected rows is there
+  columns_told,       ///< what columns hold was told by their values, not by a heading
   forces_swapped,     ///< normal and tangential force stand in the other order than the layout says
   viscous_forces,     ///< the forces may hold viscous parts
   contacts_unknown,   ///< no contacts in the files

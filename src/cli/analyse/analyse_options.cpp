@@ -144,7 +144,8 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       "Between grains, to tell which contacts slide; by default as the forces show it");
   command
       .add_option("--column-map", o.column_map,
-                  "What columns of dumps hold: id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
+                  "What columns of dumps hold, where their values do not tell it: "
+                  "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
       ->type_name("MAP");
   command
       .add_option("--stress", o.stress,

@@ -25,14 +25,16 @@ struct ContactLayout {
 
   [[nodiscard]] bool has_forces() const { return force || normal || whole; }
   [[nodiscard]] bool has_tangential() const { return tangential || whole; }
+
+  bool operator==(const ContactLayout&) const = default;
 };
 
 /// The layout that a map gives, or, for an empty map, the one that the names of the columns stand for:
 /// the quantities' own names; `compute property/local patom1 patom2 ...` beside a `compute pair/local` of 17
-/// values (dist force fx fy fz p1 ... p12) or of 8 (dist force and two force vectors); LIGGGHTS' 28 values of
-/// `compute pair/gran/local`.
+/// values (dist force fx fy fz p1 ... p12); LIGGGHTS' 28 values of `compute pair/gran/local`.
+/// \return   nothing for other columns of computes: the values have to tell (layout_by_values)
 /// \throws   FileError at the line of `source` for a column of the map that is not there, or unknown columns
-[[nodiscard]] ContactLayout contact_layout(const std::vector<std::string>& columns, const ColumnMap& map,
-                                           const TextSource& source);
+[[nodiscard]] std::optional<ContactLayout> contact_layout(const std::vector<std::string>& columns,
+                                                          const ColumnMap& map, const TextSource& source);
 
 } // namespace granum::io

@@ -5,9 +5,10 @@
 
 #include <granum/io/packing_format.hpp>
 
-#include "contact_layout.hpp"
+#include "contact_rows.hpp"
 #include "dump_file.hpp"
 #include "io/packing_builder.hpp"
+#include "wall_columns.hpp"
 
 namespace granum::io {
 
@@ -59,24 +60,8 @@ GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMa
 struct AtomFrame {
   DumpFrame frame;
   std::vector<GrainRow> grains;
+  std::vector<WallRow> walls;
   bool scaled = false;
-  DigitWatch digits;
-};
-
-/// A row of contacts, not yet joined with its grains.
-struct LocalRow {
-  long id1 = 0, id2 = 0;
-  std::size_t line = 0;
-  Vec3 difference{}; ///< x1 - x2
-  bool through = false;
-  double overlap = 0, force = 0;
-  Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
-};
-
-struct LocalFrame {
-  DumpFrame frame;
-  ContactLayout layout;
-  std::vector<LocalRow> rows;
   DigitWatch digits;
 };
 
@@ -88,8 +73,10 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
   AtomFrame atoms;
   GrainLayout layout;
   TableSink sink;
+  std::vector<ColumnGroup> walls;
   sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
     layout = grain_layout(columns, map, file.source());
+    walls = wall_columns(columns);
     atoms.grains.reserve(rows);
   };
   sink.row = [&](const TextRow& row, std::size_t line) {
@@ -97,6 +84,8 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
       atoms.digits.see(row[k]);
     atoms.grains.push_back({row.integer(layout.id, "id"), vector(row, layout.position, "coordinate"),
                             layout.radius_factor * row.number(layout.radius, "radius"), line});
+    if (!walls.empty())
+      read_walls(row, atoms.grains.back().id, line, walls, atoms.walls);
   };
   auto frame = file.next(sink);
   if (!frame)
@@ -112,155 +101,6 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
   return atoms;
 }
 
-LocalRow local_row(const TextRow& row, std::size_t line, const ContactLayout& layout) {
-  LocalRow local;
-  local.line = line;
-  local.id1 = row.integer(layout.id1, "id of grain 1");
-  local.id2 = row.integer(layout.id2, "id of grain 2");
-  if (layout.difference)
-    local.difference = vector(row, *layout.difference, "branch");
-  else if (layout.first)
-    local.difference = vector(row, *layout.first, "position") - vector(row, *layout.second, "position");
-  if (layout.periodic)
-    local.through = row.integer(*layout.periodic, "periodic flag") != 0;
-  if (layout.overlap)
-    local.overlap = row.number(*layout.overlap, "overlap");
-  if (layout.force)
-    local.force = row.number(*layout.force, "force");
-  if (layout.normal)
-    local.normal = vector(row, *layout.normal, "normal force");
-  else if (layout.whole)
-    local.normal = vector(row, *layout.whole, "force");
-  if (layout.tangential)
-    local.tangential = vector(row, *layout.tangential, "tangential force");
-  return local;
-}
-
-void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
-  for (LocalRow& row : rows) {
-    row.difference *= units.length;
-    row.overlap *= units.length;
-    row.force *= units.force;
-    row.normal *= units.force;
-    row.tangential *= units.force;
-  }
-}
-
-std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
-  LocalFrame locals;
-  TableSink sink;
-  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
-    locals.layout = contact_layout(columns, map, file.source());
-    locals.rows.reserve(rows);
-  };
-  sink.row = [&](const TextRow& row, std::size_t line) {
-    const ContactLayout& layout = locals.layout;
-    if (layout.overlap)
-      locals.digits.see(row[*layout.overlap]);
-    if (layout.difference)
-      for (const std::size_t k : *layout.difference)
-        locals.digits.see(row[k]);
-    locals.rows.push_back(local_row(row, line, layout));
-  };
-  auto frame = file.next(sink);
-  if (!frame)
-    return std::nullopt;
-  locals.frame = *frame;
-  return locals;
-}
-
-/// How far two vectors of every row are from being the normal force: the first where they stand as the layout
-/// says, the second where they are swapped; and the sum of forces to compare with.
-struct NormalMisfit {
-  double stated = 0, swapped = 0, stated_sum = 0, swapped_sum = 0;
-  static constexpr double tolerance = 1e-2; ///< six-digit positions in a box of a thousand grain diameters
-
-  void add(const Vec3& direction, const Vec3& stated_force, const Vec3& other, std::optional<double> force) {
-    const auto off = [&](const Vec3& f) {
-      return norm(f + (force ? *force : -dot(f, direction)) * direction);
-    };
-    stated += off(stated_force);
-    swapped += off(other);
-    stated_sum += norm(stated_force);
-    swapped_sum += norm(other);
-  }
-  [[nodiscard]] bool as_stated() const { return stated <= tolerance * stated_sum; }
-  [[nodiscard]] bool is_swapped() const { return swapped_sum > 0 && swapped <= tolerance * swapped_sum; }
-};
-
-/// Joins the rows of one frame with its grains.
-class LocalJoin {
- public:
-  LocalJoin(PackingBuilder& builder, const LocalFrame& locals) : builder_(builder), locals_(locals) {}
-
-  void run() {
-    const bool swapped = swapped_forces();
-    for (const LocalRow& row : locals_.rows) {
-      PairRow pair = geometry(row);
-      set_forces(pair, row, swapped);
-      builder_.add(pair);
-    }
-  }
-
- private:
-  PairRow geometry(const LocalRow& row) const {
-    PairRow pair;
-    pair.line = row.line;
-    pair.a = builder_.index(row.id1, row.line);
-    pair.b = builder_.index(row.id2, row.line);
-    const ContactLayout& layout = locals_.layout;
-    if (layout.difference || layout.first)
-      pair.branch = row.through ? builder_.nearest(-row.difference) : -row.difference;
-    else
-      pair.branch = builder_.nearest(builder_.straight(pair.a, pair.b));
-    builder_.require_agreement(pair);
-    pair.overlap = layout.overlap ? row.overlap : builder_.radius_sum(pair.a, pair.b) - norm(pair.branch);
-    return pair;
-  }
-
-  static Vec3 direction(const PairRow& pair) { return (1 / norm(pair.branch)) * pair.branch; }
-
-  bool swapped_forces() {
-    const ContactLayout& layout = locals_.layout;
-    if (!layout.normal || !layout.tangential)
-      return false;
-    NormalMisfit misfit;
-    for (const LocalRow& row : locals_.rows) {
-      const PairRow pair = geometry(row);
-      if (norm(pair.branch) > 0)
-        misfit.add(direction(pair), row.normal, row.tangential,
-                   layout.force ? std::optional(row.force) : std::nullopt);
-    }
-    if (misfit.as_stated())
-      return false;
-    if (!misfit.is_swapped())
-      builder_.fail_contact(
-          locals_.rows.front().line,
-          "neither force vector of this frame lies along the lines of centres as a force on "
-          "grain 1 does; say what the columns hold with a column map");
-    builder_.note(Finding::forces_swapped,
-                  "the first force vector is the tangential one, the second the normal");
-    return true;
-  }
-
-  void set_forces(PairRow& pair, const LocalRow& row, bool swapped) const {
-    const ContactLayout& layout = locals_.layout;
-    if (!layout.has_forces() || !(norm(pair.branch) > 0))
-      return;
-    const Vec3 n = direction(pair);
-    const Vec3& along = swapped ? row.tangential : row.normal;
-    const Vec3& across = swapped ? row.normal : row.tangential;
-    pair.normal_force = layout.force ? row.force : -dot(along, n);
-    if (layout.tangential)
-      pair.tangential_force = -across;
-    else if (layout.whole)
-      pair.tangential_force = -(row.normal + -dot(row.normal, n) * n);
-  }
-
-  PackingBuilder& builder_;
-  const LocalFrame& locals_;
-};
-
 void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox& box,
                   const LocalFrame* locals) {
   if (!box.boundary_known)
@@ -274,11 +114,11 @@ void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox&
   }
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in a dump");
   builder.note(Finding::history_unknown, "the loading history of the contacts is not in a dump");
-  if (!locals->layout.has_forces())
+  if (!locals->layout->has_forces())
     builder.note(Finding::forces_unknown, "no column of forces");
-  else if (!locals->layout.has_tangential())
+  else if (!locals->layout->has_tangential())
     builder.note(Finding::tangential_unknown, "no columns of tangential forces");
-  if (locals->layout.has_forces())
+  if (locals->layout->has_forces())
     builder.note(Finding::viscous_forces, "forces include viscous damping where grains move");
 }
 
@@ -291,14 +131,9 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   builder.set_cell(units.length * box.edges, box.periodic, box.line);
   builder.set_grains(std::move(atoms.grains));
   builder.note_digits(atoms.digits, "coordinates");
+  join_walls(builder, atoms.walls, units);
   if (locals) {
-    builder.note_digits(locals->digits, "overlaps or lines of centres");
-    to_si(locals->rows, local_file->units().stated ? local_file->units() : units);
-    if (!locals->layout.has_forces())
-      builder.expect_no_forces();
-    builder.expect_contacts(locals->rows.size());
-    LocalJoin(builder, *locals).run();
-    locals->rows = {};
+    join(builder, *locals, local_file->units().stated ? local_file->units() : units);
   }
   note_unknown(builder, atom_file, box, locals);
   std::optional<double> time = atoms.frame.time;

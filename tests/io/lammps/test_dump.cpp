@@ -219,7 +219,7 @@ TEST_CASE("LAMMPS: normal and tangential force in the other order are told apart
   CHECK(second->has(Finding::forces_swapped));
   // on grain 2 instead of grain 1: refused rather than turned round
   CHECK(refused(atoms, head + ab + "0.0235294118 0 0 " + t1 + "\n" + bc + "0 0 0.0665512265 " + t2 + "\n")
-            .starts_with("c:10: neither force vector"));
+            .starts_with("c:10: the columns hold no values that the positions of the grains bear out"));
 }
 
 TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector are split") {

@@ -16,19 +16,22 @@ namespace granum::io {
 ///
 /// Grains: id; radius or diameter; x y z, xu yu zu or xs ys zs. Boxes upright, tilted or of three
 /// given edges.
-/// Contacts, without a column map, by the number of values of the computes:
-///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values),
-///             or beside 8 values, dist force and two force vectors. Forces are those on patom1, p10-p12 is
-///             x1 - x2.
+/// Contacts, without a column map:
+///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values), or
+///             beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the values
+///             are held against the positions of the grains, and a note says what they were taken for. Forces
+///             are those on patom1, p10-p12 is x1 - x2.
 ///   LIGGGHTS  pair/gran/local pos id force force_normal force_tangential torque history contactPoint delta
 ///             (28 values). Forces are those on the first id; positions lie in the box, a flag tells pairs
 ///             that reach through a face.
+/// Contacts with walls, among the grains' columns: the f_name[1] to f_name[8] of fix wall/gran ... contacts.
 /// Which of two force vectors is the normal one is checked against the lines of centres, frame by frame;
 /// where they stand the other way round they are swapped, with a note.
 ///
 /// Not in such files, and so noted: contact law, grain material, stiffnesses, loading history, and how much
 /// of the force is viscous. SI is assumed unless there is ITEM: UNITS (si, cgs, micro, nano).
-/// Checked by tests/io/lammps/test_dump.cpp and tests/io/liggghts/test_dump.cpp
+/// Checked by tests/io/lammps/test_dump.cpp, tests/io/lammps/test_layouts.cpp and
+/// tests/io/liggghts/test_dump.cpp
 class LammpsDump {
  public:
   /// Grains, and contacts if there are any; frames of equal time step belong together. `columns` names what
@@ -42,7 +45,7 @@ class LammpsDump {
   /// \throws   FileError with path and line for text that is no such dump, numbers that are none, a frame cut
   ///           off, a row of other length than the heading, ids that are missing or stand there twice, a
   ///           radius that is not positive, a grain in contact with itself, one pair with two forces, files
-  ///           of different states, time steps that go back, and for files without one time step in common
+  ///           of different states, columns that no layout or several fit, time steps that go back, and for files without one time step in common
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// Frames passed over so far because the other file has none of that time step.

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_rows.hpp"
+
+#include <cmath>
+
+#include <granum/core/number.hpp>
+
+namespace granum::io {
+
+namespace {
+
+template <class Row>
+Vec3 vector(const Row& row, const ColumnTriple& at, const char* what) {
+  return {row.number(at[0], what), row.number(at[1], what), row.number(at[2], what)};
+}
+
+/// A row of an unnamed table, read as a TextRow is.
+class NumberRow {
+ public:
+  NumberRow(const UnnamedTable& table, std::size_t row, const PackingBuilder& builder)
+      : table_(table), row_(row), builder_(builder) {}
+
+  [[nodiscard]] double number(std::size_t column, const char*) const { return table_.at(row_, column); }
+  [[nodiscard]] long integer(std::size_t column, const char* what) const {
+    constexpr double largest = 1e15;
+    const double value = number(column, what);
+    if (!(std::abs(value) <= largest) || value != std::floor(value))
+      builder_.fail_contact(table_.lines[row_], "expected an integer as " + std::string(what) + ", found " +
+                                                    short_text(value, 17));
+    return static_cast<long>(value);
+  }
+
+ private:
+  const UnnamedTable& table_;
+  std::size_t row_;
+  const PackingBuilder& builder_;
+};
+
+template <class Row>
+LocalRow local_row(const Row& row, std::size_t line, const ContactLayout& layout) {
+  LocalRow local;
+  local.line = line;
+  local.id1 = row.integer(layout.id1, "id of grain 1");
+  local.id2 = row.integer(layout.id2, "id of grain 2");
+  if (layout.difference)
+    local.difference = vector(row, *layout.difference, "branch");
+  else if (layout.first)
+    local.difference = vector(row, *layout.first, "position") - vector(row, *layout.second, "position");
+  if (layout.periodic)
+    local.through = row.integer(*layout.periodic, "periodic flag") != 0;
+  if (layout.overlap)
+    local.overlap = row.number(*layout.overlap, "overlap");
+  if (layout.force)
+    local.force = row.number(*layout.force, "force");
+  if (layout.normal)
+    local.normal = vector(row, *layout.normal, "normal force");
+  else if (layout.whole)
+    local.normal = vector(row, *layout.whole, "force");
+  if (layout.tangential)
+    local.tangential = vector(row, *layout.tangential, "tangential force");
+  return local;
+}
+
+void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
+  for (LocalRow& row : rows) {
+    row.difference *= units.length;
+    row.overlap *= units.length;
+    row.force *= units.force;
+    row.normal *= units.force;
+    row.tangential *= units.force;
+  }
+}
+
+/// Takes a row in as numbers.
+void add_unnamed(UnnamedTable& table, const TextRow& row, std::size_t line) {
+  const std::size_t from = table.numbers.size();
+  table.numbers.resize(from + table.columns.size());
+  for (const ColumnGroup& compute : table.computes)
+    for (const std::size_t k : compute)
+      table.numbers[from + k] = row.number(k, "value of " + table.columns[k]);
+  table.lines.push_back(line);
+}
+
+/// How far two vectors of every row are from being the normal force: the first where they stand as the layout
+/// says, the second where they are swapped; and the sum of forces to compare with.
+struct NormalMisfit {
+  double stated = 0, swapped = 0, stated_sum = 0, swapped_sum = 0;
+  static constexpr double tolerance = 1e-2; ///< six-digit positions in a box of a thousand grain diameters
+
+  void add(const Vec3& direction, const Vec3& stated_force, const Vec3& other, std::optional<double> force) {
+    const auto off = [&](const Vec3& f) {
+      return norm(f + (force ? *force : -dot(f, direction)) * direction);
+    };
+    stated += off(stated_force);
+    swapped += off(other);
+    stated_sum += norm(stated_force);
+    swapped_sum += norm(other);
+  }
+  [[nodiscard]] bool as_stated() const { return stated <= tolerance * stated_sum; }
+  [[nodiscard]] bool is_swapped() const { return swapped_sum > 0 && swapped <= tolerance * swapped_sum; }
+};
+
+/// Joins the rows of one frame with its grains.
+class LocalJoin {
+ public:
+  LocalJoin(PackingBuilder& builder, const LocalFrame& locals) : builder_(builder), locals_(locals) {}
+
+  void run() {
+    const bool swapped = swapped_forces();
+    for (const LocalRow& row : locals_.rows) {
+      PairRow pair = geometry(row);
+      set_forces(pair, row, swapped);
+      builder_.add(pair);
+    }
+  }
+
+ private:
+  PairRow geometry(const LocalRow& row) const {
+    PairRow pair;
+    pair.line = row.line;
+    pair.a = builder_.index(row.id1, row.line);
+    pair.b = builder_.index(row.id2, row.line);
+    const ContactLayout& layout = *locals_.layout;
+    if (layout.difference || layout.first)
+      pair.branch = row.through ? builder_.nearest(-row.difference) : -row.difference;
+    else
+      pair.branch = builder_.nearest(builder_.straight(pair.a, pair.b));
+    builder_.require_agreement(pair);
+    pair.overlap = layout.overlap ? row.overlap : builder_.radius_sum(pair.a, pair.b) - norm(pair.branch);
+    return pair;
+  }
+
+  static Vec3 direction(const PairRow& pair) { return (1 / norm(pair.branch)) * pair.branch; }
+
+  bool swapped_forces() {
+    const ContactLayout& layout = *locals_.layout;
+    if (!layout.normal || !layout.tangential)
+      return false;
+    NormalMisfit misfit;
+    for (const LocalRow& row : locals_.rows) {
+      const PairRow pair = geometry(row);
+      if (norm(pair.branch) > 0)
+        misfit.add(direction(pair), row.normal, row.tangential,
+                   layout.force ? std::optional(row.force) : std::nullopt);
+    }
+    if (misfit.as_stated())
+      return false;
+    if (!misfit.is_swapped())
+      builder_.fail_contact(
+          locals_.rows.front().line,
+          "neither force vector of this frame lies along the lines of centres as a force on "
+          "grain 1 does; say what the columns hold with a column map");
+    builder_.note(Finding::forces_swapped,
+                  "the first force vector is the tangential one, the second the normal");
+    return true;
+  }
+
+  void set_forces(PairRow& pair, const LocalRow& row, bool swapped) const {
+    const ContactLayout& layout = *locals_.layout;
+    if (!layout.has_forces() || !(norm(pair.branch) > 0))
+      return;
+    const Vec3 n = direction(pair);
+    const Vec3& along = swapped ? row.tangential : row.normal;
+    const Vec3& across = swapped ? row.normal : row.tangential;
+    pair.normal_force = layout.force ? row.force : -dot(along, n);
+    if (layout.tangential)
+      pair.tangential_force = -across;
+    else if (layout.whole)
+      pair.tangential_force = -(row.normal + -dot(row.normal, n) * n);
+  }
+
+  PackingBuilder& builder_;
+  const LocalFrame& locals_;
+};
+
+/// The layout that the values of the frame tell, and its rows by it.
+void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
+  const ToldLayout told = layout_by_values(locals.unnamed, builder, units.length);
+  locals.layout = told.layout;
+  if (!told.words.empty())
+    builder.note(Finding::columns_told,
+                 "the values tell what no heading says: " + told.words + " of compute pair/local");
+  if (told.swapped)
+    builder.note(Finding::forces_swapped,
+                 "the first force vector is the tangential one, the second the normal");
+  for (std::size_t row = 0; row < locals.unnamed.rows(); ++row)
+    locals.rows.push_back(
+        local_row(NumberRow(locals.unnamed, row, builder), locals.unnamed.lines[row], *locals.layout));
+  locals.unnamed = {};
+}
+
+} // namespace
+
+std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
+  LocalFrame locals;
+  TableSink sink;
+  sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
+    locals.layout = contact_layout(columns, map, file.source());
+    if (locals.layout)
+      locals.rows.reserve(rows);
+    else
+      locals.unnamed = {
+          .columns = columns, .computes = column_groups(columns, "c_"), .numbers = {}, .lines = {}};
+  };
+  sink.row = [&](const TextRow& row, std::size_t line) {
+    if (!locals.layout)
+      return add_unnamed(locals.unnamed, row, line);
+    const ContactLayout& layout = *locals.layout;
+    if (layout.overlap)
+      locals.digits.see(row[*layout.overlap]);
+    if (layout.difference)
+      for (const std::size_t k : *layout.difference)
+        locals.digits.see(row[k]);
+    locals.rows.push_back(local_row(row, line, layout));
+  };
+  auto frame = file.next(sink);
+  if (!frame)
+    return std::nullopt;
+  locals.frame = *frame;
+  return locals;
+}
+
+void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
+  builder.note_digits(locals.digits, "overlaps or lines of centres");
+  if (!locals.layout)
+    name_columns(builder, locals, units);
+  to_si(locals.rows, units);
+  if (!locals.layout->has_forces())
+    builder.expect_no_forces();
+  builder.expect_contacts(locals.rows.size());
+  LocalJoin(builder, locals).run();
+  locals.rows = {};
+}
+
+} // namespace granum::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <granum/core/vec3.hpp>
+#include <granum/io/lammps/column_map.hpp>
+
+#include "contact_layout.hpp"
+#include "dump_file.hpp"
+#include "io/packing_builder.hpp"
+#include "layout_by_values.hpp"
+
+namespace granum::io {
+
+/// A row of contacts, not yet joined with its grains.
+struct LocalRow {
+  long id1 = 0, id2 = 0;
+  std::size_t line = 0;
+  Vec3 difference{}; ///< x1 - x2
+  bool through = false;
+  double overlap = 0, force = 0;
+  Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
+};
+
+/// The contacts of one frame.
+struct LocalFrame {
+  DumpFrame frame;
+  std::optional<ContactLayout> layout; ///< nothing until the values have told it
+  std::vector<LocalRow> rows;
+  UnnamedTable unnamed; ///< the rows where there is no layout
+  DigitWatch digits;
+};
+
+/// Reads the next frame; nothing at the end of the file.
+/// \throws   FileError as DumpFile::next, contact_layout, or for text where a number should be
+[[nodiscard]] std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map);
+
+/// Takes the contacts of a frame in, and notes what they were taken for; the rows are empty afterwards.
+/// \throws   FileError as layout_by_values and PackingBuilder::add
+void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units);
+
+} // namespace granum::io

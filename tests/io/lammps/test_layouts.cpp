@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The orders in which people ask compute pair/local for its values, told apart by the values themselves; and the
+// contacts with walls that fix wall/gran writes. The packing rests in a box under its weight: what its contacts leave
+// on each grain is the weight of that grain.
+#include <algorithm>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include <granum/core/number.hpp>
+#include <granum/io/lammps/dump.hpp>
+#include <granum/packing/stress.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::string grains = data_text("lammps_box.atoms");
+
+/// The values of the file by their names: dist force fx fy fz p1 ... p10.
+const std::vector<std::string> names{"id1", "id2", "dist", "force", "fx", "fy", "fz", "p1", "p2",
+                                     "p3",  "p4",  "p5",   "p6",    "p7", "p8", "p9", "p10"};
+
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream words(text);
+  std::vector<std::string> out;
+  for (std::string word; words >> word;)
+    out.push_back(word);
+  return out;
+}
+
+/// The contacts of the box with some of the values alone, in any order, as one compute beside the ids.
+std::string contacts_with(const std::string& values, int digits = 17) {
+  std::istringstream lines(data_text("lammps_box.contacts"));
+  std::string out, line;
+  const std::vector<std::string> wanted = split(values);
+  while (std::getline(lines, line) && !line.starts_with("ITEM: ENTRIES"))
+    out += line + "\n";
+  out += "ITEM: ENTRIES index c_ids[1] c_ids[2]";
+  for (std::size_t k = 1; k <= wanted.size(); ++k)
+    out += " c_p[" + std::to_string(k) + "]";
+  out += "\n";
+  for (int row = 1; std::getline(lines, line); ++row) {
+    const std::vector<std::string> fields = split(line);
+    out += std::to_string(row) + " " + fields[0] + " " + fields[1];
+    for (const std::string& name : wanted) {
+      const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+      const std::string number = name == "0" ? "0" : fields[static_cast<std::size_t>(at)];
+      out += " " + (digits == 17 ? number : short_text(*parse_number(number), digits));
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+ImportedPacking read(const std::string& contacts, const std::string& map = "") {
+  LammpsDump dump(text_source("a", grains), text_source("c", contacts), parse_column_map(map));
+  return dump.next().value();
+}
+
+std::string refused(const std::string& contacts) {
+  return refusal([&] { static_cast<void>(read(contacts)); });
+}
+
+std::string told(const ImportedPacking& packing) {
+  for (const ImportNote& note : packing.notes)
+    if (note.finding == Finding::columns_told)
+      return note.text;
+  return "";
+}
+
+/// The same file by hand.
+const std::string whole_map = "id1=c_ids[1],id2=c_ids[2],force=c_p[2],ftx=c_p[6],fty=c_p[7],ftz=c_p[8]";
+const std::string all = "dist force fx fy fz p1 p2 p3 p4 p5 p6 p7 p8 p9 p10";
+
+constexpr double weight = 2650.0 * 4 / 3 * std::numbers::pi * 0.5e-3 * 0.5e-3 * 0.5e-3 * 9.81; // [N]
+
+} // namespace
+
+TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a column map gives") {
+  const ImportedPacking by_map = read(contacts_with(all), whole_map);
+  REQUIRE(by_map.assembly.contacts.size() == 91);
+  CHECK(told(by_map).empty());
+  for (const std::string values :
+       {"dist force fx fy fz p1 p2 p3", "dist force fx fy fz p1 p2 p3 p4", "force fx fy fz p1 p2 p3 p4",
+        "dist force p1 p2 p3 p4", "force p1 p2 p3 p4", "dist 0 force fx fy fz p1 p2 p3 p4",
+        "dist force p1 p2 p3 fx fy fz", "dist force fx fy fz p1 p2 p3 p4 p5 p6 p7",
+        "dist force fx fy fz p1 p2 p3 p4 p5 p6 p7 p8", "dist force fx fy fz p1 p2 p3 p4 p5 p6 p7 p8 p9",
+        all.c_str()}) {
+    CAPTURE(values);
+    const ImportedPacking packing = read(contacts_with(values));
+    CHECK(packing.assembly == by_map.assembly);
+    CHECK_FALSE(told(packing).empty());
+    CHECK_FALSE(packing.has(Finding::tangential_unknown));
+    CHECK(packing.has(Finding::forces_swapped) == (values == "dist force p1 p2 p3 fx fy fz"));
+  }
+  // without the scalar, forces are lengths of vectors
+  for (const std::string values : {"fx fy fz p1 p2 p3", "fx fy fz p1 p2 p3 p4", "dist fx fy fz p1 p2 p3"}) {
+    CAPTURE(values);
+    const ImportedPacking packing = read(contacts_with(values));
+    for (std::size_t k = 0; k < packing.assembly.contacts.size(); ++k)
+      CHECK(packing.assembly.contacts[k].normal_force ==
+            relative(by_map.assembly.contacts[k].normal_force, 1e-12));
+  }
+}
+
+TEST_CASE("LAMMPS layouts: without tangential values they are unknown, without forces all are") {
+  const ImportedPacking by_map = read(contacts_with(all), whole_map);
+  for (const std::string values :
+       {"dist force", "force", "dist force fx fy fz", "force fx fy fz", "fx fy fz"}) {
+    CAPTURE(values);
+    const ImportedPacking packing = read(contacts_with(values));
+    CHECK(packing.has(Finding::tangential_unknown));
+    for (std::size_t k = 0; k < packing.assembly.contacts.size(); ++k)
+      CHECK(packing.assembly.contacts[k].normal_force ==
+            relative(by_map.assembly.contacts[k].normal_force, 1e-12));
+  }
+  CHECK(read(contacts_with("dist")).has(Finding::forces_unknown));
+}
+
+TEST_CASE("LAMMPS layouts: what was told is said, by the columns' names") {
+  CHECK(told(read(contacts_with("dist force"))) ==
+        "the values tell what no heading says: c_p[1] to c_p[2] as dist force of compute pair/local");
+  CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
+        std::string::npos);
+}
+
+TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values") {
+  const ImportedPacking rounded = read(contacts_with("dist force fx fy fz p1 p2 p3 p4", 6));
+  CHECK(told(rounded).find("dist force fx fy fz p1 to p4") != std::string::npos);
+  std::string apart = contacts_with("dist force fx fy fz p1 p2 p3 p4");
+  apart = with(apart, "c_p[1] c_p[2] c_p[3]", "c_d c_f[1] c_f[2]");
+  for (int k = 4; k <= 9; ++k)
+    apart = with(apart, "c_p[" + std::to_string(k) + "]", "c_f[" + std::to_string(k - 1) + "]");
+  CHECK(read(apart).assembly == read(contacts_with(all), whole_map).assembly);
+  std::string behind = contacts_with("force id1 id2");
+  behind = with(behind, "c_ids[1] c_ids[2] c_p[1] c_p[2] c_p[3]", "q r c_f c_i[1] c_i[2]");
+  CHECK(told(read(behind)).find("c_f as force") != std::string::npos);
+}
+
+TEST_CASE("LAMMPS layouts: values that are no order are refused, and how to say it") {
+  // the scalar last, a distance that is none, a vector turned round its axes
+  std::string message = refused(contacts_with("p1 p2 p3 p4 force"));
+  CHECK(message.starts_with(
+      "c:10: the columns hold no values that the positions of the grains bear out (tried: "));
+  CHECK(message.find("force p1 to p4") != std::string::npos);
+  CHECK(message.find("column map, such as id1=") != std::string::npos);
+  CHECK(refused(contacts_with("p4 force fx fy fz")).find("bear out") != std::string::npos);
+  CHECK(refused(contacts_with("fy fz fx")).find("bear out") != std::string::npos);
+  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 200 ")).find("no column has ids") !=
+        std::string::npos);
+  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1.5 2 ")).find("no column has ids") !=
+        std::string::npos);
+  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 x 2 ")) ==
+        "c:10: expected a finite number as value of c_ids[1], found 'x'");
+  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 2 3 "))
+            .starts_with("c:10: expected 5 fields"));
+}
+
+TEST_CASE(
+    "LAMMPS layouts: values that can be read in two ways are refused with both, and the maps that decide") {
+  // one contact along (-1, 2, 0): a distance of 1 mm and a force of 2 mN look like a vector along it
+  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ",
+                    box = "ITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
+  const std::string two = head + "ATOMS\n2\n" + box + "ITEM: ATOMS id radius x y z\n1 0.0005 0.5 0.5 0.5\n" +
+                          "2 0.0005 0.49955278640450004 0.49910557280900008 0.5\n";
+  const std::string one = head + "ENTRIES\n1\n" + box +
+                          "ITEM: ENTRIES c_i[1] c_i[2] c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]\n"
+                          "1 2 0.001 0.002 0 0 0 0\n";
+  const std::string message = refusal([&] {
+    LammpsDump dump(text_source("a", two), text_source("c", one));
+    static_cast<void>(dump.next());
+  });
+  CHECK(message.find("in 2 ways that give other forces") != std::string::npos);
+  CHECK(message.find("dist force p1 to p4 with id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]") !=
+        std::string::npos);
+  CHECK(message.find("fx fy fz p1 p2 p3 with id1=c_i[1],id2=c_i[2],fnx=c_p[1]") != std::string::npos);
+}
+
+TEST_CASE("LAMMPS layouts: a frame without rows, and one in which nothing presses") {
+  std::string none = contacts_with("dist force fx fy fz");
+  none = with(none.substr(0, none.find("\n1 1 2 ") + 1), "ENTRIES\n91", "ENTRIES\n0");
+  CHECK(read(none).assembly.contacts.empty());
+  const ImportedPacking unloaded = read(contacts_with("dist 0 0 0 0"));
+  CHECK(unloaded.assembly.contacts.size() == 91);
+}
+
+TEST_CASE("LAMMPS walls: grains and walls together leave each grain its weight") {
+  const ImportedPacking packing = read(contacts_with("dist force fx fy fz p1 p2 p3 p4"));
+  const packing::Assembly& a = packing.assembly;
+  REQUIRE(a.grain_count() == 54);
+  CHECK(a.wall_contacts.size() == 47);
+  CHECK(packing.has(Finding::wall_contacts));
+  double worst = 0;
+  for (const packing::Residual& r : residuals(a))
+    worst = std::max(worst, norm(r.force - Vec3{0, 0, weight}));
+  CHECK(worst < 1e-8 * weight);
+  for (const packing::Contact& c : a.wall_contacts) {
+    CHECK(c.overlap == relative(a.radius[c.i] - norm(c.branch), 1e-12));
+    CHECK(c.normal_force > 0);
+    CHECK(std::abs(dot(c.tangential_force, c.branch)) <= 1e-12 * norm(c.branch) * c.normal_force);
+  }
+  // without contacts between grains the walls' are there as well
+  LammpsDump alone(text_source("a", grains));
+  CHECK(alone.next().value().assembly.wall_contacts == a.wall_contacts);
+}
+
+TEST_CASE("LAMMPS walls: eight columns of another fix are no wall, and numbers must be numbers") {
+  const auto walls = [](const std::string& text) {
+    LammpsDump dump(text_source("a", text));
+    return dump.next().value().assembly.wall_contacts.size();
+  };
+  // the radius of the first grain at a wall of the third fix is not the grain's
+  const std::string row = grains.substr(grains.find("\n1 1 0.0005") + 1);
+  const std::string first = row.substr(0, row.find('\n'));
+  const std::string changed = first.substr(0, first.rfind(' ')) + " 0.0007";
+  const std::size_t third = walls(with(grains, first, changed));
+  CHECK(third < 47);
+  CHECK(third > 0);
+  CHECK(refusal([&] {
+          walls(with(grains, first, first.substr(0, first.rfind(' ')) + " wide"));
+        }).starts_with("a:10: expected a finite number as value of a fix"));
+  // ids instead of ones, as older versions have it
+  std::istringstream lines(grains);
+  std::string older, line;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields = split(line);
+    if (fields.size() == 30 && fields[0] != "ITEM:")
+      for (const std::size_t k : {6u, 14u, 22u})
+        if (fields[k] == "1")
+          fields[k] = fields[0];
+    for (const std::string& field : fields)
+      older += field + " ";
+    older += "\n";
+  }
+  CHECK(walls(older) == 47);
+}
