@@ -116,6 +116,10 @@ class Measuring {
       return;
     if (wanted_.force_bins)
       out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
+    if (!given_.tangential_forces)
+      out_.notes.emplace_back(
+          "without tangential forces it cannot be told whether the grains are at rest, and the "
+          "stress lacks their part");
     out_.stress = contact_stress(assembly_);
   }
 
@@ -263,7 +267,13 @@ Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
 
 Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins) {
   Forces out{.distribution = packing::force_distribution(normal_forces(assembly), bins)};
-  out.unbalance = unbalance(assembly);
+  if (given.tangential_forces) {
+    constexpr double hardly = 1e-3, explained = 0.1;
+    out.unbalance = unbalance(assembly);
+    const packing::Weight weight = common_weight(assembly);
+    if (out.unbalance->force_ratio > hardly && weight.left_over < explained)
+      out.weight = weight;
+  }
   if (out.distribution.pressing == 0)
     return out;
   const packing::Assembly pressing = pressing_part(assembly);

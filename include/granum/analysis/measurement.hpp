@@ -25,6 +25,7 @@
 #include <granum/packing/force_moments.hpp>
 #include <granum/packing/sliding.hpp>
 #include <granum/packing/stress.hpp>
+#include <granum/packing/weight.hpp>
 
 /// What one packing tells, whoever made it: granum's own specimens and imported ones alike.
 namespace granum::analysis {
@@ -69,8 +70,9 @@ struct Forces {
   double Z_5_3 = 0; ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
   std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
   std::optional<packing::FrictionEstimate> friction = {};
-  std::optional<double> sliding_fraction = {}; ///< at the coefficient given, or else estimated
-  packing::Unbalance unbalance = {};
+  std::optional<double> sliding_fraction = {};      ///< at the coefficient given, or else estimated
+  std::optional<packing::Unbalance> unbalance = {}; ///< where the tangential forces are known
+  std::optional<packing::Weight> weight = {};       ///< where it explains what is left unbalanced
 };
 
 /// A stiffness of the network as the axes of the packing show it; no symmetry is assumed.

@@ -13,27 +13,28 @@ namespace granum::io {
 
 /// What an import found out that a user of its numbers should know.
 enum class Finding {
-  few_digits,         ///< coordinates or overlaps have at most 8 significant digits
-  duplicated,         ///< a pair stood there more than once with the same values; it counts once
-  unsorted,           ///< contacts were not in the order of their grains; sorted here
-  through_faces,      ///< contacts reach through periodic faces; the nearest image was taken
-  open_contacts,      ///< contacts whose grains do not overlap
-  wall_contacts,      ///< contacts with walls are there; they bear stress, and are none of C_n and fabric
-  one_sided,          ///< pairs of which one of two expected rows is there
-  columns_told,       ///< what columns hold was told by their values, not by a heading
-  forces_swapped,     ///< normal and tangential force stand in the other order than the layout says
-  viscous_forces,     ///< the forces may hold viscous parts
-  contacts_unknown,   ///< no contacts in the files
-  walls_unknown,      ///< contacts with walls are there, but the files hold only their number
-  forces_unknown,     ///< contacts, but no forces
-  tangential_unknown, ///< normal forces, but no tangential ones
-  ids_assumed,        ///< grains have no ids in the file; they were numbered
-  cell_unknown,       ///< no box in the files: the cell is the smallest upright box around the grains
-  boundary_unknown,   ///< which faces are periodic is not in the files
-  units_unknown,      ///< no units in the files: taken for SI
-  stiffness_unknown,  ///< k_n, k_t are zero until assign_stiffness is called
-  law_unknown,        ///< contact law and grain material are not in the files
-  history_unknown,    ///< loading history of the tangential springs is not in the files
+  few_digits,             ///< coordinates or overlaps have at most 8 significant digits
+  duplicated,             ///< a pair stood there more than once with the same values; it counts once
+  unsorted,               ///< contacts were not in the order of their grains; sorted here
+  through_faces,          ///< contacts reach through periodic faces; the nearest image was taken
+  open_contacts,          ///< contacts whose grains do not overlap
+  wall_contacts,          ///< contacts with walls are there; they bear stress, and are none of C_n and fabric
+  one_sided,              ///< pairs of which one of two expected rows is there
+  columns_told,           ///< what columns hold was told by their values, not by a heading
+  forces_swapped,         ///< normal and tangential force stand in the other order than the layout says
+  viscous_forces,         ///< the forces may hold viscous parts
+  contacts_unknown,       ///< no contacts in the files
+  contacts_from_overlaps, ///< of spheres that overlap, as no file holds contacts
+  walls_unknown,          ///< contacts with walls are there, but the files hold only their number
+  forces_unknown,         ///< contacts, but no forces
+  tangential_unknown,     ///< normal forces, but no tangential ones
+  ids_assumed,            ///< grains have no ids in the file; they were numbered
+  cell_unknown,           ///< no box in the files: the cell is the smallest upright box around the grains
+  boundary_unknown,       ///< which faces are periodic is not in the files
+  units_unknown,          ///< no units in the files: taken for SI
+  stiffness_unknown,      ///< k_n, k_t are zero until assign_stiffness is called
+  law_unknown,            ///< contact law and grain material are not in the files
+  history_unknown,        ///< loading history of the tangential springs is not in the files
 };
 
 /// A finding and the words for it, with counts where there are any.

@@ -16,6 +16,7 @@
 #include "analyse_paraview.hpp"
 #include "analyse_stress.hpp"
 #include "cli/frame/frame.hpp"
+#include "studies/analyse/overlaps.hpp"
 
 namespace granum::cli {
 
@@ -88,7 +89,8 @@ template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
                                         const MeasureOptions& options, Seen seen) {
   std::vector<FrameAnswer> out;
-  const auto take = [&](const io::ImportedPacking& packing, std::size_t at) {
+  const auto take = [&](io::ImportedPacking read, std::size_t at) {
+    const io::ImportedPacking packing = studies::with_overlap_contacts(std::move(read), options.given);
     out.push_back(analyse_frame(packing, options));
     out.back().number = at;
     seen(packing, at);
@@ -108,11 +110,11 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
             most_frames, number));
         break;
       }
-      take(*packing, number);
+      take(std::move(*packing), number);
     }
   }
   if (kept)
-    take(*kept, number - 1);
+    take(std::move(*kept), number - 1);
   if (out.empty())
     throw InvalidArgument(fmt::format("--frames takes none of the {} frames of the files", number));
   return out;

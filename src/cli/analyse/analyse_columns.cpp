@@ -24,7 +24,18 @@ auto part(std::optional<Part> analysis::Measurement::*member, Of of) {
   };
 }
 
+/// What is counted on the contacts; nothing where they are not known.
+template <class Of>
+auto counted(Of of) {
+  return [of](const FrameAnswer& f) -> std::optional<double> {
+    if (!f.measured.contacts_known)
+      return std::nullopt;
+    return of(f.measured.packing.counts);
+  };
+}
+
 FrameColumns state_columns() {
+  using analysis::Counts;
   using analysis::Fabric;
   using analysis::Forces;
   using analysis::Measurement;
@@ -37,15 +48,12 @@ FrameColumns state_columns() {
       {"time_s", "", [](const FrameAnswer& f) { return f.measured.time; }},
       {"e", "", [](const FrameAnswer& f) { return f.measured.packing.void_ratio; },
        ShownColumn{"e", 9, 4, true}},
-      {"C_n", "", [](const FrameAnswer& f) { return f.measured.packing.counts.coordination_number; },
-       ShownColumn{"C_n", 9, 4, true}},
-      {"z_star", "",
-       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.coordination_number; },
-       ShownColumn{"z*", 9, 4, true}},
-      {"rattler_fraction", "",
-       [](const FrameAnswer& f) { return f.measured.packing.counts.mechanical.rattler_fraction; }},
-      {"grains_without_contact", "",
-       [](const FrameAnswer& f) { return number(f.measured.packing.counts.without_contact); }},
+      {"C_n", "", counted([](const Counts& c) { return c.coordination_number; }),
+       ShownColumn{"C_n", 9, 4, true, 1, "-"}},
+      {"z_star", "", counted([](const Counts& c) { return c.mechanical.coordination_number; }),
+       ShownColumn{"z*", 9, 4, true, 1, "-"}},
+      {"rattler_fraction", "", counted([](const Counts& c) { return c.mechanical.rattler_fraction; })},
+      {"grains_without_contact", "", counted([](const Counts& c) { return number(c.without_contact); })},
       {"wall_contacts", "",
        [](const FrameAnswer& f) { return number(f.measured.packing.counts.wall_contacts); }},
       {"a", "", part(&Measurement::fabric, [](const Fabric& x) { return x.by_moment.anisotropy; }),
@@ -73,7 +81,12 @@ FrameColumns state_columns() {
          return forces ? forces->sliding_fraction : std::nullopt;
        }},
       {"unbalanced_force_ratio", "",
-       part(&Measurement::forces, [](const Forces& x) { return x.unbalance.force_ratio; })},
+       part(&Measurement::forces,
+            [](const Forces& x) -> std::optional<double> {
+              if (!x.unbalance)
+                return std::nullopt;
+              return x.unbalance->force_ratio;
+            })},
   };
 }
 

@@ -33,6 +33,15 @@ ordered_json json_of(const analysis::Counts& c) {
           {"coordination_number_with_walls", c.coordination_number_with_walls}};
 }
 
+/// Of grains whose contacts nobody knows.
+ordered_json unknown_counts(const analysis::Counts& c) {
+  ordered_json json = json_of(c);
+  for (auto& [key, value] : json.items())
+    if (key != "grains" && key != "wall_contacts")
+      value = nullptr;
+  return json;
+}
+
 ordered_json json_of(const fabric::ChiSquareTest& test) {
   return {{"chi_square", test.statistic},
           {"degrees_of_freedom", test.degrees_of_freedom},
@@ -84,8 +93,17 @@ ordered_json json_of(const analysis::Forces& f) {
                        {"mean_tangential_over_normal", or_null(f.mean_tangential_over_normal)},
                        {"friction_coefficient", nullptr},
                        {"sliding_fraction", or_null(f.sliding_fraction)},
-                       {"unbalanced_force_ratio", f.unbalance.force_ratio},
-                       {"unbalanced_moment_ratio", f.unbalance.moment_ratio}};
+                       {"unbalanced_force_ratio", nullptr},
+                       {"unbalanced_moment_ratio", nullptr}};
+  if (f.unbalance) {
+    json["unbalanced_force_ratio"] = f.unbalance->force_ratio;
+    json["unbalanced_moment_ratio"] = f.unbalance->moment_ratio;
+  }
+  if (f.weight) {
+    const Vec3& w = f.weight->per_volume;
+    json["weight_per_solid_volume"] = {w.x, w.y, w.z};
+    json["unbalanced_over_weight"] = f.weight->left_over;
+  }
   if (f.friction)
     json["friction_coefficient"] = f.friction->coefficient;
   return json;
@@ -160,9 +178,11 @@ ordered_json json_of(const FrameAnswer& frame) {
          {"void_ratio", a.void_ratio},
          {"radius",
           {{"smallest", a.sizes.smallest}, {"largest", a.sizes.largest}, {"equivalent", a.sizes.equivalent}}},
-         {"counts", json_of(a.counts)}});
+         {"counts", frame.measured.contacts_known ? json_of(a.counts) : unknown_counts(a.counts)}});
   if (a.fabric)
     json["fabric"] = json_of(*a.fabric);
+  if (a.counts.grains > 0 && !a.forces)
+    json.update({{"stress", nullptr}, {"forces", nullptr}});
   if (a.stress)
     json["stress"] = json_of(frame, *a.stress);
   if (a.forces)

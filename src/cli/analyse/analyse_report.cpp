@@ -36,7 +36,8 @@ std::string reading_text(const FrameAnswer& frame) {
   return text;
 }
 
-std::string counts_text(const Measurement& a) {
+std::string counts_text(const studies::MeasuredFrame& frame) {
+  const Measurement& a = frame.packing;
   const analysis::Counts& c = a.counts;
   const bool equal = a.sizes.smallest == a.sizes.largest;
   std::string text = "\ngrains and contacts\n";
@@ -46,6 +47,8 @@ std::string counts_text(const Measurement& a) {
                            pretty(a.sizes.largest, Dimension::length) + ", closed forms with " +
                            pretty(a.sizes.equivalent, Dimension::length));
   text += item("void ratio e", fmt::format("{:.4f}", a.void_ratio));
+  if (!frame.contacts_known)
+    return text + item("C_n, z*, rattlers", "unknown", "no file holds contacts");
   text += item("C_n", fmt::format("{:.4f}", c.coordination_number),
                fmt::format("2 N_c/N, all grains; {} contacts", c.contacts));
   text += item("z*", fmt::format("{:.4f}", c.mechanical.coordination_number),
@@ -124,9 +127,14 @@ std::string forces_text(const analysis::Forces& f) {
                  fmt::format("contacts pile up there, {} of them", f.friction->contacts));
   if (f.sliding_fraction)
     text += item("sliding contacts", short_text(100 * *f.sliding_fraction) + " %");
-  if (f.unbalance.force_ratio > 0)
-    text += item("left unbalanced", short_text(f.unbalance.force_ratio, 3),
+  if (!f.unbalance)
+    text += item("left unbalanced", "unknown", "the tangential forces are not known");
+  else if (f.unbalance->force_ratio > 0)
+    text += item("left unbalanced", short_text(f.unbalance->force_ratio, 3),
                  "mean |force| on a grain over mean contact force");
+  if (f.weight)
+    text += item("of it weight", short_text(100 * (1 - f.weight->left_over), 4) + " %",
+                 short_text(norm(f.weight->per_volume) / 1e3, 4) + " kN per m3 of solid");
   return text;
 }
 
@@ -189,7 +197,7 @@ std::string frame_text(const FrameAnswer& frame) {
     text += fmt::format(", time {} s", short_text(*frame.measured.time, 6));
   text += "\n" + reading_text(frame);
   if (a.counts.grains > 0)
-    text += counts_text(a);
+    text += counts_text(frame.measured);
   if (a.fabric)
     text += fabric_text(*a.fabric);
   if (a.stress)

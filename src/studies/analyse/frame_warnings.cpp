@@ -34,6 +34,20 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     }
 }
 
+/// Files of grains alone.
+void judge_contacts(const io::ImportedPacking& packing, const MeasuredFrame& frame,
+                    std::vector<std::string>& out) {
+  if (!frame.contacts_known)
+    out.emplace_back(
+        "the files hold no contacts, and no spheres overlap: C_n, z*, fabric, stress and stiffness are "
+        "unknown (positions or radii of few digits, or grains that do not touch)");
+  else if (packing.has(Finding::contacts_from_overlaps))
+    out.push_back("the files hold no contacts: overlapping spheres count as such, " +
+                  std::string(packing.has(Finding::forces_unknown)
+                                  ? "and forces are unknown"
+                                  : "with the normal forces of the given material and no tangential ones"));
+}
+
 /// A boundary that is no periodic one: the volume that belongs to the grains is not known.
 void judge_boundary(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   const auto open = std::count(packing.periodic.begin(), packing.periodic.end(), false);
@@ -79,14 +93,31 @@ void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& 
   }
 }
 
+std::string vector_text(const Vec3& v) {
+  const double size = norm(v);
+  return "(" + short_text(v.x / size, 2) + ", " + short_text(v.y / size, 2) + ", " +
+         short_text(v.z / size, 2) + ")";
+}
+
 void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out) {
   constexpr double at_rest = 1e-3;
   if (forces.distribution.in_tension > 0)
     out.push_back(std::to_string(forces.distribution.in_tension) +
                   " contacts are in tension: forces with viscous or cohesive parts");
-  if (forces.unbalance.force_ratio > at_rest)
-    out.push_back("the packing is not at rest: the mean force left on a grain is " +
-                  percent(forces.unbalance.force_ratio) + " of the mean contact force");
+  if (!forces.unbalance)
+    return;
+  double left = forces.unbalance->force_ratio;
+  if (forces.weight) {
+    left *= forces.weight->left_over;
+    const double size = norm(forces.weight->per_volume);
+    out.push_back("the grains bear weight: what the contacts leave on them is one common force of " +
+                  short_text(size / 1e3, 4) + " kN per m3 of solid along " +
+                  vector_text(forces.weight->per_volume) +
+                  "; stress and stiffness grow with depth, and the numbers are means over it");
+  }
+  if (left > at_rest)
+    out.push_back("the packing is not at rest: the mean force left on a grain is " + percent(left) +
+                  " of the mean contact force");
 }
 
 void judge_law(const analysis::LawCheck& check, bool few_digits, std::vector<std::string>& out) {
@@ -130,6 +161,7 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   const analysis::Measurement& measured = frame.packing;
   const bool few_digits = packing.has(Finding::few_digits);
   pass_on(packing, out);
+  judge_contacts(packing, frame, out);
   judge_boundary(packing, out);
   judge_grains(packing, out);
   if (measured.fabric)

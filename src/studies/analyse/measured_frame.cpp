@@ -44,9 +44,13 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   given.normal_forces = !packing.has(Finding::forces_unknown);
   given.tangential_forces = !packing.has(Finding::tangential_unknown);
   given.few_digits = packing.has(Finding::few_digits);
+  const bool by_overlaps = packing.has(Finding::contacts_from_overlaps);
+  analysis::Wanted measured = wanted;
+  measured.law_check = wanted.law_check && !by_overlaps; // forces by the law would agree with it
   MeasuredFrame out{.step = packing.step,
                     .time = packing.time,
-                    .packing = analysis::measure(packing.assembly, given, wanted)};
+                    .contacts_known = by_overlaps || !packing.has(Finding::contacts_unknown),
+                    .packing = analysis::measure(packing.assembly, given, measured)};
   add_warnings(packing, out);
   return out;
 }
@@ -62,7 +66,8 @@ MeasuredFrame measure_frame(const io::ContactTable& table, analysis::Given given
   if (wanted.force_bins && (!table.force.empty() || !table.normal_force.empty())) {
     given.tangential_forces = !table.force.empty() || !table.tangential_size.empty();
     out.packing.forces = analysis::measure_forces(contacts_of(table), given, *wanted.force_bins);
-    out.packing.forces->unbalance = {};
+    out.packing.forces->unbalance.reset();
+    out.packing.forces->weight.reset();
   }
   out.packing.notes.emplace_back("contacts without grains: no C_n, no stress, no stiffness");
   return out;

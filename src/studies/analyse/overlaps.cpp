@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/overlaps.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include <granum/contact/pair.hpp>
+#include <granum/dem/neighbours.hpp>
+
+namespace granum::studies {
+
+namespace {
+
+using packing::Assembly;
+using packing::Contact;
+
+/// Finds overlapping spheres of one assembly.
+class OverlapSearch {
+ public:
+  OverlapSearch(const Assembly& assembly, const std::array<bool, 3>& periodic)
+      : assembly_(assembly), place_(assembly.position), shifts_(dem::shift_vectors(assembly.cell)),
+        open_(!periodic[0] && !periodic[1] && !periodic[2]) {
+    if (!open_)
+      dem::wrap(assembly.cell, place_);
+    for (int image = 0; image < 27; ++image) {
+      const std::array<int, 3> steps{image / 9 - 1, image / 3 % 3 - 1, image % 3 - 1};
+      bool allowed = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        allowed = allowed && (periodic[k] || steps[k] == 0);
+      allowed_[static_cast<std::size_t>(image)] = allowed;
+    }
+  }
+
+  [[nodiscard]] std::optional<std::vector<Contact>> run() && {
+    const double cutoff = 2 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
+    const Vec3 widths = packing::cell_widths(assembly_.cell);
+    if (open_ || 2 * cutoff <= std::min({widths.x, widths.y, widths.z})) {
+      for (const dem::Pair& pair :
+           neighbour_pairs(assembly_.cell, place_, cutoff, open_ ? dem::Images::none : dem::Images::periodic))
+        look_at(pair.i, pair.j, pair.image);
+      return std::move(found_);
+    }
+    if (place_.size() > most_of_a_narrow_cell)
+      return std::nullopt;
+    for (std::uint32_t i = 0; i < place_.size(); ++i)
+      for (std::uint32_t j = i + 1; j < place_.size(); ++j)
+        for (std::uint32_t image = 0; image < 27; ++image)
+          look_at(i, j, image);
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t most_of_a_narrow_cell = 20'000;
+
+  void look_at(std::uint32_t i, std::uint32_t j, std::uint32_t image) {
+    if (!allowed_[image])
+      return;
+    const Vec3 branch = place_[j] + shifts_[image] - place_[i];
+    const double overlap = assembly_.radius[i] + assembly_.radius[j] - norm(branch);
+    if (overlap > 0 && norm(branch) > 0)
+      found_.push_back({.i = i, .j = j, .branch = branch, .overlap = overlap});
+  }
+
+  const Assembly& assembly_;
+  std::vector<Vec3> place_;
+  std::array<Vec3, 27> shifts_;
+  std::array<bool, 27> allowed_{};
+  bool open_;
+  std::vector<Contact> found_;
+};
+
+/// Normal forces by the law for equal grains of the pair's 2 R_i R_j/(R_i + R_j).
+void set_forces(Assembly& assembly, const analysis::Given& given) {
+  const contact::GrainMaterial grain{*given.grain_shear_modulus, given.grain_poisson_ratio};
+  for (Contact& c : assembly.contacts) {
+    c.normal_force =
+        given.law_family(grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j])).force(c.overlap);
+  }
+}
+
+} // namespace
+
+std::optional<std::vector<Contact>> overlapping_pairs(const Assembly& assembly,
+                                                      const std::array<bool, 3>& periodic) {
+  require_valid(assembly);
+  if (assembly.grain_count() == 0)
+    return std::vector<Contact>{};
+  return OverlapSearch(assembly, periodic).run();
+}
+
+io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const analysis::Given& given) {
+  using io::Finding;
+  if (!packing.has(Finding::contacts_unknown))
+    return packing;
+  auto found = overlapping_pairs(packing.assembly, packing.periodic);
+  if (!found || found->empty())
+    return packing;
+  packing.assembly.contacts = std::move(*found);
+  packing.notes.push_back(
+      {Finding::contacts_from_overlaps, std::to_string(packing.assembly.contacts.size()) +
+                                            " pairs of spheres overlap: they are taken for the contacts"});
+  if (given.grain_shear_modulus) {
+    set_forces(packing.assembly, given);
+    packing.notes.push_back({Finding::tangential_unknown,
+                             "no tangential forces: normal ones are those of the given "
+                             "material at the overlaps"});
+  } else {
+    packing.notes.push_back({Finding::forces_unknown,
+                             "no forces; with --grain-shear-modulus the overlaps tell the "
+                             "normal ones"});
+  }
+  return packing;
+}
+
+} // namespace granum::studies

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A packing whose contacts are thrown away has them again, from the positions and radii of its grains.
+#include "studies/analyse/overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <relative.hpp>
+
+#include "read_specimen.hpp"
+#include "studies/analyse/measured_frame.hpp"
+#include "written_packing.hpp"
+
+using namespace granum;
+using namespace granum::samples;
+using analysis::Given;
+using io::Finding;
+
+namespace {
+
+constexpr std::array<bool, 3> everywhere{true, true, true};
+
+io::ImportedPacking grains_alone(const packing::Assembly& a) {
+  io::LammpsDump dump(io::TextSource::of_text("grains", dump_grains(a, 7)));
+  return dump.next().value();
+}
+
+bool warns(const studies::MeasuredFrame& frame, const std::string& words) {
+  return std::any_of(frame.warnings.begin(), frame.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+} // namespace
+
+TEST_CASE("overlaps: the contacts of a specimen come back from its grains") {
+  const packing::Assembly& a = specimen();
+  const auto found = studies::overlapping_pairs(a, everywhere);
+  REQUIRE(found);
+  REQUIRE(found->size() == a.contacts.size());
+  for (std::size_t k = 0; k < found->size(); ++k) {
+    const packing::Contact &c = (*found)[k], &own = a.contacts[k];
+    CHECK((c.i == own.i && c.j == own.j));
+    CHECK(norm(c.branch - own.branch) <= 1e-12 * norm(own.branch));
+    CHECK(std::abs(c.overlap - own.overlap) <= 1e-12 * specimen_radius);
+  }
+}
+
+TEST_CASE("overlaps: pairs reach through periodic faces alone") {
+  packing::Assembly a{.cell = Mat3::diagonal(10, 10, 10),
+                      .position = {{0.2, 5, 5}, {9.7, 5, 5}, {5, 0.2, 5}, {5, 9.7, 5}, {5, 5, 5}},
+                      .radius = {0.5, 0.3, 0.5, 0.3, 0.2},
+                      .contacts = {}};
+  CHECK(studies::overlapping_pairs(a, everywhere)->size() == 2);
+  const auto along_x = studies::overlapping_pairs(a, {true, false, false});
+  REQUIRE(along_x->size() == 1);
+  CHECK(norm(along_x->front().branch - Vec3{-0.5, 0, 0}) < 1e-12);
+  CHECK(along_x->front().overlap == relative(0.3, 1e-12));
+  CHECK(studies::overlapping_pairs(a, {false, false, false})->empty());
+  CHECK(studies::overlapping_pairs({.cell = a.cell, .position = {}, .radius = {}, .contacts = {}}, everywhere)
+            ->empty());
+}
+
+TEST_CASE("overlaps: in a cell narrower than two diameters a pair touches through several images") {
+  // two spheres on a square lattice of edge 1.9 in a cell two of them wide: each touches the other four times
+  const packing::Assembly a{.cell = Mat3::diagonal(2.6, 2.6, 20),
+                            .position = {{0, 0, 10}, {1.3, 1.3, 10}},
+                            .radius = {1, 1},
+                            .contacts = {}};
+  const auto found = studies::overlapping_pairs(a, everywhere);
+  REQUIRE(found->size() == 4);
+  for (const packing::Contact& c : *found)
+    CHECK(norm(c.branch) == relative(1.3 * std::sqrt(2.0), 1e-12));
+}
+
+TEST_CASE("overlaps: with the material, forces and moduli are those of the specimen") {
+  const packing::Assembly& a = specimen();
+  const Given given{.grain_shear_modulus = specimen_grain.shear_modulus};
+  const io::ImportedPacking packing = studies::with_overlap_contacts(grains_alone(a), given);
+  CHECK(packing.has(Finding::contacts_from_overlaps));
+  CHECK(packing.has(Finding::tangential_unknown));
+  CHECK_FALSE(packing.has(Finding::forces_unknown));
+  for (std::size_t k = 0; k < a.contacts.size(); ++k)
+    CHECK(std::abs(packing.assembly.contacts[k].normal_force - a.contacts[k].normal_force) <=
+          1e-6 * a.contacts[k].normal_force);
+  const studies::MeasuredFrame frame = studies::measure_frame(packing, given);
+  const studies::MeasuredFrame whole = studies::measure_frame(through_dump(a), given);
+  CHECK(frame.contacts_known);
+  CHECK_FALSE(frame.packing.law_check);
+  CHECK(frame.packing.network->G_vh() == relative(whole.packing.network->G_vh(), 1e-6));
+  CHECK(frame.packing.counts.mechanical.coordination_number ==
+        whole.packing.counts.mechanical.coordination_number);
+  CHECK(warns(frame, "overlapping spheres count as such, with the normal forces of the given material"));
+  CHECK_FALSE(warns(frame, "not at rest"));
+}
+
+TEST_CASE("overlaps: without a material there are contacts and no forces") {
+  const io::ImportedPacking packing = studies::with_overlap_contacts(grains_alone(specimen()), {});
+  const studies::MeasuredFrame frame = studies::measure_frame(packing);
+  CHECK(frame.contacts_known);
+  CHECK(frame.packing.counts.coordination_number > 4);
+  CHECK(frame.packing.fabric);
+  CHECK_FALSE(frame.packing.stress);
+  CHECK_FALSE(frame.packing.forces);
+  CHECK_FALSE(frame.packing.network);
+  CHECK(warns(frame, "overlapping spheres count as such, and forces are unknown"));
+}
+
+TEST_CASE(
+    "overlaps: grains that do not overlap leave the contacts unknown, and known ones stay as they are") {
+  packing::Assembly a = specimen();
+  for (double& radius : a.radius)
+    radius *= 0.9;
+  const io::ImportedPacking packing = studies::with_overlap_contacts(grains_alone(a), {});
+  CHECK(packing.assembly.contacts.empty());
+  const studies::MeasuredFrame frame = studies::measure_frame(packing);
+  CHECK_FALSE(frame.contacts_known);
+  CHECK(warns(frame, "no spheres overlap: C_n, z*"));
+  const io::ImportedPacking whole = through_dump(specimen());
+  CHECK(studies::with_overlap_contacts(whole, {}).assembly == whole.assembly);
+  CHECK(studies::measure_frame(whole).contacts_known);
+}
