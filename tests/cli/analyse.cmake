@@ -23,19 +23,37 @@ granum_cli_test("analyse: YADE, with its own stiffnesses" EXIT 0 STDERR "granum:
 granum_cli_test("analyse: YADE's recorder, as VTK XML" EXIT 0 STDERR "single precision"
   STDOUT "grains as VTK XML.*contacts as VTK XML.*C_n +1\\.3333.*f_n +66\\.55 mN"
   ARGS analyse ${io}/yade_chain.vtu ${io}/yade_chain.vtp)
-granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "not at rest" STDOUT "C_n +1\\.3333.*zz +1\\.03965"
+granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "the void ratio is 39\\.7: most of the box is empty"
+  STDOUT "C_n +1\\.3333.*zz +1\\.03965.*left unbalanced +unknown.*cannot be told whether the grains are at rest"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
 granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv)
 granum_cli_test("analyse: contacts alone" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.50000 0\\.00000 0\\.50000.*f_n +66\\.55 mN"
   ARGS analyse analyse_chain_contacts.csv)
-granum_cli_test("analyse: grains alone" EXIT 0 STDOUT "grains without contact +3" ARGS analyse ${io}/lammps_chain.data)
+# grains alone: contacts from overlaps, and what nobody can know is unknown
+set(alone "the files hold no contacts: overlapping spheres count as such")
+granum_cli_test("analyse: grains alone" EXIT 0 STDERR "${alone}, and forces are unknown"
+  STDOUT "2 pairs of spheres overlap.*C_n +1\\.3333" ARGS analyse ${io}/lammps_chain.data)
+granum_cli_test("analyse: grains alone and their material" EXIT 0 STDERR "${alone}, with the normal forces of the given material"
+  STDOUT "largest f_n +60\\.9[0-9] mN" ARGS analyse ${io}/lammps_chain.data --grain-shear-modulus 30GPa)
+granum_cli_test("analyse: grains alone under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: .*hold no contacts"
+  ARGS analyse ${io}/lammps_chain.data --strict)
+foreach(key counts/coordination_number counts/contacts counts/mechanical_coordination_number counts/rattlers stress forces)
+  granum_cli_test("analyse: grains apart, ${key} is null" EXIT 0 STDERR "no spheres overlap: C_n, z" JSON "frames/0/${key}=^$"
+    ARGS analyse analyse_apart.csv --box 4mm,4mm,4mm --json)
+endforeach()
+granum_cli_test("analyse: grains apart" EXIT 0 STDERR "no spheres overlap" STDOUT "C_n, z\\*, rattlers +unknown"
+  ARGS analyse analyse_apart.csv --box 4mm,4mm,4mm)
 
 # 54 spheres at rest in a box under their weight, contacts of 15 values without a column map, walls among the grains
 set(box "${io}/lammps_box.atoms" "${io}/lammps_box.contacts")
 granum_cli_test("analyse: a layout told by its values" EXIT 0 STDERR "47 contacts with walls"
   STDOUT "c_p15\\[1\\] to c_p15\\[15\\] as dist force fx fy fz p1 to p10.*contacts with walls +47"
   ARGS analyse ${box} --no-network)
+granum_cli_test("analyse: weight is no unrest" EXIT 0 STDOUT "of it weight +100 % +26 kN per m3"
+  STDERR "the grains bear weight: .* of 26 kN per m3 of solid along \\(0, 0, -1\\)" ARGS analyse ${box} --no-network)
+granum_cli_test("analyse: a modulus in kPa" EXIT 4 STDOUT "C_n" STDERR "G_g of the grains is 30 kPa, softer than rubber"
+  ARGS analyse ${box} --no-network --grain-shear-modulus 30kPa --strict)
 
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"

@@ -7,6 +7,8 @@
 
 #include <granum/core/number.hpp>
 
+#include "mistakes.hpp"
+
 namespace granum::studies {
 
 namespace {
@@ -94,9 +96,10 @@ void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& 
 }
 
 std::string vector_text(const Vec3& v) {
+  constexpr double nothing = 1e-4;
   const double size = norm(v);
-  return "(" + short_text(v.x / size, 2) + ", " + short_text(v.y / size, 2) + ", " +
-         short_text(v.z / size, 2) + ")";
+  const auto part = [&](double x) { return short_text(std::abs(x) < nothing * size ? 0 : x / size, 3); };
+  return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
 void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out) {
@@ -162,6 +165,7 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   const bool few_digits = packing.has(Finding::few_digits);
   pass_on(packing, out);
   judge_contacts(packing, frame, out);
+  judge_mistakes(packing, frame, out);
   judge_boundary(packing, out);
   judge_grains(packing, out);
   if (measured.fabric)

@@ -75,8 +75,8 @@ class OverlapSearch {
 void set_forces(Assembly& assembly, const analysis::Given& given) {
   const contact::GrainMaterial grain{*given.grain_shear_modulus, given.grain_poisson_ratio};
   for (Contact& c : assembly.contacts) {
-    c.normal_force =
-        given.law_family(grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j])).force(c.overlap);
+    c.normal_force = given.law_family(grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]))
+                         .force(c.overlap);
   }
 }
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/mistakes.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+
+#include "studies/analyse/overlaps.hpp"
+
+namespace granum::studies {
+
+namespace {
+
+using io::Finding;
+using packing::Contact;
+
+std::string percent(double share) { return short_text(100 * share, 3) + " %"; }
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median over the contacts of the distance of the centres over the sum of the radii; 1 without contacts.
+double median_distance(const packing::Assembly& assembly) {
+  std::vector<double> distances;
+  for (const Contact& c : assembly.contacts)
+    distances.push_back(norm(c.branch) / (assembly.radius[c.i] + assembly.radius[c.j]));
+  return distances.empty() ? 1 : median(std::move(distances));
+}
+
+/// The void ratio that radii times a factor would give.
+double rescaled(double void_ratio, double factor) {
+  return (1 + void_ratio) / (factor * factor * factor) - 1;
+}
+
+constexpr double least_void_ratio = 0.2;
+
+void judge_void_ratio(const packing::Assembly& assembly, double e, std::vector<std::string>& out) {
+  constexpr double most = 3, half_way = 0.75;
+  const double distance = median_distance(assembly);
+  const std::string start = "the void ratio is " + short_text(e, 3) + ": ";
+  if (e < least_void_ratio && distance < half_way)
+    out.push_back(
+        start + "the centres of grains in contact are " + percent(distance) +
+        " of the sum of their radii apart: does the column of radii hold diameters? Half of them make e = " +
+        short_text(rescaled(e, 0.5), 3));
+  else if (e < least_void_ratio)
+    out.push_back(
+        start +
+        "no packing of grains is so dense: are radii and box of one unit, and is the box the whole one?");
+  else if (e > most)
+    out.push_back(start + "most of the box is empty: does it reach beyond the grains (a free surface, "
+                          "walls), or are radii and box of different units?");
+}
+
+void judge_open_contacts(const packing::Assembly& assembly, std::vector<std::string>& out) {
+  const auto open = [](const Contact& c) { return !(c.overlap > 0); };
+  if (assembly.contacts.empty() || !std::all_of(assembly.contacts.begin(), assembly.contacts.end(), open))
+    return;
+  constexpr double twice = 1.9;
+  const double distance = median_distance(assembly);
+  std::string cause =
+      "are positions and contacts of the same state, and the positions written with enough digits?";
+  if (distance > twice)
+    cause = "are the radii half of what they should be?";
+  out.push_back("every contact is open: the centres are " + short_text(distance, 6) +
+                " times the sum of the radii apart (median); " + cause);
+}
+
+/// Pairs that overlap by more than a tenth of what contacts do, and have no row.
+void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFrame& frame,
+                            std::vector<std::string>& out) {
+  constexpr double clear = 0.1, share = 0.05;
+  const packing::Assembly& assembly = packing.assembly;
+  if (assembly.contacts.empty() || packing.has(Finding::contacts_from_overlaps) ||
+      packing.has(Finding::few_digits) || packing.has(Finding::cell_unknown))
+    return;
+  std::vector<double> overlaps;
+  for (const Contact& c : assembly.contacts)
+    overlaps.push_back(c.overlap);
+  const double deep = clear * median(std::move(overlaps));
+  const auto found = overlapping_pairs(assembly, packing.periodic);
+  if (!found || !(deep > 0))
+    return;
+  const auto listed = [&](const Contact& pair) {
+    return std::binary_search(
+        assembly.contacts.begin(), assembly.contacts.end(), pair,
+        [](const Contact& a, const Contact& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
+  };
+  std::size_t there = 0, missing = 0;
+  for (const Contact& pair : *found)
+    if (pair.overlap > deep)
+      ++(listed(pair) ? there : missing);
+  if (static_cast<double>(missing) <= share * static_cast<double>(there + missing))
+    return;
+  constexpr double large = 0.05;
+  const auto& forces = frame.packing.forces;
+  const bool unbalanced =
+      forces && forces->unbalance && !forces->weight && forces->unbalance->force_ratio > large;
+  out.push_back(
+      std::to_string(missing) + " of " + std::to_string(there + missing) +
+      " pairs of overlapping spheres stand in no row of the contacts" +
+      (unbalanced ? ", and forces of " + percent(forces->unbalance->force_ratio) +
+                        " of the mean contact force are left on the grains"
+                  : "") +
+      ": is the file of contacts whole (all processors, all types), or are they spheres of one clump?");
+}
+
+/// Moduli of grains, by what they are made of.
+void judge_modulus(const MeasuredFrame& frame, std::vector<std::string>& out) {
+  constexpr double softest = 1e6, hardest = 1e12;
+  constexpr double millimetres = 1e6; // G as lengths in mm show it, times this, is G
+  if (!frame.packing.grain)
+    return;
+  const double G = frame.packing.grain->shear_modulus;
+  if (G >= softest && G <= hardest)
+    return;
+  const bool in_mm = G * millimetres > 1e8 && G * millimetres < hardest;
+  out.push_back("G_g of the grains is " + pretty(G, Dimension::pressure) +
+                (G > hardest ? ", more than diamond has" : ", softer than rubber") + ": is its unit right" +
+                (in_mm && frame.packing.law_check
+                     ? ", or are lengths in mm taken for m? That makes " + pretty(G, Dimension::pressure) +
+                           " of " + pretty(G * millimetres, Dimension::pressure)
+                     : "") +
+                "? Quartz has 30 to 45 GPa");
+}
+
+void judge_lengths(const io::ImportedPacking& packing, const MeasuredFrame& frame,
+                   std::vector<std::string>& out) {
+  constexpr double boulder = 0.05; // [m]
+  const double radius = frame.packing.sizes.equivalent;
+  if (packing.has(Finding::units_unknown) && radius > boulder && !frame.packing.grain)
+    out.push_back("the grains have radii of " + pretty(radius, Dimension::length) +
+                  ": are the lengths in mm? The files state no units, and metres were taken");
+}
+
+} // namespace
+
+void judge_mistakes(const io::ImportedPacking& packing, const MeasuredFrame& frame,
+                    std::vector<std::string>& out) {
+  if (packing.assembly.grain_count() == 0)
+    return;
+  judge_void_ratio(packing.assembly, frame.packing.void_ratio, out);
+  judge_open_contacts(packing.assembly, out);
+  if (frame.packing.void_ratio >= least_void_ratio) // else grains overlap for another reason
+    judge_missing_contacts(packing, frame, out);
+  judge_modulus(frame, out);
+  judge_lengths(packing, frame, out);
+}
+
+} // namespace granum::studies
