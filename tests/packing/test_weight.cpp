@@ -15,7 +15,8 @@ constexpr double gamma_g = 26e3; // [N/m3]
 
 double weight_of(double radius) { return gamma_g * 4 / 3 * std::numbers::pi * radius * radius * radius; }
 
-/// A column of spheres of three sizes on a floor, each bearing what lies above it; one grain floats beside it.
+/// A column of spheres of three sizes on a floor, each bearing what lies above it; one grain floats beside
+/// it.
 Assembly column() {
   Assembly a{.cell = Mat3::diagonal(1, 1, 1),
              .position = {{0.5, 0.5, 0.1}, {0.5, 0.5, 0.35}, {0.5, 0.5, 0.55}, {0.1, 0.1, 0.9}},

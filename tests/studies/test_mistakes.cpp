@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each plausible mistake in a file of a good packing has a sentence that names it, and the good packing has none.
+// Each plausible mistake in a file of a good packing has a sentence that names it, and the good packing has
+// none.
 #include <algorithm>
 #include <string>
 
@@ -27,7 +28,8 @@ bool warns(const io::ImportedPacking& packing, const std::string& words, const G
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
-/// The specimen through a dump, its lengths and its radii times factors, overlaps as the files then have them.
+/// The specimen through a dump, its lengths and its radii times factors, overlaps as the files then have
+/// them.
 io::ImportedPacking rescaled(double lengths, double radii) {
   packing::Assembly a = specimen();
   for (int k = 0; k < 3; ++k)

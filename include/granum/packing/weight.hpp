@@ -5,13 +5,15 @@
 
 namespace granum::packing {
 
-/// What the contacts leave unbalanced on grains that rest under a body force: the same force per volume on each.
+/// What the contacts leave unbalanced on grains that rest under a body force: the same force per volume on
+/// each.
 struct Weight {
   Vec3 per_volume{};    ///< that the grains bear, density times gravity; along gravity [N/m3]
   double left_over = 1; ///< mean |residual force| without it over that with it, grains with a contact [1]
 };
 
-/// The common body force of all grains with a contact, by least squares of the residual forces on the volumes.
+/// The common body force of all grains with a contact, by least squares of the residual forces on the
+/// volumes.
 /// \return   left_over = 1 where there is no residual
 /// \throws   InvalidArgument for an assembly that require_valid rejects
 /// Accuracy  rounding, where grains rest under such a force.  Checked by tests/packing/test_weight.cpp

@@ -33,12 +33,12 @@ struct ToldLayout {
 
 /// What the values of `compute property/local patom1 patom2 ...` beside those of `compute pair/local` are:
 /// some of dist, dx dy dz, eng, force, fx fy fz and p1 p2 ..., in this order, and at least the distance or a
-/// force. An order is taken if the grains bear it out: dist is the distance of the centres, fx fy fz lies along
-/// the line of centres as repulsion on patom1 and is as long as force, p1 p2 p3 lies across it and is as long
-/// as p4, p10 p11 p12 is x1 - x2; all in the sum over the rows, within 1 %.
+/// force. An order is taken if the grains bear it out: dist is the distance of the centres, fx fy fz lies
+/// along the line of centres as repulsion on patom1 and is as long as force, p1 p2 p3 lies across it and is
+/// as long as p4, p10 p11 p12 is x1 - x2; all in the sum over the rows, within 1 %.
 /// \param    length   unit of the table's lengths [m]
-/// \throws   FileError at the first row if no order is borne out, or if several are that give other forces; the
-///           message lists them and the column maps that would decide
+/// \throws   FileError at the first row if no order is borne out, or if several are that give other forces;
+///           the message lists them and the column maps that would decide
 /// Checked by tests/io/lammps/test_layouts.cpp
 [[nodiscard]] ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains,
                                           double length);

@@ -20,9 +20,9 @@ namespace granum::studies {
 [[nodiscard]] std::optional<std::vector<packing::Contact>>
 overlapping_pairs(const packing::Assembly& assembly, const std::array<bool, 3>& periodic);
 
-/// A packing of grains alone with the contacts of overlapping spheres, and notes on them; any other as it is. Normal
-/// forces are those of the given law and material, where there is one; tangential ones depend on the history and
-/// stay unknown.
+/// A packing of grains alone with the contacts of overlapping spheres, and notes on them; any other as it is.
+/// Normal forces are those of the given law and material, where there is one; tangential ones depend on the
+/// history and stay unknown.
 /// \throws   InvalidArgument for a material that the law refuses
 [[nodiscard]] io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing,
                                                         const analysis::Given& given);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The orders in which people ask compute pair/local for its values, told apart by the values themselves; and the
-// contacts with walls that fix wall/gran writes. The packing rests in a box under its weight: what its contacts leave
-// on each grain is the weight of that grain.
+// The orders in which people ask compute pair/local for its values, told apart by the values themselves; and
+// the contacts with walls that fix wall/gran writes. The packing rests in a box under its weight: what its
+// contacts leave on each grain is the weight of that grain.
 #include <algorithm>
 #include <numbers>
 #include <sstream>

@@ -17,8 +17,8 @@ namespace granum::io {
 /// Grains: id; radius or diameter; x y z, xu yu zu or xs ys zs. Boxes upright, tilted or of three
 /// given edges.
 /// Contacts, without a column map:
-///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values), or
-///             beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the values
+///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values),
+///             or beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the values
 ///             are held against the positions of the grains, and a note says what they were taken for. Forces
 ///             are those on patom1, p10-p12 is x1 - x2.
 ///   LIGGGHTS  pair/gran/local pos id force force_normal force_tangential torque history contactPoint delta
@@ -45,7 +45,8 @@ class LammpsDump {
   /// \throws   FileError with path and line for text that is no such dump, numbers that are none, a frame cut
   ///           off, a row of other length than the heading, ids that are missing or stand there twice, a
   ///           radius that is not positive, a grain in contact with itself, one pair with two forces, files
-  ///           of different states, columns that no layout or several fit, time steps that go back, and for files without one time step in common
+  ///           of different states, columns that no layout or several fit, time steps that go back, and for
+  ///           files without one time step in common
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// Frames passed over so far because the other file has none of that time step.
