@@ -18,9 +18,9 @@ namespace granum::io {
 /// given edges.
 /// Contacts, without a column map:
 ///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values),
-///             or beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the values
-///             are held against the positions of the grains, and a note says what they were taken for. Forces
-///             are those on patom1, p10-p12 is x1 - x2.
+///             or beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the
+///             values are held against the positions of the grains, and a note says what they were taken
+///             for. Forces are those on patom1, p10-p12 is x1 - x2.
 ///   LIGGGHTS  pair/gran/local pos id force force_normal force_tangential torque history contactPoint delta
 ///             (28 values). Forces are those on the first id; positions lie in the box, a flag tells pairs
 ///             that reach through a face.
