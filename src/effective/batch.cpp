@@ -137,15 +137,17 @@ GRANUM_INLINE void finish_at_level(const Rule& rule, Work& work, const Results& 
 }
 
 template <class Rule>
-bool prepare(const Rule&, const Inputs& in, Work& work) {
+bool prepare(const Rule&, VectorLevel level, const Inputs& in, Work& work) {
   bool good = false;
-  at_vector_level([&](auto) __attribute__((always_inline)) { good = prepare_at_level<Rule>(in, work); });
+  at_vector_level(
+      [&](auto) __attribute__((always_inline)) { good = prepare_at_level<Rule>(in, work); }, level);
   return good;
 }
 
 template <class Rule>
-void finish(const Rule& rule, Work& work, const Results& out, std::size_t count) {
-  at_vector_level([&](auto) __attribute__((always_inline)) { finish_at_level(rule, work, out, count); });
+void finish(const Rule& rule, VectorLevel level, Work& work, const Results& out, std::size_t count) {
+  at_vector_level(
+      [&](auto) __attribute__((always_inline)) { finish_at_level(rule, work, out, count); }, level);
 }
 
 /// The rows of a column from `first` on: its own memory, or a block filled with its one value.
@@ -200,6 +202,7 @@ BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& mo
   const std::size_t rows = moduli.bulk_modulus.size();
   const Reader pressure(b.pressure, rows), contacts(b.coordination_number, rows), porosity(b.porosity, rows);
   const bool past_caches = rows >= rows_beyond_caches;
+  const VectorLevel level = vector_level();
   BatchReport report;
   Work work;
   Block bulk, shear;
@@ -208,12 +211,12 @@ BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& mo
     const Inputs in{pressure.from(first), contacts.from(first), porosity.from(first), count};
     double* const K = moduli.bulk_modulus.data() + first;
     double* const G = moduli.shear_modulus.data() + first;
-    if (!prepare(rule, in, work))
+    if (!prepare(rule, level, in, work))
       report_bad_rows(in, first, report);
     if (!past_caches) {
-      finish(rule, work, {K, G, shear_by_bulk}, count);
+      finish(rule, level, work, {K, G, shear_by_bulk}, count);
     } else {
-      finish(rule, work, {bulk.data(), shear.data(), shear_by_bulk}, count);
+      finish(rule, level, work, {bulk.data(), shear.data(), shear_by_bulk}, count);
       store_past_caches(bulk.data(), count, K);
       store_past_caches(shear.data(), count, G);
     }

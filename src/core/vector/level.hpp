@@ -48,15 +48,16 @@ template <class Body>
 #endif
 
 /// Runs a body that takes an AtLevel and is marked always_inline, as all that it calls must be, compiled for
-/// the level in use.
+/// the level in use; short bodies are spared to ask for it each time.
 template <class Body>
-void at_vector_level(const Body& body) {
+void at_vector_level(const Body& body, VectorLevel level = vector_level()) {
 #if GRANUM_HAS_VECTOR_LEVELS
-  const VectorLevel level = vector_level();
   if (level == VectorLevel::avx512)
     return run_avx512(body);
   if (level == VectorLevel::avx2)
     return run_avx2(body);
+#else
+  static_cast<void>(level);
 #endif
   body(AtLevel<VectorLevel::baseline>{});
 }
