@@ -12,7 +12,8 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "core/vector/math.hpp"
+#include "core/vector/cube_root.hpp"
+#include "core/vector/power.hpp"
 #include "core/vector/stream.hpp"
 
 namespace granum::effective {
@@ -57,13 +58,13 @@ struct SphereRule {
   GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
     const double x = w * w * (p * lift);
     work.x[k] = good ? x : 0.0;
-    work.y[k] = vector_math::inverse_cube_root_guess(work.x[k]);
+    work.y[k] = inverse_cube_root_guess(work.x[k]);
   }
   GRANUM_INLINE static void pass(Work& work, std::size_t k) {
-    work.y[k] = vector_math::inverse_cube_root_step(work.x[k], work.y[k]);
+    work.y[k] = inverse_cube_root_step(work.x[k], work.y[k]);
   }
   GRANUM_INLINE double root(const Work& work, std::size_t k) const {
-    return vector_math::cube_root_from(work.x[k], work.y[k]);
+    return cube_root_from(work.x[k], work.y[k]);
   }
 };
 struct ConeRule {
@@ -85,7 +86,7 @@ struct FlatRule {
 };
 struct GeneralRule {
   double factor; ///< c 2^(-180 b)
-  vector_math::Exponent b;
+  SplitExponent b;
   GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
     const bool loaded = good & (p > 0) & (w > 0);
     const double ratio = p * lift / w;
@@ -93,12 +94,12 @@ struct GeneralRule {
     work.y[k] = loaded ? ratio : 1.0;
   }
   GRANUM_INLINE static void pass(Work& work, std::size_t k) {
-    const vector_math::Log2 log2 = vector_math::log2_of(work.y[k]);
+    const Log2 log2 = log2_of<always_fused>(work.y[k]);
     work.y[k] = log2.whole;
     work.z[k] = log2.part;
   }
   GRANUM_INLINE double root(const Work& work, std::size_t k) const {
-    return work.x[k] * vector_math::power_from({work.y[k], work.z[k]}, b);
+    return work.x[k] * power_from<always_fused>({work.y[k], work.z[k]}, b);
   }
 };
 
@@ -248,7 +249,7 @@ BatchReport uniform_strain(const PackingBatch& b, const ModuliColumns& moduli) {
   const double exponent = b.law.stiffness_exponent();
   if (exponent == 0)
     return run(FlatRule{c}, b, moduli);
-  return run(GeneralRule{c * std::exp2(-180 * exponent), vector_math::exponent(exponent)}, b, moduli);
+  return run(GeneralRule{c * std::exp2(-180 * exponent), SplitExponent(exponent)}, b, moduli);
 }
 
 } // namespace granum::effective

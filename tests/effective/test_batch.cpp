@@ -11,7 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "core/vector/math.hpp"
+#include "core/vector/cube_root.hpp"
 #include "relative.hpp"
 #include "support.hpp"
 #include "vector_levels.hpp"
@@ -128,8 +128,8 @@ TEST_CASE("batch: spheres, at the vector level in use, have the bits of plain co
   for (std::size_t k = 0; k < in.pressure.size(); ++k) {
     const double w = in.coordination_number[k] * (1 - in.porosity[k]);
     const double x = w * w * (in.pressure[k] * 0x1p180);
-    const double r = vector_math::inverse_cube_root_step(x, vector_math::inverse_cube_root_guess(x));
-    plain.push_back(c * vector_math::cube_root_from(x, r));
+    const double r = inverse_cube_root_step(x, inverse_cube_root_guess(x));
+    plain.push_back(c * cube_root_from(x, r));
   }
   Outputs out(5000);
   REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());

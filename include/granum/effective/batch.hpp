@@ -73,7 +73,8 @@ struct [[nodiscard]] BatchReport {
 /// \throws   InvalidArgument for a length that differs, a ratio or radius out of range
 /// Accuracy  relative 1e-14 of uniform_strain(State), from C_n (1 - porosity) = 1e-15 on. The vector level
 ///           (AVX-512, AVX2 with FMA, or none) is chosen when the program starts; all give the same bits.
-/// Checked by tests/effective/test_batch.cpp and tests/core/vector/test_math.cpp; timed by bench/
+/// Checked by tests/effective/test_batch.cpp, tests/core/vector/test_cube_root.cpp and test_power.cpp; timed
+/// by bench/
 BatchReport uniform_strain(const PackingBatch& packings, const ModuliColumns& moduli);
 
 } // namespace granum::effective

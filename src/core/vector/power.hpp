@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. The power of math.hpp with fused operations only where the level
-// has them, and for exponents up to 1.
+// Private to src. Powers of positive numbers as vector code, without branches, tables or calls. The level
+// says whether products and sums are fused; `always_fused` gives the same bits at every level, by a call
+// where there is no instruction.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
+#include "as_double.hpp"
 #include "level.hpp"
 
 namespace granum {
 
-/// b in [0, 1]; high has 40 bits, its product with an exponent of two is exact.
+constexpr VectorLevel always_fused = VectorLevel::avx2;
+
+/// An exponent b in [0, 1]; high has 40 bits, its product with an exponent of two is exact.
 struct SplitExponent {
   double whole, high, low;
 
@@ -18,9 +24,9 @@ struct SplitExponent {
       : whole(b), high(std::bit_cast<double>(std::bit_cast<std::uint64_t>(b) >> 13 << 13)), low(b - high) {}
 };
 
-/// log2(m) for m in [sqrt(1/2), sqrt(2)]: 2/ln 2 artanh((m-1)/(m+1)).
+/// log2(m) for m in [sqrt(1/2), sqrt(2)], absolute error below 2e-16: 2/ln 2 artanh((m-1)/(m+1)).
 template <VectorLevel level>
-GRANUM_INLINE double plain_log2_near_one(double m) {
+GRANUM_INLINE double log2_near_one(double m) {
   const double s = (m - 1) / (m + 1);
   const double t = s * s;
   double sum = 1.0 / 19;
@@ -31,33 +37,54 @@ GRANUM_INLINE double plain_log2_near_one(double m) {
   return s * sum * two_over_ln2;
 }
 
-/// 2^r for |r| <= 1/2 and a little more: the exponential series, 1 + x (1 + x/2 (1 + x/3 (...))).
+/// 1/n! for n up to 13.
+constexpr std::array<double, 14> inverse_factorials = [] {
+  std::array<double, 14> inverse{1.0};
+  double factorial = 1;
+  for (std::size_t n = 1; n < inverse.size(); ++n)
+    inverse[n] = 1 / (factorial *= static_cast<double>(n));
+  return inverse;
+}();
+
+/// 2^r for |r| <= 1/2 and a little more, within 1 ulp: the exponential series.
 template <VectorLevel level>
-GRANUM_INLINE double plain_exp2_near_zero(double r) {
+GRANUM_INLINE double exp2_near_zero(double r) {
   const double x = r * 0.69314718055994530942; // ln 2
-  double sum = 1;
+  double sum = inverse_factorials[13];
 #pragma GCC unroll 16
-  for (int n = 13; n >= 1; --n)
-    sum = fused<level>(x * (1.0 / n), sum, 1);
+  for (int n = 12; n >= 0; --n)
+    sum = fused<level>(sum, x, inverse_factorials[static_cast<std::size_t>(n)]);
   return sum;
 }
 
-/// x^b of a normal positive number within 2.5 ulp as vector code. For 0 a small number.
-/// Checked by tests/core/vector/test_power.cpp
+/// log2 of x = 2^whole m.
+struct Log2 {
+  double whole; ///< whole number
+  double part;  ///< log2 m, |part| <= 1/2
+};
+
+/// log2 of a normal positive number; some finite number for other x.
 template <VectorLevel level>
-GRANUM_INLINE double vector_power(double x, const SplitExponent& b) {
+GRANUM_INLINE Log2 log2_of(double x) {
   constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
-  constexpr double two_52 = 0x1p52; // in whose last bits small whole numbers stand
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t biased = (bits + (one - root_half)) >> 52; // exponent of two plus 1023
-  const double part = plain_log2_near_one<level>(std::bit_cast<double>(bits - (biased << 52) + one));
-  const double whole = std::bit_cast<double>(biased | std::bit_cast<std::uint64_t>(two_52)) - (two_52 + 1023);
-  const double small = fused<level>(b.whole, part, whole * b.low);
-  const double large = whole * b.high; // exact: 11 bits times 40
+  const double m = std::bit_cast<double>(bits - (biased << 52) + one);
+  return {as_double(biased) - 1023.0, log2_near_one<level>(m)};
+}
+
+/// x^b from log2 x, within 1.5 ulp for b up to 1/2 and 2.5 ulp up to 1.
+/// For x = 0 a small number.
+/// Checked by tests/core/vector/test_power.cpp
+template <VectorLevel level>
+GRANUM_INLINE double power_from(const Log2& x, const SplitExponent& b) {
+  constexpr std::uint64_t one = 0x3ff0000000000000;
+  const double small = fused<level>(x.whole, b.low, b.whole * x.part);
   constexpr double rounder = 1.5 * two_52;
-  const double shifted = (large + small) + rounder;
+  const double shifted = fused<level>(x.whole, b.high, small) + rounder;
+  const double whole = shifted - rounder;
   const double scale = std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) << 52) + one);
-  return scale * plain_exp2_near_zero<level>((large - (shifted - rounder)) + small);
+  return scale * exp2_near_zero<level>(fused<level>(x.whole, b.high, -whole) + small);
 }
 
 } // namespace granum

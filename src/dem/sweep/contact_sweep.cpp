@@ -124,7 +124,8 @@ GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKerne
 
 template <VectorLevel level>
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
-  const double root = law.coefficient * vector_power<level>(overlap, SplitExponent(law.inverse_alpha));
+  const double root =
+      law.coefficient * power_from<level>(log2_of<level>(overlap), SplitExponent(law.inverse_alpha));
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
