@@ -232,6 +232,7 @@ BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& mo
 BatchReport uniform_strain(const PackingBatch& b, const ModuliColumns& moduli) {
   require_non_negative("tangential_ratio", b.tangential_ratio);
   require_positive("radius", b.radius, "m");
+  sizes::require_valid(b.contacts);
   const std::size_t rows = moduli.bulk_modulus.size();
   if (moduli.shear_modulus.size() != rows)
     throw InvalidArgument("shear_modulus has " + std::to_string(moduli.shear_modulus.size()) +
@@ -240,8 +241,10 @@ BatchReport uniform_strain(const PackingBatch& b, const ModuliColumns& moduli) {
   require_length("coordination_number", b.coordination_number, rows);
   require_length("porosity", b.porosity, rows);
 
-  const double area = 4 * std::numbers::pi * b.radius * b.radius;
-  const double c = b.law.stiffness_at_force(area) / (6 * std::numbers::pi * b.radius);
+  const auto& [branch, branch_square, pair_radius, grain_volume] = b.contacts;
+  const double area = 4 * std::numbers::pi * b.radius * b.radius * (grain_volume / branch);
+  const double c =
+      b.law.stiffness_at_force(area) / (6 * std::numbers::pi * b.radius) * (branch_square / grain_volume);
   if (b.law.alpha() == 2)
     return run(SphereRule{c * 0x1p-60}, b, moduli);
   if (b.law.alpha() == 1)

@@ -115,20 +115,25 @@ Constants<T> uniform_stress(const T& scale, const T& r, const AxialMoments<T>& F
 /// Numbers of a packing that forces and moduli are made of.
 template <class T>
 struct Geometry {
-  T prefactor{};  ///< P = N_c l^2/V [1/m]
-  T force_area{}; ///< l/P: a contact force is force_area stress F^-1 n [m^2]
+  T prefactor{};        ///< P = N_c <l^2>/V [1/m]
+  T force_area{};       ///< V/(N_c <l>): a contact force is force_area stress F^-1 n [m^2]
+  T static_prefactor{}; ///< N_c <l>^2/V, of forces that do not know the length of their branch [1/m]
 };
 
 template <class T>
-Geometry<T> geometry(const T& coordination_number, const T& radius, const T& void_ratio) {
+Geometry<T> geometry(const T& coordination_number, const T& radius, const T& void_ratio,
+                     const sizes::ContactMeans& means) {
   constexpr double pi = std::numbers::pi;
   const T solid = 1 + void_ratio; // inverse of the solid fraction
-  return {.prefactor = 1.5 / pi * (coordination_number / (radius * solid)),
-          .force_area = 4 * pi / 3 * (radius * radius * solid / coordination_number)};
+  const T of_equal = 1.5 / pi * (coordination_number / (radius * solid));
+  return {.prefactor = of_equal * (means.branch_square / means.grain_volume),
+          .force_area = 4 * pi / 3 * (radius * radius * solid / coordination_number) *
+                        (means.grain_volume / means.branch),
+          .static_prefactor = of_equal * (means.branch * means.branch / means.grain_volume)};
 }
 
 inline Geometry<double> geometry(const State& s) {
-  return geometry(s.coordination_number, s.radius, s.void_ratio);
+  return geometry(s.coordination_number, s.radius, s.void_ratio, s.contacts);
 }
 
 /// Stresses F^-1 sigma of the static field; its contact forces are force_area times as much.

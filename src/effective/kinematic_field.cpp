@@ -88,16 +88,20 @@ Solution solve(const State& s) {
 struct Field {
   kernel::CheckedState checked;
   Solution solution;
-  double scale = 0; ///< P k_ref
+  double stiffness = 0; ///< k_ref
 };
 
+/// l of a field whose stress, of forces that do not know the length of their branch, is that of its
+/// stiffness:
+/// N_c <l> f(l strain)/V = alpha/(1+alpha) N_c <l^2>/V k_n strain.
+double branch_length(const State& s) { return 2 * s.radius * (s.contacts.branch_square / s.contacts.branch); }
+
 Field field(const State& s) {
-  Field field{.checked = kernel::checked(s), .solution = {}, .scale = 0};
+  Field field{.checked = kernel::checked(s), .solution = {}};
   if (s.coordination_number == 0)
     return field;
-  const auto& [prefactor, force_area] = field.checked.geometry;
   field.solution = solve(s);
-  field.scale = prefactor * kernel::contact_stiffness(s.law, force_area, field.solution.load);
+  field.stiffness = kernel::contact_stiffness(s.law, field.checked.geometry.force_area, field.solution.load);
   return field;
 }
 
@@ -121,10 +125,11 @@ KinematicForceField kinematic_force_field(const State& s) {
   const auto checked = kernel::checked(s);
   kernel::require_contacts(s);
   const Solution solution = solve(s);
-  const double strain = s.law.overlap(checked.geometry.force_area * solution.load) / (2 * s.radius);
+  const double length = branch_length(s);
+  const double strain = s.law.overlap(checked.geometry.force_area * solution.load) / length;
   return {.law = s.law,
           .tangential_ratio = s.tangential_ratio,
-          .branch_length = 2 * s.radius,
+          .branch_length = length,
           .strain_v = strain * std::exp(solution.t / 2),
           .strain_h = strain * std::exp(-solution.t / 2)};
 }
@@ -132,7 +137,7 @@ KinematicForceField kinematic_force_field(const State& s) {
 Estimate uniform_strain_kinematic(const State& s) {
   Field f = field(s);
   const auto moments = strain_moments(s, f.solution.t, 1);
-  const double scale = f.scale;
+  const double scale = f.checked.geometry.prefactor * f.stiffness;
   return estimate(std::move(f),
                   kernel::uniform_strain(scale, s.tangential_ratio, moments, kernel::Spin::none));
 }
@@ -141,7 +146,7 @@ Estimate uniform_stress_kinematic(const State& s) {
   Field f = field(s);
   const auto moments = strain_moments(s, f.solution.t, -1);
   const auto fabric = kernel::fabric_moments(s.fabric_anisotropy);
-  const double scale = f.scale;
+  const double scale = f.checked.geometry.static_prefactor * f.stiffness;
   return estimate(std::move(f), kernel::uniform_stress(scale, s.tangential_ratio, fabric, moments));
 }
 

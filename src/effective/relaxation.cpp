@@ -142,7 +142,7 @@ void note_state(const State& s, double z, Validity& validity) {
                           "coordination number",
                           z, s.coordination_number));
   const double force = s.coordination_number > 0 ? mean_contact_force(s) : 0;
-  const double overlap = s.law.overlap(force) / (2 * s.radius);
+  const double overlap = s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
   if (overlap > largest_overlap)
     validity.add(detail::formatted(
         "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "

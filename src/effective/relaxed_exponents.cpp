@@ -112,15 +112,18 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   require_positive("pressure", pressure, "Pa");
   require_positive("radius", state.radius, "m");
   require_positive("void_ratio", state.void_ratio);
+  sizes::require_valid(state.contacts);
   const double R = state.radius;
-  const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure; // f C_n
+  const double diameter = 2 * R * state.contacts.branch; // of the mean contact
+  const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure *
+                      (state.contacts.grain_volume / state.contacts.branch); // f C_n
   const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
   const double amplitude = law.amplitude * (1 - law.spread * state.law.stiffness_exponent());
   // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each round gains digits.
   double z = law.initial;
   for (int round = 0; round < 60; ++round) {
     const double force = load / (z * (1 - rattlers(z)));
-    z = law.initial + amplitude * std::pow(state.law.overlap(force) / (2 * R), law.exponent);
+    z = law.initial + amplitude * std::pow(state.law.overlap(force) / diameter, law.exponent);
   }
   const double x0 = rattlers(z);
   const double relative = 1 / z + law.rattler_decay * x0 / (1 - x0); // d ln C_n/dz

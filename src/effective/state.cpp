@@ -21,6 +21,7 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
 void require_members(const State& s) {
   require_closed("tangential_ratio", s.tangential_ratio, 0, kernel::largest_tangential_ratio);
   require_positive("radius", s.radius, "m");
+  sizes::require_valid(s.contacts);
   require_positive("void_ratio", s.void_ratio);
   require_non_negative("coordination_number", s.coordination_number);
   require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
@@ -38,11 +39,12 @@ void require_members(const State& s) {
 void note_contact_size(const State& s, double stiffness, Validity& validity) {
   const auto& grain = s.law.grain();
   const double contact_radius = stiffness * (1 - grain.poisson_ratio) / (2 * grain.shear_modulus);
-  if (contact_radius > largest_contact_radius * s.radius)
+  const double grain_radius = s.radius * s.contacts.pair_radius;
+  if (contact_radius > largest_contact_radius * grain_radius)
     validity.add(
         detail::formatted("contact radius is %.3g grain radii: contact laws are derived for contacts "
                           "that are small against the grain (0.1)",
-                          contact_radius / s.radius));
+                          contact_radius / grain_radius));
 }
 
 } // namespace
@@ -73,7 +75,7 @@ CheckedState checked(const State& s) {
   // those that need the stiffness of the largest force.
   const double bound = uniform ? state.stiffness : state.stiffness * (largest / mean);
   if (bound * (1 - s.law.grain().poisson_ratio) >
-      2 * s.law.grain().shear_modulus * largest_contact_radius * s.radius)
+      2 * s.law.grain().shear_modulus * largest_contact_radius * (s.radius * s.contacts.pair_radius))
     note_contact_size(s, contact_stiffness(s.law, state.geometry.force_area, largest), state.validity);
   return state;
 }

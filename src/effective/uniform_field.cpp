@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/uniform_field.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 #include "checked_state.hpp"
 
@@ -60,6 +62,8 @@ CheckedContacts checked(const UniformContacts& c) {
   require_closed("tangential_stiffness", c.tangential_stiffness, 0,
                  kernel::largest_tangential_ratio * c.normal_stiffness, "N/m");
   require_open("fabric_anisotropy", c.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
+  if (!(c.branch_evenness > 0 && c.branch_evenness <= 1))
+    throw InvalidArgument("branch_evenness", c.branch_evenness, "", "(0, 1]");
   if (c.normal_stiffness == 0)
     return {0, 0};
   return {c.prefactor * c.normal_stiffness, c.tangential_stiffness / c.normal_stiffness};
@@ -84,7 +88,8 @@ TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts) {
 TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts) {
   const auto [scale, ratio] = checked(contacts);
   const auto moments = kernel::fabric_moments(contacts.fabric_anisotropy);
-  return transversely_isotropic(kernel::uniform_stress(scale, ratio, moments, moments));
+  return transversely_isotropic(
+      kernel::uniform_stress(scale * contacts.branch_evenness, ratio, moments, moments));
 }
 
 UniformContacts uniform_contacts(const State& state) {
@@ -95,7 +100,9 @@ UniformContacts uniform_contacts(const State& state) {
   return {.prefactor = checked.geometry.prefactor,
           .normal_stiffness = stiffness,
           .tangential_stiffness = state.tangential_ratio * stiffness,
-          .fabric_anisotropy = state.fabric_anisotropy};
+          .fabric_anisotropy = state.fabric_anisotropy,
+          .branch_evenness = std::min(1.0, state.contacts.branch * state.contacts.branch /
+                                               state.contacts.branch_square)}; // but for rounding
 }
 
 Estimate uniform_strain(const State& state) { return strained(state, Spin::none); }
@@ -104,7 +111,7 @@ Estimate free_spin(const State& state) { return strained(state, Spin::free); }
 
 Estimate uniform_stress(const State& state) {
   kernel::CheckedState checked = kernel::checked(state);
-  const double scale = checked.geometry.prefactor * checked.stiffness;
+  const double scale = checked.geometry.static_prefactor * checked.stiffness;
   const auto moments = contact_moments(state, checked.loads, -1);
   const auto fabric = kernel::fabric_moments(state.fabric_anisotropy);
   Estimate estimate{.stiffness = transversely_isotropic(
@@ -124,11 +131,13 @@ IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing) {
   require_positive("void_ratio", packing.void_ratio);
   require_non_negative("coordination_number", packing.coordination_number);
   require_non_negative("pressure", packing.pressure, "Pa");
+  sizes::require_valid(packing.contacts);
   if (packing.coordination_number == 0)
     return {};
-  const auto [prefactor, force_area] =
-      kernel::geometry(packing.coordination_number, packing.radius, packing.void_ratio);
-  const double scale = prefactor * kernel::contact_stiffness(packing.law, force_area, 3 * packing.pressure);
+  const auto geometry =
+      kernel::geometry(packing.coordination_number, packing.radius, packing.void_ratio, packing.contacts);
+  const double scale =
+      geometry.prefactor * kernel::contact_stiffness(packing.law, geometry.force_area, 3 * packing.pressure);
   return {.bulk_modulus = scale / 9, .shear_modulus = scale * (2 + 3 * r) / 30};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/sizes/contact_means.hpp>
 
 /// Moduli of many packings in one call.
 namespace granum::effective {
@@ -31,14 +32,15 @@ class Column {
   std::optional<std::span<const double>> values_;
 };
 
-/// Isotropic packings of equal grains that share their contact law.
+/// Isotropic packings that share their contact law and the sizes of their grains.
 struct PackingBatch {
-  contact::PowerLaw law;      ///< normal contact of two grains
-  double tangential_ratio;    ///< k_t/k_n >= 0
-  double radius;              ///< R > 0 of a grain [m]
-  Column pressure;            ///< p in [0, 1e200] [Pa]
-  Column coordination_number; ///< C_n in [0, 1e6], over all grains
-  Column porosity;            ///< voids in the volume, in (0, 1); e/(1+e)
+  contact::PowerLaw law;             ///< normal contact of two grains, of the mean pair
+  double tangential_ratio;           ///< k_t/k_n >= 0
+  double radius;                     ///< R > 0 of a grain, or that `contacts` refer to [m]
+  Column pressure;                   ///< p in [0, 1e200] [Pa]
+  Column coordination_number;        ///< C_n in [0, 1e6], over all grains
+  Column porosity;                   ///< voids in the volume, in (0, 1); e/(1+e)
+  sizes::ContactMeans contacts = {}; ///< those of equal grains where nothing is said
 };
 
 /// Where a batch puts its results: one element a row. May be the memory of an input from its first row on,
@@ -65,7 +67,7 @@ struct [[nodiscard]] BatchReport {
 };
 
 /// K and G under uniform strain of isotropic packings at isotropic stress, as uniform_strain(State): K =
-/// C_n k_n/(6 pi R (1+e)) at the mean contact force, G = 3 (2 + 3 k_t/k_n)/10 K. [Walton1987]
+/// C_n k_n/(6 pi R (1+e)) at the mean contact force (equal grains), G = 3 (2 + 3 k_t/k_n)/10 K. [Walton1987]
 /// A row whose numbers no packing can have is refused and reported; the others are worked out. Zero pressure
 /// gives 0 (the flat punch keeps its stiffness), as does a coordination number of 0.
 /// \param    packings   columns that vary have the length of the results

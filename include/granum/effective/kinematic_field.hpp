@@ -13,7 +13,7 @@ namespace granum::effective {
 struct KinematicForceField {
   contact::PowerLaw law;
   double tangential_ratio = 0; ///< k_t/k_n
-  double branch_length = 0;    ///< l = 2 R [m]
+  double branch_length = 0;    ///< <l^2>/<l>, of equal grains 2 R [m]
   double strain_v = 0;         ///< compression positive
   double strain_h = 0;         ///< in both horizontal directions
 

@@ -5,23 +5,28 @@
 
 #include <granum/contact/power_law.hpp>
 #include <granum/core/validity.hpp>
+#include <granum/sizes/contact_means.hpp>
 
-/// Effective stiffness of a packing of equal grains from the average over its contacts.
+/// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
 
-/// What the closed forms need to know of a packing of equal, nearly spherical grains. Only the fabric has a
-/// default: a number that is left out stays NaN and is refused by name.
+/// What the closed forms need to know of a packing of nearly spherical grains. Only the fabric and the
+/// contacts have a default, no preferred direction and equal grains: a number that is left out stays NaN and
+/// is refused by name. Of unequal grains the law is that of the mean pair, for spheres
+/// contact::PowerLaw::sphere(grain, radius * contacts.pair_radius).
 struct State {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-  contact::PowerLaw law;              ///< normal contact of two grains
+  contact::PowerLaw law;              ///< normal contact of two grains, of the mean pair
   double tangential_ratio = unset;    ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
-  double radius = unset;              ///< R > 0 of a grain [m]; branch length 2 R
+  double radius = unset;              ///< R > 0 of a grain, or that `contacts` refer to [m]
   double void_ratio = unset;          ///< e > 0
   double coordination_number = unset; ///< C_n = 2 N_c/N over all grains, >= 0
   double fabric_anisotropy = 0;       ///< a of E(gamma; a), in (-7/3, 7/5), a density in [-1, 1]
   double stress_v = unset;            ///< vertical stress, compression positive [Pa]
   double stress_h = unset;            ///< horizontal stress in both directions, compression positive [Pa]
+  sizes::ContactMeans contacts =
+      {}; ///< means over contacts of unequal grains, relative to those of equal ones
 };
 
 /// Checks every member of a state.
@@ -38,23 +43,25 @@ struct State {
 /// Checked by tests/effective/test_state.cpp
 Validity require_valid(const State& state);
 
-/// P = N_c l^2/V = 3 C_n/(2 pi R (1+e)), the factor of every modulus [1/m].                      [Walton1987]
-/// Assumes   equal spheres, branch length l = 2 R.
+/// P = N_c <l^2>/V, of equal grains 3 C_n/(2 pi R (1+e)), the factor of every modulus [1/m].
+/// [Walton1987]
+/// Assumes   spheres that touch, branch length l = R_i + R_j.
 /// \throws   InvalidArgument as require_valid
 /// Accuracy  4 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double prefactor(const State& state);
 
-/// Mean normal contact force 4 pi R^2 (1+e) p/C_n at the mean stress p = (stress_v + 2 stress_h)/3 [N].
-/// Exact for equal spheres in static equilibrium, whatever the fabric.
+/// Mean normal contact force 3 p V/(N_c <l>), of equal grains 4 pi R^2 (1+e) p/C_n, at the mean stress
+/// p = (stress_v + 2 stress_h)/3 [N]. Exact for equal spheres in static equilibrium, whatever the fabric. In
+/// unequal ones long branches bear more: the mean of all is smaller, by 5 % for C_u = 2.
 /// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);
 
-/// Contact forces f = (l/P) stress F^-1 n of the static hypothesis: in the plane of axis 3 and the normal n,
-/// f = (horizontal sin gamma, vertical cos gamma).
+/// Contact forces f = V/(N_c <l>) stress F^-1 n of the static hypothesis: in the plane of axis 3 and the
+/// normal n, f = (horizontal sin gamma, vertical cos gamma).
 struct StaticForceField {
-  double horizontal = 0; ///< (l/P) stress_h/F11, normal force of a horizontal contact normal [N]
-  double vertical = 0;   ///< (l/P) stress_v/F33, normal force of a vertical contact normal [N]
+  double horizontal = 0; ///< V/(N_c <l>) stress_h/F11, normal force of a horizontal contact normal [N]
+  double vertical = 0;   ///< V/(N_c <l>) stress_v/F33, normal force of a vertical contact normal [N]
 
   /// f_n at n3 = cos gamma [N]; n3 in [-1, 1], not checked.
   [[nodiscard]] double normal_force(double n3) const {

@@ -9,10 +9,11 @@ namespace granum::effective {
 
 /// Contacts that all have the same stiffness, whatever their direction.
 struct UniformContacts {
-  double prefactor = State::unset;            ///< P = N_c l^2/V > 0 [1/m]
+  double prefactor = State::unset;            ///< P = N_c <l^2>/V > 0 [1/m]
   double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
   double tangential_stiffness = State::unset; ///< k_t in [0, 100 k_n] [N/m]
   double fabric_anisotropy = 0;               ///< a in (-7/3, 7/5)
+  double branch_evenness = 1; ///< <l>^2/<l^2> in (0, 1]: P of uniform stress over that of uniform strain
 };
 
 /// A stiffness and the remarks that go with it.
@@ -39,9 +40,10 @@ struct Estimate {
 /// Checked by validation/accuracy, tests/effective/test_free_spin.cpp
 [[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
 
-/// Stiffness if the contact forces are df = (l/P) dstress F^-1 n, contacts of uniform stiffness: from the
-/// complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its shear moduli vanish with k_t. The sources
-/// call it the lower estimate; a lower bound it is not, since its forces do not balance grain by grain.
+/// Stiffness if the contact forces are df = V/(N_c <l>) dstress F^-1 n, whatever the length of the branch,
+/// contacts of uniform stiffness: from the complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its
+/// shear moduli vanish with k_t. The sources call it the lower estimate; a lower bound it is not, since its
+/// forces do not balance grain by grain.
 /// [ChangLiao1994] for isotropic fabric, [Chang1995] with fabric; [YimsiriSoga2000].
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33). G_hh, E_v and E_h, differences of the five
@@ -82,10 +84,11 @@ struct Estimate {
 struct IsotropicPacking {
   contact::PowerLaw law;                     ///< normal contact of two grains
   double tangential_ratio = State::unset;    ///< k_t/k_n >= 0
-  double radius = State::unset;              ///< R > 0 of a grain [m]
+  double radius = State::unset;              ///< R > 0 of a grain, or that `contacts` refer to [m]
   double void_ratio = State::unset;          ///< e > 0
   double coordination_number = State::unset; ///< C_n >= 0
   double pressure = State::unset;            ///< p >= 0 [Pa]
+  sizes::ContactMeans contacts = {};         ///< those of equal grains where nothing is said
 };
 
 struct IsotropicModuli {

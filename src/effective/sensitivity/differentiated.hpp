@@ -42,8 +42,9 @@ Constants<Dual<N>> differentiated(const State& s, const Model& model) {
   const T a = seeded<N>(s.fabric_anisotropy, anisotropy);
   const T r = seeded<N>(s.tangential_ratio, ratio);
   const double b = s.law.stiffness_exponent();
-  const Geometry<T> packing = geometry(log_seeded<N>(s.coordination_number, log_coordination),
-                                       log_seeded<N>(s.radius, log_radius), seeded<N>(s.void_ratio, voids));
+  const Geometry<T> packing =
+      geometry(log_seeded<N>(s.coordination_number, log_coordination), log_seeded<N>(s.radius, log_radius),
+               seeded<N>(s.void_ratio, voids), s.contacts);
   const AxialMoments<T> fabric = fabric_moments(a);
   const bool by_stress = model.hypothesis == Hypothesis::uniform_stress;
 
@@ -56,10 +57,10 @@ Constants<Dual<N>> differentiated(const State& s, const Model& model) {
     const double sign = by_stress ? -1 : 1;
     moments = moments_of(a, root, seeded<N>(sign * b, shape, -sign * b * b)); // d b/d alpha = -b^2
   }
-  const T scale = packing.prefactor * contact_stiffness(s.law, packing.force_area, load);
+  const T stiffness = contact_stiffness(s.law, packing.force_area, load);
   if (by_stress)
-    return uniform_stress(scale, r, fabric, moments);
-  return uniform_strain(scale, r, moments,
+    return uniform_stress(T(packing.static_prefactor * stiffness), r, fabric, moments);
+  return uniform_strain(T(packing.prefactor * stiffness), r, moments,
                         model.hypothesis == Hypothesis::free_spin ? Spin::free : Spin::none);
 }
 

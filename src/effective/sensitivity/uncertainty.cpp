@@ -74,7 +74,8 @@ State moved(const State& s, std::span<const double> x) {
           .coordination_number = at(Input::coordination_number),
           .fabric_anisotropy = at(Input::fabric_anisotropy),
           .stress_v = scale * at(Input::stress_v),
-          .stress_h = scale * at(Input::stress_h)};
+          .stress_h = scale * at(Input::stress_h),
+          .contacts = s.contacts};
 }
 
 Uncertainty joined(double value, FirstOrder first, const Sample& sample) {
