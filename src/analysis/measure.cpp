@@ -17,7 +17,8 @@ namespace granum::analysis {
 
 namespace {
 
-Sizes sizes_of(const std::vector<double>& radii) {
+Sizes sizes_of(const packing::Assembly& assembly) {
+  const std::vector<double>& radii = assembly.radius;
   const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
   double squares = 0, cubes = 0;
   for (const double radius : radii) {
@@ -25,9 +26,17 @@ Sizes sizes_of(const std::vector<double>& radii) {
     squares += relative * relative;
     cubes += relative * relative * relative;
   }
-  return {.smallest = *smallest,
-          .largest = *largest,
-          .equivalent = *smallest == *largest ? *largest : *largest * (cubes / squares)};
+  Sizes out{.smallest = *smallest,
+            .largest = *largest,
+            .equivalent = *smallest == *largest ? *largest : *largest * (cubes / squares),
+            .gradation = sizes::gradation(radii)};
+  std::vector<sizes::TouchingPair> pairs;
+  pairs.reserve(assembly.contacts.size());
+  for (const packing::Contact& c : assembly.contacts)
+    pairs.push_back({radii[c.i], radii[c.j]});
+  if (!pairs.empty())
+    out.contacts = sizes::counted_contact_means(radii, pairs, out.equivalent);
+  return out;
 }
 
 /// Standard error of the mean of numbers; 0 for one.
@@ -92,7 +101,7 @@ class Measuring {
     if (given_.grain_density)
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
-    out_.sizes = sizes_of(assembly_.radius);
+    out_.sizes = sizes_of(assembly_);
     out_.counts = count(assembly_);
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
@@ -150,7 +159,7 @@ class Measuring {
                               "no stiffnesses, no closed forms");
     }
     if (out_.grain)
-      out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
+      out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
   }
 
   [[nodiscard]] double tangential_ratio() const {
@@ -177,7 +186,8 @@ class Measuring {
                            .coordination_number = micro.coordination_number,
                            .fabric_anisotropy = micro.fabric_anisotropy,
                            .stress_v = load.v,
-                           .stress_h = load.h};
+                           .stress_h = load.h,
+                           .contacts = out_.sizes.contacts};
     try {
       effective::require_valid(state);
       out_.state = state;

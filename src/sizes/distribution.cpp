@@ -208,32 +208,37 @@ Distribution Distribution::uniformity(double coefficient, std::optional<double> 
           "uniformity:" + exact_text(coefficient) + (size_ratio ? ":" + exact_text(*size_ratio) : "")};
 }
 
-Distribution Distribution::sieve(std::span<const SievePoint> curve) {
-  const auto refuse = [](std::size_t point, const std::string& what) {
-    throw InvalidArgument("sieve curve, point " + std::to_string(point + 1) + ": " + what);
-  };
+std::optional<SieveFault> find_fault(std::span<const SievePoint> curve) {
   if (curve.size() < 2)
-    throw InvalidArgument("sieve curve: two points or more are needed");
-  std::string text = "sieve";
+    return SieveFault{0, "two points or more are needed"};
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const auto& [d, passing] = curve[k];
-    require_positive("sieve curve, point " + std::to_string(k + 1) + ": d", d, "m");
-    require_closed("sieve curve, point " + std::to_string(k + 1) + ": passing", passing, 0, 1);
+    if (!(d > 0 && std::isfinite(d)))
+      return SieveFault{k, detail::formatted("d = %g m is outside (0, inf)", d)};
+    if (!(passing >= 0 && passing <= 1))
+      return SieveFault{k, detail::formatted("passing = %g is outside [0, 1], or 0 to 100 %%", passing)};
     if (k > 0 && !(d > curve[k - 1].diameter))
-      refuse(k, "d must be larger than at the point before");
+      return SieveFault{k, "d must be larger than at the point before"};
     if (k > 0 && !(passing >= curve[k - 1].passing))
-      refuse(k, "less passes than at the point before");
-    text += ":" + exact_text(d) + "m=" + exact_text(passing);
+      return SieveFault{k, "less passes than at the point before"};
   }
   if (curve.front().passing != 0)
-    refuse(0, "passing must begin at 0: add the size of the finest grains");
+    return SieveFault{0, "passing must begin at 0: add the size of the finest grains"};
   if (curve.back().passing != 1)
-    refuse(curve.size() - 1, "passing must end at 1 (100 %): add the size of the coarsest grains");
-  require_closed("sieve curve, coarsest over finest", curve.back().diameter / curve.front().diameter, 1,
-                 largest_cut_ratio);
+    return SieveFault{curve.size() - 1, "passing must end at 1 (100 %): add the size of the coarsest grains"};
+  if (!(curve.back().diameter / curve.front().diameter <= largest_cut_ratio))
+    return SieveFault{curve.size() - 1, "d is more than 1e6 times that of the first point"};
+  return std::nullopt;
+}
 
+Distribution Distribution::sieve(std::span<const SievePoint> curve) {
+  if (const auto fault = find_fault(curve))
+    throw InvalidArgument("sieve curve, point " + std::to_string(fault->point + 1) + ": " + fault->what);
+  std::string text = "sieve";
+  for (const auto& [d, passing] : curve)
+    text += ":" + exact_text(d) + "m=" + exact_text(passing);
   std::vector<Part> parts;
-  double number = 0;
+  double number = 0, finest = 0; // finest: of grains that there are [m]
   for (std::size_t k = 1; k < curve.size(); ++k) {
     const double mass = curve[k].passing - curve[k - 1].passing;
     if (mass == 0)
@@ -243,12 +248,13 @@ Distribution Distribution::sieve(std::span<const SievePoint> curve) {
               .high = curve[k].diameter / curve.back().diameter,
               .slope = -3};
     part.share = mass / part.moment(3);
+    if (parts.empty())
+      finest = curve[k - 1].diameter;
     number += part.share;
     parts.push_back(part);
   }
   for (Part& part : parts)
     part.share /= number;
-  const double finest = parts.front().low * curve.back().diameter; // of grains that there are
   Distribution sizes(std::move(parts), std::move(text));
   sizes.mean_radius_ = finest / 2 / sizes.smallest();
   return sizes;
@@ -301,15 +307,19 @@ Gradation gradation(std::span<const double> radii) {
   if (radii.empty())
     throw InvalidArgument("radii: a gradation needs one grain or more");
   const std::vector<double> sorted = sorted_radii(radii);
-  std::vector<double> mass; // up to each grain, in units of the largest
-  double sum = 0;
-  for (const double r : sorted) {
+  const auto mass_of = [&](double r) { // in units of the largest
     const double relative = r / sorted.back();
-    mass.push_back(sum += relative * relative * relative);
-  }
+    return relative * relative * relative;
+  };
+  double all = 0;
+  for (const double r : sorted)
+    all += mass_of(r);
   const auto diameter = [&](double share) {
-    const auto at = std::lower_bound(mass.begin(), mass.end(), share * sum);
-    return 2 * sorted[static_cast<std::size_t>(std::min(at, mass.end() - 1) - mass.begin())];
+    double mass = 0;
+    for (const double r : sorted)
+      if ((mass += mass_of(r)) >= share * all)
+        return 2 * r;
+    return 2 * sorted.back();
   };
   return {.d10 = diameter(0.1), .d50 = diameter(0.5), .d60 = diameter(0.6)};
 }

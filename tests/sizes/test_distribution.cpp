@@ -206,12 +206,13 @@ TEST_CASE("a sieve curve that cannot be is refused at its point") {
   const auto refused = [](const std::vector<SievePoint>& curve, const char* message) {
     CHECK_THROWS_WITH_AS((void)Distribution::sieve(curve), message, InvalidArgument);
   };
-  refused({{1e-3, 0}}, "sieve curve: two points or more are needed");
+  refused({{1e-3, 0}}, "sieve curve, point 1: two points or more are needed");
   refused({{1e-3, 0}, {1e-3, 1}}, "sieve curve, point 2: d must be larger than at the point before");
   refused({{1e-3, 0}, {2e-3, 0.6}, {3e-3, 0.5}, {4e-3, 1}},
           "sieve curve, point 3: less passes than at the point before");
   refused({{0, 0}, {1e-3, 1}}, "sieve curve, point 1: d = 0 m is outside (0, inf)");
-  refused({{1e-4, 0}, {1e-3, 60}}, "sieve curve, point 2: passing = 60 is outside [0, 1]");
+  refused({{1e-4, 0}, {1e-3, 60}}, "sieve curve, point 2: passing = 60 is outside [0, 1], or 0 to 100 %");
+  refused({{1e-10, 0}, {1e-3, 1}}, "sieve curve, point 2: d is more than 1e6 times that of the first point");
   refused({{1e-4, 0.1}, {1e-3, 1}},
           "sieve curve, point 1: passing must begin at 0: add the size of the finest grains");
   refused({{1e-4, 0}, {1e-3, 0.9}},

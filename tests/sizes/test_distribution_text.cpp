@@ -43,8 +43,8 @@ TEST_CASE("another text is refused with the list of forms") {
         "equal:1", "Lognormal:0.3", "sieve", "sieve:0.1mm:0.2mm", "uniform:1 3", "lognormal=0.3"}) {
     CAPTURE(text);
     if (std::string(text) == "sieve")
-      CHECK_THROWS_WITH_AS((void)parse_distribution(text), "sieve curve: two points or more are needed",
-                           InvalidArgument);
+      CHECK_THROWS_WITH_AS((void)parse_distribution(text),
+                           "sieve curve, point 1: two points or more are needed", InvalidArgument);
     else
       CHECK_THROWS_WITH_AS((void)parse_distribution(text),
                            ("sizes '" + std::string(text) + "' are not one of " + forms).c_str(),

@@ -266,7 +266,7 @@ TEST_CASE("frame: a table of contacts alone gives fabric and forces") {
   CHECK(measure_frame(table).packing.forces->distribution.largest == relative(2, 1e-15));
 }
 
-TEST_CASE("frame: the equivalent radius keeps the prefactor of grains of several sizes") {
+TEST_CASE("frame: contact means and the equivalent radius are those of the grains that touch") {
   io::ImportedPacking packing = through_csv(specimen());
   for (std::size_t g = 0; g < packing.assembly.radius.size(); g += 2)
     packing.assembly.radius[g] *= 0.8;
@@ -275,6 +275,26 @@ TEST_CASE("frame: the equivalent radius keeps the prefactor of grains of several
   CHECK(a.sizes.smallest == 0.8 * r);
   CHECK(a.sizes.largest == r);
   CHECK(a.sizes.equivalent == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
+  double lengths = 0, squares = 0, pairs = 0, cubes = 0;
+  for (const packing::Contact& c : packing.assembly.contacts) {
+    const double ri = packing.assembly.radius[c.i], rj = packing.assembly.radius[c.j];
+    lengths += ri + rj;
+    squares += (ri + rj) * (ri + rj);
+    pairs += 1 / (1 / ri + 1 / rj);
+  }
+  for (const double radius : packing.assembly.radius)
+    cubes += radius * radius * radius;
+  const double R = a.sizes.equivalent, contacts = static_cast<double>(packing.assembly.contacts.size());
+  CHECK(a.sizes.contacts.branch == relative(lengths / contacts / (2 * R), 1e-12));
+  CHECK(a.sizes.contacts.branch_square == relative(squares / contacts / (4 * R * R), 1e-12));
+  CHECK(a.sizes.contacts.pair_radius == relative(2 * pairs / contacts / R, 1e-12));
+  CHECK(a.sizes.contacts.grain_volume ==
+        relative(cubes / static_cast<double>(a.counts.grains) / (R * R * R), 1e-12));
+  CHECK(a.sizes.gradation.d50 == 2 * r);
+  REQUIRE(a.state);
+  CHECK(a.state->contacts == a.sizes.contacts);
+  // The prefactor is N_c <l^2>/V, whatever radius the means refer to.
+  CHECK(effective::prefactor(*a.state) == relative(squares / a.volume, 1e-12));
 }
 
 TEST_CASE("frame: options that cannot be are refused") {

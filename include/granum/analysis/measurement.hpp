@@ -26,15 +26,21 @@
 #include <granum/packing/sliding.hpp>
 #include <granum/packing/stress.hpp>
 #include <granum/packing/weight.hpp>
+#include <granum/sizes/contact_means.hpp>
+#include <granum/sizes/distribution.hpp>
 
 /// What one packing tells, whoever made it: granum's own specimens and imported ones alike.
 namespace granum::analysis {
 
-/// Radii of the grains [m].
+/// Sizes of the grains.
 struct Sizes {
-  double smallest = 0;
-  double largest = 0;
-  double equivalent = 0; ///< <R^3>/<R^2>: of equal spheres with the same prefactor P
+  double smallest = 0;   ///< radius [m]
+  double largest = 0;    ///< radius [m]
+  double equivalent = 0; ///< <R^3>/<R^2> [m]: the radius that the contact means refer to
+  sizes::Gradation gradation = {};
+  /// Of the contacts between grains as they were counted, with l = R_i + R_j; those of equal grains where
+  /// there is no contact.
+  sizes::ContactMeans contacts = {};
 };
 
 /// Grains and contacts, counted.

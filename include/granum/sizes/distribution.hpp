@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,17 @@ struct SizeNode {
   double radius = 0; ///< over the mean radius [1]
   double share = 0;  ///< of the number of grains [1]
 };
+
+/// What keeps a list of points from being a sieve curve.
+struct SieveFault {
+  std::size_t point = 0; ///< counted from 0
+  std::string what;
+};
+
+/// The first fault of a sieve curve: it takes two points or more, ascending d > 0 with d_last <= 1e6
+/// d_first, and passing from exactly 0 to exactly 1, never less than before. Nothing if there is none.
+/// Checked by tests/sizes/test_distribution.cpp
+[[nodiscard]] std::optional<SieveFault> find_fault(std::span<const SievePoint> curve);
 
 /// A distribution of grain radii x = r/<r>, each relative to the mean by number, so that <x> = 1: a size in
 /// metres comes with the mean radius that it is used with. All grains are spheres of one material, so that
@@ -64,9 +76,7 @@ class Distribution {
                                                std::optional<double> size_ratio = std::nullopt);
   /// A sieve curve, straight in log d between its points, as it is drawn: between two sieves the mass is
   /// spread evenly over ln d, the number as d^-4. It knows its mean radius.
-  /// \param    curve   ascending d > 0, d_last <= 1e6 d_first; passing from exactly 0 to exactly 1, never
-  ///                   less than before
-  /// \throws   InvalidArgument naming the first point that is not so
+  /// \throws   InvalidArgument with its first fault, as find_fault
   [[nodiscard]] static Distribution sieve(std::span<const SievePoint> curve);
 
   /// Mean radius by number of a sieve curve, whose sizes are absolute [m]; nothing for the others.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/options/size_options.hpp"
 
 namespace granum::cli {
 
@@ -178,6 +179,8 @@ ordered_json json_of(const FrameAnswer& frame) {
          {"void_ratio", a.void_ratio},
          {"radius",
           {{"smallest", a.sizes.smallest}, {"largest", a.sizes.largest}, {"equivalent", a.sizes.equivalent}}},
+         {"gradation", cli::json_of(a.sizes.gradation)},
+         {"contact_means", frame.measured.contacts_known ? cli::json_of(a.sizes.contacts) : ordered_json()},
          {"counts", frame.measured.contacts_known ? json_of(a.counts) : unknown_counts(a.counts)}});
   if (a.fabric)
     json["fabric"] = json_of(*a.fabric);

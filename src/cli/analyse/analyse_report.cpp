@@ -7,6 +7,7 @@
 #include <granum/core/units.hpp>
 
 #include "analyse_stiffness.hpp"
+#include "cli/options/size_options.hpp"
 
 namespace granum::cli {
 
@@ -36,6 +37,16 @@ std::string reading_text(const FrameAnswer& frame) {
   return text;
 }
 
+/// Sizes of unequal grains, and what the closed forms took of them.
+std::string sizes_text(const analysis::Sizes& s, bool contacts_known) {
+  std::string text = item("C_u = d60/d10", fmt::format("{:.4f}", s.gradation.uniformity()),
+                          "by mass; " + gradation_text(s.gradation));
+  if (contacts_known)
+    text += item("R of closed forms", pretty(s.equivalent, Dimension::length),
+                 "and of the contacts " + means_text(s.contacts));
+  return text;
+}
+
 std::string counts_text(const studies::MeasuredFrame& frame) {
   const Measurement& a = frame.packing;
   const analysis::Counts& c = a.counts;
@@ -44,8 +55,9 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
   text += item("grains", std::to_string(c.grains),
                equal ? "R = " + pretty(a.sizes.largest, Dimension::length)
                      : "R from " + pretty(a.sizes.smallest, Dimension::length) + " to " +
-                           pretty(a.sizes.largest, Dimension::length) + ", closed forms with " +
-                           pretty(a.sizes.equivalent, Dimension::length));
+                           pretty(a.sizes.largest, Dimension::length));
+  if (!equal)
+    text += sizes_text(a.sizes, frame.contacts_known);
   text += item("void ratio e", fmt::format("{:.4f}", a.void_ratio));
   if (!frame.contacts_known)
     return text + item("C_n, z*, rattlers", "unknown", "no file holds contacts");

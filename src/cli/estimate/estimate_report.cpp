@@ -3,6 +3,7 @@
 #include <granum/core/number.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/options/size_options.hpp"
 #include "estimate.hpp"
 
 namespace granum::cli {
@@ -63,12 +64,22 @@ std::string contact_text(const ordered_json& contact) {
 
 std::string state_text(const EstimateCase& question) {
   const State& s = question.subject.state;
-  std::string text = "Small-strain stiffness of a packing of equal grains, closed form\n\n";
+  const ordered_json& packing = question.packing;
+  std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains, closed form\n\n",
+                                 packing.contains("sizes") ? "un" : "");
   text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
                       short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
                       pretty(s.law.grain().shear_modulus, Dimension::pressure),
                       short_text(s.law.grain().poisson_ratio));
+  if (packing.contains("sizes")) {
+    const ordered_json& g = packing.at("gradation");
+    text += fmt::format("  sizes     {}: R is the mean by number; d50 = {}, C_u = {}\n",
+                        packing.at("sizes").get<std::string>(),
+                        pretty(g.at("d50").get<double>(), Dimension::length),
+                        short_text(g.at("uniformity").get<double>()));
+    text += "  contacts  " + means_text(s.contacts) + "\n";
+  }
   const auto& z = question.subject.mechanical_coordination_number;
   text += fmt::format("  packing   e = {}, C_n = {}{}, fabric a = {}\n", short_text(s.void_ratio),
                       short_text(s.coordination_number), z ? ", z* = " + short_text(*z) : "",

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <granum/contact/pair.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
@@ -33,7 +34,9 @@ effective::RungInputs packing_of(const PackingOptions& o) {
 bool in_use(const PackingOptions& o, const Number& n) {
   const Number* const defaults[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius,
                                     &o.coordination_number, &o.fabric};
-  const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults);
+  const bool radius_known = o.d50.given() || (o.sizes && o.sizes->mean_radius());
+  const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults) &&
+                          !(&n == &o.radius && radius_known);
   const bool of_contact = (&n == &o.slope && o.contact == contact::Shape::cone) ||
                           (&n == &o.punch_radius && o.contact == contact::Shape::flat);
   return n.given() || by_default || of_contact;
@@ -48,6 +51,7 @@ std::array<double, effective::input_count> slopes_of(const PackingOptions& o, co
   const effective::State& s = packing.state;
   const double shear = s.law.grain().shear_modulus, e = s.void_ratio;
   const double z = packing.mechanical_coordination_number.value_or(0);
+  const double of_size = contact::depends_on_size(o.contact) ? shear / 2 : 0; // c ~ sqrt(R)
   const double carrying = o.rattler_fraction.given() ? 1 - o.rattler_fraction.value : 1;
   const struct {
     const Number* number;
@@ -62,8 +66,9 @@ std::array<double, effective::input_count> slopes_of(const PackingOptions& o, co
       {&o.grain_poisson_ratio,
        o.tangential_ratio.given() ? Input::grain_poisson_ratio : Input::grain_poisson_ratio_mindlin, 1},
       {&o.radius, Input::radius, 1},
-      {&o.radius, Input::grain_shear_modulus,
-       o.contact == contact::Shape::sphere ? shear / (2 * s.radius) : 0},
+      {&o.radius, Input::grain_shear_modulus, of_size / s.radius},
+      {&o.d50, Input::radius, s.radius / o.d50.value},
+      {&o.d50, Input::grain_shear_modulus, of_size / o.d50.value},
       {&o.tangential_ratio, Input::tangential_ratio, 1},
       {&o.void_ratio, Input::void_ratio, 1},
       {&o.porosity, Input::void_ratio, (1 + e) * (1 + e)},        // e = n/(1-n)

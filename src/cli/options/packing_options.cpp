@@ -11,6 +11,7 @@
 #include <granum/effective/relaxation.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "size_options.hpp"
 
 namespace granum::cli {
 
@@ -41,7 +42,7 @@ contact::PowerLaw resolve_law(const PackingOptions& o) {
   if (o.contact == contact::Shape::power_law && (!o.alpha.given() || !o.profile_constant.given()))
     throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
   return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
-                         {.radius = o.radius.value,
+                         {.radius = resolve_radius(o) * o.contacts.pair_radius,
                           .cone_slope = o.slope.value,
                           .punch_radius = o.punch_radius.value,
                           .alpha = o.alpha.value,
@@ -122,6 +123,7 @@ std::vector<Number*> numbers(PackingOptions& o) {
           &o.grain_shear_modulus,
           &o.grain_poisson_ratio,
           &o.radius,
+          &o.d50,
           &o.tangential_ratio,
           &o.void_ratio,
           &o.porosity,
@@ -137,7 +139,7 @@ std::vector<Number*> numbers(PackingOptions& o) {
 
 void add_packing_options(CLI::App& command, PackingOptions& o) {
   add_law_options(command, o);
-  add_number(command, "--radius", o.radius, "Radius of the grains");
+  add_size_options(command, o);
   add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
                              "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
   add_number_without_default(command, "--void-ratio", o.void_ratio, "Volume of voids over that of grains");
@@ -178,12 +180,13 @@ State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) 
                     .tangential_ratio = o.tangential_ratio.given()
                                             ? contact::given_stiffness_ratio(o.tangential_ratio.value)
                                             : contact::mindlin_stiffness_ratio(o.grain_poisson_ratio.value),
-                    .radius = o.radius.value,
+                    .radius = resolve_radius(o),
                     .void_ratio = resolve_void_ratio(o),
                     .coordination_number = o.coordination_number.value,
                     .fabric_anisotropy = o.fabric.value,
                     .stress_v = stress.v,
-                    .stress_h = stress.h};
+                    .stress_h = stress.h,
+                    .contacts = o.contacts};
   effective::require_valid(state);
   return state;
 }
@@ -216,7 +219,8 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
   const std::string grains = ", as the grains of Chung et al. 2014, Table 1";
   note_default(o.grain_shear_modulus, grains);
   note_default(o.grain_poisson_ratio, grains);
-  note_default(o.radius, grains);
+  if (!o.d50.given() && !(o.sizes && o.sizes->mean_radius()))
+    note_default(o.radius, o.sizes ? grains + ", their mean by number" : grains);
   if (!o.tangential_ratio.given())
     notes.push_back(fmt::format("assumed --tangential-ratio {}, the no-slip contact of Mindlin",
                                 o.grain_poisson_ratio.in_table ? "2(1-nu_g)/(2-nu_g)"
@@ -255,6 +259,7 @@ ordered_json packing_json(const PackingOptions& o, const State& s) {
                {"void_ratio", s.void_ratio},
                {"coordination_number", s.coordination_number},
                {"fabric", s.fabric_anisotropy}});
+  json.update(sizes_json(o));
   return json;
 }
 

@@ -8,6 +8,8 @@
 #include <granum/contact/shape.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/sizes/contact_means.hpp>
+#include <granum/sizes/distribution.hpp>
 #include <granum/stress/axial_stress.hpp>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,9 @@ struct PackingOptions {
   Number grain_shear_modulus{30e9, Dimension::pressure};
   Number grain_poisson_ratio{0.15};
   Number radius{0.5e-3, Dimension::length};
+  Number d50{0, Dimension::length};
+  sizes::ContactMeans contacts = {};             ///< that `sizes` lead to; R is the mean radius by number
+  std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;
@@ -73,7 +78,7 @@ void add_packing_options(CLI::App& command, PackingOptions& options);
 /// \param    name   of the option for the shape
 void add_law_options(CLI::App& command, PackingOptions& options, const std::string& name = "--contact");
 
-/// The contact law that the options describe, of grains of --radius.
+/// The contact law that the options describe, of two grains, of unequal ones of the mean pair.
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] contact::PowerLaw resolve_law(const PackingOptions& options);
 

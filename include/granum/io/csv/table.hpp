@@ -26,6 +26,8 @@ class CsvTable {
   ///           two equal headings, bytes that are no text
   CsvTable(std::string name, std::string_view text);
 
+  /// What stands for the path in errors.
+  [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }
   /// Line of the file on which a row begins, from 1.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "size_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/sieve.hpp>
+#include <granum/sizes/distribution_text.hpp>
+
+#include "cli/frame/frame.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+/// Takes over a distribution, with what the closed forms need of it.
+void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
+  if (o.sizes)
+    throw InvalidArgument("--sizes, --sieve and --uniformity say the same: give one of them, once");
+  o.contacts = sizes::expected_contact_means(distribution);
+  o.sizes = std::move(distribution);
+}
+
+} // namespace
+
+void add_size_options(CLI::App& command, PackingOptions& o) {
+  add_number(command, "--radius", o.radius, "Radius of the grains; of unequal ones their mean by number");
+  add_number_without_default(command, "--d50", o.d50,
+                             "Diameter that half of the grains' mass is finer than, instead of --radius");
+  command
+      .add_option_function<std::string>(
+          "--sizes", [&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
+          "Grains of many sizes: " + sizes::distribution_forms())
+      ->type_name("DISTRIBUTION");
+  command
+      .add_option_function<std::string>(
+          "--sieve",
+          [&o](const std::string& path) {
+            set_sizes(o, sizes::Distribution::sieve(io::read_sieve_curve(path)));
+          },
+          "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius as well")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--uniformity",
+          [&o](const std::string& text) {
+            set_sizes(o, sizes::Distribution::uniformity(
+                             parse_quantity("--uniformity", text, Dimension::dimensionless)));
+          },
+          "C_u = d60/d10 of grains that are lognormal by mass")
+      ->type_name("NUMBER");
+}
+
+double resolve_radius(const PackingOptions& o) {
+  if (o.radius.given() && o.d50.given())
+    throw InvalidArgument("--radius and --d50 say the same: give one");
+  const std::optional<double> of_sieve = o.sizes ? o.sizes->mean_radius() : std::nullopt;
+  if (of_sieve && (o.radius.given() || o.d50.given()))
+    throw InvalidArgument(fmt::format("the sieve curve says how large the grains are: leave out {}",
+                                      (o.radius.given() ? o.radius : o.d50).name));
+  if (of_sieve)
+    return *of_sieve;
+  if (!o.d50.given())
+    return o.radius.value;
+  require_positive(o.d50.name, o.d50.value, "m");
+  return o.sizes ? sizes::mean_radius_of(*o.sizes, o.d50.value) : o.d50.value / 2;
+}
+
+nlohmann::ordered_json sizes_json(const PackingOptions& o) {
+  if (!o.sizes)
+    return nlohmann::ordered_json::object();
+  return {{"sizes", o.sizes->text()},
+          {"gradation", json_of(sizes::gradation(*o.sizes, resolve_radius(o)))},
+          {"contact_means", json_of(o.contacts)}};
+}
+
+nlohmann::ordered_json json_of(const sizes::Gradation& g) {
+  return {{"d10", g.d10}, {"d50", g.d50}, {"d60", g.d60}, {"uniformity", g.uniformity()}};
+}
+
+nlohmann::ordered_json json_of(const sizes::ContactMeans& c) {
+  return {{"branch", c.branch},
+          {"branch_square", c.branch_square},
+          {"pair_radius", c.pair_radius},
+          {"grain_volume", c.grain_volume}};
+}
+
+std::string means_text(const sizes::ContactMeans& c) {
+  return fmt::format("<l> = {:.4f} 2R, <l^2> = {:.4f} (2R)^2, 2<R*> = {:.4f} R, <V> = {:.4f} 4/3 pi R^3",
+                     c.branch, c.branch_square, c.pair_radius, c.grain_volume);
+}
+
+std::string gradation_text(const sizes::Gradation& g) {
+  return fmt::format("d10 {}, d50 {}, d60 {}", pretty(g.d10, Dimension::length),
+                     pretty(g.d50, Dimension::length), pretty(g.d60, Dimension::length));
+}
+
+} // namespace granum::cli

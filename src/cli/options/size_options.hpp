@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/sizes/contact_means.hpp>
+#include <granum/sizes/distribution.hpp>
+#include <nlohmann/json.hpp>
+
+#include "packing_options.hpp"
+
+/// The options that say how large the grains are.
+namespace granum::cli {
+
+/// --radius, --d50, --sizes, --sieve and --uniformity.
+void add_size_options(CLI::App& command, PackingOptions& options);
+
+/// The mean radius of the grains by number [m]: that of the sieve curve, or by --d50, or --radius.
+/// \throws   InvalidArgument if the options say it twice
+[[nodiscard]] double resolve_radius(const PackingOptions& options);
+
+/// What unequal grains add to the description of a packing: their distribution, its gradation and its contact
+/// means; an empty object for equal grains.
+[[nodiscard]] nlohmann::ordered_json sizes_json(const PackingOptions& options);
+
+[[nodiscard]] nlohmann::ordered_json json_of(const sizes::Gradation& gradation);
+[[nodiscard]] nlohmann::ordered_json json_of(const sizes::ContactMeans& means);
+/// "<l> = 1.0432 2R, ...": for the screen.
+[[nodiscard]] std::string means_text(const sizes::ContactMeans& means);
+/// "d10 0.3 mm, d50 0.5 mm, d60 0.6 mm".
+[[nodiscard]] std::string gradation_text(const sizes::Gradation& gradation);
+
+} // namespace granum::cli
