@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/mean.hpp>
@@ -35,11 +37,42 @@ double mean_pair_radius(const std::vector<Partners>& partners) {
   return sum / contacts / contacts;
 }
 
-/// Sums over grains, each with a share of their number and radius x.
+/// How often grains of the nodes touch others, over a grain of the mean radius, where a share of the grains
+/// are rattlers.
+std::vector<double> contact_numbers(std::span<const SizeNode> nodes, double rattler_fraction) {
+  require_closed("rattler_fraction", rattler_fraction, 0, 1 - 1e-9);
+  std::vector<double> numbers;
+  for (const SizeNode& node : nodes)
+    numbers.push_back(relative_contact_number(node.radius));
+  if (rattler_fraction == 0)
+    return numbers;
+  const double of_point = relative_contact_number(0);
+  const auto excess = [&](double k) { // falls with k
+    double rattlers = 0, all = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      rattlers += nodes[n].share * std::exp(-k * (numbers[n] - of_point));
+      all += nodes[n].share;
+    }
+    return rattlers / all - rattler_fraction;
+  };
+  double above = 1;
+  while (excess(above) > 0)
+    above *= 2;
+  std::uintmax_t steps = 200;
+  const double k = boost::math::tools::toms748_solve(excess, 0.0, above,
+                                                     boost::math::tools::eps_tolerance<double>(48), steps)
+                       .first;
+  for (double& number : numbers)
+    number *= -std::expm1(-k * (number - of_point));
+  return numbers;
+}
+
+/// Sums over grains, each with a share of their number, a radius x and how often it touches others.
 class Sums {
  public:
-  void add(double x, double share) {
-    const double often = share * relative_contact_number(x);
+  void add(const SizeNode& node, double contact_number) {
+    const auto& [x, share] = node;
+    const double often = share * contact_number;
     number_ += share;
     cubes_ += share * (x * x * x);
     contacts_ += often;
@@ -57,6 +90,24 @@ class Sums {
  private:
   double number_ = 0, cubes_ = 0, contacts_ = 0, mean_ = 0, square_ = 0;
 };
+
+/// \param  classes  at most so many are paired with each other; the nodes ascend
+ContactMeans expected(std::span<const SizeNode> nodes, double rattler_fraction, std::size_t classes) {
+  const std::vector<double> numbers = contact_numbers(nodes, rattler_fraction);
+  classes = std::min(classes, nodes.size());
+  Sums sums;
+  std::vector<Partners> partners(classes);
+  for (std::size_t k = 0; k < classes; ++k) {
+    double lengths = 0;
+    for (std::size_t n = k * nodes.size() / classes; n < (k + 1) * nodes.size() / classes; ++n) {
+      sums.add(nodes[n], numbers[n]);
+      partners[k].contacts += nodes[n].share * numbers[n];
+      lengths += nodes[n].share * numbers[n] * nodes[n].radius;
+    }
+    partners[k].radius = lengths / partners[k].contacts;
+  }
+  return sums.means(mean_pair_radius(partners));
+}
 
 } // namespace
 
@@ -104,41 +155,25 @@ double relative_contact_number(double x) {
   return inverse_s * (1 + std::sqrt(1 - 1 / inverse_s)) / (4 * (1 + std::sqrt(0.75)));
 }
 
-ContactMeans expected_contact_means(const Distribution& sizes) {
+ContactMeans expected_contact_means(const Distribution& sizes, double rattler_fraction) {
   if (sizes.is_equal())
     return {};
-  Sums sums;
-  std::vector<Partners> partners;
-  for (const auto& [x, share] : sizes.nodes()) {
-    sums.add(x, share);
-    partners.push_back({.radius = x, .contacts = share * relative_contact_number(x)});
-  }
-  return sums.means(mean_pair_radius(partners));
+  const std::vector<SizeNode> nodes = sizes.nodes();
+  return expected(nodes, rattler_fraction, nodes.size());
 }
 
-ContactMeans expected_contact_means(std::span<const double> radii) {
+ContactMeans expected_contact_means(std::span<const double> radii, double rattler_fraction) {
   constexpr std::size_t most_classes = 1024;
   if (radii.empty())
     throw InvalidArgument("contact means need one grain or more");
   const std::vector<double> sorted = sorted_radii(radii);
   if (sorted.front() == sorted.back())
     return {};
-  const double count = static_cast<double>(sorted.size());
-  const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / count;
-  const std::size_t classes = std::min(sorted.size(), most_classes);
-  Sums sums;
-  std::vector<Partners> partners;
-  for (std::size_t k = 0; k < classes; ++k) {
-    double contacts = 0, sum = 0;
-    for (std::size_t g = k * sorted.size() / classes; g < (k + 1) * sorted.size() / classes; ++g) {
-      const double x = sorted[g] / mean, of_x = relative_contact_number(x);
-      sums.add(x, 1);
-      contacts += of_x;
-      sum += of_x * x;
-    }
-    partners.push_back({.radius = sum / contacts, .contacts = contacts});
-  }
-  return sums.means(mean_pair_radius(partners));
+  const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
+  std::vector<SizeNode> nodes;
+  for (const double radius : sorted)
+    nodes.push_back({.radius = radius / mean, .share = 1});
+  return expected(nodes, rattler_fraction, most_classes);
 }
 
 ContactMeans with_reference(const ContactMeans& means, double scale) {

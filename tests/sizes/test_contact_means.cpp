@@ -104,6 +104,42 @@ TEST_CASE("a grain has as many contacts as mean neighbours find room for") {
   CHECK(cubes / contacts / sizes.moment(3) == relative(1.225, 2e-3));
 }
 
+TEST_CASE("rattlers are the small grains: the share of them is met, and the others are touched more often") {
+  // Two sizes: c(x) of a point 1, of the small and of the large grain; k by the share of rattlers.
+  const Distribution two = Distribution::bidisperse(2);
+  const double small = two.smallest(), large = two.largest(), x0 = 0.25;
+  const auto number = [](double x) { return relative_contact_number(x); };
+  double below = 0, above = 100;
+  for (int step = 0; step < 200; ++step) {
+    const double k = (below + above) / 2;
+    const auto rattles = [&](double x) { return std::exp(-k * (number(x) - number(0))); };
+    ((rattles(small) + rattles(large)) / 2 > x0 ? below : above) = k;
+  }
+  const auto often = [&](double x) { return number(x) * (1 - std::exp(-below * (number(x) - number(0)))); };
+  const double of_large = often(large) / (often(small) + often(large));
+  const ContactMeans means = expected_contact_means(two, x0);
+  CHECK(means.branch == relative(small + of_large * (large - small), 1e-12));
+  const double square = small * small + of_large * (large * large - small * small);
+  CHECK(means.branch_square == relative((square + means.branch * means.branch) / 2, 1e-12));
+  CHECK(means.grain_volume == expected_contact_means(two).grain_volume); // of all grains
+  for (const Distribution& sizes : unequal) {
+    CAPTURE(sizes.text());
+    double before = expected_contact_means(sizes).branch;
+    check_same(expected_contact_means(sizes, 1e-12), expected_contact_means(sizes), 0.02);
+    for (const double share : {0.05, 0.2, 0.4}) {
+      const ContactMeans now = expected_contact_means(sizes, share);
+      CHECK(now.branch > before);
+      before = now.branch;
+      const std::vector<double> radii = sample_radii(sizes, 4000, 4);
+      if (sizes.size_ratio() < 15)
+        CHECK(now.branch == doctest::Approx(expected_contact_means(radii, share).branch).epsilon(2e-3));
+    }
+  }
+  CHECK(expected_contact_means(Distribution::equal(), 0.3) == ContactMeans{});
+  CHECK_THROWS_AS((void)expected_contact_means(two, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)expected_contact_means(two, -0.1), InvalidArgument);
+}
+
 TEST_CASE("by hand: two grains of radius 1 and 2, one contact of each kind") {
   const std::vector<double> radii{1, 2};
   const std::vector<TouchingPair> contacts{{1, 1}, {1, 2}, {2, 2}};

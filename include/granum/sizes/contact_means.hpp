@@ -44,24 +44,26 @@ struct TouchingPair {
 
 /// Contacts of a grain of radius x = r/<r> over those of a grain of the mean radius: Omega(1)/Omega(x), with
 /// Omega(x) = 1 - sqrt(1 - 1/(1 + x)^2) the share of its sky that a mean neighbour takes.
-///                                                                              [Shaebani2012]
-/// Assumes   the coverage of grains does not depend on their size. Small grains have fewer contacts than
-///           that:
-///           below the 20 % quantile some 0.8 times as many, most rattlers being small.
+/// [Shaebani2012]
+/// Assumes   the coverage of grains does not depend on their size, and that no grain is a rattler.
 /// \param    x   > 0, not checked
 /// Accuracy  4 ulp.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] double relative_contact_number(double x);
 
-/// The means that a distribution leads to: contacts of a grain as relative_contact_number, partners
+/// The means that a distribution leads to. Grains touch as often as relative_contact_number says, but for the
+/// rattlers: with c(x) that number, a grain is one with the probability exp(-k (c(x) - c(0))), which is 1 for a
+/// grain that is a point and falls with its size, faster the fewer rattlers there are. Partners are
 /// independent of each other's size. R is the mean radius by number.
-/// Accuracy  of the quadrature 1e-10. Against counted packings: see docs/theory.md.
-///           Checked by tests/sizes/test_contact_means.cpp
-[[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes);
+/// \param    rattler_fraction   x_0 in [0, 1), over all grains: many small ones where sizes differ much
+/// \throws   InvalidArgument for a fraction out of range
+/// Accuracy  of the quadrature 1e-10. Against what was counted in packings of LAMMPS, x_0 from 0.14 to 0.39:
+///           validation/sizes.  Checked by tests/sizes/test_contact_means.cpp
+[[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes, double rattler_fraction = 0);
 /// The same of the radii of grains, e.g. of a file without contacts; R is their mean. <R*> of more than 1,024
 /// grains is counted in as many classes of equal number.
-/// \throws   InvalidArgument for no radii, or one that is not positive
+/// \throws   InvalidArgument also for no radii, or one that is not positive
 /// Accuracy  of the classes 1e-4.  Checked by tests/sizes/test_contact_means.cpp
-[[nodiscard]] ContactMeans expected_contact_means(std::span<const double> radii);
+[[nodiscard]] ContactMeans expected_contact_means(std::span<const double> radii, double rattler_fraction = 0);
 
 /// The same means referred to another radius, R' = scale R.
 /// \throws   InvalidArgument unless scale > 0

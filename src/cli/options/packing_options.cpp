@@ -42,7 +42,7 @@ contact::PowerLaw resolve_law(const PackingOptions& o) {
   if (o.contact == contact::Shape::power_law && (!o.alpha.given() || !o.profile_constant.given()))
     throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
   return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
-                         {.radius = resolve_radius(o) * o.contacts.pair_radius,
+                         {.radius = resolve_radius(o) * resolve_contact_means(o).pair_radius,
                           .cone_slope = o.slope.value,
                           .punch_radius = o.punch_radius.value,
                           .alpha = o.alpha.value,
@@ -186,7 +186,7 @@ State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) 
                     .fabric_anisotropy = o.fabric.value,
                     .stress_v = stress.v,
                     .stress_h = stress.h,
-                    .contacts = o.contacts};
+                    .contacts = resolve_contact_means(o)};
   effective::require_valid(state);
   return state;
 }
@@ -226,10 +226,15 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
                                 o.grain_poisson_ratio.in_table ? "2(1-nu_g)/(2-nu_g)"
                                                                : short_text(state.tangential_ratio)));
   note_default(o.fabric, ", contacts in all directions alike");
+  if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
+    notes.emplace_back(
+        "assumed that no grain rattles: rattlers are small, and the more there are, the larger are the "
+        "grains that touch; --rattler-fraction or z* tell");
   if (!o.coordination_number.given())
     notes.push_back(fmt::format("assumed --coordination-number {}, a dense packing (spheres of Chung et al. "
-                                "2014, Table 2, void ratio 0.558)",
-                                short_text(state.coordination_number)));
+                                "2014, Table 2, void ratio 0.558){}",
+                                short_text(state.coordination_number),
+                                o.sizes ? "; that of unequal grains is smaller, as small ones rattle" : ""));
   return notes;
 }
 
@@ -259,7 +264,7 @@ ordered_json packing_json(const PackingOptions& o, const State& s) {
                {"void_ratio", s.void_ratio},
                {"coordination_number", s.coordination_number},
                {"fabric", s.fabric_anisotropy}});
-  json.update(sizes_json(o));
+  json.update(sizes_json(o, s.contacts));
   return json;
 }
 

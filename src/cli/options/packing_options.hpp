@@ -8,7 +8,6 @@
 #include <granum/contact/shape.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/state.hpp>
-#include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/stress/axial_stress.hpp>
 #include <nlohmann/json.hpp>
@@ -53,7 +52,6 @@ struct PackingOptions {
   Number grain_poisson_ratio{0.15};
   Number radius{0.5e-3, Dimension::length};
   Number d50{0, Dimension::length};
-  sizes::ContactMeans contacts = {};             ///< that `sizes` lead to; R is the mean radius by number
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "size_options.hpp"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
@@ -15,11 +17,9 @@ namespace granum::cli {
 
 namespace {
 
-/// Takes over a distribution, with what the closed forms need of it.
 void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
   if (o.sizes)
     throw InvalidArgument("--sizes, --sieve and --uniformity say the same: give one of them, once");
-  o.contacts = sizes::expected_contact_means(distribution);
   o.sizes = std::move(distribution);
 }
 
@@ -68,12 +68,23 @@ double resolve_radius(const PackingOptions& o) {
   return o.sizes ? sizes::mean_radius_of(*o.sizes, o.d50.value) : o.d50.value / 2;
 }
 
-nlohmann::ordered_json sizes_json(const PackingOptions& o) {
+sizes::ContactMeans resolve_contact_means(const PackingOptions& o) {
+  if (!o.sizes)
+    return {};
+  double rattlers = 0;
+  if (o.rattler_fraction.given())
+    rattlers = o.rattler_fraction.value;
+  else if (o.mechanical_coordination_number.given() && o.mechanical_coordination_number.value > 0)
+    rattlers = std::max(0.0, 1 - o.coordination_number.value / o.mechanical_coordination_number.value);
+  return sizes::expected_contact_means(*o.sizes, rattlers);
+}
+
+nlohmann::ordered_json sizes_json(const PackingOptions& o, const sizes::ContactMeans& contacts) {
   if (!o.sizes)
     return nlohmann::ordered_json::object();
   return {{"sizes", o.sizes->text()},
           {"gradation", json_of(sizes::gradation(*o.sizes, resolve_radius(o)))},
-          {"contact_means", json_of(o.contacts)}};
+          {"contact_means", json_of(contacts)}};
 }
 
 nlohmann::ordered_json json_of(const sizes::Gradation& g) {

@@ -17,9 +17,16 @@ void add_size_options(CLI::App& command, PackingOptions& options);
 /// \throws   InvalidArgument if the options say it twice
 [[nodiscard]] double resolve_radius(const PackingOptions& options);
 
+/// Means over the contacts of unequal grains, by their distribution and the share of rattlers that
+/// --rattler-fraction or C_n and z* say; R is the mean radius by number. Those of equal grains where no
+/// sizes are given.
+/// \throws   InvalidArgument for a share out of range
+[[nodiscard]] sizes::ContactMeans resolve_contact_means(const PackingOptions& options);
+
 /// What unequal grains add to the description of a packing: their distribution, its gradation and its contact
 /// means; an empty object for equal grains.
-[[nodiscard]] nlohmann::ordered_json sizes_json(const PackingOptions& options);
+[[nodiscard]] nlohmann::ordered_json sizes_json(const PackingOptions& options,
+                                                const sizes::ContactMeans& contacts);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const sizes::Gradation& gradation);
 [[nodiscard]] nlohmann::ordered_json json_of(const sizes::ContactMeans& means);

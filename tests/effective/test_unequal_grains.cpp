@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closed forms of unequal grains against sums over contacts, and where they must not differ from equal ones.
+#include <granum/effective/uniform_field.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/batch.hpp>
+#include <granum/effective/kinematic_field.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/sensitivity/gradients.hpp>
+#include <granum/effective/sensitivity/uncertainty.hpp>
+#include <granum/sizes/sampling.hpp>
+
+#include <relative.hpp>
+
+using namespace granum;
+using effective::State;
+
+namespace {
+
+constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+constexpr double mean_radius = 0.5e-3;
+
+/// Grains and contacts without positions: all that a closed form knows.
+struct Contacts {
+  std::vector<double> radii;
+  std::vector<sizes::TouchingPair> pairs;
+  double volume = 0;
+};
+
+Contacts drawn(double void_ratio) {
+  Contacts out;
+  double solid = 0;
+  for (const double x : sizes::sample_radii(sizes::Distribution::lognormal(0.4), 500, 3)) {
+    out.radii.push_back(mean_radius * x);
+    solid += 4 * std::numbers::pi / 3 * std::pow(out.radii.back(), 3);
+  }
+  for (std::size_t k = 0; k < out.radii.size(); ++k)
+    for (const std::size_t step : {1U, 7U, 12U})
+      out.pairs.push_back({out.radii[k], out.radii[(k + step) % out.radii.size()]});
+  out.volume = solid * (1 + void_ratio);
+  return out;
+}
+
+State state_of(const Contacts& c, const contact::PowerLaw& law, double reference = mean_radius) {
+  return {.law = law,
+          .tangential_ratio = 0.9,
+          .radius = reference,
+          .void_ratio = 0.6,
+          .coordination_number =
+              2.0 * static_cast<double>(c.pairs.size()) / static_cast<double>(c.radii.size()),
+          .fabric_anisotropy = 0.2,
+          .stress_v = 100e3,
+          .stress_h = 60e3,
+          .contacts = sizes::counted_contact_means(c.radii, c.pairs, reference)};
+}
+
+double sum_of_branches(const Contacts& c, double power) {
+  double sum = 0;
+  for (const auto& [i, j] : c.pairs)
+    sum += std::pow(i + j, power);
+  return sum;
+}
+
+void check_same(const elastic::TransverselyIsotropic& a, const elastic::TransverselyIsotropic& b,
+                double tolerance) {
+  CHECK(a.C11 == relative(b.C11, tolerance));
+  CHECK(a.C33 == relative(b.C33, tolerance));
+  CHECK(a.C13 == relative(b.C13, tolerance));
+  CHECK(a.C44 == relative(b.C44, tolerance));
+}
+
+} // namespace
+
+TEST_CASE("unequal grains: prefactor and mean force are sums over the contacts") {
+  const Contacts c = drawn(0.6);
+  const State s = state_of(c, contact::PowerLaw::sphere(quartz, mean_radius));
+  CHECK(effective::prefactor(s) == relative(sum_of_branches(c, 2) / c.volume, 1e-13));
+  const double p = (s.stress_v + 2 * s.stress_h) / 3;
+  CHECK(effective::mean_contact_force(s) == relative(3 * p * c.volume / sum_of_branches(c, 1), 1e-13));
+  // The static field bears the stress: <f_i n_j> N_c <l>/V, of F^-1 n whose mean product with n is 1.
+  const effective::StaticForceField field = effective::static_force_field(s);
+  const double a = s.fabric_anisotropy, F33 = (5 + a) / (5 * (3 - a));
+  CHECK(field.vertical * F33 * sum_of_branches(c, 1) / c.volume == relative(s.stress_v, 1e-13));
+}
+
+TEST_CASE("unequal grains: linear contacts of one stiffness have the bulk modulus of their sum") {
+  // K = (1/9V) sum k_n l^2 under uniform strain, (1/9V) (sum l)^2/(sum 1/k_n) under uniform stress, isotropic.
+  const Contacts c = drawn(0.6);
+  State s = state_of(c, contact::PowerLaw::flat(quartz, 5e-6));
+  s.fabric_anisotropy = 0;
+  s.stress_h = s.stress_v;
+  const double k_n = s.law.stiffness_at_force(1);
+  CHECK(effective::uniform_strain(s).stiffness.bulk_modulus() ==
+        relative(k_n * sum_of_branches(c, 2) / (9 * c.volume), 1e-12));
+  const double lengths = sum_of_branches(c, 1), count = static_cast<double>(c.pairs.size());
+  CHECK(effective::uniform_stress(s).stiffness.bulk_modulus() ==
+        relative(k_n * lengths * lengths / count / (9 * c.volume), 1e-12));
+  check_same(effective::uniform_stress_stiffness(effective::uniform_contacts(s)),
+             effective::uniform_stress(s).stiffness, 1e-13);
+  // Estimates by force and by strain keep their order: uniform strain is an upper bound.
+  CHECK(effective::uniform_stress(s).stiffness.bulk_modulus() <
+        effective::uniform_strain(s).stiffness.bulk_modulus());
+}
+
+TEST_CASE("unequal grains: the reference radius does not matter") {
+  const Contacts c = drawn(0.6);
+  const contact::PowerLaw law = contact::PowerLaw::sphere(quartz, mean_radius);
+  const State s = state_of(c, law), other = state_of(c, law, 1.7 * mean_radius);
+  check_same(effective::uniform_strain(s).stiffness, effective::uniform_strain(other).stiffness, 1e-13);
+  check_same(effective::uniform_stress(s).stiffness, effective::uniform_stress(other).stiffness, 1e-13);
+  check_same(effective::uniform_strain_kinematic(s).stiffness,
+             effective::uniform_strain_kinematic(other).stiffness, 1e-11);
+  check_same(effective::relaxed(s, 6.2).stiffness, effective::relaxed(other, 6.2).stiffness, 1e-13);
+  CHECK(effective::kinematic_force_field(s).branch_length ==
+        relative(effective::kinematic_force_field(other).branch_length, 1e-13));
+}
+
+TEST_CASE("unequal grains: a packing of spheres that is scaled has the same moduli") {
+  Contacts c = drawn(0.6);
+  const auto stiffness_of = [](const Contacts& grains, double reference) {
+    State s = state_of(grains, contact::PowerLaw::sphere(quartz, 1), reference);
+    s.law = contact::PowerLaw::sphere(quartz, reference * s.contacts.pair_radius);
+    return effective::uniform_strain(s).stiffness;
+  };
+  const auto before = stiffness_of(c, mean_radius);
+  for (double& r : c.radii)
+    r *= 2;
+  for (auto& [i, j] : c.pairs)
+    i *= 2, j *= 2;
+  c.volume *= 8;
+  check_same(stiffness_of(c, 2 * mean_radius), before, 1e-13);
+}
+
+TEST_CASE("unequal grains: the kinematic field bears the stress with the stiffness of the same contacts") {
+  const State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
+  const effective::KinematicForceField field = effective::kinematic_force_field(s);
+  const auto C = effective::uniform_strain_kinematic(s).stiffness;
+  const double secant = 1 / field.law.force_exponent();
+  CHECK(secant * (C.C33 * field.strain_v + 2 * C.C13 * field.strain_h) == relative(s.stress_v, 1e-10));
+  CHECK(secant * ((C.C11 + C.C12) * field.strain_h + C.C13 * field.strain_v) == relative(s.stress_h, 1e-10));
+}
+
+TEST_CASE("unequal grains: gradients are the differences of the moduli") {
+  using effective::ContactForces, effective::Hypothesis, effective::Input, effective::Modulus;
+  const State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
+  for (const Hypothesis hypothesis : {Hypothesis::uniform_strain, Hypothesis::uniform_stress})
+    for (const ContactForces forces : {ContactForces::mean, ContactForces::by_direction}) {
+      const effective::Model model{hypothesis, forces};
+      const effective::Gradient g = effective::gradient(s, model, Modulus::G_vh);
+      const auto value = [&](const State& moved) {
+        return effective::modulus(effective::uniform_field(moved, model).stiffness, Modulus::G_vh);
+      };
+      CHECK(g.value == relative(value(s), 1e-12));
+      constexpr double h = 1e-4;
+      State up = s, down = s;
+      up.radius *= 1 + h, down.radius *= 1 - h;
+      CHECK(g[Input::radius] * s.radius == relative((value(up) - value(down)) / (2 * h), 1e-6));
+      up = s, down = s;
+      up.void_ratio += h, down.void_ratio -= h;
+      CHECK(g[Input::void_ratio] == relative((value(up) - value(down)) / (2 * h), 1e-6));
+      up = s, down = s;
+      up.coordination_number += h, down.coordination_number -= h;
+      CHECK(g[Input::coordination_number] == relative((value(up) - value(down)) / (2 * h), 1e-6));
+    }
+  // Sampling takes the contacts along: the median is the value itself.
+  effective::Deviations deviations;
+  deviations[effective::Input::void_ratio] = 1e-6;
+  const effective::Model model{Hypothesis::uniform_strain, ContactForces::by_direction};
+  const auto spread = effective::uncertainty(s, model, Modulus::G_vh, deviations, {.draws = 64});
+  CHECK(spread.sampled.median == relative(spread.value, 1e-5));
+}
+
+TEST_CASE("unequal grains: batch and isotropic moduli are those of the state") {
+  State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
+  s.fabric_anisotropy = 0;
+  s.stress_h = s.stress_v;
+  const auto expected = effective::uniform_strain(s).stiffness;
+  double K = 0, G = 0;
+  const auto report =
+      effective::uniform_strain(effective::PackingBatch{.law = s.law,
+                                                        .tangential_ratio = s.tangential_ratio,
+                                                        .radius = s.radius,
+                                                        .pressure = s.stress_v,
+                                                        .coordination_number = s.coordination_number,
+                                                        .porosity = s.void_ratio / (1 + s.void_ratio),
+                                                        .contacts = s.contacts},
+                                {std::span(&K, 1), std::span(&G, 1)});
+  CHECK(report.ok());
+  CHECK(K == relative(expected.bulk_modulus(), 1e-13));
+  CHECK(G == relative(expected.G_vh(), 1e-13));
+  const auto moduli = effective::uniform_strain_moduli({.law = s.law,
+                                                        .tangential_ratio = s.tangential_ratio,
+                                                        .radius = s.radius,
+                                                        .void_ratio = s.void_ratio,
+                                                        .coordination_number = s.coordination_number,
+                                                        .pressure = s.stress_v,
+                                                        .contacts = s.contacts});
+  CHECK(moduli.bulk_modulus == relative(K, 1e-13));
+}
+
+TEST_CASE("unequal grains: equal ones are the special case to the bit") {
+  State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
+  s.contacts = {};
+  State counted = s;
+  const std::vector<double> radii(40, mean_radius);
+  const std::vector<sizes::TouchingPair> pairs(90, {mean_radius, mean_radius});
+  counted.contacts = sizes::counted_contact_means(radii, pairs, mean_radius);
+  CHECK(effective::uniform_strain(counted).stiffness == effective::uniform_strain(s).stiffness);
+  counted.contacts = sizes::expected_contact_means(sizes::Distribution::bidisperse(1), 0.2);
+  CHECK(effective::uniform_stress(counted).stiffness == effective::uniform_stress(s).stiffness);
+  counted.contacts = sizes::expected_contact_means(sizes::Distribution::lognormal(1e-5));
+  check_same(effective::uniform_strain(counted).stiffness, effective::uniform_strain(s).stiffness, 1e-8);
+}
+
+TEST_CASE("unequal grains: means that no packing can have are refused") {
+  State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
+  s.contacts.branch_square = 0.5 * s.contacts.branch * s.contacts.branch;
+  CHECK_THROWS_AS((void)effective::uniform_strain(s), InvalidArgument);
+  s.contacts = {.branch = -1};
+  CHECK_THROWS_WITH_AS((void)effective::prefactor(s), "contact means: branch = -1 is outside (0, inf)",
+                       InvalidArgument);
+  effective::UniformContacts contacts{
+      .prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1, .branch_evenness = 1.1};
+  CHECK_THROWS_AS((void)effective::uniform_stress_stiffness(contacts), InvalidArgument);
+}
