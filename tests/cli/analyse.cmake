@@ -159,3 +159,13 @@ set_tests_properties("cli: hostile files" PROPERTIES LABELS cli)
 add_test(NAME "cli: analyse: 10,000 grains of LAMMPS" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
   "-DDATA=${PROJECT_SOURCE_DIR}/examples/data" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_real_packing.cmake")
 set_tests_properties("cli: analyse: 10,000 grains of LAMMPS" PROPERTIES LABELS slow)
+
+# Unequal grains of LAMMPS (validation/sizes): what the closed forms take of them is counted, and said.
+set(unequal "${PROJECT_SOURCE_DIR}/validation/sizes/lognormal_dense")
+foreach(expectation "gradation/uniformity=^1\\.7056" "contact_means/branch_square=^0\\.92" "moduli/rung3/G=^1\\.?759|^1759")
+  granum_cli_test("analyse: unequal grains ${expectation}" EXIT 0 JSON "frames/0/${expectation}"
+    ARGS analyse ${unequal}.atoms.gz ${unequal}.contacts.gz --grain-shear-modulus 30GPa --no-network --json)
+endforeach()
+granum_cli_test("analyse: unequal grains on the screen" EXIT 0
+  STDOUT "C_u = d60/d10 +1\\.7056.*d50 1\\.346 mm.*<l> = 0\\.9342 2R, <l\\^2> = 0\\.9200 \\(2R\\)\\^2"
+  ARGS analyse ${unequal}.atoms.gz ${unequal}.contacts.gz --grain-shear-modulus 30GPa --no-network)

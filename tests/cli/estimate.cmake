@@ -248,3 +248,28 @@ granum_cli_test("estimate: k_t = k_n of grains of nu = 0" EXIT 0 JSON "relaxed/n
 granum_cli_test("estimate: warnings of the ladder stand in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
   JSON "warnings/0=tolerance of 0.1 % is not met" ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0
     --tolerance 0.1% --json)
+
+# Grains of many sizes: equal ones are the special case, a sieve curve knows its sizes, and mistakes are named.
+set(dense estimate --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
+foreach(equal lognormal:0 bidisperse:1 uniform:2:2)
+  granum_cli_test("estimate: --sizes ${equal} is equal grains" EXIT 0 JSON "uniform_strain/G_vh=^296765105\\.9"
+    ARGS ${dense} --sizes ${equal} --json)
+endforeach()
+granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_strain/G_vh=^296765105\\.9" ARGS ${dense} --json)
+granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\.35.*C_u = 1\\.704.*<l\\^2>"
+  STDERR "" ARGS ${dense} --sizes lognormal:0.35)
+granum_cli_test("estimate: a sieve curve" EXIT 0 JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)
+granum_cli_test("estimate: --uniformity with --d50" EXIT 0 JSON "inputs/gradation/uniformity=^2\\.(5|4999999|5000000)"
+  ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
+granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDOUT "d50 +500 um \\+- 100 um"
+  ARGS ${dense} --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm)
+granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"
+  ARGS ${dense} --sieve sieve_cut.csv)
+granum_cli_test("estimate: no sieve curve" EXIT 3 STDERR "no_such.csv.*cannot be read" ARGS ${dense} --sieve no_such.csv)
+granum_cli_test("estimate: sizes of no form" EXIT 2 STDERR "sizes 'normal:1' are not one of equal, bidisperse"
+  ARGS ${dense} --sizes normal:1)
+granum_cli_test("estimate: sizes said twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity say the same"
+  ARGS ${dense} --sizes uniform:1:2 --uniformity 2)
+granum_cli_test("estimate: a sieve curve says the radius" EXIT 2 STDERR "leave out --radius"
+  ARGS ${dense} --sieve sieve.csv --radius 1mm)
+granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 say the same" ARGS ${dense} --radius 1mm --d50 2mm)

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well do means over contacts, counted or expected from the sizes alone, make the closed forms those of unequal
+// grains? Packings of LAMMPS, and the sum over their contacts as the truth.
+//   sizes <folder of the packings>
+// Exit code 0 only if every number is within what README.md says.
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/contact/pair.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/io/lammps/dump.hpp>
+#include <granum/sizes/contact_means.hpp>
+#include <granum/sizes/distribution_text.hpp>
+
+using namespace granum;
+
+namespace {
+
+constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+
+struct Packing {
+  const char* name;
+  const char* sizes; ///< that its grains were drawn from
+};
+
+/// G of uniform strain, of contacts that all bear the mean force.
+double shear_modulus(effective::State state, const sizes::ContactMeans& means, double radius) {
+  state.radius = radius;
+  state.contacts = means;
+  state.law = contact::PowerLaw::sphere(quartz, radius * means.pair_radius);
+  return elastic::isotropic_projection(
+             elastic::voigt(effective::uniform_strain_stiffness(effective::uniform_contacts(state))))
+      .shear_modulus();
+}
+
+double mean_of(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double x : numbers)
+    sum += x;
+  return sum / static_cast<double>(numbers.size());
+}
+
+/// Whether it is within the limit; the text says by how much it is off [%].
+bool judge(const char* what, double ratio, double limit) {
+  const double off = 100 * (ratio - 1);
+  std::printf("  %-58s %+6.1f %%%s\n", what, off, std::abs(off) <= limit ? "" : "   BEYOND ITS LIMIT");
+  return std::abs(off) <= limit;
+}
+
+/// What stands between the closed form and the sum over contacts: their product is 1 over its error.
+struct Causes {
+  double mean_force = 0;  ///< k_n of <f> over that of 3 p V/(N_c <l>): long branches bear more
+  double scatter = 0;     ///< <k_n> over k_n of <f> and <R*>: k_n ~ f^(1/3) R*^(1/3)
+  double correlation = 0; ///< <k_n l^2> over <k_n> <l^2>: long branches are stiffer, for both reasons
+};
+
+Causes causes_of(const packing::Assembly& assembly, const effective::State& state) {
+  double k = 0, l2 = 0, kl2 = 0, f = 0;
+  for (const packing::Contact& c : assembly.contacts) {
+    const double ri = assembly.radius[c.i], rj = assembly.radius[c.j], square = (ri + rj) * (ri + rj);
+    const double stiffness =
+        contact::PowerLaw::sphere(quartz, contact::pair_radius(ri, rj)).stiffness_at_force(c.normal_force);
+    k += stiffness, l2 += square, kl2 += stiffness * square, f += c.normal_force;
+  }
+  const double count = static_cast<double>(assembly.contacts.size());
+  const double of_mean = state.law.stiffness_at_force(f / count);
+  return {.mean_force = of_mean / state.law.stiffness_at_force(effective::mean_contact_force(state)),
+          .scatter = k / count / of_mean,
+          .correlation = kl2 * count / (k * l2)};
+}
+
+bool check(const Packing& which, const std::string& folder) {
+  const std::string path = folder + "/" + which.name;
+  io::LammpsDump dump(io::TextSource(path + ".atoms.gz"), io::TextSource(path + ".contacts.gz"));
+  const packing::Assembly assembly = dump.next().value().assembly;
+  const analysis::Measurement a = analysis::measure(
+      assembly,
+      {.grain_shear_modulus = quartz.shear_modulus, .stiffness_from = packing::StiffnessFrom::force},
+      {.closed_forms = true, .network = network::Options{}});
+  const double affine = a.network->isotropic_affine().shear_modulus();
+  const double x0 = a.counts.mechanical.rattler_fraction, mean = mean_of(assembly.radius);
+  const sizes::ContactMeans counted = sizes::with_reference(a.sizes.contacts, mean / a.sizes.equivalent);
+  const auto drawn = sizes::parse_distribution(which.sizes);
+  const sizes::ContactMeans expected = sizes::expected_contact_means(drawn, x0);
+  const sizes::ContactMeans without = sizes::expected_contact_means(drawn);
+  std::printf("%s: %s, C_u %.2f, C_n %.3f, z* %.3f, x_0 %.3f\n", which.name, which.sizes,
+              a.sizes.gradation.uniformity(), a.counts.coordination_number,
+              a.counts.mechanical.coordination_number, x0);
+  std::printf(" means over contacts, from sizes and rattlers, over counted ones\n");
+  bool good = judge("<l>", expected.branch / counted.branch, 2);
+  good &= judge("<l^2>", expected.branch_square / counted.branch_square, 3);
+  good &= judge("<R*>", expected.pair_radius / counted.pair_radius, 2);
+  judge("<l^2>, rattlers not told", without.branch_square / counted.branch_square, 100);
+  std::printf(" G of uniform strain over the sum over contacts\n");
+  const double by_count = shear_modulus(*a.state, counted, mean) / affine;
+  good &= judge("means counted", by_count, 6);
+  good &= judge("means from sizes and rattlers", shear_modulus(*a.state, expected, mean) / affine, 6);
+  judge("means from sizes, rattlers not told", shear_modulus(*a.state, without, mean) / affine, 100);
+  judge("equal grains of <R^3>/<R^2>", shear_modulus(*a.state, {}, a.sizes.equivalent) / affine, 100);
+  std::printf(" what stands between means counted and the sum\n");
+  const auto [mean_force, scatter, correlation] = causes_of(assembly, *a.state);
+  judge("long branches bear more: the mean force is smaller", mean_force, 100);
+  judge("forces and radii scatter about their means", scatter, 100);
+  judge("long branches are stiffer", correlation, 100);
+  good &= judge("all three, after which nothing is left", by_count * mean_force * scatter * correlation, 0.1);
+  std::printf(" rung 3 over network\n");
+  const auto relaxed = a.closed_form(effective::RungName::relaxed);
+  const elastic::Isotropic network = a.network->isotropic_relaxed();
+  const elastic::Isotropic rung = elastic::isotropic_projection(elastic::voigt(relaxed->stiffness));
+  judge("K", rung.bulk_modulus() / network.bulk_modulus(), 100);
+  judge("G", rung.shear_modulus() / network.shear_modulus(), 100);
+  return good;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const Packing packings[] = {{"lognormal_dense", "lognormal:0.35"},
+                              {"uniform_dense", "uniform:1:3"},
+                              {"lognormal_loose", "lognormal:0.35"},
+                              {"uniform_loose", "uniform:1:3"}};
+  bool good = argc == 2;
+  try {
+    for (const Packing& packing : packings)
+      good = argc == 2 && check(packing, argv[1]) && good;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return good ? 0 : 1;
+}
