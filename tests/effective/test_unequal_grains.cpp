@@ -89,7 +89,7 @@ TEST_CASE("unequal grains: prefactor and mean force are sums over the contacts")
 }
 
 TEST_CASE("unequal grains: linear contacts of one stiffness have the bulk modulus of their sum") {
-  // K = (1/9V) sum k_n l^2 under uniform strain, (1/9V) (sum l)^2/(sum 1/k_n) under uniform stress, isotropic.
+  // Isotropic K = (1/9V) sum k_n l^2 under uniform strain, (1/9V) (sum l)^2/(sum 1/k_n) of uniform stress.
   const Contacts c = drawn(0.6);
   State s = state_of(c, contact::PowerLaw::flat(quartz, 5e-6));
   s.fabric_anisotropy = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well do means over contacts, counted or expected from the sizes alone, make the closed forms those of unequal
+// How well do means over contacts, counted or expected from the sizes, make the closed forms those of unequal
 // grains? Packings of LAMMPS, and the sum over their contacts as the truth.
 //   sizes <folder of the packings>
 // Exit code 0 only if every number is within what README.md says.

@@ -51,8 +51,8 @@ struct TouchingPair {
 [[nodiscard]] double relative_contact_number(double x);
 
 /// The means that a distribution leads to. Grains touch as often as relative_contact_number says, but for the
-/// rattlers: with c(x) that number, a grain is one with the probability exp(-k (c(x) - c(0))), which is 1 for a
-/// grain that is a point and falls with its size, faster the fewer rattlers there are. Partners are
+/// rattlers: with c(x) that number, a grain is one with the probability exp(-k (c(x) - c(0))), which is 1 for
+/// a grain that is a point and falls with its size, faster the fewer rattlers there are. Partners are
 /// independent of each other's size. R is the mean radius by number.
 /// \param    rattler_fraction   x_0 in [0, 1), over all grains: many small ones where sizes differ much
 /// \throws   InvalidArgument for a fraction out of range
