@@ -261,6 +261,10 @@ granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\
 granum_cli_test("estimate: a sieve curve" EXIT 0 JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)
 granum_cli_test("estimate: --uniformity with --d50" EXIT 0 JSON "inputs/gradation/uniformity=^2\\.(5|4999999|5000000)"
   ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
+granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
+  ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
+granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0
+  STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --uniformity 2.5)
 granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDOUT "d50 +500 um \\+- 100 um"
   ARGS ${dense} --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm)
 granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"

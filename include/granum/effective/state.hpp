@@ -52,7 +52,7 @@ Validity require_valid(const State& state);
 
 /// Mean normal contact force 3 p V/(N_c <l>), of equal grains 4 pi R^2 (1+e) p/C_n, at the mean stress
 /// p = (stress_v + 2 stress_h)/3 [N]. Exact for equal spheres in static equilibrium, whatever the fabric. In
-/// unequal ones long branches bear more: the mean of all is smaller, by 5 % for C_u = 2.
+/// unequal ones long branches bear more: the mean of all is smaller, by 4 to 6 % for C_u of 1.5 and 1.7.
 /// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);

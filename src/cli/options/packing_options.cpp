@@ -226,6 +226,11 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
                                 o.grain_poisson_ratio.in_table ? "2(1-nu_g)/(2-nu_g)"
                                                                : short_text(state.tangential_ratio)));
   note_default(o.fabric, ", contacts in all directions alike");
+  constexpr double compared = 1.75; // the largest C_u of validation/sizes
+  if (const double uniformity = o.sizes ? sizes::gradation(*o.sizes, 1).uniformity() : 1;
+      uniformity > compared)
+    notes.push_back(fmt::format("C_u is {}: which sizes touch was compared with packings up to {} alone",
+                                short_text(uniformity), compared));
   if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
     notes.emplace_back(
         "assumed that no grain rattles: rattlers are small, and the more there are, the larger are the "
