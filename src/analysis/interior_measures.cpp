@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/interior_measures.hpp>
 
+#include <optional>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -9,9 +10,12 @@
 
 namespace granum::analysis {
 
-InteriorMeasures interior_measures(const packing::Assembly& assembly,
-                                   const packing::MechanicalCoordination& mechanical, double layer) {
-  const packing::Interior interior(assembly.cell, layer);
+namespace {
+
+/// Nothing if no grain inside bears load.
+std::optional<InteriorMeasures> measures_of(const packing::Assembly& assembly,
+                                            const packing::MechanicalCoordination& mechanical,
+                                            const packing::Interior& interior) {
   InteriorMeasures out;
   std::vector<bool> inside(assembly.grain_count());
   std::size_t rattlers = 0;
@@ -23,7 +27,7 @@ InteriorMeasures interior_measures(const packing::Assembly& assembly,
     rattlers += inside[g] && mechanical.rattler[g];
   }
   if (out.grains == rattlers)
-    throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
+    return std::nullopt;
   out.void_ratio = interior.volume() / solid - 1;
   const auto add_stress = [&](const packing::Contact& c) {
     out.stress +=
@@ -54,6 +58,25 @@ InteriorMeasures interior_measures(const packing::Assembly& assembly,
                .fabric_anisotropy_error = anisotropy.standard_error,
                .sliding_fraction = share(sliding, normals.size())};
   return out;
+}
+
+} // namespace
+
+InteriorMeasures interior_measures(const packing::Assembly& assembly,
+                                   const packing::MechanicalCoordination& mechanical, double layer) {
+  const auto out = measures_of(assembly, mechanical, packing::Interior(assembly.cell, layer));
+  if (!out)
+    throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
+  return *out;
+}
+
+InteriorMeasures interior_measures(const packing::Assembly& assembly,
+                                   const packing::MechanicalCoordination& mechanical,
+                                   const packing::Interior& interior) {
+  const auto out = measures_of(assembly, mechanical, interior);
+  if (!out)
+    throw InvalidArgument("the window holds no grain that bears load");
+  return *out;
 }
 
 } // namespace granum::analysis

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <granum/contact/pair.hpp>
+#include <granum/core/error.hpp>
 #include <granum/packing/force_distribution.hpp>
 
 namespace granum::analysis {
@@ -19,17 +21,26 @@ struct Point {
   double ratio = 0;
 };
 
-std::vector<Point> points_of(const packing::Assembly& assembly, const LawFamily& family,
-                             const contact::GrainMaterial& grain) {
+/// The contacts that are compared: those that press, and not hardly.
+std::vector<packing::Contact> compared(const packing::Assembly& assembly) {
   constexpr double hardly = 1e-3;
   const double mean = packing::force_distribution(normal_forces(assembly), 1).mean;
+  std::vector<packing::Contact> contacts = assembly.contacts;
+  std::erase_if(contacts, [&](const packing::Contact& c) {
+    return !(c.overlap > 0) || !(c.normal_force > 0) || !(c.normal_force >= hardly * mean);
+  });
+  return contacts;
+}
+
+/// \param    material  of a contact
+template <class Material>
+std::vector<Point> points_of(const packing::Assembly& assembly, const LawFamily& family,
+                             const Material& material) {
   std::vector<Point> points;
-  for (const packing::Contact& c : assembly.contacts) {
-    if (!(c.overlap > 0) || !(c.normal_force > 0) || !(c.normal_force >= hardly * mean))
-      continue;
+  for (const packing::Contact& c : compared(assembly)) {
     const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
     points.push_back({std::log(c.overlap / radius), std::log(c.normal_force / radius / radius),
-                      c.normal_force / family(grain, radius).force(c.overlap)});
+                      c.normal_force / family(material(c), radius).force(c.overlap)});
   }
   return points;
 }
@@ -117,12 +128,10 @@ void measure_misfit(const std::vector<Point>& points, LawCheck& out) {
   out.worst_misfit = quantile(ratios, 1);
 }
 
-} // namespace
-
-LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
-                   const contact::GrainMaterial& grain) {
+template <class Material>
+LawCheck check(const packing::Assembly& assembly, const LawFamily& family, const Material& material) {
   require_valid(assembly);
-  const std::vector<Point> points = points_of(assembly, family, grain);
+  const std::vector<Point> points = points_of(assembly, family, material);
   LawCheck out;
   out.contacts = points.size();
   out.left_out = assembly.contacts.size() - points.size();
@@ -134,6 +143,37 @@ LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
     out.alpha = alpha_of(*out.force_exponent);
   }
   return out;
+}
+
+} // namespace
+
+LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
+                   const contact::GrainMaterial& grain) {
+  return check(assembly, family, [&](const packing::Contact&) { return grain; });
+}
+
+LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
+                   std::span<const contact::GrainMaterial> materials) {
+  if (materials.size() != assembly.grain_count())
+    throw InvalidArgument(std::to_string(materials.size()) + " materials do not go with " +
+                          std::to_string(assembly.grain_count()) + " grains");
+  return check(assembly, family, [&](const packing::Contact& c) {
+    return contact::pair_material(materials[c.i], materials[c.j]);
+  });
+}
+
+std::optional<double> linear_spring(const packing::Assembly& assembly) {
+  constexpr std::size_t fewest = 10;
+  constexpr double same = 1e-3;
+  std::vector<double> springs;
+  for (const packing::Contact& c : compared(assembly))
+    springs.push_back(c.normal_force / c.overlap);
+  if (springs.size() < fewest)
+    return std::nullopt;
+  const double middle = quantile(springs, 0.5);
+  for (double& spring : springs)
+    spring = std::abs(spring / middle - 1);
+  return quantile(springs, 0.9) <= same ? std::optional(middle) : std::nullopt;
 }
 
 } // namespace granum::analysis

@@ -107,6 +107,10 @@ class Measuring {
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
       out_.interior = interior_measures(assembly_, out_.counts.mechanical, *wanted_.interior_layer);
+    else if (wanted_.window)
+      out_.interior =
+          interior_measures(assembly_, out_.counts.mechanical,
+                            packing::Interior(assembly_.cell, wanted_.window->low, wanted_.window->high));
     measure_load();
     find_law();
     if (wanted_.work && out_.law)
@@ -144,6 +148,10 @@ class Measuring {
             assembly_, [this](const contact::GrainMaterial&, double) { return *given_.law; }, {modulus, nu});
       return;
     }
+    if (!given_.materials.empty())
+      return take_materials();
+    if (take_springs())
+      return;
     if (forces_known_ && (wanted_.law_check || !given_.grain_shear_modulus))
       out_.law_check = check_law(assembly_, given_.law_family, {modulus, nu});
     if (given_.grain_shear_modulus) {
@@ -162,9 +170,44 @@ class Measuring {
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
   }
 
+  /// Grains of several materials: closed forms take the mean over the contacts.
+  void take_materials() {
+    if (assembly_.contacts.empty())
+      return;
+    out_.grain = mean_pair_material(assembly_, given_.materials);
+    out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
+    out_.notes.push_back("several materials: closed forms take the mean over the contacts, G_g = " +
+                         pretty(out_.grain->shear_modulus, Dimension::pressure) +
+                         ", nu_g = " + short_text(out_.grain->poisson_ratio));
+    if (forces_known_ && wanted_.law_check)
+      out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
+  }
+
+  /// Linear springs, where nobody has said another law and the forces show them.
+  bool take_springs() {
+    if (!given_.law_assumed || given_.grain_shear_modulus || !forces_known_)
+      return false;
+    const auto spring = linear_spring(assembly_);
+    if (!spring)
+      return false;
+    // flat punches have one k_n, 2 G a/(1-nu), at every force
+    constexpr double small = 0.05; // against the grain, as the closed forms take contacts
+    const double nu = given_.grain_poisson_ratio, radius = small * out_.sizes.equivalent;
+    out_.law = contact::PowerLaw::flat({*spring * (1 - nu) / (2 * radius), nu}, radius);
+    if (wanted_.law_check)
+      out_.law_check = check_law(
+          assembly_, [this](const contact::GrainMaterial&, double) { return *out_.law; }, out_.law->grain());
+    out_.notes.push_back(
+        "the forces are linear in the overlaps: springs of k_n = " + short_text(*spring, 6) +
+        " N/m, taken as they are (--contact flat); k_t/k_n = " + short_text(tangential_ratio()) +
+        (given_.tangential_ratio ? "" : " is assumed, LAMMPS' gran/hooke has 2/7 (--tangential-ratio)"));
+    return true;
+  }
+
   [[nodiscard]] double tangential_ratio() const {
     return given_.tangential_ratio ? contact::given_stiffness_ratio(*given_.tangential_ratio)
-                                   : contact::mindlin_stiffness_ratio(given_.grain_poisson_ratio);
+                                   : contact::mindlin_stiffness_ratio(
+                                         out_.grain ? out_.grain->poisson_ratio : given_.grain_poisson_ratio);
   }
 
   /// What the closed forms need, or a note on what is not there.
@@ -175,7 +218,7 @@ class Measuring {
       out_.notes.emplace_back("no closed forms: they need forces of at least two contacts");
       return;
     }
-    const Mat3& by_contacts = out_.stress->symmetric;
+    const Mat3& by_contacts = wanted_.window ? out_.interior->stress : out_.stress->symmetric;
     const stress::AxialStress load = given_.stress.value_or(
         stress::AxialStress{.v = by_contacts(2, 2), .h = (by_contacts(0, 0) + by_contacts(1, 1)) / 2});
     const Microstructure micro = out_.microstructure();
@@ -202,7 +245,12 @@ class Measuring {
   }
 
   void solve_network() {
-    if (!given_.stiffness_from && contacts_have_stiffness()) {
+    if (given_.stiffness_from == packing::StiffnessFrom::ratio) {
+      packing::Assembly assembly = assembly_;
+      assign_stiffness_of_ratio(assembly, tangential_ratio());
+      out_.notes.emplace_back("k_n of the network is 1.5 f/d of each contact: Hertz without a material");
+      solve_network(assembly);
+    } else if (!given_.stiffness_from && contacts_have_stiffness()) {
       if (!given_.law)
         out_.notes.emplace_back("k_n and k_t of the network are those of the files");
       solve_network(assembly_);
@@ -217,7 +265,9 @@ class Measuring {
     const bool rough = given_.few_digits && forces_known_;
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         rough ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
-    if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
+    if (!given_.materials.empty())
+      assign_hertz_stiffness(assembly, given_.materials, given_.tangential_ratio, from);
+    else if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
       assign_hertz_stiffness(assembly, *out_.grain, tangential_ratio(), from);
     else
       assign_stiffness(assembly, *out_.law, tangential_ratio(), from);

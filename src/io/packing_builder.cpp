@@ -95,6 +95,8 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
     packing_.id.push_back(grain.id);
     packing_.assembly.position.push_back(grain.position);
     packing_.assembly.radius.push_back(grain.radius);
+    if (grain.type)
+      packing_.type.push_back(*grain.type);
   }
   if (!has_cell_)
     bound_grains();

@@ -26,6 +26,7 @@ struct GrainRow {
   Vec3 position{}; ///< [m]
   double radius = 0;
   std::size_t line = 0;
+  std::optional<long> type = {}; ///< as LAMMPS numbers materials
 };
 
 /// A contact as a file states it, in the file's order of the two grains a and b.

@@ -2,8 +2,11 @@
 #include <granum/packing/stiffness.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include <granum/contact/pair.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::packing {
 
@@ -22,6 +25,12 @@ void assign_wall(Contact& c, const contact::PowerLaw& law, double ratio, Stiffne
   assign(mirrored, law, ratio, from);
   c.normal_stiffness = 2 * mirrored.normal_stiffness;
   c.tangential_stiffness = ratio * c.normal_stiffness;
+}
+
+void require_materials(const Assembly& assembly, std::span<const contact::GrainMaterial> materials) {
+  if (materials.size() != assembly.grain_count())
+    throw InvalidArgument(std::to_string(materials.size()) + " materials do not go with " +
+                          std::to_string(assembly.grain_count()) + " grains");
 }
 
 } // namespace
@@ -45,6 +54,52 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
   }
   for (Contact& c : assembly.wall_contacts)
     assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), checked_ratio, from);
+}
+
+void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
+                            std::optional<double> ratio, StiffnessFrom from) {
+  require_valid(assembly);
+  require_materials(assembly, materials);
+  const auto ratio_of = [&](const contact::GrainMaterial& grain) {
+    return ratio ? contact::given_stiffness_ratio(*ratio)
+                 : contact::mindlin_stiffness_ratio(grain.poisson_ratio);
+  };
+  for (Contact& c : assembly.contacts) {
+    const contact::GrainMaterial grain = contact::pair_material(materials[c.i], materials[c.j]);
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
+    assign(c, contact::PowerLaw::sphere(grain, radius), ratio_of(grain), from);
+  }
+  for (Contact& c : assembly.wall_contacts) {
+    const contact::GrainMaterial& grain = materials[c.i];
+    assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), ratio_of(grain), from);
+  }
+}
+
+void assign_stiffness_of_ratio(Assembly& assembly, double ratio) {
+  require_valid(assembly);
+  const double checked_ratio = contact::given_stiffness_ratio(ratio);
+  for (auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (Contact& c : *contacts) {
+      const bool presses = c.overlap > 0 && c.normal_force > 0;
+      c.normal_stiffness = presses ? 1.5 * c.normal_force / c.overlap : 0;
+      c.tangential_stiffness = checked_ratio * c.normal_stiffness;
+    }
+}
+
+contact::GrainMaterial mean_pair_material(const Assembly& assembly,
+                                          std::span<const contact::GrainMaterial> materials) {
+  require_materials(assembly, materials);
+  if (assembly.contacts.empty())
+    throw InvalidArgument("a packing without contacts has no mean material of its pairs");
+  double stiffness = 0, ratio = 0;
+  const double count = static_cast<double>(assembly.contacts.size());
+  for (const Contact& c : assembly.contacts) {
+    const contact::GrainMaterial grain = contact::pair_material(materials[c.i], materials[c.j]);
+    stiffness += std::pow(grain.shear_modulus / (1 - grain.poisson_ratio), 2.0 / 3) / count;
+    ratio += contact::mindlin_stiffness_ratio(grain.poisson_ratio) / count;
+  }
+  const double nu = (2 - 2 * ratio) / (2 - ratio); // k_t/k_n = 2(1-nu)/(2-nu)
+  return {.shear_modulus = (1 - nu) * std::pow(stiffness, 1.5), .poisson_ratio = nu};
 }
 
 } // namespace granum::packing

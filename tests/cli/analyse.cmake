@@ -55,6 +55,29 @@ granum_cli_test("analyse: weight is no unrest" EXIT 0 STDOUT "of it weight +100 
 granum_cli_test("analyse: a modulus in kPa" EXIT 4 STDOUT "C_n" STDERR "G_g of the grains is 30 kPa, softer than rubber"
   ARGS analyse ${box} --no-network --grain-shear-modulus 30kPa --strict)
 
+# a part of it
+granum_cli_test("analyse: a window" EXIT 0 STDERR "bear weight" STDOUT "window, .*z +1 mm to 3 mm.*grains +26 .*void ratio e +0\\.9393"
+  ARGS analyse ${box} --no-network --window ..,..,1mm..3mm)
+granum_cli_test("analyse: a window in JSON" EXIT 0 STDERR "bear weight" JSON "frames/0/window/void_ratio=^0\\.939"
+  ARGS analyse ${box} --no-network --window ..,..,1mm..3mm --json)
+granum_cli_test("analyse: a depth" EXIT 0 STDERR "bear weight" STDOUT "window, .*z +980\\.9 um to 3\\.981 mm.*grains +39 "
+  ARGS analyse ${box} --no-network --depth 1mm..4mm)
+# grains of two materials, and of springs
+set(types "${io}/lammps_types.atoms" "${io}/lammps_types.contacts" --no-network)
+set(soft 2:shear-modulus=3GPa,poisson-ratio=0.3)
+granum_cli_test("analyse: two materials" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT "force over that law's +1 .*several materials: closed forms"
+  ARGS analyse ${types} --material 1:shear-modulus=30GPa,poisson-ratio=0.15 --material ${soft})
+granum_cli_test("analyse: several types without materials" EXIT 0 STDOUT "C_n" STDERR "several types: give --material for each"
+  ARGS analyse ${types})
+granum_cli_test("analyse: 1.5 f/d" EXIT 0 STDERR "several types" STDOUT "rung 4, this network +432\\.[0-9].*1\\.5 f/d of each contact"
+  ARGS analyse ${io}/lammps_types.atoms ${io}/lammps_types.contacts --stiffness-from force-over-overlap)
+granum_cli_test("analyse: springs" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT "springs of k_n = 100000 N/m"
+  ARGS analyse ${io}/lammps_types.atoms ${io}/lammps_hooke.contacts --no-network)
+# states.csv of a deck of granum export
+granum_cli_test("analyse: the stresses of a deck's states.csv" EXIT 0 STDERR "frame 0: coordinates"
+  JSON "frames/1/stress/relative_difference/xz=^-?[0-9.]+e-(09|1[0-9])$"
+  ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --no-network --json --stress analyse_states.csv)
+
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
   STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "
@@ -144,6 +167,18 @@ granum_analyse_refuses("a missing file of stresses" 3 "none: cannot be read" ${c
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)
+granum_analyse_refuses("a window of two axes" 2 "--window takes three ranges" ${box} --window 0mm..1mm,..)
+granum_analyse_refuses("a window without dots" 2 "--window takes ranges such as" ${box} --window 0mm,1mm,2mm)
+granum_analyse_refuses("a window without units" 2 "--window = 0 has no unit" ${box} --window 0..1mm,..,..)
+granum_analyse_refuses("a window beyond the grains" 2 "the window reaches beyond the grains along z" ${box} --window ..,..,1mm..30mm)
+granum_analyse_refuses("a depth without an end" 2 "--depth takes two depths" ${box} --depth 1mm..)
+granum_analyse_refuses("a depth and a window of z" 2 "--depth and --window both say z" ${box} --depth 1mm..2mm --window ..,..,1mm..2mm)
+granum_analyse_refuses("a material without a type" 2 "--material takes TYPE:shear-modulus" ${types} --material shear-modulus=3GPa)
+granum_analyse_refuses("a material without Poisson's ratio" 2 "--material takes TYPE:shear-modulus" ${types} --material 1:shear-modulus=3GPa)
+granum_analyse_refuses("a material twice" 2 "--material is given twice for type 2" ${types} --material ${soft} --material ${soft})
+granum_analyse_refuses("a type without material" 2 "grains have type 1, of which no --material" ${types} --material ${soft})
+granum_analyse_refuses("materials and a material" 2 "--material says what --grain-shear-modulus" ${types} --material ${soft} --grain-shear-modulus 3GPa)
+granum_analyse_refuses("materials of CSV, which has no types" 2 "--material goes by the types of grains" analyse_chain_grains.csv --material ${soft})
 granum_analyse_refuses("grains without mass" 2 "--grain-density = 0 kg/m3 is outside" ${chain} --grain-density 0kg/m3)
 granum_analyse_refuses("a slope without cones" 2 "--slope goes with --contact cone" ${chain} --slope 0.4)
 granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: coordinates have"

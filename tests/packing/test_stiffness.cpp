@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/stiffness.hpp>
 
+#include <vector>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
@@ -25,6 +27,27 @@ packing::Assembly chain() {
 }
 
 } // namespace
+
+TEST_CASE("stiffness without a material is 1.5 f/d, and of one material twice that of one") {
+  packing::Assembly a = chain();
+  packing::assign_stiffness_of_ratio(a, 0.5);
+  CHECK(a.contacts[0].normal_stiffness == relative(1.5 * force_ab / 1e-7, 1e-15));
+  CHECK(a.contacts[1].tangential_stiffness == relative(0.75 * force_bc / 2e-7, 1e-15));
+  a.contacts[0].overlap = 0;
+  packing::assign_stiffness_of_ratio(a, 0.5);
+  CHECK(a.contacts[0].normal_stiffness == 0);
+  CHECK_THROWS_AS(packing::assign_stiffness_of_ratio(a, -1), InvalidArgument);
+
+  packing::Assembly one = chain(), many = chain();
+  const std::vector<contact::GrainMaterial> same(3, glass);
+  assign_hertz_stiffness(one, glass, contact::mindlin_stiffness_ratio(glass.poisson_ratio));
+  assign_hertz_stiffness(many, same, std::nullopt);
+  CHECK(one == many);
+  const contact::GrainMaterial mean = mean_pair_material(many, same);
+  CHECK(mean.shear_modulus == relative(glass.shear_modulus, 1e-14));
+  CHECK(mean.poisson_ratio == relative(glass.poisson_ratio, 1e-13));
+  CHECK_THROWS_AS(assign_hertz_stiffness(many, std::vector(2, glass), std::nullopt), InvalidArgument);
+}
 
 TEST_CASE("stiffnesses of the chain by overlap and by force are those of Hertz and Mindlin") {
   const double ratio = contact::mindlin_stiffness_ratio(glass.poisson_ratio);

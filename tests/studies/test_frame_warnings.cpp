@@ -177,3 +177,39 @@ TEST_CASE("frame warnings: a network that was given too few iterations") {
   CHECK(warns(through_csv(specimen()), "the network did not converge", given_modulus,
               wanted(network::Options{.iteration_limit = 1})));
 }
+
+TEST_CASE("frame warnings: strains that nothing resists are named") {
+  // a straight chain through the faces of the cell bears stress along itself, and nothing else
+  packing::Assembly chain{
+      .cell = Mat3::diagonal(4e-3, 4e-3, 3.96e-3), .position = {}, .radius = {}, .contacts = {}};
+  for (int k = 0; k < 4; ++k) {
+    chain.position.push_back({2e-3, 2e-3, 0.99e-3 * k});
+    chain.radius.push_back(0.5e-3);
+  }
+  const auto link = [&](std::uint32_t i, std::uint32_t j, double along) {
+    chain.contacts.push_back({.i = i, .j = j, .branch = {0, 0, along}, .overlap = 1e-5, .normal_force = 1});
+  };
+  link(0, 1, 0.99e-3);
+  link(0, 3, -0.99e-3);
+  link(1, 2, 0.99e-3);
+  link(2, 3, 0.99e-3);
+  CHECK(warns(through_csv(chain), "the network does not resist 5 of six strains (", given_modulus,
+              wanted(network::Options{})));
+  CHECK_FALSE(warns(through_csv(specimen()), "does not resist", given_modulus, wanted(network::Options{})));
+  // a ring of four that does not reach through the cell bears nothing at all
+  packing::Assembly ring{
+      .cell = Mat3::diagonal(9e-3, 9e-3, 9e-3), .position = {}, .radius = {}, .contacts = {}};
+  ring.position = {
+      {4e-3, 4e-3, 4e-3}, {4.99e-3, 4e-3, 4e-3}, {4.99e-3, 4.99e-3, 4e-3}, {4e-3, 4.99e-3, 4e-3}};
+  ring.radius.assign(4, 0.5e-3);
+  const auto pair = [&](std::uint32_t i, std::uint32_t j) {
+    ring.contacts.push_back(
+        {.i = i, .j = j, .branch = ring.position[j] - ring.position[i], .overlap = 1e-5, .normal_force = 1});
+  };
+  pair(0, 1);
+  pair(0, 3);
+  pair(1, 2);
+  pair(2, 3);
+  CHECK(warns(through_csv(ring), "the network has no stiffness: nothing holds the grains", given_modulus,
+              wanted(network::Options{})));
+}

@@ -5,6 +5,7 @@
 
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
+#include <granum/packing/interior.hpp>
 
 namespace granum::analysis {
 
@@ -40,5 +41,10 @@ struct InteriorMeasures {
 [[nodiscard]] InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                                  const packing::MechanicalCoordination& mechanical,
                                                  double layer);
+
+/// The same for a window of any packing.
+[[nodiscard]] InteriorMeasures interior_measures(const packing::Assembly& assembly,
+                                                 const packing::MechanicalCoordination& mechanical,
+                                                 const packing::Interior& interior);
 
 } // namespace granum::analysis

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include <granum/contact/power_law.hpp>
 #include <granum/core/measured.hpp>
@@ -43,5 +44,14 @@ struct LawCheck {
 /// Accuracy  the slope of forces that obey a power law: 1e-9 for overlaps of 17 digits over a decade.
 [[nodiscard]] LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
                                  const contact::GrainMaterial& grain);
+
+/// The same for grains of several materials, each contact by the law of contact::pair_material of its grains.
+/// \param    materials  one for each grain
+[[nodiscard]] LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
+                                 std::span<const contact::GrainMaterial> materials);
+
+/// The spring that all contacts have in common, where forces are linear in the overlaps.
+/// \return   k_n, the median of f_n/d [N/m]; nothing unless nine of ten contacts are within 1e-3 of it
+[[nodiscard]] std::optional<double> linear_spring(const packing::Assembly& assembly);
 
 } // namespace granum::analysis

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <granum/analysis/measurement.hpp>
 #include <granum/packing/assembly.hpp>
@@ -23,6 +24,8 @@ struct Given {
   std::optional<double> grain_shear_modulus = {}; ///< G_g [Pa]; without it, from forces against overlaps
   std::optional<double> grain_density = {};       ///< rho_s [kg/m3], > 0; without it no wave speeds
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
+  bool law_assumed = false; ///< nobody has said law_family: springs are taken where the forces show them
+  std::vector<contact::GrainMaterial> materials = {}; ///< of each grain, where there are several; spheres
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
   std::optional<double> friction_coefficient = {}; ///< [1]; without it estimate_friction
   std::optional<packing::StiffnessFrom> stiffness_from =
@@ -35,6 +38,12 @@ struct Given {
       {}; ///< of the closed forms' state; without it that of the contacts
 };
 
+/// An upright box, in the axes of the packing.
+struct Window {
+  Vec3 low;  ///< [m]
+  Vec3 high; ///< [m]
+};
+
 /// Which parts are measured. Volume, sizes, counts, stress, fabric tensor and a always are: they take a
 /// thousandth of what the network takes.
 struct Wanted {
@@ -45,6 +54,7 @@ struct Wanted {
   bool work = false;                          ///< the pressure by the work of the cell
   bool closed_forms = false;                  ///< rungs 0 to 3 and uniform stress
   std::optional<double> interior_layer = {};  ///< left out at each wall [m]
+  std::optional<Window> window = {};          ///< else: a part of the packing to look at
   std::optional<network::Options> network = {}; ///< rung 4, the part that takes time
 };
 

@@ -46,7 +46,8 @@ struct ImportNote {
 /// One state of a packing, SI, compression positive, grains in the order of their ids.
 struct ImportedPacking {
   packing::Assembly assembly;
-  std::vector<long> id; ///< of each grain, as the files name it, ascending
+  std::vector<long> id;        ///< of each grain, as the files name it, ascending
+  std::vector<long> type = {}; ///< of each grain, where the files tell types; else empty
   std::array<bool, 3> periodic{true, true, true};
   long step = 0;
   std::optional<double> time; ///< [s]

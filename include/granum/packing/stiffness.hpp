@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include <granum/contact/power_law.hpp>
 #include <granum/packing/assembly.hpp>
 
@@ -10,6 +13,7 @@ namespace granum::packing {
 enum class StiffnessFrom {
   overlap, ///< what a DEM code does itself; needs coordinates of many digits
   force,   ///< for files of few digits; needs a quenched state, as viscous parts count as elastic
+  ratio,   ///< (3/2) f/d, Hertz without a material: assign_stiffness_of_ratio
 };
 
 /// Sets k_n of every contact from a contact law and k_t = ratio k_n: output of DEM codes holds neither.
@@ -29,5 +33,25 @@ void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double r
 /// Accuracy  that of contact::PowerLaw.  Checked by tests/packing/test_stiffness.cpp
 void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& grain, double ratio,
                             StiffnessFrom from = StiffnessFrom::overlap);
+
+/// The same for grains of several materials: each contact has contact::pair_material of its two grains, a
+/// wall the grain's.
+/// \param    materials  one for each grain
+/// \param    ratio      k_t/k_n of all contacts; without it contact::mindlin_stiffness_ratio of each pair
+/// \throws   InvalidArgument also unless there is one material for each grain
+void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
+                            std::optional<double> ratio, StiffnessFrom from = StiffnessFrom::overlap);
+
+/// k_n = (3/2) f/d of Hertz' law without any material, from the force and the overlap of each contact; 0
+/// where either is not positive. Walls alike: at a rigid plane f ~ d^(3/2) as well. [Hertz1882]
+/// \throws   InvalidArgument for an assembly that require_valid rejects or a ratio out of range
+/// Accuracy  that of the overlaps.  Checked by tests/packing/test_stiffness.cpp
+void assign_stiffness_of_ratio(Assembly& assembly, double ratio);
+
+/// The one material of equal grains whose k_n and k_t at a force are those of a packing of several, in the
+/// mean over its contacts: (G/(1-nu))^(2/3) and k_t/k_n are means.
+/// \throws   InvalidArgument for no contacts, or unless there is one material for each grain
+[[nodiscard]] contact::GrainMaterial mean_pair_material(const Assembly& assembly,
+                                                        std::span<const contact::GrainMaterial> materials);
 
 } // namespace granum::packing

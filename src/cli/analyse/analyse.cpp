@@ -51,8 +51,13 @@ void add_network(FrameAnswer& frame) {
 
 FrameAnswer analyse_frame(const io::ImportedPacking& packing, const MeasureOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  FrameAnswer frame{.read = packing.notes,
-                    .measured = studies::measure_frame(packing, options.given, options.wanted)};
+  analysis::Given given = options.given;
+  analysis::Wanted wanted = options.wanted;
+  given.materials = studies::materials_of(packing, options.materials);
+  if (options.window)
+    wanted.window = studies::window_in(packing, *options.window);
+  FrameAnswer frame{.read = packing.notes, .measured = studies::measure_frame(packing, given, wanted)};
+  frame.window = wanted.window;
   add_closed_forms(frame);
   add_network(frame);
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -90,7 +95,9 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
                                         const MeasureOptions& options, Seen seen) {
   std::vector<FrameAnswer> out;
   const auto take = [&](io::ImportedPacking read, std::size_t at) {
-    const io::ImportedPacking packing = studies::with_overlap_contacts(std::move(read), options.given);
+    analysis::Given given = options.given;
+    given.materials = studies::materials_of(read, options.materials);
+    const io::ImportedPacking packing = studies::with_overlap_contacts(std::move(read), given);
     out.push_back(analyse_frame(packing, options));
     out.back().number = at;
     seen(packing, at);

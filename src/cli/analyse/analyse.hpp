@@ -61,8 +61,9 @@ struct FrameAnswer {
   studies::MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
   std::optional<PrintedStress> code_stress = std::nullopt;
-  Validity validity = {}; ///< of the closed forms
-  double seconds = 0;     ///< reading left out
+  std::optional<analysis::Window> window = std::nullopt; ///< of measured.packing.interior
+  Validity validity = {};                                ///< of the closed forms
+  double seconds = 0;                                    ///< reading left out
 };
 
 /// The moduli that the network itself has, if they were found.

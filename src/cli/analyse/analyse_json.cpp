@@ -166,6 +166,19 @@ ordered_json read_json(const FrameAnswer& frame, bool missing) {
   return list;
 }
 
+ordered_json window_json(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
+  const auto list = [](const Vec3& v) { return ordered_json{v.x, v.y, v.z}; };
+  return {{"low", list(window.low)},
+          {"high", list(window.high)},
+          {"grains", inside.grains},
+          {"void_ratio", inside.void_ratio},
+          {"coordination_number", inside.micro.coordination_number},
+          {"mechanical_coordination_number", inside.micro.mechanical_coordination_number},
+          {"rattler_fraction", inside.micro.rattler_fraction},
+          {"anisotropy", inside.micro.fabric_anisotropy},
+          {"stress", json_of(inside.stress)}};
+}
+
 ordered_json json_of(const FrameAnswer& frame) {
   const analysis::Measurement& a = frame.measured.packing;
   ordered_json json = {{"frame", frame.number},
@@ -182,6 +195,8 @@ ordered_json json_of(const FrameAnswer& frame) {
          {"gradation", cli::json_of(a.sizes.gradation)},
          {"contact_means", frame.measured.contacts_known ? cli::json_of(a.sizes.contacts) : ordered_json()},
          {"counts", frame.measured.contacts_known ? json_of(a.counts) : unknown_counts(a.counts)}});
+  if (frame.window && a.interior)
+    json["window"] = window_json(*frame.window, *a.interior);
   if (a.fabric)
     json["fabric"] = json_of(*a.fabric);
   if (a.counts.grains > 0 && !a.forces)

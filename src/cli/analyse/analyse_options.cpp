@@ -108,6 +108,92 @@ PrintedStress parse_stress(const std::string& text) {
   return parse_list<6>("--stress", text, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
 }
 
+namespace {
+
+/// "a..b", either end may be left out.
+std::array<std::optional<double>, 2> parse_range(const std::string& name, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos)
+    throw InvalidArgument(fmt::format("{} takes ranges such as 1mm..3mm, not \"{}\"", name, text));
+  std::array<std::optional<double>, 2> out;
+  const std::string parts[2] = {text.substr(0, dots), text.substr(dots + 2)};
+  for (std::size_t k = 0; k < 2; ++k)
+    if (!parts[k].empty())
+      out[k] = parse_quantity(name, parts[k], Dimension::length);
+  return out;
+}
+
+[[noreturn]] void refuse_material(const std::string& text) {
+  throw InvalidArgument(
+      fmt::format("--material takes TYPE:shear-modulus=30GPa,poisson-ratio=0.15, not \"{}\"", text));
+}
+
+/// "shear-modulus=30GPa,poisson-ratio=0.15"
+contact::GrainMaterial parse_material(const std::string& list, const std::string& whole) {
+  std::optional<double> modulus, ratio;
+  for (const std::string& item : split(list, ',')) {
+    const std::size_t equals = item.find('=');
+    const std::string key = item.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : item.substr(equals + 1);
+    if (key == "shear-modulus" && !modulus)
+      modulus =
+          require_positive("--material shear-modulus",
+                           parse_quantity("--material shear-modulus", value, Dimension::pressure), "Pa");
+    else if (key == "poisson-ratio" && !ratio)
+      ratio = parse_quantity("--material poisson-ratio", value, Dimension::dimensionless);
+    else
+      refuse_material(whole);
+  }
+  if (!modulus || !ratio)
+    refuse_material(whole);
+  require_poisson_ratio("--material poisson-ratio", *ratio);
+  return {*modulus, *ratio};
+}
+
+} // namespace
+
+std::optional<studies::WindowChoice> parse_window(const std::string& window, const std::string& depth) {
+  if (window.empty() && depth.empty())
+    return std::nullopt;
+  studies::WindowChoice choice;
+  if (!window.empty()) {
+    const std::vector<std::string> axes = split(window, ',');
+    if (axes.size() != 3)
+      throw InvalidArgument(fmt::format(
+          "--window takes three ranges, x0..x1,y0..y1,z0..z1, .. for a whole axis, not \"{}\"", window));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto range = parse_range("--window", axes[k]);
+      choice.low[k] = range[0];
+      choice.high[k] = range[1];
+    }
+  }
+  if (!depth.empty()) {
+    const auto range = parse_range("--depth", depth);
+    if (!range[0] || !range[1])
+      throw InvalidArgument(fmt::format("--depth takes two depths, such as 1mm..3mm, not \"{}\"", depth));
+    if (choice.low[2] || choice.high[2])
+      throw InvalidArgument(
+          "--depth and --window both say z: leave one out, as in --window 0mm..4mm,0mm..4mm,..");
+    choice.depth = {require_non_negative("--depth", *range[0], "m"),
+                    require_positive("--depth", *range[1], "m")};
+  }
+  return choice;
+}
+
+studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) {
+  constexpr double largest = 1e9;
+  studies::MaterialsByType out;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    const auto type = parse_number(text.substr(0, colon));
+    if (colon == std::string::npos || !type || *type != std::floor(*type) || !(std::abs(*type) <= largest))
+      refuse_material(text);
+    if (!out.emplace(static_cast<long>(*type), parse_material(text.substr(colon + 1), text)).second)
+      throw InvalidArgument(fmt::format("--material is given twice for type {}", static_cast<long>(*type)));
+  }
+  return out;
+}
+
 MeasureOptions measure_options(const AnalyseOptions& o) {
   analysis::Given out{.law_family = law_family(o.packing),
                       .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
@@ -120,12 +206,23 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
   if (o.friction_angle.given())
     out.friction_coefficient = std::tan(o.friction_angle.value);
   if (!o.stiffness_from.empty())
-    out.stiffness_from =
-        o.stiffness_from == "force" ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap;
+    out.stiffness_from = o.stiffness_from == "force"     ? packing::StiffnessFrom::force
+                         : o.stiffness_from == "overlap" ? packing::StiffnessFrom::overlap
+                                                         : packing::StiffnessFrom::ratio;
+  out.law_assumed = !o.packing.contact_given();
   analysis::Wanted wanted = analysis::everything();
   if (o.no_network)
     wanted.network.reset();
-  return {std::move(out), wanted};
+  MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
+                         parse_window(o.window, o.depth)};
+  if (!options.materials.empty()) {
+    if (o.packing.grain_shear_modulus.given() || o.packing.grain_poisson_ratio.given())
+      throw InvalidArgument(
+          "--material says what --grain-shear-modulus and --grain-poisson-ratio say: leave these out");
+    if (o.packing.contact != contact::Shape::sphere)
+      throw InvalidArgument("--material goes with --contact sphere");
+  }
+  return options;
 }
 
 void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
@@ -148,16 +245,31 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
                   "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
       ->type_name("MAP");
   command
-      .add_option("--stress", o.stress,
-                  "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
-                  "each frame that is taken, or a CSV file with a row for each, columns xx_kPa and so on, "
-                  "and step if they are to be matched by it")
+      .add_option(
+          "--stress", o.stress,
+          "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
+          "each frame that is taken, or a CSV file with a row for each, columns xx_kPa or "
+          "sigma_xx_Pa and so on (states.csv of an exported deck), and step if they are to be matched by it")
       ->type_name("PRESSURES|FILE")
       ->allow_extra_args(false);
   command
       .add_option("--stiffness-from", o.stiffness_from,
-                  "What k_n of the network is taken from; by default the overlaps, unless rounded")
-      ->check(CLI::IsMember({"overlap", "force"}));
+                  "What k_n of the network is taken from; by default the overlaps, unless rounded; "
+                  "force-over-overlap: 1.5 f/d, Hertz without a material")
+      ->check(CLI::IsMember({"overlap", "force", "force-over-overlap"}));
+  command
+      .add_option("--material", o.materials,
+                  "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once "
+                  "for each")
+      ->type_name("TYPE:MATERIAL")
+      ->allow_extra_args(false);
+  command
+      .add_option("--window", o.window,
+                  "The part whose e, C_n, z*, fabric and stress the closed forms take: "
+                  "x0..x1,y0..y1,z0..z1, lengths, .. for a whole axis")
+      ->type_name("RANGES");
+  command.add_option("--depth", o.depth, "The same by depth below the highest grain: 2mm..6mm")
+      ->type_name("RANGE");
   command.add_option("--box", o.box, "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none")
       ->type_name("LENGTHS");
   command.add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")

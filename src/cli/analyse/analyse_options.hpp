@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "studies/analyse/materials.hpp"
 #include "studies/analyse/measured_frame.hpp"
+#include "studies/analyse/window.hpp"
 #include <granum/io/packing_format.hpp>
 
 #include "analyse.hpp"
@@ -26,6 +28,9 @@ struct AnalyseOptions {
   std::string frames = "all";
   std::vector<std::string> stress; ///< one a frame, or the name of a file of them
   std::string stiffness_from;
+  std::vector<std::string> materials; ///< one a type
+  std::string window;
+  std::string depth;
   bool no_network = false;
   bool json = false;
   bool strict = false;
@@ -60,10 +65,21 @@ struct FrameChoice {
 /// \throws   InvalidArgument
 [[nodiscard]] PrintedStress parse_stress(const std::string& text);
 
+/// "x0..x1,y0..y1,z0..z1", each end a length or nothing, and "d0..d1" below the top; nothing for no text.
+/// \throws   InvalidArgument
+[[nodiscard]] std::optional<studies::WindowChoice> parse_window(const std::string& window,
+                                                                const std::string& depth);
+
+/// "1:shear-modulus=30GPa,poisson-ratio=0.15", once for each type.
+/// \throws   InvalidArgument
+[[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
+
 /// What is given of the packings, and what is to be measured.
 struct MeasureOptions {
   analysis::Given given;
   analysis::Wanted wanted;
+  studies::MaterialsByType materials = {};
+  std::optional<studies::WindowChoice> window = {};
 };
 
 /// \throws   InvalidArgument for options that contradict one another

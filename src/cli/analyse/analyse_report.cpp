@@ -74,6 +74,24 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
   return text;
 }
 
+std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
+  std::string text = "\nwindow, whose state the closed forms take; the network is that of the whole\n";
+  for (int k = 0; k < 3; ++k)
+    text += item(std::string(1, "xyz"[k]), pretty(window.low[k], Dimension::length) + " to " +
+                                               pretty(window.high[k], Dimension::length));
+  text += item("grains", std::to_string(inside.grains), "with their centres inside");
+  text += item("void ratio e", fmt::format("{:.4f}", inside.void_ratio), "of whole and cut grains");
+  text +=
+      item("C_n", fmt::format("{:.4f}", inside.micro.coordination_number), "of these grains, without walls");
+  text += item("z*", fmt::format("{:.4f}", inside.micro.mechanical_coordination_number),
+               short_text(100 * inside.micro.rattler_fraction) + " % rattlers");
+  text += item("a", with_error(inside.micro.fabric_anisotropy, inside.micro.fabric_anisotropy_error));
+  const Mat3& s = inside.stress;
+  return text +
+         item("stress xx yy zz [kPa]", short_text(s(0, 0) / 1e3, 6) + " " + short_text(s(1, 1) / 1e3, 6) +
+                                           " " + short_text(s(2, 2) / 1e3, 6));
+}
+
 std::string verdict(double p_value, const char* yes, const char* no) {
   constexpr double doubt = 0.01;
   return fmt::format("{}, p = {}", p_value < doubt ? no : yes, short_text(p_value, 2));
@@ -210,6 +228,8 @@ std::string frame_text(const FrameAnswer& frame) {
   text += "\n" + reading_text(frame);
   if (a.counts.grains > 0)
     text += counts_text(frame.measured);
+  if (frame.window && a.interior)
+    text += window_text(*frame.window, *a.interior);
   if (a.fabric)
     text += fabric_text(*a.fabric);
   if (a.stress)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -47,7 +48,10 @@ void take_from_file(const std::string& path, std::vector<FrameAnswer>& frames) {
   for (FrameAnswer& frame : frames)
     frame.code_stress.emplace();
   for (std::size_t k = 0; k < std::size(stress_names); ++k) {
-    const std::vector<double> column = table.numbers(stress_names[k], Dimension::pressure);
+    const std::string sigma =
+        std::string("sigma_") + stress_names[k]; // as the decks of granum export have it
+    const std::vector<double> column =
+        table.numbers(table.has(sigma) ? sigma : stress_names[k], Dimension::pressure);
     for (std::size_t f = 0; f < frames.size(); ++f)
       (*frames[f].code_stress)[k] = column[rows[f]];
   }

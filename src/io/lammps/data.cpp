@@ -119,7 +119,7 @@ class DataFile {
       for (std::size_t k = 4; k < 7; ++k)
         digits_.see(row_[k]);
       grains.push_back({row_.integer(0, "id"), row_.vector(4, "coordinate"), row_.number(2, "diameter") / 2,
-                        source_.line_number()});
+                        source_.line_number(), row_.integer(1, "type")});
     }
     if (grains.size() != *count_)
       source_.fail("expected " + std::to_string(*count_) + " atoms, found " + std::to_string(grains.size()));

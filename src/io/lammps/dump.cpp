@@ -19,6 +19,7 @@ struct GrainLayout {
   std::size_t id = 0, radius = 0;
   double radius_factor = 1; ///< 1/2 for a diameter
   ColumnTriple position{};
+  std::optional<std::size_t> type;
   bool scaled = false; ///< positions are fractions of the box
 };
 
@@ -36,6 +37,7 @@ GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMa
   if (!id)
     source.fail("expected a column 'id'");
   layout.id = *id;
+  layout.type = find_column(columns, "type");
   const auto radius = find("radius"), diameter = find("diameter");
   if (!radius && !diameter)
     source.fail("expected a column 'radius' or 'diameter'");
@@ -84,6 +86,8 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
       atoms.digits.see(row[k]);
     atoms.grains.push_back({row.integer(layout.id, "id"), vector(row, layout.position, "coordinate"),
                             layout.radius_factor * row.number(layout.radius, "radius"), line});
+    if (layout.type)
+      atoms.grains.back().type = row.integer(*layout.type, "type");
     if (!walls.empty())
       read_walls(row, atoms.grains.back().id, line, walls, atoms.walls);
   };

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include <granum/core/number.hpp>
+#include <granum/elastic/eigen_system.hpp>
 
 #include "mistakes.hpp"
 
@@ -123,7 +125,29 @@ void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out)
                   " of the mean contact force");
 }
 
-void judge_law(const analysis::LawCheck& check, bool few_digits, std::vector<std::string>& out) {
+/// What an exponent of the forces says where they fit no law.
+std::string cause_of_misfit(const analysis::LawCheck& check, bool several_types) {
+  constexpr double near = 0.03;
+  const auto is = [&](double exponent) {
+    return check.force_exponent && std::abs(check.force_exponent->value - exponent) < near;
+  };
+  const std::string found =
+      check.force_exponent ? "they go as d^" + short_text(check.force_exponent->value, 4) : "";
+  if (is(1))
+    return found +
+           ": springs of several stiffnesses, or viscous parts; --contact flat has one spring for all";
+  if (several_types)
+    return "the grains have several types: give --material for each; or viscous parts";
+  if (is(1.5))
+    return found +
+           " as Hertz', with factors that differ: several materials, one --material a type, or viscous parts";
+  if (is(2))
+    return found + ": cones, --contact cone, or viscous parts";
+  return "viscous parts, another law, or a history";
+}
+
+void judge_law(const analysis::LawCheck& check, bool few_digits, bool several_types,
+               std::vector<std::string>& out) {
   constexpr double scatter = 1e-2;
   if (check.contacts == 0)
     return;
@@ -134,10 +158,48 @@ void judge_law(const analysis::LawCheck& check, bool few_digits, std::vector<std
   if (check.misfit_90 > scatter)
     out.push_back(
         "forces are no function of the overlap as the law has it: 10 % of the contacts are off by " +
-        percent(check.misfit_90) + " or more (viscous parts, another law, or a history)");
+        percent(check.misfit_90) + " or more (" + cause_of_misfit(check, several_types) + ")");
   else if (std::abs(check.coefficient_ratio - 1) > scatter)
     out.push_back("forces are " + short_text(check.coefficient_ratio) +
                   " times those of the given law: the grains are of another material");
+}
+
+/// The largest parts of a strain, "11" or "11 and -33".
+std::string strain_text(const Eigen::Matrix<double, 6, 1>& strain) {
+  const char* const names[] = {"11", "22", "33", "23", "13", "12"};
+  constexpr double counts = 0.4;
+  const double largest = strain.cwiseAbs().maxCoeff();
+  Eigen::Index first = 0;
+  strain.cwiseAbs().maxCoeff(&first);
+  std::string text;
+  for (int k = 0; k < 6; ++k)
+    if (std::abs(strain[k]) > counts * largest)
+      text +=
+          (text.empty() ? "" : " and ") + std::string(strain[k] * strain[first] < 0 ? "-" : "") + names[k];
+  return text;
+}
+
+/// Strains that the network lets happen at no cost.
+void judge_free_strains(const analysis::Network& network, std::vector<std::string>& out) {
+  constexpr double nothing = 1e-9;
+  const double scale = network.affine.stiffness.matrix.norm();
+  if (!network.response.converged() || !(scale > 0))
+    return;
+  const elastic::EigenSystem modes = elastic::eigen_system(network.relaxed.stiffness.matrix);
+  std::string free;
+  int count = 0;
+  for (int k = 0; k < 6; ++k)
+    if (std::abs(modes.values[k]) < nothing * scale) {
+      free += (free.empty() ? "" : "; ") + strain_text(modes.vectors.col(k));
+      ++count;
+    }
+  if (count == 6)
+    out.emplace_back(
+        "the network has no stiffness: nothing holds the grains, whatever the strain (a pile, a gas, or "
+        "contacts that are missing); its moduli are zero but for rounding");
+  else if (count > 0)
+    out.push_back("the network does not resist " + std::to_string(count) + " of six strains (" + free +
+                  "): nothing holds the grains against them, and such moduli are zero but for rounding");
 }
 
 void judge_network(const network::Response::Report& report, std::vector<std::string>& out) {
@@ -173,9 +235,15 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.forces)
     judge_forces(*measured.forces, out);
   if (measured.law_check)
-    judge_law(*measured.law_check, few_digits, out);
-  if (measured.network)
+    judge_law(*measured.law_check, few_digits,
+              std::adjacent_find(packing.type.begin(), packing.type.end(), std::not_equal_to<>()) !=
+                      packing.type.end() &&
+                  !frame.materials_given,
+              out);
+  if (measured.network) {
     judge_network(measured.network->response.report(), out);
+    judge_free_strains(*measured.network, out);
+  }
 }
 
 } // namespace granum::studies

@@ -49,6 +49,7 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   measured.law_check = wanted.law_check && !by_overlaps; // forces by the law would agree with it
   MeasuredFrame out{.step = packing.step,
                     .time = packing.time,
+                    .materials_given = !given.materials.empty(),
                     .contacts_known = by_overlaps || !packing.has(Finding::contacts_unknown),
                     .packing = analysis::measure(packing.assembly, given, measured)};
   add_warnings(packing, out);

@@ -16,6 +16,7 @@ namespace granum::studies {
 struct MeasuredFrame {
   long step = 0;
   std::optional<double> time = {}; ///< [s]
+  bool materials_given = false;    ///< of each grain
   bool contacts_known = true;      ///< else C_n, z* and rattlers of `packing` mean nothing
   analysis::Measurement packing = {};
   std::vector<std::string> warnings = {}; ///< what ruins comparisons, a sentence each

@@ -54,7 +54,7 @@ void judge_void_ratio(const packing::Assembly& assembly, double e, std::vector<s
         "no packing of grains is so dense: are radii and box of one unit, and is the box the whole one?");
   else if (e > most)
     out.push_back(start + "most of the box is empty: does it reach beyond the grains (a free surface, "
-                          "walls), or are radii and box of different units?");
+                          "walls: give --window), or are radii and box of different units?");
 }
 
 void judge_open_contacts(const packing::Assembly& assembly, std::vector<std::string>& out) {

@@ -73,8 +73,11 @@ class OverlapSearch {
 
 /// Normal forces by the law for equal grains of the pair's 2 R_i R_j/(R_i + R_j).
 void set_forces(Assembly& assembly, const analysis::Given& given) {
-  const contact::GrainMaterial grain{*given.grain_shear_modulus, given.grain_poisson_ratio};
   for (Contact& c : assembly.contacts) {
+    const contact::GrainMaterial grain =
+        given.materials.empty()
+            ? contact::GrainMaterial{given.grain_shear_modulus.value(), given.grain_poisson_ratio}
+            : contact::pair_material(given.materials[c.i], given.materials[c.j]);
     c.normal_force = given.law_family(grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]))
                          .force(c.overlap);
   }
@@ -101,7 +104,7 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   packing.notes.push_back(
       {Finding::contacts_from_overlaps, std::to_string(packing.assembly.contacts.size()) +
                                             " pairs of spheres overlap: they are taken for the contacts"});
-  if (given.grain_shear_modulus) {
+  if (given.grain_shear_modulus || !given.materials.empty()) {
     set_forces(packing.assembly, given);
     packing.notes.push_back({Finding::tangential_unknown,
                              "no tangential forces: normal ones are those of the given "

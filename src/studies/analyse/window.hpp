@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/io/imported_packing.hpp>
+
+/// A part of a packing to look at, as a user says it.
+/// Checked by tests/studies/test_window.cpp
+namespace granum::studies {
+
+struct WindowChoice {
+  std::array<std::optional<double>, 3> low = {},
+                                       high = {}; ///< in the axes of the files; the whole if left out [m]
+  std::optional<std::pair<double, double>> depth = {}; ///< below the top, instead of z [m]
+};
+
+/// The window in the packing. The whole along a periodic axis is one edge of the cell, along others the
+/// extent of the grains; the top is that of the highest grain with a contact.
+/// \throws   InvalidArgument if it is not within the packing along an axis that is not periodic, or has no
+/// volume
+[[nodiscard]] analysis::Window window_in(const io::ImportedPacking& packing, const WindowChoice& choice);
+
+} // namespace granum::studies

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of LAMMPS with two materials, or with linear springs: the law is found again to the digits that it was written
+// with, and what is missing is named.
+#include "studies/analyse/materials.hpp"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/io/lammps/dump.hpp>
+#include <relative.hpp>
+
+#include "studies/analyse/measured_frame.hpp"
+#include "studies/analyse/overlaps.hpp"
+
+using namespace granum;
+using analysis::Given;
+using studies::MaterialsByType;
+
+namespace {
+
+const std::string folder = GRANUM_IO_DATA "/";
+const MaterialsByType both{{1, {30e9, 0.15}}, {2, {3e9, 0.3}}};
+
+io::ImportedPacking read(const std::string& contacts) {
+  io::LammpsDump dump(io::TextSource(folder + "lammps_types.atoms"), io::TextSource(folder + contacts));
+  return dump.next().value();
+}
+
+Given with_materials(const io::ImportedPacking& packing) {
+  Given given{.law_assumed = true};
+  given.materials = studies::materials_of(packing, both);
+  return given;
+}
+
+bool says(const std::vector<std::string>& texts, const std::string& words) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return text.find(words) != std::string::npos; });
+}
+
+} // namespace
+
+TEST_CASE("materials: types come out of the files, and each grain has one material") {
+  const io::ImportedPacking packing = read("lammps_types.contacts");
+  REQUIRE(packing.type.size() == 64);
+  const auto materials = studies::materials_of(packing, both);
+  CHECK(std::count(packing.type.begin(), packing.type.end(), 2) > 10);
+  for (std::size_t g = 0; g < 64; ++g)
+    CHECK(materials[g].shear_modulus == (packing.type[g] == 1 ? 30e9 : 3e9));
+  CHECK(studies::materials_of(packing, {}).empty());
+  CHECK_THROWS_WITH_AS(static_cast<void>(studies::materials_of(packing, {{1, {30e9, 0.15}}})),
+                       "grains have type 2, of which no --material says anything", InvalidArgument);
+  io::ImportedPacking untold = packing;
+  untold.type.clear();
+  CHECK_THROWS_AS(static_cast<void>(studies::materials_of(untold, both)), InvalidArgument);
+}
+
+TEST_CASE("materials: LAMMPS' forces between two materials are those of pair_material") {
+  const io::ImportedPacking packing = read("lammps_types.contacts");
+  const studies::MeasuredFrame frame = studies::measure_frame(packing, with_materials(packing));
+  REQUIRE(frame.packing.law_check);
+  CHECK(frame.packing.law_check->worst_misfit < 1e-11);
+  CHECK(frame.packing.law_check->coefficient_ratio == relative(1, 1e-11));
+  CHECK_FALSE(says(frame.warnings, "forces are no function"));
+  CHECK(says(frame.packing.notes, "several materials: closed forms take the mean"));
+  // grains alone have the same forces from their overlaps
+  io::ImportedPacking alone = packing;
+  alone.assembly.contacts.clear();
+  alone.notes = {{io::Finding::contacts_unknown, ""}};
+  const io::ImportedPacking again = studies::with_overlap_contacts(alone, with_materials(packing));
+  REQUIRE(again.assembly.contacts.size() == packing.assembly.contacts.size());
+  for (std::size_t k = 0; k < again.assembly.contacts.size(); ++k)
+    CHECK(again.assembly.contacts[k].normal_force ==
+          relative(packing.assembly.contacts[k].normal_force, 1e-10));
+}
+
+TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") {
+  const io::ImportedPacking packing = read("lammps_types.contacts");
+  const studies::MeasuredFrame untold = studies::measure_frame(packing, {.law_assumed = true});
+  CHECK(says(untold.warnings, "the grains have several types: give --material for each"));
+  CHECK_FALSE(untold.packing.network);
+  const studies::MeasuredFrame told = studies::measure_frame(packing, with_materials(packing));
+  Given ratio{.law_assumed = true};
+  ratio.stiffness_from = packing::StiffnessFrom::ratio;
+  const studies::MeasuredFrame by_ratio = studies::measure_frame(packing, ratio);
+  REQUIRE((told.packing.network && by_ratio.packing.network));
+  // k_n alike; k_t is 2(1-nu)/(2-nu) k_n of each pair, or of nu = 0.15: the bulk modulus of the affine network has no
+  // k_t in it
+  CHECK(by_ratio.packing.network->isotropic_affine().bulk_modulus() ==
+        relative(told.packing.network->isotropic_affine().bulk_modulus(), 1e-9));
+}
+
+TEST_CASE("materials: linear springs are taken as they are") {
+  const io::ImportedPacking packing = read("lammps_hooke.contacts");
+  const studies::MeasuredFrame frame = studies::measure_frame(packing, {.law_assumed = true});
+  CHECK(says(frame.packing.notes, "springs of k_n = 100000 N/m"));
+  REQUIRE(frame.packing.law);
+  CHECK(frame.packing.law->stiffness_at_force(0.1) == relative(1e5, 1e-9));
+  REQUIRE(frame.packing.network);
+  CHECK_FALSE(says(frame.warnings, "forces are no function"));
+  // where the user has said another law, it stays
+  const studies::MeasuredFrame said = studies::measure_frame(packing, Given{});
+  CHECK_FALSE(said.packing.law);
+  CHECK(says(said.warnings, "they go as d^1: springs"));
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A window of a packing: the whole of it is the whole packing, parts add up, and what it is asked for is checked.
+#include "studies/analyse/window.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+#include "read_specimen.hpp"
+#include "studies/analyse/measured_frame.hpp"
+#include "written_packing.hpp"
+
+using namespace granum;
+using namespace granum::samples;
+using analysis::InteriorMeasures;
+using studies::WindowChoice;
+
+namespace {
+
+analysis::Measurement seen_through(const io::ImportedPacking& packing, const WindowChoice& choice) {
+  analysis::Wanted wanted;
+  wanted.window = studies::window_in(packing, choice);
+  return studies::measure_frame(packing, {.grain_shear_modulus = 30e9}, wanted).packing;
+}
+
+/// Spheres of two sizes one above the other, between a floor and a free surface, in a cell periodic sideways.
+io::ImportedPacking column() {
+  io::ImportedPacking packing;
+  packing.periodic = {true, true, false};
+  packing.assembly = {.cell = Mat3::diagonal(1, 1, 4),
+                      .position = {{0.1, 0.5, 0.4}, {0.1, 0.5, 1.1}, {0.6, 0.5, 3.5}},
+                      .radius = {0.4, 0.3, 0.1},
+                      .contacts = {{.i = 0, .j = 1, .branch = {0, 0, 0.7}, .normal_force = 1}}};
+  return packing;
+}
+
+} // namespace
+
+TEST_CASE("window: the whole of a periodic packing is the packing, wherever the window begins") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  for (const double begin : {0.0, 0.3e-3, -7e-3}) {
+    WindowChoice choice;
+    choice.low = {begin, begin, begin};
+    const analysis::Measurement all = seen_through(packing, choice);
+    REQUIRE(all.interior);
+    CHECK(all.interior->grains == packing.assembly.grain_count());
+    CHECK(all.interior->void_ratio == relative(all.void_ratio, 1e-9));
+    CHECK(all.interior->micro.coordination_number == all.counts.coordination_number);
+    CHECK(all.interior->micro.rattler_fraction == all.counts.mechanical.rattler_fraction);
+    for (int i = 0; i < 3; ++i)
+      CHECK(all.interior->stress(i, i) == relative(all.stress->tensor(i, i), 1e-9));
+    CHECK(all.state->stress_v == relative(all.stress->symmetric(2, 2), 1e-9));
+  }
+}
+
+TEST_CASE("window: solid volume and force times branch of two halves are those of the whole") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  const double edge = packing.assembly.cell(2, 2), cut = 0.4 * edge;
+  WindowChoice lower, upper;
+  lower.low[2] = 0;
+  lower.high[2] = cut;
+  upper.low[2] = cut;
+  upper.high[2] = edge;
+  const analysis::Measurement low = seen_through(packing, lower), high = seen_through(packing, upper);
+  const auto solid = [&](const InteriorMeasures& part, double share) {
+    return share * packing.assembly.volume() / (1 + part.void_ratio);
+  };
+  CHECK(solid(*low.interior, 0.4) + solid(*high.interior, 0.6) ==
+        relative(packing.assembly.volume() / (1 + low.void_ratio), 1e-9));
+  CHECK(0.4 * low.interior->stress(2, 2) + 0.6 * high.interior->stress(2, 2) ==
+        relative(low.stress->tensor(2, 2), 1e-9));
+  // the closed forms take the state of the window
+  CHECK(low.state->void_ratio == low.interior->void_ratio);
+  CHECK(low.state->stress_v == low.interior->stress(2, 2));
+}
+
+TEST_CASE(
+    "window: the extent of the grains where faces are walls, an edge of the cell where they are periodic") {
+  const analysis::Window whole = studies::window_in(column(), {});
+  CHECK(std::abs(whole.low.z) < 1e-15);
+  CHECK(whole.high.z == relative(3.6, 1e-15));
+  CHECK(whole.high.x - whole.low.x == relative(1, 1e-15));
+}
+
+TEST_CASE("window: depth counts from the highest grain with a contact") {
+  WindowChoice choice;
+  choice.depth = {0.2, 0.9};
+  const analysis::Window window = studies::window_in(column(), choice);
+  CHECK(window.high.z == relative(1.2, 1e-15));
+  CHECK(window.low.z == relative(0.5, 1e-15));
+  io::ImportedPacking gas = column();
+  gas.assembly.contacts.clear();
+  CHECK_THROWS_WITH_AS(static_cast<void>(studies::window_in(gas, choice)),
+                       doctest::Contains("--depth needs contacts"), InvalidArgument);
+}
+
+TEST_CASE("window: what lies beyond the grains, or has no width, is refused") {
+  const auto refused = [](double low, double high, std::size_t axis, const char* words) {
+    WindowChoice choice;
+    choice.low[axis] = low;
+    choice.high[axis] = high;
+    CHECK_THROWS_WITH_AS(static_cast<void>(seen_through(column(), choice)), doctest::Contains(words),
+                         InvalidArgument);
+  };
+  refused(1, 5, 2, "reaches beyond the grains along z");
+  refused(-1, 1, 2, "reaches beyond the grains along z");
+  refused(2, 1, 0, "no width along x");
+  refused(0, 1.5, 0, "width of the window along x");
+  refused(3, 3.5, 2, "holds no grain that bears load");
+}
