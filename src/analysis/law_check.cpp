@@ -164,11 +164,13 @@ LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
 
 std::optional<double> linear_spring(const packing::Assembly& assembly) {
   constexpr std::size_t fewest = 10;
-  constexpr double same = 1e-3;
-  std::vector<double> springs;
-  for (const packing::Contact& c : compared(assembly))
+  constexpr double same = 1e-3, apart = 1.05;
+  std::vector<double> springs, overlaps;
+  for (const packing::Contact& c : compared(assembly)) {
     springs.push_back(c.normal_force / c.overlap);
-  if (springs.size() < fewest)
+    overlaps.push_back(c.overlap);
+  }
+  if (springs.size() < fewest || quantile(overlaps, 0.9) < apart * quantile(overlaps, 0.1))
     return std::nullopt;
   const double middle = quantile(springs, 0.5);
   for (double& spring : springs)

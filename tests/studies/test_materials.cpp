@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of LAMMPS with two materials, or with linear springs: the law is found again to the digits that it was written
-// with, and what is missing is named.
+// Files of LAMMPS with two materials, or with linear springs: the law is found again to the digits that it
+// was written with, and what is missing is named.
 #include "studies/analyse/materials.hpp"
 
 #include <algorithm>
@@ -84,8 +84,8 @@ TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") 
   ratio.stiffness_from = packing::StiffnessFrom::ratio;
   const studies::MeasuredFrame by_ratio = studies::measure_frame(packing, ratio);
   REQUIRE((told.packing.network && by_ratio.packing.network));
-  // k_n alike; k_t is 2(1-nu)/(2-nu) k_n of each pair, or of nu = 0.15: the bulk modulus of the affine network has no
-  // k_t in it
+  // k_n alike; k_t is 2(1-nu)/(2-nu) k_n of each pair, or of nu = 0.15: the bulk modulus of the affine
+  // network has no k_t in it
   CHECK(by_ratio.packing.network->isotropic_affine().bulk_modulus() ==
         relative(told.packing.network->isotropic_affine().bulk_modulus(), 1e-9));
 }
@@ -102,4 +102,14 @@ TEST_CASE("materials: linear springs are taken as they are") {
   const studies::MeasuredFrame said = studies::measure_frame(packing, Given{});
   CHECK_FALSE(said.packing.law);
   CHECK(says(said.warnings, "they go as d^1: springs"));
+}
+
+TEST_CASE("materials: overlaps that are all alike show no springs") {
+  io::ImportedPacking packing = read("lammps_hooke.contacts");
+  REQUIRE(analysis::linear_spring(packing.assembly));
+  for (packing::Contact& c : packing.assembly.contacts) {
+    c.overlap = 1e-6;
+    c.normal_force = 0.1;
+  }
+  CHECK_FALSE(analysis::linear_spring(packing.assembly));
 }

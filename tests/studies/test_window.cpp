@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A window of a packing: the whole of it is the whole packing, parts add up, and what it is asked for is checked.
+// A window of a packing: the whole of it is the whole packing, parts add up, and what it is asked for is
+// checked.
 #include "studies/analyse/window.hpp"
 
 #include <cmath>
