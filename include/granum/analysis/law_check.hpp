@@ -51,8 +51,8 @@ struct LawCheck {
                                  std::span<const contact::GrainMaterial> materials);
 
 /// The spring that all contacts have in common, where forces are linear in the overlaps.
-/// \return   k_n, the median of f_n/d [N/m]; nothing unless nine of ten contacts are within 1e-3 of it, and for
-///           overlaps that hardly differ, of which every law is linear
+/// \return   k_n, the median of f_n/d [N/m]; nothing unless nine of ten contacts are within 1e-3 of it, and
+///           for overlaps that hardly differ, of which every law is linear
 /// Checked by tests/studies/test_materials.cpp
 [[nodiscard]] std::optional<double> linear_spring(const packing::Assembly& assembly);
 
