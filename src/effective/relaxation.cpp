@@ -65,10 +65,13 @@ RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][
           .by_exponent = slopes[size + 2]};
 }
 
-/// The same with the scatter of specimens, which acts on a variable of the slope `leverage`.
-RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& scatter, double leverage) {
+/// The same with the scatter of recipes, and of the packings of a recipe, which act on a variable of the
+/// slope `leverage`.
+RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& recipes,
+                            const kernel::Scatter& packings, double leverage) {
   if (factor.value > 0)
-    factor.error = std::hypot(factor.error, scatter.base, scatter.gain * leverage / factor.value);
+    for (const kernel::Scatter& scatter : {recipes, packings})
+      factor.error = std::hypot(factor.error, scatter.base, scatter.gain * leverage / factor.value);
   return factor;
 }
 
@@ -77,7 +80,7 @@ RelaxingFactor shear_factor(double z, double r, double b) {
   const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
                                              variables(kernel::shear_coefficients));
   const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
-  return with_scatter(factor, kernel::shear_scatter, factor.by_coordination);
+  return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
 }
 
 RelaxingFactor bulk_factor(double z, double r, double b) {
@@ -85,7 +88,7 @@ RelaxingFactor bulk_factor(double z, double r, double b) {
   const Dual<n> h = kernel::bulk_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
                                             variables(kernel::bulk_coefficients));
   const RelaxingFactor factor = with_slopes<n>(h, kernel::bulk_covariance);
-  return with_scatter(factor, kernel::bulk_scatter, r * factor.by_ratio);
+  return with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
 }
 
 double isostatic(double r) {

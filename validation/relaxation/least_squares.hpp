@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Non-linear least squares with exact derivatives, and a covariance that knows that the rows of one specimen
+// Non-linear least squares with exact derivatives, and a covariance that knows that the rows of one group
 // err together.
 #pragma once
 
@@ -30,7 +30,7 @@ struct Observation {
   std::function<Dual<n>(const Numbers<Dual<n>, n>&)> model;
   double target = 0;
   double weight = 1;
-  std::string specimen;
+  std::string group; ///< whose rows err together
 };
 
 template <int n>
@@ -77,8 +77,8 @@ int fill_slopes(const gsl_vector* x, void* data, gsl_matrix* slopes) {
   return fill<n>(x, data, nullptr, slopes);
 }
 
-/// (J'J)^-1 (sum over specimens of g g') (J'J)^-1 with g the specimen's share of J'f: right also when the
-/// rows of a specimen are correlated.                                                       [LiangZeger1986]
+/// (J'J)^-1 (sum over groups of g g') (J'J)^-1 with g the group's share of J'f: right also when the
+/// rows of a group are correlated.                                                       [LiangZeger1986]
 template <int n>
 Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, const Numbers<double, n>& c) {
   Eigen::Matrix<double, n, n> normal = Eigen::Matrix<double, n, n>::Zero();
@@ -86,7 +86,7 @@ Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, co
   for (const Observation<n>& o : rows) {
     const Dual<n> f = residual<n>(o, c);
     normal += f.derivatives() * f.derivatives().transpose();
-    auto [share, fresh] = shares.try_emplace(o.specimen, Eigen::Matrix<double, n, 1>::Zero());
+    auto [share, fresh] = shares.try_emplace(o.group, Eigen::Matrix<double, n, 1>::Zero());
     share->second += f.value() * f.derivatives();
   }
   Eigen::Matrix<double, n, n> scatter = Eigen::Matrix<double, n, n>::Zero();

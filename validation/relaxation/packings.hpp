@@ -29,6 +29,7 @@ struct Network {
 struct Packing {
   std::string contact;
   std::string preparation;
+  std::string recipe;   ///< both, however the packing was sheared; its packings differ less than recipes do
   std::string specimen; ///< rows of one specimen are not independent of one another
   int seed = 0;
   double pressure = 0; ///< nominal [Pa]
@@ -59,6 +60,9 @@ inline double bulk_factor(const Packing& p, const Network& n) {
   return p.force_moment * n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
 }
 
+/// A shape that the fits leave out altogether, to see how they do between the others.
+inline constexpr const char* unfitted_contact = "alpha4";
+
 namespace detail {
 
 inline std::vector<std::string> split(const std::string& line) {
@@ -83,6 +87,8 @@ inline granum::contact::PowerLaw law(const std::string& contact) {
     return PowerLaw::flat(grain, 5.7e-6);
   if (contact == "alpha1.5")
     return PowerLaw::general(grain, 1.5, 180);
+  if (contact == unfitted_contact)
+    return PowerLaw::general(grain, 4, 2e12);
   throw std::runtime_error("unknown contact " + contact);
 }
 
@@ -96,6 +102,14 @@ inline TransverselyIsotropic stiffness(const std::map<std::string, double>& row,
 }
 
 } // namespace detail
+
+/// A preparation without the path on which its specimens were sheared.
+inline std::string unsheared(const std::string& preparation) {
+  for (const char* path : {" txc", " txe"})
+    if (preparation.ends_with(path))
+      return preparation.substr(0, preparation.size() - 4);
+  return preparation;
+}
 
 inline std::vector<Packing> read_packings(const std::string& path) {
   static const std::map<std::string, double> ratios{
@@ -116,7 +130,8 @@ inline std::vector<Packing> read_packings(const std::string& path) {
       row[headings[k]] = fields[k].empty() ? State::unset : std::stod(fields[k]);
     Packing p{.contact = fields[0],
               .preparation = fields[1],
-              .specimen = fields[0] + fields[1].substr(0, fields[1].find(' ')) + fields[2],
+              .recipe = fields[0] + " " + unsheared(fields[1]),
+              .specimen = fields[0] + " " + unsheared(fields[1]) + " " + fields[2],
               .seed = static_cast<int>(row.at("seed")),
               .pressure = row.at("p_Pa"),
               .stress_ratio = row.at("stress_ratio"),
@@ -139,6 +154,18 @@ inline std::vector<Packing> read_packings(const std::string& path) {
     packings.push_back(std::move(p));
   }
   return packings;
+}
+
+struct PackingsByUse {
+  std::vector<Packing> fitted;
+  std::vector<Packing> unfitted; ///< of the shape that is left out
+};
+
+inline PackingsByUse split_by_use(const std::vector<Packing>& packings) {
+  PackingsByUse split;
+  for (const Packing& p : packings)
+    (p.contact == unfitted_contact ? split.unfitted : split.fitted).push_back(p);
+  return split;
 }
 
 } // namespace relaxation

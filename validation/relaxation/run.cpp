@@ -50,6 +50,7 @@ struct Shape {
   const char* name;
   contact::PowerLaw law;
   double pressure_limit; // [Pa]; beyond, the contact discs are no longer small
+  bool fitted = true;    // else made by some preparations alone, to be compared with what the fit says
 };
 
 const std::vector<Shape>& shapes() {
@@ -58,6 +59,7 @@ const std::vector<Shape>& shapes() {
       {"sphere", contact::PowerLaw::sphere(grain, radius), 100 * MPa},
       {"flat", contact::PowerLaw::flat(grain, 5.7e-6), 30 * MPa},
       {"alpha1.5", contact::PowerLaw::general(grain, 1.5, 180), 100 * MPa},
+      {"alpha4", contact::PowerLaw::general(grain, 4, 2e12), 30 * MPa, false},
   };
   return all;
 }
@@ -68,17 +70,40 @@ struct Stage {
   double stress_ratio = 0; // (stress_v - stress_h)/p
 };
 
+/// How a jammed specimen is opened before friction is switched on.
+struct Opening {
+  double strain = 0.003;   // linear, each time
+  double agitation = 0.03; // of the grains after it, over the radius
+  int times = 1;
+};
+constexpr Opening slight{.strain = 0.01, .agitation = 0.1};
+constexpr Opening stirred{.strain = 0.02, .agitation = 0.3};
+constexpr Opening to_a_gas{.strain = 0.09, .agitation = 0.5, .times = 4}; // of a solid fraction of 0.23
+
 /// One way to make a specimen, and its stress path.
 struct Preparation {
   const char* name;
-  triaxial::Density density;
+  triaxial::Density density = triaxial::Density::loose;
   double friction_coefficient; // of the compression
-  double unjamming_strain;
-  double agitation;
   std::vector<Stage> path;
+  Opening opening = {};
   std::size_t grains = 4000;
   std::size_t max_steps = 40000; // of a stage
+  double approach = 1;           // how many times faster than usual the first stage may be compressed
+  bool unfitted_shapes = false;  // makes packings of the shapes that no fit sees as well
 };
+
+Preparation gas(const char* name, double friction_coefficient, const std::vector<Stage>& path,
+                bool unfitted_shapes = false) {
+  return {.name = name,
+          .friction_coefficient = friction_coefficient,
+          .path = path,
+          .opening = to_a_gas,
+          .grains = 2000,
+          .max_steps = 200000,
+          .approach = 20,
+          .unfitted_shapes = unfitted_shapes};
+}
 
 const std::vector<Preparation>& preparations() {
   using enum triaxial::Density;
@@ -92,18 +117,33 @@ const std::vector<Preparation>& preparations() {
                                        {100 * kPa, 0.6}, {100 * kPa, 0.7}, {100 * kPa, 0.8}};
   const std::vector<Stage> extension{{100 * kPa}, {100 * kPa, -0.25}, {100 * kPa, -0.5}, {100 * kPa, -0.6}};
   static const std::vector<Preparation> all{
-      {"dense", dense, mu, 0.003, 0.03, wide},
-      {"loose", loose, mu, 0.003, 0.03, low},
-      {"mu0.1", loose, 0.1, 0.003, 0.03, decades},
-      {"mu0.2", loose, 0.2, 0.003, 0.03, decades},
-      {"dense txc", dense, mu, 0.003, 0.03, compression},
-      {"loose txc", loose, mu, 0.003, 0.03, compression},
-      {"mu0.03", loose, 0.03, 0.003, 0.03, decades},
-      {"mu1", loose, 1.0, 0.01, 0.1, low, 1000, 200000},
-      {"dense txe", dense, mu, 0.003, 0.03, extension},
-      {"cycle", loose, mu, 0.003, 0.03, cycle},
-      {"mu0.2 txc", loose, 0.2, 0.003, 0.03, compression},
-      {"agitated", loose, mu, 0.02, 0.3, low, 1000, 200000},
+      {.name = "dense", .density = dense, .friction_coefficient = mu, .path = wide, .unfitted_shapes = true},
+      {.name = "loose", .friction_coefficient = mu, .path = low, .unfitted_shapes = true},
+      {.name = "mu0.1", .friction_coefficient = 0.1, .path = decades},
+      {.name = "mu0.2", .friction_coefficient = 0.2, .path = decades},
+      {.name = "dense txc", .density = dense, .friction_coefficient = mu, .path = compression},
+      {.name = "loose txc", .friction_coefficient = mu, .path = compression},
+      {.name = "mu0.03", .friction_coefficient = 0.03, .path = decades},
+      {.name = "mu1",
+       .friction_coefficient = 1,
+       .path = low,
+       .opening = slight,
+       .grains = 1000,
+       .max_steps = 200000},
+      {.name = "dense txe", .density = dense, .friction_coefficient = mu, .path = extension},
+      {.name = "cycle", .friction_coefficient = mu, .path = cycle},
+      {.name = "mu0.2 txc", .friction_coefficient = 0.2, .path = compression},
+      {.name = "agitated",
+       .friction_coefficient = mu,
+       .path = low,
+       .opening = stirred,
+       .grains = 1000,
+       .max_steps = 200000},
+      gas("gas mu0.02", 0.02, decades),
+      gas("gas mu0.1", 0.1, decades),
+      gas("gas mu0.3", 0.3, decades, true),
+      gas("gas", mu, decades),
+      gas("gas mu1", 1, decades),
   };
   return all;
 }
@@ -116,8 +156,8 @@ triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparati
           .grains = preparation.grains,
           .seed = seed,
           .first_pressure = preparation.path.front().pressure,
-          .unjamming_strain = preparation.unjamming_strain,
-          .agitation = preparation.agitation};
+          .unjamming_strain = preparation.opening.strain,
+          .agitation = preparation.opening.agitation};
 }
 
 /// A row in the making: headings and cells side by side.
@@ -326,13 +366,20 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
   at_10_kPa.first_pressure = 10 * kPa;
   dem::Specimen state =
       triaxial::start_of_compression(packings.get(shape, at_10_kPa), preparation.density, specimen);
+  for (int opening = 1; opening < preparation.opening.times; ++opening) {
+    triaxial::SpecimenRecipe again = specimen;
+    again.seed += 1000 * static_cast<std::uint64_t>(opening);
+    state = triaxial::unjam(std::move(state), again);
+  }
   // The loosest specimens creep for long. A stage that runs out of steps is frozen as it stands: its stress
   // is measured on the contacts.
-  dem::QuasistaticOptions options = triaxial::compression_options();
+  const dem::QuasistaticOptions usual = triaxial::compression_options();
+  dem::QuasistaticOptions options = usual;
   options.max_steps = preparation.max_steps;
   for (std::size_t k = 0; k < last_missing; ++k) {
     const auto [p, eta] = preparation.path[k];
     const double stress_h = p * (1 - eta / 3), stress_v = p * (1 + 2 * eta / 3);
+    options.inertial_number = (k == 0 ? preparation.approach : 1) * usual.inertial_number;
     dem::Engine engine(std::move(state), specimen.material);
     const dem::QuasistaticReport report = dem::equilibrate(engine, {stress_h, stress_h, stress_v}, options);
     if (report.outcome == dem::Outcome::unstable)
@@ -342,6 +389,11 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
     if (record.has(keys[k]))
       continue;
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
+    if (!frozen.at_rest()) {
+      std::fprintf(stderr, "%s: not at rest, unbalanced force ratio %.2g\n",
+                   Record::key_of(keys[k].cells).c_str(), frozen.report.unbalanced_force_ratio);
+      continue;
+    }
     Row row = keys[k];
     describe(row, frozen.state(), specimen.material);
     record.append(row);
@@ -352,10 +404,11 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::fprintf(stderr, "usage: %s states.csv [threads]\n", argv[0]);
+  if (argc < 2 || argc > 4) {
+    std::fprintf(stderr, "usage: %s states.csv [threads [first letters of the preparations]]\n", argv[0]);
     return 2;
   }
+  const std::string chosen = argc > 3 ? argv[3] : "";
   const std::size_t threads = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
   constexpr std::uint64_t seeds_per_shape = 3;
   struct Task {
@@ -367,8 +420,10 @@ int main(int argc, char** argv) {
   std::vector<Task> tasks;
   for (std::uint64_t round = 0; round < seeds_per_shape; ++round)
     for (const Preparation& preparation : preparations())
-      for (std::size_t k = 0; k < shapes().size(); ++k)
-        tasks.push_back({&shapes()[k], &preparation, 100 * (k + 1) + round});
+      if (std::string(preparation.name).starts_with(chosen))
+        for (std::size_t k = 0; k < shapes().size(); ++k)
+          if (shapes()[k].fitted || preparation.unfitted_shapes)
+            tasks.push_back({&shapes()[k], &preparation, 100 * (k + 1) + round});
   Record record(argv[1]);
   Packings packings;
   std::atomic<std::size_t> next = 0;

@@ -10,7 +10,7 @@
 /// the fit and the errors.
 namespace granum::effective {
 
-/// A factor and its standard error from the covariance of the coefficients and the scatter of specimens.
+/// A factor and its standard error: covariance of the coefficients, scatter of recipes and of specimens.
 struct RelaxationFactor {
   double value = 0;          ///< modulus over that of uniform strain with k_n at the mean force [1]
   double relative_error = 0; ///< standard error over value [1]; 0 where value is 0
@@ -24,7 +24,7 @@ struct Relaxation {
 
 /// z* = C_n/(1 - x_0), coordination number without the rattlers.                          [AgnolinRoux2007a]
 /// Assumes   rattlers carry no contacts. Those that do, grains with one contact, make the true z* smaller by
-///           2 N_x/(N (1 - x_0)), N_x their contacts: less than 1 % for specimens at rest.
+///           2 N_x/(N (1 - x_0)), N_x their contacts: less than 2 % for specimens at rest.
 /// \param    coordination_number   C_n >= 0 over all grains [1]
 /// \param    rattler_fraction      x_0 in [0, 1) [1]
 /// \throws   InvalidArgument if a value is out of its range
@@ -42,8 +42,11 @@ struct Relaxation {
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
-/// Accuracy  of packings left out of the fit, r >= 0.5: G 3 % rms and 9 % at worst; K 2 % rms, worse for
-///           z* < 4.3. At r = 0.1: G 3 %, K 6 %; at r = 0: 7 % and 8 %. Rounding: relative 1e-13.
+/// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 13 % at worst; K 2 % rms, worse for
+///           z* < 4.3. The stated errors hold the scatter of recipes and of specimens: for z* >= 4.3 they
+///           cover 64 % of G and 76 % of K, twice as large 95 and 99 %. Grains compressed from a gas with
+///           much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0: 8 %
+///           both. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent);

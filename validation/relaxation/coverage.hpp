@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do the stated errors hold where the fit has seen nothing of a recipe?
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "factor_fits.hpp"
+#include "scatter.hpp"
+
+namespace relaxation {
+
+/// How many networks lie within one and within two of their stated standard errors.
+struct Coverage {
+  int count = 0, within_one = 0, within_two = 0;
+  double largest_stated = 0;
+
+  void add(const Coverage& more) {
+    count += more.count;
+    within_one += more.within_one;
+    within_two += more.within_two;
+    largest_stated = std::max(largest_stated, more.largest_stated);
+  }
+  void add(double error, double stated) {
+    ++count;
+    within_one += std::abs(error) < stated;
+    within_two += std::abs(error) < 2 * stated;
+    largest_stated = std::max(largest_stated, stated);
+  }
+  [[nodiscard]] double one() const { return static_cast<double>(within_one) / count; }
+  [[nodiscard]] double two() const { return static_cast<double>(within_two) / count; }
+};
+
+/// Standard error of ln of a model that a fit to other recipes states: of its coefficients, and the scatter.
+template <int n, class Model>
+double coefficient_error(const Fit<n>& fit, const Packing& p, const Network& network, const Model& model) {
+  Numbers<Dual<n>, n> c;
+  for (int k = 0; k < n; ++k)
+    c[static_cast<std::size_t>(k)] = Dual<n>(fit.coefficients[static_cast<std::size_t>(k)], n, k);
+  const Inputs<Dual<n>> in(p, network);
+  const Dual<n> h = model(in.z, in.r, in.b, c);
+  const auto& slopes = h.derivatives();
+  return std::sqrt(slopes.dot(fit.covariance * slopes)) / h.value();
+}
+
+struct CoverageOfBoth {
+  Coverage shear, bulk;
+};
+
+inline void print_coverage(const std::string& what, const CoverageOfBoth& c) {
+  std::printf("%-40s %5d |", what.c_str(), c.shear.count);
+  for (const auto& [name, coverage] : {std::pair{"G", &c.shear}, std::pair{"K", &c.bulk}})
+    std::printf(" %s within one %3.0f %% two %3.0f %% largest stated %4.1f %% %s", name,
+                100 * coverage->one(), 100 * coverage->two(), 100 * coverage->largest_stated,
+                coverage == &c.shear ? "|" : "\n");
+}
+
+/// Every preparation left out in turn: coefficients and scatter of all others, errors on its packings.
+inline CoverageOfBoth coverage_of_left_out(const std::vector<Packing>& packings) {
+  std::set<std::string> names;
+  for (const Packing& p : packings)
+    if (p.isotropic())
+      names.insert(unsheared(p.preparation));
+  CoverageOfBoth all;
+  for (const std::string& name : names) {
+    const Choice left = [&](const Packing& p) { return unsheared(p.preparation) == name; };
+    const Choice kept = [&](const Packing& p) { return !left(p); };
+    const ShearFit shear = fit_shear(packings, kept);
+    const BulkFit bulk = fit_bulk(packings, kept);
+    const ScatterParts shear_scatter = scatter_parts(residuals(packings, shear, shear_residual, kept));
+    const ScatterParts bulk_scatter = scatter_parts(residuals(packings, bulk, bulk_residual, kept));
+    CoverageOfBoth here;
+    for (const Packing& p : packings)
+      for (const Network& n : p.networks) {
+        if (!p.isotropic() || !left(p) || n.ratio < lowest_usual_ratio ||
+            p.mechanical_coordination < lowest_usual_coordination || p.relative_overlap > largest_overlap)
+          continue;
+        const Residual G = shear_residual(p, n, shear), K = bulk_residual(p, n, bulk);
+        here.shear.add(G.error,
+                       std::hypot(coefficient_error(shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
+                                  deviation(shear_scatter, G.sensitivity)));
+        here.bulk.add(K.error,
+                      std::hypot(coefficient_error(bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
+                                 deviation(bulk_scatter, K.sensitivity)));
+      }
+    print_coverage("  without " + name, here);
+    all.shear.add(here.shear);
+    all.bulk.add(here.bulk);
+  }
+  print_coverage("recipes left out, together", all);
+  return all;
+}
+
+} // namespace relaxation
