@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/hardin/measured_sands.hpp>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/hardin/void_ratio_function.hpp>
+
+namespace granum::hardin {
+
+namespace {
+
+constexpr double kPa = 1e3;
+constexpr double atmosphere = 100 * kPa; ///< p_a of these laws [Pa]
+
+/// coefficient (zero - e)^2/(1 + e) (p/kPa)^1/2, in kPa.
+double by_root(double coefficient, double void_ratio_factor, const SandState& s) {
+  return kPa * coefficient * void_ratio_factor * std::sqrt(s.mean_stress / kPa);
+}
+
+double hardin_richart_round(const SandState& s) {
+  return by_root(6908, void_ratio_value(VoidRatioFunction::hardin_richart_round, s.void_ratio), s);
+}
+
+double hardin_richart_angular(const SandState& s) {
+  return by_root(3230, void_ratio_value(VoidRatioFunction::hardin_richart_angular, s.void_ratio), s);
+}
+
+double kokusho(const SandState& s) {
+  return by_root(8400, void_ratio_value(VoidRatioFunction::hardin_richart_round, s.void_ratio), s);
+}
+
+double jamiolkowski(const SandState& s) {
+  return kPa * 600 * void_ratio_value(VoidRatioFunction::power_1_3, s.void_ratio) *
+         std::sqrt(s.mean_stress / kPa * (atmosphere / kPa));
+}
+
+double wichtmann_triantafyllidis(const SandState& s) {
+  const double A = 1563 + 3.13 * std::pow(s.uniformity, 2.98);
+  const double zero = 1.94 * std::exp(-0.066 * s.uniformity);
+  const double n = 0.40 * std::pow(s.uniformity, 0.18);
+  require_open("void_ratio", s.void_ratio, 0, zero);
+  return A * (zero - s.void_ratio) * (zero - s.void_ratio) / (1 + s.void_ratio) * atmosphere *
+         std::pow(s.mean_stress / atmosphere, n);
+}
+
+double oztoprak_bolton(const SandState& s) {
+  return 5760 * atmosphere * std::pow(1 + s.void_ratio, -3) * std::pow(s.mean_stress / atmosphere, 0.49);
+}
+
+const std::array<MeasuredLaw, 6> laws{{
+    {"hardin-richart-round",
+     "round-grained sands (Ottawa)",
+     "HardinRichart1963",
+     "6908 (2.17-e)^2/(1+e) p^0.5",
+     {0.35, 0.80, 20 * kPa, 500 * kPa},
+     hardin_richart_round},
+    {"hardin-richart-angular",
+     "angular-grained sands (crushed quartz)",
+     "HardinRichart1963",
+     "3230 (2.97-e)^2/(1+e) p^0.5",
+     {0.60, 1.30, 20 * kPa, 500 * kPa},
+     hardin_richart_angular},
+    {"kokusho",
+     "Toyoura sand",
+     "Kokusho1980",
+     "8400 (2.17-e)^2/(1+e) p^0.5",
+     {0.64, 0.90, 20 * kPa, 300 * kPa},
+     kokusho},
+    {"jamiolkowski",
+     "natural soils",
+     "Jamiolkowski1991",
+     "600 e^-1.3 (p p_a)^0.5",
+     {0.40, 1.50, 20 * kPa, 500 * kPa},
+     jamiolkowski},
+    {"wichtmann-triantafyllidis",
+     "quartz sand of 25 gradings",
+     "WichtmannTriantafyllidis2009",
+     "(1563 + 3.13 C_u^2.98) (a-e)^2/(1+e) p^n p_a^(1-n), a = 1.94 exp(-0.066 C_u), n = 0.40 C_u^0.18",
+     {0.40, 0.90, 50 * kPa, 400 * kPa, 8},
+     wichtmann_triantafyllidis},
+    {"oztoprak-bolton",
+     "sands of a database of 454 tests",
+     "OztoprakBolton2013",
+     "5760 p_a (1+e)^-3 (p/p_a)^0.49",
+     {0.30, 1.20, 10 * kPa, 1000 * kPa},
+     oztoprak_bolton},
+}};
+
+void note_outside(const char* what, double value, double low, double high, const char* unit,
+                  Validity& validity) {
+  if (value < low || value > high)
+    validity.add(std::string(what) + " of " + short_text(value) + unit + " is outside of the tests, " +
+                 short_text(low) + " to " + short_text(high) + unit);
+}
+
+} // namespace
+
+std::span<const MeasuredLaw> measured_laws() { return laws; }
+
+const MeasuredLaw& measured_law(std::string_view key) {
+  std::string known;
+  for (const MeasuredLaw& law : laws) {
+    if (key == law.key)
+      return law;
+    known += (known.empty() ? "" : ", ") + std::string(law.key);
+  }
+  throw InvalidArgument("law of measured sands '" + std::string(key) + "' is unknown; known are " + known);
+}
+
+SandModulus shear_modulus(const MeasuredLaw& law, const SandState& sand) {
+  require_positive("void_ratio", sand.void_ratio);
+  require_positive("mean_stress", sand.mean_stress, "Pa");
+  require_closed("uniformity", sand.uniformity, 1, 1e3);
+  SandModulus answer{.shear_modulus = law.modulus(sand), .validity = {}};
+  const TestedRange& tested = law.tested;
+  note_outside("void ratio", sand.void_ratio, tested.void_ratio_low, tested.void_ratio_high, "",
+               answer.validity);
+  note_outside("mean stress", sand.mean_stress / kPa, tested.stress_low / kPa, tested.stress_high / kPa,
+               " kPa", answer.validity);
+  if (tested.uniformity_high > 0)
+    note_outside("C_u", sand.uniformity, 1, tested.uniformity_high, "", answer.validity);
+  return answer;
+}
+
+} // namespace granum::hardin
