@@ -69,9 +69,8 @@ double median(std::vector<double> values) {
 class Sweep {
  public:
   explicit Sweep(const dem::Specimen& start)
-      : state_(dem::reordered(start, dem::near_order(start))),
-        list_(2 * state_.radius, 0.02 * state_.radius, dem::Images::periodic) {
-    list_.build(state_.cell, state_.position);
+      : state_(dem::reordered(start, dem::near_order(start))), list_(state_, 0.02) {
+    list_.build(state_);
     parts_ = dem::partition(list_.pairs(), state_.grain_count());
     grains_.resize(state_.grain_count());
     for (std::size_t g = 0; g < grains_.size(); ++g) {
@@ -89,6 +88,7 @@ class Sweep {
                                 .cell = state_.cell,
                                 .gradient = {},
                                 .diameter = 2 * state_.radius,
+                                .unit_radius = state_.radius,
                                 .elapsed = 1e-12, // forces stay where they are
                                 .tangential_ratio = material.tangential_ratio,
                                 .friction = material.friction_coefficient};

@@ -114,7 +114,8 @@ class Measuring {
     measure_load();
     find_law();
     if (wanted_.work && out_.law)
-      out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law);
+      out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law,
+                                                    out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
     make_state();
     if (wanted_.closed_forms && out_.state)
       out_.closed_forms = closed_forms({*out_.state, out_.microstructure().mechanical_coordination_number});

@@ -5,6 +5,12 @@
 
 namespace granum::contact {
 
+PowerLaw of_sizes(const PowerLaw& law, double i, double j) {
+  require_positive("size of a grain", i);
+  require_positive("size of a grain", j);
+  return law.alpha() == 2 ? law.times(std::sqrt(pair_radius(i, j))) : law;
+}
+
 GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j) {
   for (const GrainMaterial& grain : {i, j}) {
     require_positive("grain_shear_modulus", grain.shear_modulus, "Pa");

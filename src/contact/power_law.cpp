@@ -103,6 +103,10 @@ PowerLaw PowerLaw::of_grain(const GrainMaterial& grain) const {
   return {grain, alpha_, coefficient_ * stiffer};
 }
 
+PowerLaw PowerLaw::times(double factor) const {
+  return {grain_, alpha_, coefficient_ * require_positive("factor", factor)};
+}
+
 double PowerLaw::profile_constant() const {
   const double root = // (g/A)^(1/alpha)
       coefficient_ * force_exponent() * (1 - grain_.poisson_ratio) / (2 * grain_.shear_modulus);

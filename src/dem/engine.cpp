@@ -15,6 +15,7 @@
 #include <granum/core/error.hpp>
 
 #include "dem/sweep/frequency_bound.hpp"
+#include "dem/sweep/unequal_grains.hpp"
 #include "engine_data.hpp"
 
 namespace granum::dem {
@@ -23,6 +24,8 @@ namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 100;
+/// Skin of the list/R.
+constexpr double list_skin = 0.02;
 
 void add(WallForces& forces, const WallForces& other) {
   for (std::size_t w = 0; w < wall_count; ++w)
@@ -36,9 +39,10 @@ void add(WallForces& forces, const WallForces& other) {
 Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_t> given_order)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
       friction(std::min(m.friction_coefficient, 1e100)), order(std::move(given_order)),
-      cold(std::move(initial)), list(2 * cold.radius, 0.02 * cold.radius, images(cold)) {
+      cold(std::move(initial)), list(cold, list_skin) {
   require_valid(m);
   require_positive("radius", cold.radius, "m");
+  require_valid_sizes(cold);
   const std::size_t count = cold.grain_count();
   if (count == 0)
     throw InvalidArgument("engine: the state has no grains");
@@ -48,6 +52,7 @@ Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_
   }
   mass = m.density * 4.0 / 3.0 * std::numbers::pi * std::pow(cold.radius, 3);
   inertia = mass * cold.radius * cold.radius;
+  largest_size = dem::largest_size(cold);
   cold.velocity.resize(count);
   cold.angular_velocity.resize(count);
   for (const ContactHistory& contact : cold.history)
@@ -60,6 +65,10 @@ Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_
     order = near_order(cold);
   cold = reordered(cold, order);
   grains.resize(count);
+  grains.set_sizes(own_sizes(cold, m.density));
+  lightest = mass;
+  for (const OwnSize& own : grains.own)
+    lightest = std::min(lightest, own.mass);
   for (std::size_t g = 0; g < count; ++g) {
     grains.set_velocity(g, cold.velocity[g]);
     if (tangential)
@@ -121,7 +130,7 @@ void Engine::Data::rebuild() {
   }
   for (std::size_t g = 0; running && g < grains.size(); ++g)
     cold.position[g] = grains.centre(g);
-  list.build(cold.cell, cold.position);
+  list.build(cold);
   lay_out();
   for (std::size_t g = 0; g < grains.size(); ++g)
     grains.set_centre(g, cold.position[g]);
@@ -144,7 +153,7 @@ void Engine::Data::rebuild() {
     }
   }
   if (walls)
-    walls->list(cold.cell, grains, cold.radius + list.skin(), cold.walls->history);
+    walls->list(cold.cell, grains, cold.radius, list.skin(), cold.walls->history);
   travelled = 0;
   strained = 0;
 }
@@ -154,7 +163,8 @@ void Engine::Data::sweep(double elapsed) {
                          .grains = grains,
                          .cell = cold.cell,
                          .gradient = gradient,
-                         .diameter = 2 * cold.radius,
+                         .diameter = 2 * cold.radius * largest_size,
+                         .unit_radius = cold.radius,
                          .elapsed = elapsed,
                          .tangential_ratio = material.tangential_ratio,
                          .friction = friction};
@@ -232,7 +242,7 @@ void Engine::Data::choose_time_step() {
   } else if (dt == 0) {
     // Nothing touches yet: the stiffness that an overlap of 1e-4 R would have.
     const double k_n = material.law.stiffness_at_overlap(1e-4 * cold.radius);
-    dt = time_step_fraction * 2 / std::sqrt(20 * k_n / mass);
+    dt = time_step_fraction * 2 / std::sqrt(20 * k_n / lightest);
   }
 }
 
@@ -263,7 +273,10 @@ void Engine::Data::integrate() {
   const double drag = 0.5 * damping * dt;
   const double keep = (1 - drag) / (1 + drag);
   const double push = dt / (1 + drag);
-  kick({.keep = keep, .push = push / mass, .turn = push / inertia});
+  if (grains.own.empty())
+    kick({.keep = keep, .push = push / mass, .turn = push / inertia});
+  else
+    kick({.keep = keep, .push = push, .turn = push});
 }
 
 void Engine::Data::kick(const Kick& of_step) {
@@ -318,7 +331,8 @@ void Engine::step() {
 const StepFigures& Engine::figures() const { return data_->figures; }
 WallForces Engine::wall_forces() const { return data_->walls ? data_->walls->forces() : WallForces{}; }
 double Engine::unbalanced_force_ratio() const {
-  const double per_radius_squared = 1 / (data_->cold.radius * data_->cold.radius);
+  const bool equal = data_->grains.own.empty(); // else t/R stands in the rows
+  const double per_radius_squared = equal ? 1 / (data_->cold.radius * data_->cold.radius) : 1;
   double sum = 0;
   std::size_t touching = 0;
   for (std::size_t g = 0; g < data_->grains.size(); ++g) {

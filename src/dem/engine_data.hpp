@@ -55,8 +55,10 @@ struct Engine::Data {
   std::vector<std::uint32_t> order; ///< place of each grain of the outer state
   /// In the engine's order; cell and radius are current, the rest only between steps of rebuild.
   Specimen cold;
-  double mass = 0;
-  double inertia = 0;
+  double mass = 0;    ///< of each grain, where all are equal [kg]
+  double inertia = 0; ///< likewise [kg m^2]
+  double largest_size = 1;
+  double lightest = 0; ///< mass [kg]
   VerletList list;
   std::optional<WallContacts> walls;
   Partition parts; ///< of the grains and the list

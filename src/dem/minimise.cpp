@@ -16,6 +16,7 @@
 #include "dem/sweep/contact_sweep.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/unequal_grains.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "dem/sweep/wall_contacts.hpp"
 
@@ -59,11 +60,11 @@ class Minimiser {
   Minimiser(const Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
-        options_(options),
-        list_(2 * state.radius, (pressure ? pressed_skin : growing_skin) * state.radius, images(state)),
+        options_(options), list_(state, pressure ? pressed_skin : growing_skin),
         cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
                       state.radius * state.radius) {
     grains_.resize(state_.grain_count());
+    grains_.set_sizes(own_sizes(state_, 1));
     if (state_.walls)
       walls_.emplace(0.0);
     list_pairs();
@@ -117,13 +118,13 @@ class Minimiser {
   }
 
   void list_pairs() {
-    list_.build(state_.cell, state_.position);
+    list_.build(state_);
     parts_ = partition(list_.pairs(), grains_.size());
     load_.resize(parts_.rows);
     for (std::size_t g = 0; g < grains_.size(); ++g)
       grains_.set_centre(g, state_.position[g]);
     if (walls_)
-      walls_->list(state_.cell, grains_, state_.radius + list_.skin(), {});
+      walls_->list(state_.cell, grains_, state_.radius, list_.skin(), {});
     travelled_ = strained_ = 0;
   }
 
@@ -132,7 +133,8 @@ class Minimiser {
                            .grains = grains_,
                            .cell = state_.cell,
                            .gradient = {},
-                           .diameter = 2 * state_.radius,
+                           .diameter = 2 * state_.radius * largest_size_,
+                           .unit_radius = state_.radius,
                            .elapsed = 0,
                            .tangential_ratio = 0,
                            .friction = 0};
@@ -171,15 +173,16 @@ class Minimiser {
         tolerance * static_cast<double>(balance.all) * balance.contacts.stiffest)
       return false;
     const std::array<Vec3, 27> shifts = shift_vectors(state_.cell);
-    const double near = 2 * state_.radius - tolerance;
-    for (const Pair& pair : list_.pairs())
+    for (const Pair& pair : list_.pairs()) {
+      const double near = state_.radius_of(pair.i) + state_.radius_of(pair.j) - tolerance;
       if (norm(grains_.centre(pair.j) + shifts[pair.image] - grains_.centre(pair.i)) <= near)
         return false;
+    }
     const std::array<WallPlane, wall_count> planes = wall_planes(state_.cell);
     if (walls_)
       for (const WallHistory& candidate : walls_->candidates())
         if (wall_distance(planes[candidate.wall], grains_.centre(candidate.grain)) <=
-            state_.radius - tolerance)
+            state_.radius_of(candidate.grain) - tolerance)
           return false;
     return true;
   }
@@ -234,6 +237,7 @@ class Minimiser {
   MinimiseOptions options_;
   VerletList list_;
   Partition parts_;
+  double largest_size_ = largest_size(state_);
   Grains grains_;
   std::optional<WallContacts> walls_;
   std::vector<LoadRow> load_;
@@ -259,6 +263,7 @@ RelaxReport minimise(Specimen& state, const contact::PowerLaw& law, std::optiona
   if (state.grain_count() == 0)
     throw InvalidArgument("minimise: the state has no grains");
   require_positive("radius", state.radius, "m");
+  require_valid_sizes(state);
   clear_tangential(state);
   Minimiser minimiser(state, law, pressure, options);
   const RelaxReport report = minimiser.run();

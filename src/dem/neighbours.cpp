@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
 
 #include <granum/core/error.hpp>
 #include <granum/packing/assembly.hpp>
@@ -14,6 +17,8 @@ namespace granum::dem {
 namespace {
 
 int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
+/// That of the shift the other way.
+std::uint32_t opposite(std::uint32_t image) { return 26 - image; }
 
 struct Bins {
   std::array<int, 3> count{};
@@ -72,15 +77,21 @@ Neighbour neighbour(int b, int d, int count) {
   return {raw, 0};
 }
 
-/// Offsets to visit on an axis: with 1 or 2 bins the outer ones repeat, but each with another shift, so none
-/// is lost.
-void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>& home,
-                    std::span<const Vec3> position, const std::array<Vec3, 27>& shifts, double cutoff_squared,
-                    Images images, std::vector<Pair>& out) {
+/// Bins on an axis around a home, its own among them.
+struct Offsets {
+  int first = -1;
+  int last = 1;
+};
+
+/// Calls visit(grain, image) for the grains in the bins around a home. With few bins the outer offsets repeat
+/// bins, but each with another shift, so none is lost.
+template <class Visit>
+void each_near(const Bins& bins, const std::array<int, 3>& home, const std::array<Offsets, 3>& around,
+               Images images, const Visit& visit) {
   constexpr std::uint32_t no_shift = 13;
-  for (int dx = -1; dx <= 1; ++dx)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dz = -1; dz <= 1; ++dz) {
+  for (int dx = around[0].first; dx <= around[0].last; ++dx)
+    for (int dy = around[1].first; dy <= around[1].last; ++dy)
+      for (int dz = around[2].first; dz <= around[2].last; ++dz) {
         const Neighbour nx = neighbour(home[0], dx, bins.count[0]);
         const Neighbour ny = neighbour(home[1], dy, bins.count[1]);
         const Neighbour nz = neighbour(home[2], dz, bins.count[2]);
@@ -88,15 +99,54 @@ void pairs_of_grain(std::uint32_t i, const Bins& bins, const std::array<int, 3>&
         if (images == Images::none && image != no_shift)
           continue;
         const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
-        for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k) {
-          const std::uint32_t j = bins.grain[k];
-          if (j <= i)
-            continue;
-          const Vec3 branch = position[j] + shifts[image] - position[i];
-          if (dot(branch, branch) < cutoff_squared)
-            out.push_back({i, j, image});
-        }
+        for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k)
+          visit(bins.grain[k], image);
       }
+}
+
+/// The bins that a distance from s reaches into; at most half of the cell, so that no bin comes in twice.
+std::array<Offsets, 3> bins_within(const Bins& bins, const Vec3& s, const std::array<int, 3>& home,
+                                   const Vec3& widths, double distance) {
+  std::array<Offsets, 3> around;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    const int count = bins.count[axis];
+    const double place = s[k] * count, reach = distance / widths[k] * count;
+    around[axis] = {std::clamp(static_cast<int>(std::floor(place - reach)) - home[axis], -count, 0),
+                    std::clamp(static_cast<int>(std::floor(place + reach)) - home[axis], 0, count)};
+  }
+  return around;
+}
+
+void require_cutoff(const Mat3& cell, double cutoff, Images images) {
+  const Vec3 widths = packing::cell_widths(cell);
+  const double narrowest = images == Images::periodic ? std::min({widths.x, widths.y, widths.z})
+                                                      : std::numeric_limits<double>::infinity();
+  if (!(cutoff > 0) || !(2 * cutoff <= narrowest))
+    throw InvalidArgument("neighbour cutoff", cutoff, "m",
+                          "(0, half of the smallest cell width " + std::to_string(narrowest) +
+                              " m]; the specimen has too few grains");
+}
+
+/// By (i, j).
+void sort_pairs(std::vector<Pair>& pairs, std::size_t grains) {
+  std::vector<std::size_t> next(grains + 1, 0);
+  for (const Pair& pair : pairs)
+    ++next[pair.i + 1];
+  for (std::size_t g = 0; g < grains; ++g)
+    next[g + 1] += next[g];
+  std::vector<Pair> sorted(pairs.size());
+  for (const Pair& pair : pairs)
+    sorted[next[pair.i]++] = pair;
+  // next[i] is now where the pairs of grain i end.
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < grains; ++g) {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first),
+              sorted.begin() + static_cast<std::ptrdiff_t>(next[g]),
+              [](const Pair& a, const Pair& b) { return a.j < b.j; });
+    first = next[g];
+  }
+  pairs = std::move(sorted);
 }
 
 } // namespace
@@ -123,13 +173,7 @@ void wrap(const Mat3& cell, std::span<Vec3> position) {
 
 std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff,
                                   Images images) {
-  const Vec3 widths = packing::cell_widths(cell);
-  const double narrowest = images == Images::periodic ? std::min({widths.x, widths.y, widths.z})
-                                                      : std::numeric_limits<double>::infinity();
-  if (!(cutoff > 0) || !(2 * cutoff <= narrowest))
-    throw InvalidArgument("neighbour cutoff", cutoff, "m",
-                          "(0, half of the smallest cell width " + std::to_string(narrowest) +
-                              " m]; the specimen has too few grains");
+  require_cutoff(cell, cutoff, images);
   const Bins bins = fill_bins(cell, position, cutoff);
   const std::array<Vec3, 27> shifts = shift_vectors(cell);
   const Mat3 to_fraction = inverse(cell);
@@ -137,11 +181,50 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   pairs.reserve(position.size() * 4);
   for (std::uint32_t i = 0; i < position.size(); ++i) {
     const std::size_t first = pairs.size();
-    pairs_of_grain(i, bins, bin_of(bins, to_fraction * position[i]), position, shifts, cutoff * cutoff,
-                   images, pairs);
+    each_near(bins, bin_of(bins, to_fraction * position[i]), {}, images,
+              [&](std::uint32_t j, std::uint32_t image) {
+                if (j <= i)
+                  return;
+                const Vec3 branch = position[j] + shifts[image] - position[i];
+                if (dot(branch, branch) < cutoff * cutoff)
+                  pairs.push_back({i, j, image});
+              });
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
               [](const Pair& a, const Pair& b) { return a.j < b.j; });
   }
+  return pairs;
+}
+
+std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
+                                  std::span<const double> radius, double gap, Images images) {
+  if (radius.size() != position.size())
+    throw InvalidArgument("neighbour pairs: " + std::to_string(radius.size()) + " radii of " +
+                          std::to_string(position.size()) + " grains");
+  if (radius.empty())
+    return {};
+  const double largest = *std::max_element(radius.begin(), radius.end());
+  const double mean = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  require_cutoff(cell, 2 * largest + gap, images);
+  const Vec3 widths = packing::cell_widths(cell);
+  const Bins bins = fill_bins(cell, position, 2 * mean + gap);
+  const std::array<Vec3, 27> shifts = shift_vectors(cell);
+  const Mat3 to_fraction = inverse(cell);
+  std::vector<Pair> pairs;
+  pairs.reserve(position.size() * 4);
+  for (std::uint32_t i = 0; i < position.size(); ++i) {
+    const Vec3 s = to_fraction * position[i];
+    const std::array<int, 3> home = bin_of(bins, s);
+    each_near(bins, home, bins_within(bins, s, home, widths, 2 * radius[i] + gap), images,
+              [&](std::uint32_t j, std::uint32_t image) {
+                if (radius[j] > radius[i] || (radius[j] == radius[i] && j <= i))
+                  return;
+                const Vec3 branch = position[j] + shifts[image] - position[i];
+                const double near = radius[i] + radius[j] + gap;
+                if (dot(branch, branch) < near * near)
+                  pairs.push_back(i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)});
+              });
+  }
+  sort_pairs(pairs, position.size());
   return pairs;
 }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <tuple>
 #include <variant>
 
+#include <granum/contact/pair.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
@@ -23,6 +25,18 @@ bool at_limit(const Vec3& tangential_force, double limit) {
   return norm(tangential_force) >= (1 - 1e-9) * limit;
 }
 
+double size_of(const Specimen& state, std::size_t grain) {
+  return state.size.empty() ? 1 : state.size[grain];
+}
+
+/// Of two grains at an overlap.
+contact::NormalResponse pair_response(const contact::NormalKernel& kernel, const Specimen& state,
+                                      std::size_t i, std::size_t j, double overlap) {
+  return std::visit(
+      [&](const auto& law) { return contact::of_sizes(law, size_of(state, i), size_of(state, j))(overlap); },
+      kernel);
+}
+
 std::vector<packing::Contact> wall_contacts(const Specimen& state, const Material& material) {
   const std::array<WallPlane, wall_count> planes = wall_planes(state.cell);
   const contact::NormalKernel kernel = material.law.kernel();
@@ -32,11 +46,14 @@ std::vector<packing::Contact> wall_contacts(const Specimen& state, const Materia
   for (std::uint32_t g = 0; g < state.grain_count(); ++g)
     for (std::uint32_t w = 0; w < wall_count; ++w) {
       const double distance = wall_distance(planes[w], state.position[g]);
-      packing::Contact c{.i = g, .j = w, .overlap = state.radius - distance, .tangential_force = {}};
+      packing::Contact c{.i = g, .j = w, .overlap = state.radius_of(g) - distance, .tangential_force = {}};
       if (!(c.overlap > 0))
         continue;
-      const contact::NormalResponse response =
-          std::visit([&](const auto& law) { return wall_response(law, c.overlap); }, kernel);
+      const contact::NormalResponse response = std::visit(
+          [&](const auto& law) {
+            return wall_response(contact::of_sizes(law, size_of(state, g), size_of(state, g)), c.overlap);
+          },
+          kernel);
       c.branch = -distance * planes[w].normal;
       c.normal_force = response.force;
       c.normal_stiffness = response.stiffness;
@@ -67,30 +84,59 @@ void require_valid(const Walls& walls) {
     throw InvalidArgument("friction_coefficient of the walls", walls.friction_coefficient, "", "[0, inf]");
 }
 
-double void_ratio(const Specimen& state) {
-  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(state.radius, 3);
-  return determinant(state.cell) / (grain * static_cast<double>(state.grain_count())) - 1;
+void require_valid_sizes(const Specimen& state) {
+  if (state.size.empty())
+    return;
+  if (state.size.size() != state.grain_count())
+    throw InvalidArgument("size: " + std::to_string(state.size.size()) + " sizes of " +
+                          std::to_string(state.grain_count()) + " grains");
+  for (const double size : state.size)
+    require_positive("size of a grain", size);
 }
+
+double largest_size(const Specimen& state) {
+  return state.size.empty() ? 1 : *std::max_element(state.size.begin(), state.size.end());
+}
+
+double smallest_size(const Specimen& state) {
+  return state.size.empty() ? 1 : *std::min_element(state.size.begin(), state.size.end());
+}
+
+double grain_volume(const Specimen& state) {
+  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(state.radius, 3);
+  double cubes = static_cast<double>(state.grain_count());
+  if (!state.size.empty()) {
+    cubes = 0;
+    for (const double size : state.size)
+      cubes += size * size * size;
+  }
+  return grain * cubes;
+}
+
+double void_ratio(const Specimen& state) { return determinant(state.cell) / grain_volume(state) - 1; }
 
 packing::Assembly contact_network(const Specimen& state, const Material& material) {
   packing::Assembly assembly;
   assembly.cell = state.cell;
   assembly.position = state.position;
-  assembly.radius.assign(state.grain_count(), state.radius);
+  for (std::size_t g = 0; g < state.grain_count(); ++g)
+    assembly.radius.push_back(state.radius_of(g));
   if (!state.walls)
     wrap(assembly.cell, assembly.position);
   const std::array<Vec3, 27> shifts = shift_vectors(assembly.cell);
   const contact::NormalKernel kernel = material.law.kernel();
   auto memory = state.history.begin();
-  for (const Pair& pair :
-       neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius, images(state))) {
+  const std::vector<Pair> pairs =
+      state.size.empty()
+          ? neighbour_pairs(assembly.cell, assembly.position, 2 * state.radius, images(state))
+          : neighbour_pairs(assembly.cell, assembly.position, assembly.radius, 0, images(state));
+  for (const Pair& pair : pairs) {
     packing::Contact c;
     c.i = pair.i;
     c.j = pair.j;
     c.branch = assembly.position[pair.j] + shifts[pair.image] - assembly.position[pair.i];
-    c.overlap = 2 * state.radius - norm(c.branch);
-    const contact::NormalResponse response =
-        std::visit([&](const auto& law) { return law(c.overlap); }, kernel);
+    c.overlap = assembly.radius[c.i] + assembly.radius[c.j] - norm(c.branch);
+    const contact::NormalResponse response = pair_response(kernel, state, c.i, c.j, c.overlap);
     c.normal_force = response.force;
     c.normal_stiffness = response.stiffness;
     c.tangential_stiffness = material.tangential_ratio * response.stiffness;

@@ -3,12 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <granum/dem/walls.hpp>
 
 namespace granum::dem {
 
 namespace {
+
+/// Parts of a specimen that not every one has.
+constexpr std::uint64_t has_walls = 1, has_sizes = 2;
+
+/// Sizes of grains that bytes can hold: no packing has others.
+constexpr double smallest_known = 1e-6, largest_known = 1e6;
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -30,8 +37,15 @@ bool near_cell(const Specimen& state) {
 bool is_sound(const Specimen& state) {
   const std::size_t count = state.grain_count();
   const double volume = determinant(state.cell);
+  if (!state.size.empty() &&
+      (state.size.size() != count || !std::all_of(state.size.begin(), state.size.end(), [](double size) {
+         return size >= smallest_known && size <= largest_known;
+       })))
+    return false;
   // Grains that fill between 4e-4 and 4 of their cell: what is listed of them is bounded.
-  const double solid = static_cast<double>(count) * std::pow(state.radius, 3);
+  double solid = static_cast<double>(count) * std::pow(state.radius, 3);
+  if (!state.size.empty())
+    solid = grain_volume(state) / (4.0 / 3.0 * std::numbers::pi);
   if (!(state.radius > 0 && volume > 0 && std::isfinite(volume) && solid > 1e-4 * volume && solid < volume))
     return false;
   const auto fits = [&](const std::vector<Vec3>& of_grains) {
@@ -57,11 +71,13 @@ void save_specimen(ByteWriter& to, const Specimen& state) {
   to.put_all(state.velocity);
   to.put_all(state.angular_velocity);
   to.put_all(state.history);
-  to.put(static_cast<std::uint64_t>(state.walls.has_value()));
+  to.put((state.walls ? has_walls : 0) | (state.size.empty() ? 0 : has_sizes));
   if (state.walls) {
     to.put(state.walls->friction_coefficient);
     to.put_all(state.walls->history);
   }
+  if (!state.size.empty())
+    to.put_all(state.size);
 }
 
 Specimen load_specimen(ByteReader& from) {
@@ -72,11 +88,16 @@ Specimen load_specimen(ByteReader& from) {
   state.velocity = from.get_all<Vec3>();
   state.angular_velocity = from.get_all<Vec3>();
   state.history = from.get_all<ContactHistory>();
-  if (from.get<std::uint64_t>() != 0) {
+  const auto parts = from.get<std::uint64_t>();
+  if ((parts & ~(has_walls | has_sizes)) != 0)
+    from.fail("holds parts of a specimen that this granum does not know");
+  if ((parts & has_walls) != 0) {
     state.walls.emplace();
     state.walls->friction_coefficient = from.get<double>();
     state.walls->history = from.get_all<WallHistory>();
   }
+  if ((parts & has_sizes) != 0)
+    state.size = from.get_all<double>();
   if (!is_sound(state))
     from.fail("holds an impossible state of its grains");
   return state;

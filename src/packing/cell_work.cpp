@@ -3,23 +3,44 @@
 
 #include <algorithm>
 
+#include <granum/contact/pair.hpp>
+#include <granum/core/check.hpp>
+
 namespace granum::packing {
 
 namespace {
 
-double elastic_energy(const Assembly& assembly, const contact::PowerLaw& law, double strain) {
+/// The law of two grains of an assembly.
+class PairLaws {
+ public:
+  PairLaws(const Assembly& assembly, const contact::PowerLaw& law, double radius)
+      : assembly_(assembly), law_(law), radius_(radius) {}
+
+  [[nodiscard]] contact::PowerLaw operator()(std::size_t i, std::size_t j) const {
+    const double a = assembly_.radius[i] / radius_, b = assembly_.radius[j] / radius_;
+    return a == 1 && b == 1 ? law_ : of_sizes(law_, a, b);
+  }
+
+ private:
+  const Assembly& assembly_;
+  const contact::PowerLaw& law_;
+  double radius_;
+};
+
+double elastic_energy(const Assembly& assembly, const PairLaws& law, double strain) {
   double sum = 0;
   for (const Contact& c : assembly.contacts)
-    sum += law.energy(std::max(0.0, c.overlap - strain * norm(c.branch)));
+    sum += law(c.i, c.j).energy(std::max(0.0, c.overlap - strain * norm(c.branch)));
   for (const Contact& c : assembly.wall_contacts)
-    sum += law.energy(std::max(0.0, 2 * (c.overlap - strain * norm(c.branch)))) / 2;
+    sum += law(c.i, c.i).energy(std::max(0.0, 2 * (c.overlap - strain * norm(c.branch)))) / 2;
   return sum;
 }
 
 } // namespace
 
-double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law) {
+double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law, double law_radius) {
   require_valid(assembly);
+  require_positive("law_radius", law_radius, "m");
   double overlap = 0, length = 0;
   for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
     for (const Contact& c : *contacts) {
@@ -29,7 +50,8 @@ double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& 
   if (!(overlap > 0))
     return 0;
   const double strain = 1e-4 * overlap / length;
-  const double released = elastic_energy(assembly, law, -strain) - elastic_energy(assembly, law, strain);
+  const PairLaws laws(assembly, law, law_radius);
+  const double released = elastic_energy(assembly, laws, -strain) - elastic_energy(assembly, laws, strain);
   return released / (2 * strain * 3 * assembly.volume());
 }
 

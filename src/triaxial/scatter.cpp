@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -20,11 +21,12 @@ namespace {
 /// narrow that few grains fit in.
 class Boxes {
  public:
+  /// \param    diameter   of the largest grain
   Boxes(double edge, double diameter)
-      : edge_(edge), diameter_(diameter), along_(static_cast<std::size_t>(edge / diameter)),
+      : edge_(edge), along_(static_cast<std::size_t>(edge / diameter)),
         first_(along_ * along_ * along_, none) {}
 
-  [[nodiscard]] bool is_free(const Vec3& x, const std::vector<Vec3>& position) const {
+  [[nodiscard]] bool is_free(const Vec3& x, double radius, const dem::Specimen& state) const {
     std::array<std::array<std::size_t, 3>, 3> near{};
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t k = index(x[axis]);
@@ -34,7 +36,7 @@ class Boxes {
       for (const std::size_t j : near[1])
         for (const std::size_t k : near[2])
           for (std::uint32_t g = first_[(i * along_ + j) * along_ + k]; g != none; g = next_[g])
-            if (distance(x, position[g]) <= diameter_)
+            if (distance(x, state.position[g]) <= radius + state.radius_of(g))
               return false;
     return true;
   }
@@ -59,7 +61,6 @@ class Boxes {
   }
 
   double edge_;
-  double diameter_;
   std::size_t along_;
   std::vector<std::uint32_t> first_; ///< grain of each box, or none
   std::vector<std::uint32_t> next_;  ///< grain in the same box as this one, or none
@@ -71,19 +72,23 @@ dem::Specimen scattered_specimen(const SpecimenRecipe& recipe, double solid_frac
   require_valid(recipe);
   if (!(solid_fraction > 0 && solid_fraction <= 0.3))
     throw InvalidArgument("solid_fraction", solid_fraction, "", "(0, 0.3]");
-  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
-  const double edge = std::cbrt(static_cast<double>(recipe.grains) * grain / solid_fraction);
   dem::Specimen state;
-  state.cell = Mat3::diagonal(edge, edge, edge);
   state.radius = recipe.radius;
-  Boxes boxes(edge, 2 * recipe.radius);
+  state.size = drawn_sizes(recipe);
+  // Large grains come first, while there is room for them.
+  std::sort(state.size.begin(), state.size.end(), std::greater<>());
+  state.position.resize(recipe.grains);
+  const double edge = std::cbrt(grain_volume(state) / solid_fraction);
+  state.position.clear();
+  state.cell = Mat3::diagonal(edge, edge, edge);
+  Boxes boxes(edge, 2 * recipe.radius * largest_size(state));
   std::mt19937_64 random(recipe.seed);
   boost::random::uniform_real_distribution<double> along(0, edge);
   while (state.grain_count() < recipe.grains) {
     Vec3 x;
     for (int axis = 0; axis < 3; ++axis)
       x[axis] = along(random);
-    if (!boxes.is_free(x, state.position))
+    if (!boxes.is_free(x, state.radius_of(state.grain_count()), state))
       continue;
     boxes.add(x);
     state.position.push_back(x);

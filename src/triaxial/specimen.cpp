@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/specimen.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -10,6 +11,7 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/sizes/sampling.hpp>
 
 namespace granum::triaxial {
 
@@ -27,17 +29,17 @@ Vec3 uniform_in_cube(Random& random, double low, double high) {
 }
 
 dem::Specimen seeds(const SpecimenRecipe& recipe) {
-  const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(recipe.radius, 3);
-  const double edge =
-      std::cbrt(static_cast<double>(recipe.grains) * grain * (1 + recipe.expansion_void_ratio));
-  Random random(recipe.seed);
   dem::Specimen state;
-  state.cell = Mat3::diagonal(edge, edge, edge);
   state.radius = recipe.radius;
+  state.size = drawn_sizes(recipe);
+  state.position.resize(recipe.grains);
+  const double edge = std::cbrt(grain_volume(state) * (1 + recipe.expansion_void_ratio));
+  Random random(recipe.seed);
+  state.cell = Mat3::diagonal(edge, edge, edge);
   if (recipe.wall_friction)
     state.walls = dem::Walls{.friction_coefficient = *recipe.wall_friction, .history = {}};
-  for (std::size_t g = 0; g < recipe.grains; ++g)
-    state.position.push_back(uniform_in_cube(random, 0, edge));
+  for (Vec3& x : state.position)
+    x = uniform_in_cube(random, 0, edge);
   return state;
 }
 
@@ -79,11 +81,29 @@ std::size_t expand(dem::Specimen& state, const SpecimenRecipe& recipe, const Sto
 
 } // namespace
 
+std::size_t least_grains(const sizes::Distribution& sizes) {
+  if (sizes.is_equal())
+    return 40;
+  const double narrowest = 4 * sizes.largest() + 0.6; // of the cell over R, the skin of the pair list with it
+  const double grain = 4.0 / 3.0 * std::numbers::pi * 1.2 * sizes.moment(3); // and its voids at e = 0.2
+  return std::max<std::size_t>(40, static_cast<std::size_t>(std::ceil(std::pow(narrowest, 3) / grain)));
+}
+
+std::vector<double> drawn_sizes(const SpecimenRecipe& recipe) {
+  if (recipe.sizes.is_equal())
+    return {};
+  return sizes::sample_radii(recipe.sizes, recipe.grains, recipe.seed ^ 0xd1b54a32d192ed03ULL);
+}
+
 void require_valid(const SpecimenRecipe& recipe) {
   dem::require_valid(recipe.material);
   require_positive("radius", recipe.radius, "m");
-  if (recipe.grains < 40 || recipe.grains > 10'000'000)
-    throw InvalidArgument("grains", static_cast<double>(recipe.grains), "", "[40, 1e7]");
+  const std::size_t least = least_grains(recipe.sizes);
+  if (recipe.grains < least || recipe.grains > 10'000'000)
+    throw InvalidArgument(
+        "grains", static_cast<double>(recipe.grains), "",
+        "[" + std::to_string(least) + ", 1e7]" +
+            (recipe.sizes.is_equal() ? "" : ": the cell is wider than four of the largest"));
   if (recipe.wall_friction)
     dem::require_valid(dem::Walls{.friction_coefficient = *recipe.wall_friction, .history = {}});
   require_open("expansion_void_ratio", recipe.expansion_void_ratio, 0.4, 1.0);
@@ -120,13 +140,13 @@ Preparation frictionless_specimen(const SpecimenRecipe& recipe, const StopReques
 dem::Specimen unjam(dem::Specimen state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   require_valid(recipe);
   const double growth = 1 + recipe.unjamming_strain;
-  const double reach = recipe.agitation * recipe.radius;
   Random random(recipe.seed ^ 0x9e3779b97f4a7c15ULL);
   state.cell = growth * state.cell;
-  for (Vec3& x : state.position) {
-    x = growth * x;
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double reach = recipe.agitation * state.radius_of(g);
+    state.position[g] = growth * state.position[g];
     if (reach > 0)
-      x += uniform_in_cube(random, -reach, reach);
+      state.position[g] += uniform_in_cube(random, -reach, reach);
   }
   dem::MinimiseOptions options;
   options.overlap_tolerance = 1e-6;

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
@@ -48,6 +50,35 @@ TEST_CASE("the cell list finds exactly the pairs that a search over all images f
       const std::vector<Vec3> x = random_points(cell, 300, 7);
       CHECK(neighbour_pairs(cell, x, cutoff) == all_pairs(cell, x, cutoff));
     }
+}
+
+TEST_CASE("with a radius for each grain, the same pairs as a search over all images") {
+  const Mat3 cube = Mat3::diagonal(1, 1, 1);
+  const Mat3 slab = Mat3::diagonal(0.9, 1.7, 3.1);
+  const Mat3 skew{{{1.2, 0.3, -0.2}, {0, 1.1, 0.25}, {0.1, 0, 1.3}}};
+  for (const Mat3& cell : {cube, slab, skew})
+    for (const double ratio : {1.0, 2.0, 5.0, 20.0}) {
+      const std::vector<Vec3> x = random_points(cell, 300, 7);
+      std::vector<double> radius;
+      for (std::size_t g = 0; g < x.size(); ++g)
+        radius.push_back(0.2 / ratio * std::pow(ratio, 0.5 + 0.5 * std::sin(static_cast<double>(g))));
+      const auto shifts = shift_vectors(cell);
+      std::vector<Pair> expected, in_box;
+      for (std::uint32_t i = 0; i < x.size(); ++i)
+        for (std::uint32_t j = i + 1; j < x.size(); ++j)
+          for (std::uint32_t image = 0; image < 27; ++image)
+            if (norm(x[j] + shifts[image] - x[i]) < radius[i] + radius[j] + 0.01) {
+              expected.push_back({i, j, image});
+              if (image == 13)
+                in_box.push_back(expected.back());
+            }
+      CHECK(expected.size() > 50);
+      CHECK(neighbour_pairs(cell, x, radius, 0.01) == expected);
+      CHECK(neighbour_pairs(cell, x, radius, 0.01, Images::none) == in_box);
+    }
+  const std::vector<Vec3> two{{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}};
+  CHECK_THROWS_AS((void)neighbour_pairs(cube, two, std::vector<double>{0.1}, 0.0), InvalidArgument);
+  CHECK_THROWS_AS((void)neighbour_pairs(cube, two, std::vector<double>{0.1, 0.26}, 0.0), InvalidArgument);
 }
 
 TEST_CASE("wrapping moves by whole edge vectors into the cell") {

@@ -275,7 +275,7 @@ TEST_CASE(
       CHECK((norm(c.tangential_force) > 0.99 * wall_friction * c.normal_force || !c.sliding));
     }
     // Tangential forces stand across the branches: the work of the cell knows nothing of them.
-    CHECK(pressure_by_cell_work(frozen, material.law) == relative(by_contacts.mean(), 1e-7));
+    CHECK(pressure_by_cell_work(frozen, material.law, radius) == relative(by_contacts.mean(), 1e-7));
     // Opposite walls balance, and the frictionless state of the minimiser stood at its pressure too.
     const WallForces walls = engine.wall_forces();
     CHECK(norm(walls.force[0] + walls.force[1] + walls.force[2] + walls.force[3] + walls.force[4] +

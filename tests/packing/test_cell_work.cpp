@@ -18,19 +18,23 @@ TEST_CASE("work of the cell and contact forces give one pressure, for every cont
   for (const contact::PowerLaw& law :
        {contact::PowerLaw::sphere(quartz, radius), contact::PowerLaw::cone(quartz, 0.4),
         contact::PowerLaw::flat(quartz, 5.7e-6), contact::PowerLaw::general(quartz, 1.5, 180)}) {
-    const dem::Material material{.law = law, .tangential_ratio = 0.9, .friction_coefficient = 0.5};
-    dem::Specimen state = test::fcc(radius, 2, 4e-7);
-    // Unequal overlaps and tangential forces: the identity needs neither symmetry nor equilibrium.
-    for (std::size_t g = 0; g < state.grain_count(); ++g)
-      state.position[g] +=
-          1e-7 * Vec3{std::sin(3.0 * static_cast<double>(g)), std::cos(5.0 * static_cast<double>(g)),
-                      std::sin(7.0 * static_cast<double>(g))};
-    packing::Assembly assembly = dem::contact_network(state, material);
-    for (packing::Contact& c : assembly.contacts)
-      c.tangential_force = 0.3 * c.normal_force * (1 / norm(c.branch)) * cross(c.branch, Vec3{0.6, 0, 0.8});
-    const double by_contacts = contact_stress(assembly).mean();
-    REQUIRE(by_contacts > 0);
-    CHECK(std::abs(pressure_by_cell_work(assembly, law) / by_contacts - 1) < 1e-6);
+    for (const double spread : {0.0, 0.3}) {
+      const dem::Material material{.law = law, .tangential_ratio = 0.9, .friction_coefficient = 0.5};
+      dem::Specimen state = test::fcc(radius, 2, 4e-7);
+      for (std::size_t g = 0; spread > 0 && g < state.grain_count(); ++g)
+        state.size.push_back(1 + spread * std::abs(std::sin(static_cast<double>(g))));
+      // Unequal overlaps and tangential forces: the identity needs neither symmetry nor equilibrium.
+      for (std::size_t g = 0; g < state.grain_count(); ++g)
+        state.position[g] +=
+            1e-7 * Vec3{std::sin(3.0 * static_cast<double>(g)), std::cos(5.0 * static_cast<double>(g)),
+                        std::sin(7.0 * static_cast<double>(g))};
+      packing::Assembly assembly = dem::contact_network(state, material);
+      for (packing::Contact& c : assembly.contacts)
+        c.tangential_force = 0.3 * c.normal_force * (1 / norm(c.branch)) * cross(c.branch, Vec3{0.6, 0, 0.8});
+      const double by_contacts = contact_stress(assembly).mean();
+      REQUIRE(by_contacts > 0);
+      CHECK(std::abs(pressure_by_cell_work(assembly, law, radius) / by_contacts - 1) < 1e-6);
+    }
   }
 }
 
@@ -38,5 +42,5 @@ TEST_CASE("no contacts, no pressure") {
   const contact::PowerLaw law = test::quartz_sphere(1e-3);
   const packing::Assembly apart = dem::contact_network(test::fcc(1e-3, 2, -1e-5), test::quartz(1e-3, 0.5));
   CHECK(apart.contacts.empty());
-  CHECK(pressure_by_cell_work(apart, law) == 0);
+  CHECK(pressure_by_cell_work(apart, law, 1e-3) == 0);
 }

@@ -162,6 +162,7 @@ TEST_CASE("the contact laws are those the scene says") {
 TEST_CASE("the recipe takes over every value of the scene") {
   Scene scene;
   scene.grain.radius = 0.4e-3;
+  scene.grain.sizes = sizes::Distribution::uniform(1, 1.5);
   scene.grain.density = 2700;
   scene.grain.friction_angle = 0.3;
   scene.study.grains = 77;
@@ -171,6 +172,7 @@ TEST_CASE("the recipe takes over every value of the scene") {
   scene.study.pressures = {5e3, 10e3, 20e3};
   const triaxial::SpecimenRecipe specimen = recipe(scene, Shape::sphere, 9);
   CHECK(specimen.radius == 0.4e-3);
+  CHECK(specimen.sizes == sizes::Distribution::uniform(1, 1.5));
   CHECK(specimen.material.density == 2700);
   CHECK(specimen.material.friction_coefficient == relative(std::tan(0.3), 1e-15));
   CHECK(specimen.grains == 77);

@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 #include "relative.hpp"
 
@@ -65,7 +66,7 @@ TEST_CASE("keys have names, meanings and takers, each name once and in its secti
     CHECK(key.taken_by(SceneCommand::reproduce));
     CHECK(&scene_key(key.name) == &key);
   }
-  CHECK(names.size() == 30);
+  CHECK(names.size() == 31);
   CHECK_THROWS_AS((void)scene_key("grain.radios"), InvalidArgument);
   CHECK_THROWS_AS((void)scene_key(""), InvalidArgument);
 }
@@ -74,6 +75,7 @@ TEST_CASE("what a key gives, it takes, to the bit") {
   Scene changed;
   changed.grain.radius = 0.1e-3 * std::sqrt(2.0);
   changed.grain.friction_angle = 1.0 / 3;
+  changed.grain.sizes = sizes::parse_distribution("lognormal:0.35");
   changed.contact.tangential_ratio = 1.0 / 7;
   changed.study.contacts = {Shape::power_law};
   changed.study.first_seed = 9'000'000'000'000'000;
@@ -138,7 +140,8 @@ TEST_CASE("each command takes the keys that it uses") {
     for (const char* key :
          {"specimen.boundary", "specimen.wall_friction", "shear.paths", "shear.loop_strain"})
       CHECK(takes(command, key) == experiment);
-    for (const char* key : {"grain.radius", "contact.alpha", "study.grains", "specimen.agitation"})
+    for (const char* key :
+         {"grain.radius", "grain.sizes", "contact.alpha", "study.grains", "specimen.agitation"})
       CHECK(takes(command, key));
     CHECK(takes(command, "study.probe_pressures") == (command != SceneCommand::trade));
   }
@@ -233,4 +236,18 @@ TEST_CASE("a study in the periodic cell refuses walls") {
   Scene scene;
   scene.specimen.walls = true;
   CHECK(refusal([&] { (void)run_study(scene); }).starts_with("specimen.boundary = walls"));
+}
+
+TEST_CASE("sizes of grains are a text; those that a scene cannot take are refused by name") {
+  Scene scene;
+  const SceneKey& key = scene_key("grain.sizes");
+  CHECK(key.get(scene) == KeyValue(std::string("equal")));
+  key.set(scene, "uniformity:2.5");
+  CHECK(scene.grain.sizes == sizes::parse_distribution("uniformity:2.5"));
+  CHECK(toml_of(scene).find("sizes = \"uniformity:2.5\"") != std::string::npos);
+  CHECK(recipe(scene, Shape::sphere, 1).sizes == scene.grain.sizes);
+  CHECK(refusal([&] { key.set(scene, "sieve:1mm=0:2mm=1"); }).starts_with("grain.sizes: a sieve curve"));
+  CHECK(refusal([&] { key.set(scene, "normal:3"); }).find("lognormal") != std::string::npos);
+  scene.study.grains = 40;
+  CHECK(refusal([&] { require_valid(scene); }).find("grains = 40") != std::string::npos);
 }

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/stress.hpp>
+#include <granum/sizes/distribution_text.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
@@ -41,6 +43,23 @@ dem::Specimen compressed(const SpecimenRecipe& recipe, Density density, double p
 }
 
 } // namespace
+
+TEST_CASE("probe and network agree on packings of unequal grains") {
+  for (const char* sizes : {"lognormal:0.3", "bidisperse:2.5:0.2"}) {
+    CAPTURE(sizes);
+    SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
+    recipe.sizes = sizes::parse_distribution(sizes);
+    recipe.grains = least_grains(recipe.sizes);
+    const FrozenState frozen = freeze_in_place(compressed(recipe, Density::dense, 40e3), recipe.material);
+    const packing::Assembly assembly = dem::contact_network(frozen.state(), recipe.material);
+    const auto& relaxed = network::linear_response(assembly).relaxed().matrix;
+    CHECK(probe(frozen.state(), recipe.material, ShearMode::hh).shear_modulus() ==
+          relative(relaxed(5, 5), 0.01));
+    CHECK(probe(frozen.state(), recipe.material, ShearMode::hv).shear_modulus() ==
+          relative(relaxed(4, 4), 0.01));
+    CHECK(contact_stress(assembly).mean() == relative(40e3, 1e-3));
+  }
+}
 
 TEST_CASE("probe and network agree on every shear modulus, and G_hv = G_vh") {
   const contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/scatter.hpp>
 
+#include <vector>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "relative.hpp"
@@ -48,4 +51,18 @@ TEST_CASE("scattered grains: solid fractions that no search ends at are refused"
   for (const double fraction : {0.0, -0.1, 0.31, 0.5})
     CHECK_THROWS_AS((void)scattered_specimen(recipe_of(100), fraction), InvalidArgument);
   CHECK_THROWS_AS((void)scattered_specimen(recipe_of(10)), InvalidArgument);
+}
+
+TEST_CASE("scattered grains of unequal radii: all there, and touching none") {
+  SpecimenRecipe recipe = recipe_of(600);
+  recipe.sizes = sizes::parse_distribution("lognormal:0.35");
+  const dem::Specimen state = scattered_specimen(recipe, 0.25);
+  CHECK(state.grain_count() == 600);
+  CHECK(1 / (1 + dem::void_ratio(state)) == relative(0.25, 1e-12));
+  CHECK(dem::largest_size(state) > 2);
+  std::vector<double> radius;
+  for (std::size_t g = 0; g < state.grain_count(); ++g)
+    radius.push_back(state.radius_of(g));
+  CHECK(dem::neighbour_pairs(state.cell, state.position, radius, 0).empty());
+  CHECK_FALSE(dem::neighbour_pairs(state.cell, state.position, radius, 0.1 * recipe.radius).empty());
 }

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/packing/stress.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
@@ -95,6 +97,30 @@ TEST_CASE("the same recipe gives the same bits, another seed another packing, an
   CHECK(straight.at(2) == resumed.at(1));
 }
 
+TEST_CASE("unequal grains are drawn from their distribution, keep their sizes, and jam") {
+  SpecimenRecipe recipe = small_recipe();
+  recipe.sizes = sizes::parse_distribution("uniform:1:2");
+  const dem::Specimen jammed = frictionless_specimen(recipe).state;
+  REQUIRE(jammed.size.size() == recipe.grains);
+  CHECK(jammed.size == drawn_sizes(recipe));
+  CHECK(dem::smallest_size(jammed) > 1 / 1.5);
+  CHECK(dem::largest_size(jammed) < 2 / 1.5);
+  CHECK(dem::largest_size(jammed) / dem::smallest_size(jammed) > 1.9);
+  CHECK(
+      dem::grain_volume(jammed) ==
+      relative(200 * 4.0 / 3 * 3.14159265358979 * std::pow(recipe.radius, 3) * recipe.sizes.moment(3), 1e-3));
+  const double c_n = coordination(dem::contact_network(jammed, recipe.material));
+  CHECK(c_n > 5.2); // more rattlers than among equal grains
+  CHECK(c_n < 6.3);
+  const dem::Specimen opened = unjam(jammed, recipe);
+  CHECK(opened.size == jammed.size);
+  CHECK(contact_stress(dem::contact_network(opened, recipe.material)).mean() < 1e-3 * recipe.first_pressure);
+  SpecimenRecipe other = recipe;
+  other.seed = 6;
+  CHECK(drawn_sizes(other) != drawn_sizes(recipe));
+  CHECK(drawn_sizes(small_recipe()).empty());
+}
+
 TEST_CASE("impossible recipes are refused by name") {
   SpecimenRecipe recipe = small_recipe();
   const auto refused = [&](auto change) {
@@ -105,6 +131,10 @@ TEST_CASE("impossible recipes are refused by name") {
   refused([](SpecimenRecipe& r) { r.grains = 0; });
   refused([](SpecimenRecipe& r) { r.grains = 1; });
   refused([](SpecimenRecipe& r) { r.radius = -1; });
+  refused([](SpecimenRecipe& r) {
+    r.sizes = sizes::parse_distribution("bidisperse:20:0.5");
+    r.grains = least_grains(r.sizes) - 1;
+  });
   refused([](SpecimenRecipe& r) { r.first_pressure = 0; });
   refused([](SpecimenRecipe& r) { r.first_pressure = std::numeric_limits<double>::quiet_NaN(); });
   refused([](SpecimenRecipe& r) { r.expansion_void_ratio = -0.1; });

@@ -83,6 +83,10 @@ class PowerLaw {
   /// \throws   InvalidArgument if grain is out of range
   /// Accuracy  3 ulp more than this law.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
+  /// The law of another coefficient, c times a factor; pairs of grains of different sizes: pair.hpp.
+  /// \throws   InvalidArgument if the factor is not positive and finite
+  /// Accuracy  1 ulp.  Checked by tests/contact/test_pair.cpp
+  [[nodiscard]] PowerLaw times(double factor) const;
 
   /// alpha in [1, inf]; infinity for the flat punch.
   [[nodiscard]] double alpha() const { return alpha_; }

@@ -12,7 +12,8 @@ namespace granum::dem {
 struct MinimiseOptions {
   double force_tolerance = 1e-9;    ///< mean residual force on a grain / mean contact force [1]
   double pressure_tolerance = 1e-9; ///< relative, where a pressure is prescribed [1]
-  double overlap_tolerance = 1e-7;  ///< largest overlap / radius that counts as none [1]
+  double overlap_tolerance =
+      1e-7; ///< largest overlap over the radius of a grain of size 1 that counts as none [1]
   std::size_t max_steps = 200000;
   StopRequest stop_requested = {}; ///< true ends the relaxation early: the report then says so
 };

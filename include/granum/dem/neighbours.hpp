@@ -38,4 +38,17 @@ enum class Images {
 [[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
                                                 double cutoff, Images images = Images::periodic);
 
+/// The same for grains of different radii: all pairs whose centres are nearer than the sum of both radii and
+/// the gap.
+/// Assumes   as above.
+/// \param    radius  of each grain [m]
+/// \param    gap     >= 0 [m]; with images twice the largest radius and the gap are at most half of the
+/// smallest           cell width
+/// \throws   InvalidArgument if there is not one radius for each grain, or the cell is too narrow
+/// Cost      O(N): the larger grain of a pair finds the smaller one, so that small grains look about them as
+///           far as their own size goes.  Checked against all pairs by tests/dem/test_neighbours.cpp
+[[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
+                                                std::span<const double> radius, double gap,
+                                                Images images = Images::periodic);
+
 } // namespace granum::dem

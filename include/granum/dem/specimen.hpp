@@ -13,7 +13,7 @@ namespace granum::dem {
 
 /// What the grains are made of and how they touch.
 struct Material {
-  contact::PowerLaw law;           ///< normal contact of two equal grains
+  contact::PowerLaw law;           ///< normal contact of two grains of size 1 (Specimen::size)
   double tangential_ratio = 0;     ///< k_t/k_n >= 0 [1]
   double friction_coefficient = 0; ///< mu >= 0 [1]; infinity: no contact slides
   double density = 2650; ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
@@ -53,10 +53,12 @@ struct Walls {
   bool operator==(const Walls&) const = default;
 };
 
-/// Everything that a run of equal spheres needs to go on.
+/// Everything that a run of spheres needs to go on. Contacts of grains of different sizes:
+/// contact/pair.hpp.
 struct Specimen {
-  Mat3 cell;         ///< columns are the edge vectors [m]
-  double radius = 0; ///< [m], all grains
+  Mat3 cell;                ///< columns are the edge vectors [m]
+  double radius = 0;        ///< of a grain of size 1 [m]
+  std::vector<double> size; ///< of each grain, its radius over `radius` [1]; empty: all grains have size 1
   std::vector<Vec3> position;
   std::vector<Vec3> velocity;          ///< beyond the affine motion of the cell [m/s]
   std::vector<Vec3> angular_velocity;  ///< [1/s]
@@ -64,11 +66,25 @@ struct Specimen {
   std::optional<Walls> walls;          ///< without them the cell is periodic
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
+  /// Of one grain [m].
+  [[nodiscard]] double radius_of(std::size_t grain) const {
+    return size.empty() ? radius : radius * size[grain];
+  }
   bool operator==(const Specimen&) const = default;
 };
 
 /// \throws InvalidArgument naming the value that no walls can have.
 void require_valid(const Walls& walls);
+
+/// \throws InvalidArgument unless there are no sizes, or one for each grain, positive and finite.
+void require_valid_sizes(const Specimen& state);
+
+/// Of its grains; 1 where all are equal.
+[[nodiscard]] double largest_size(const Specimen& state);
+[[nodiscard]] double smallest_size(const Specimen& state);
+
+/// Sum of the volumes of the grains [m^3].
+[[nodiscard]] double grain_volume(const Specimen& state);
 
 /// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
 [[nodiscard]] double void_ratio(const Specimen& state);

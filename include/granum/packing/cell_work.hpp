@@ -11,9 +11,12 @@ namespace granum::packing {
 /// for they stand across the branches.
 /// Assumes   contacts of the given law, with overlaps as listed; walls are rigid planes, at which a grain
 ///           stands as before its mirror image.
+/// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
+/// contact::of_sizes
 /// \return   p [Pa], compression positive; 0 without contacts
 /// Accuracy  1e-8 relative: a central difference over 1e-4 of the mean overlap.
 ///           Checked by tests/packing/test_cell_work.cpp
-[[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law);
+[[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law,
+                                           double law_radius);
 
 } // namespace granum::packing

@@ -11,8 +11,9 @@
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
+#include <granum/sizes/distribution.hpp>
 
-/// Specimens of equal spheres in a periodic cell or a box of walls: preparation, isotropic compression.
+/// Specimens of spheres in a periodic cell or a box of walls: preparation, isotropic compression.
 namespace granum::triaxial {
 
 /// How a specimen is brought to its first pressure. Both kinds have nearly the same void ratio; they differ
@@ -24,8 +25,9 @@ enum class Density {
 
 struct SpecimenRecipe {
   dem::Material material;
-  double radius = 0;         ///< R > 0 [m]
-  std::size_t grains = 1000; ///< at least 40, so that the cell is wider than four diameters
+  double radius = 0; ///< R > 0 of all grains, or the mean by number of a distribution of sizes [m]
+  sizes::Distribution sizes = sizes::Distribution::equal(); ///< of the radii over R
+  std::size_t grains = 1000;                                ///< at least least_grains(sizes)
   std::uint64_t seed = 1;
   /// Given: six rigid walls of this friction coefficient [1] hold the specimen; else its cell is periodic.
   std::optional<double> wall_friction = {};
@@ -34,12 +36,21 @@ struct SpecimenRecipe {
   double first_pressure = 10e3; ///< [Pa]
   /// Loose specimens: the jammed packing is opened by this linear strain, just below jamming ...
   double unjamming_strain = 0.003;
-  /// ... and each centre moved at random by up to this share of R, so that old contacts are forgotten.
+  /// ... and each centre moved at random by up to this share of its grain's radius, so that old contacts are
+  /// forgotten.
   double agitation = 0.03;
 };
 
+/// So many that the cell is wider than four diameters of the largest grain, as its pairs must meet
+/// through one face alone, at a void ratio of 0.2 as well; 40 where all are equal.
+[[nodiscard]] std::size_t least_grains(const sizes::Distribution& sizes);
+
 /// \throws InvalidArgument naming the value that no specimen can have.
 void require_valid(const SpecimenRecipe& recipe);
+
+/// Sizes as dem::Specimen has them, drawn from the recipe's distribution by its seed, in no order; none
+/// where all grains are equal.
+[[nodiscard]] std::vector<double> drawn_sizes(const SpecimenRecipe& recipe);
 
 /// A specimen and how well each stage of its preparation converged.
 struct Preparation {
@@ -55,7 +66,8 @@ struct Preparation {
 /// 1e-3 of what 1e-6 leads to (15 of 16 specimens; the other one went on to another packing, 1.6 % softer at
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
 /// (see Preparation::last), and come to rest once friction is on.
-/// Same recipe, same bits. The law, the seed and the grains decide; friction and density kind do not.
+/// Same recipe, same bits. The law, the seed, the sizes and their number decide; friction and density
+/// kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive; Stopped if so asked
 [[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe,
                                                 const StopRequest& stop_requested = {});

@@ -48,10 +48,15 @@ studies::Scene paper_scene() {
   return scene;
 }
 
-/// Threads are no part of what is computed.
+/// Threads are no part of what is computed. Runs of equal grains that began before scenes had
+/// grain.sizes go on.
 std::string identity(studies::Scene scene) {
   scene.study.threads = 0;
-  return studies::toml_of(scene);
+  std::string text = studies::toml_of(scene);
+  const std::string of_equal_grains = "sizes = \"equal\"\n";
+  if (const std::size_t at = text.find(of_equal_grains); at != std::string::npos)
+    text.erase(at, of_equal_grains.size());
+  return text;
 }
 
 /// Where a run stands: its scene and its folder, which holds the scene and a folder of checkpoints.

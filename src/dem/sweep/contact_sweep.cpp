@@ -112,36 +112,81 @@ GRANUM_INLINE double product(double ax, double ay, double az, double bx, double 
   return fused<level>(az, bz, fused<level>(ay, by, ax * bx));
 }
 
+/// \param    curved   the overlap over contact::pair_radius, in units of a grain of size 1
 template <VectorLevel, class Law>
-GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap) {
+GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap, double /*curved*/) {
   return law(overlap);
 }
 template <VectorLevel level>
-GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap) {
-  const double root = law.coefficient * (overlap * inverse_root<level>(overlap));
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap,
+                                                      double curved) {
+  const double root = law.coefficient * (overlap * inverse_root<level>(curved));
   return {root * overlap, 1.5 * root};
 }
 
 template <VectorLevel level>
-GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap) {
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap,
+                                                      double /*curved*/) {
   const double root =
       law.coefficient * power_from<level>(log2_of<level>(overlap), SplitExponent(law.inverse_alpha));
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
+/// What pairs have in common where all grains are equal.
+struct EqualGrains {
+  double diameter;
+
+  explicit EqualGrains(const SweepInput& in) : diameter(in.diameter) {}
+  GRANUM_INLINE void load(const SweepInput& /*in*/, const ListedPair* /*pairs*/) {}
+  GRANUM_INLINE double reach(std::size_t /*pair*/) const { return diameter; }
+  /// What the stored spins of both grains are worth in turning the branch, and its turning in torque.
+  GRANUM_INLINE static double share(std::size_t /*pair*/) { return 0.5; }
+  /// The overlap times the mean curvature of both grains, over that of a grain of size 1.
+  GRANUM_INLINE static double curved(double overlap, std::size_t /*pair*/) { return overlap; }
+};
+
+/// The same for one block of pairs of different grains.
+class UnequalGrains {
+ public:
+  explicit UnequalGrains(const SweepInput& in) : unit_radius_(in.unit_radius) {}
+
+  GRANUM_INLINE void load(const SweepInput& in, const ListedPair* pairs) {
+    const Two* const round = in.grains.round.data();
+    for (std::size_t k = 0; k < block_size; k += 2) {
+      const Two a = round[pairs[k].i] + round[pairs[k].j];
+      const Two b = round[pairs[k + 1].i] + round[pairs[k + 1].j];
+      *reinterpret_cast<TwoInMemory*>(&reach_[k]) = __builtin_shufflevector(a, b, 0, 2);
+      *reinterpret_cast<TwoInMemory*>(&curvature_[k]) = __builtin_shufflevector(a, b, 1, 3);
+    }
+    const double half_unit = 0.5 * unit_radius_;
+    for (std::size_t k = 0; k < block_size; ++k) {
+      per_reach_[k] = 1 / reach_[k];
+      curvature_[k] *= half_unit;
+    }
+  }
+  GRANUM_INLINE double reach(std::size_t pair) const { return reach_[pair]; }
+  GRANUM_INLINE double share(std::size_t pair) const { return per_reach_[pair]; }
+  GRANUM_INLINE double curved(double overlap, std::size_t pair) const { return overlap * curvature_[pair]; }
+
+ private:
+  double unit_radius_;
+  Block reach_, per_reach_, curvature_;
+};
+
 /// In two loops: in one, the compiler would branch where a pair does not touch.
-template <VectorLevel level, class Law>
-GRANUM_INLINE void normal_forces(const Law& law, double diameter, PairBlock& __restrict p) {
+template <VectorLevel level, class Law, class Sizes>
+GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& __restrict p) {
   for (std::size_t k = 0; k < block_size; ++k) {
     const double squared = product<level>(p.bx[k], p.by[k], p.bz[k], p.bx[k], p.by[k], p.bz[k]);
     const double inverse_length = inverse_root<level>(squared);
-    const double overlap = fused<level>(-squared, inverse_length, diameter);
+    const double overlap = fused<level>(-squared, inverse_length, sizes.reach(k));
     p.squared[k] = squared;
     p.inverse_length[k] = inverse_length;
     p.overlap[k] = overlap > 0 ? overlap : 0.0;
   }
   for (std::size_t k = 0; k < block_size; ++k) {
-    const contact::NormalResponse response = normal_response<level>(law, p.overlap[k]);
+    const contact::NormalResponse response =
+        normal_response<level>(law, p.overlap[k], sizes.curved(p.overlap[k], k));
     p.force[k] = response.force;
     p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
     const double per_length = response.force * p.inverse_length[k];
@@ -167,16 +212,17 @@ GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, E
 
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
 /// .. mk: this block's memory.
-template <VectorLevel level>
-GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict p, Eight& __restrict sliding,
-                                     double* __restrict mx, double* __restrict my, double* __restrict mz,
-                                     double* __restrict mk) {
+template <VectorLevel level, class Sizes>
+GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, PairBlock& __restrict p,
+                                     Eight& __restrict sliding, double* __restrict mx, double* __restrict my,
+                                     double* __restrict mz, double* __restrict mk) {
   const double ratio = in.tangential_ratio, friction = in.friction, elapsed = in.elapsed;
   std::int64_t any_slides = 0;
   const Mat3 gradient = in.gradient;
   for (std::size_t k = 0; k < block_size; ++k) {
     const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
-    const double wx = 0.5 * p.wx[k], wy = 0.5 * p.wy[k], wz = 0.5 * p.wz[k];
+    const double share = sizes.share(k);
+    const double wx = share * p.wx[k], wy = share * p.wy[k], wz = share * p.wz[k];
     const double vx =
         p.ux[k] + product<level>(gradient(0, 0), gradient(0, 1) + wz, gradient(0, 2) - wy, bx, by, bz);
     const double vy =
@@ -210,9 +256,10 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, PairBlock& __restrict
     p.fx[k] += sx;
     p.fy[k] += sy;
     p.fz[k] += sz;
-    p.tx[k] = -0.5 * fused<level>(by, sz, -bz * sy);
-    p.ty[k] = -0.5 * fused<level>(bz, sx, -bx * sz);
-    p.tz[k] = -0.5 * fused<level>(bx, sy, -by * sx);
+    const double share = sizes.share(k);
+    p.tx[k] = -share * fused<level>(by, sz, -bz * sy);
+    p.ty[k] = -share * fused<level>(bz, sx, -bx * sz);
+    p.tz[k] = -share * fused<level>(bx, sy, -by * sx);
   }
 }
 
@@ -307,16 +354,16 @@ struct Work {
   SumRows& sums;
 };
 
-template <bool tangential, class Level, class Law>
-GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPair* pairs, MemoryBlock* memory,
-                               PairBlock& p) {
+template <bool tangential, class Level, class Law, class Sizes>
+GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const Work& work, const ListedPair* pairs,
+                               MemoryBlock* memory, PairBlock& p) {
   if constexpr (tangential)
     load_block<Level>(work.in, work.shifts, pairs, p);
   else
     load_branches(work.in, work.shifts, pairs, p);
-  normal_forces<Level::level>(law, work.in.diameter, p);
+  normal_forces<Level::level>(law, sizes, p);
   if constexpr (tangential)
-    frictional_forces<Level::level>(work.in, p, work.sums.sliding, memory->x.data(), memory->y.data(),
+    frictional_forces<Level::level>(work.in, sizes, p, work.sums.sliding, memory->x.data(), memory->y.data(),
                                     memory->z.data(), memory->stiffness.data());
   add_up(p, work.sums);
   if constexpr (tangential)
@@ -325,9 +372,10 @@ GRANUM_INLINE void sweep_block(const Law& law, const Work& work, const ListedPai
     unload_forces(pairs, p, work.load);
 }
 
-template <bool tangential, class Level, class Law>
+template <bool tangential, class Sizes, class Level, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
+  Sizes sizes(work.in);
   for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
     for (std::size_t row = rows.begin; row < rows.end; ++row)
       Level::put(&work.load[row], Level::row(Four{}, Four{}));
@@ -337,17 +385,29 @@ GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
     const std::size_t next = std::min(first + block_size, work.chunk.pairs.end - block_size);
     if (far)
       prefetch(pairs + next, work.in.grains.row.data(), work.load);
-    sweep_block<tangential, Level>(law, work, pairs + first,
+    sizes.load(work.in, pairs + first);
+    sweep_block<tangential, Level>(law, sizes, work, pairs + first,
                                    tangential ? work.memory + first / block_size : nullptr, p);
   }
 }
 
-template <class Level, class Law>
+template <class Sizes, class Level, class Law>
 GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
   if (work.memory != nullptr)
-    sweep_all<true, Level>(law, work);
+    sweep_all<true, Sizes, Level>(law, work);
   else
-    sweep_all<false, Level>(law, work);
+    sweep_all<false, Sizes, Level>(law, work);
+}
+
+/// The law and the vectors are chosen once for all pairs.
+template <class Sizes>
+void run_sweep(const contact::NormalKernel& law, const Work& work) {
+  std::visit(
+      [&](const auto& kernel) {
+        at_vector_level([&]<VectorLevel level>(AtLevel<level>)
+                            __attribute__((always_inline)) { sweep_with<Sizes, Rows<level>>(kernel, work); });
+      },
+      law);
 }
 
 } // namespace
@@ -367,12 +427,10 @@ SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& inpu
   const Shifts shifts = shift_rows(input.cell, input.diameter);
   SumRows sums;
   const Work work{input, shifts, chunk, memory, load.data(), sums};
-  std::visit(
-      [&](const auto& kernel) {
-        at_vector_level([&]<VectorLevel level>(AtLevel<level>)
-                            __attribute__((always_inline)) { sweep_with<Rows<level>>(kernel, work); });
-      },
-      law);
+  if (input.grains.own.empty())
+    run_sweep<EqualGrains>(law, work);
+  else
+    run_sweep<UnequalGrains>(law, work);
   return totals(sums);
 }
 

@@ -37,7 +37,8 @@ struct SweepInput {
   const Grains& grains;
   Mat3 cell;
   Mat3 gradient;           ///< velocity gradient of the cell [1/s]
-  double diameter;         ///< [m]
+  double diameter;         ///< of the largest grain [m]
+  double unit_radius;      ///< of a grain of size 1 [m]
   double elapsed;          ///< time that the grains have moved since the last sweep [s]
   double tangential_ratio; ///< k_t/k_n
   double friction;         ///< finite

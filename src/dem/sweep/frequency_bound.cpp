@@ -6,6 +6,8 @@
 #include <cmath>
 #include <variant>
 
+#include <granum/contact/pair.hpp>
+
 namespace granum::dem {
 
 namespace {
@@ -42,13 +44,16 @@ NormalSum combined(double a, const NormalSum& m, const NormalSum& other) {
 template <class Law>
 void add_pairs(const Law& law, const FrequencyInput& in, std::vector<NormalSum>& sums) {
   const std::array<Vec3, 27> shifts = shift_vectors(in.cell);
-  const double diameter = 2 * in.radius;
   for (const Pair& pair : in.pairs) {
     const Vec3 branch = in.grains.centre(pair.j) + shifts[pair.image] - in.grains.centre(pair.i);
     const double squared = dot(branch, branch);
-    if (squared >= diameter * diameter)
+    const double reach = in.grains.radius_or(in.radius, pair.i) + in.grains.radius_or(in.radius, pair.j);
+    if (squared >= reach * reach)
       continue;
-    const double weight = law(diameter - std::sqrt(squared)).stiffness / squared;
+    const double overlap = reach - std::sqrt(squared);
+    const auto& own = in.grains.own;
+    const Law of_pair = own.empty() ? law : contact::of_sizes(law, own[pair.i].size, own[pair.j].size);
+    const double weight = of_pair(overlap).stiffness / squared;
     sums[pair.i].add(weight, branch);
     sums[pair.j].add(weight, branch);
   }
@@ -60,9 +65,11 @@ void add_walls(const Law& law, const FrequencyInput& in, const WallContacts& wal
   const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
   for (const WallHistory& contact : walls.candidates()) {
     const WallPlane& plane = planes[contact.wall];
-    const double overlap = in.radius - wall_distance(plane, in.grains.centre(contact.grain));
+    const double overlap =
+        in.grains.radius_or(in.radius, contact.grain) - wall_distance(plane, in.grains.centre(contact.grain));
     if (overlap > 0)
-      sums[contact.grain].add(0.5 * wall_response(law, overlap).stiffness, plane.normal);
+      sums[contact.grain].add(0.5 * wall_response(law, in.grains, contact.grain, overlap).stiffness,
+                              plane.normal);
   }
 }
 
@@ -86,8 +93,12 @@ double highest_frequency_squared(const contact::NormalKernel& law, const Frequen
     const double across = r * m.trace();
     const double translation =
         smooth_walls ? row_sum(combined(1 - r, m, smooth[g]), 1, across) : row_sum(m, 1 - r, across);
-    const double rotation = r * in.radius * in.radius * row_sum(m, -1, m.trace());
-    highest = std::max(highest, 2 * (translation / in.mass + rotation / in.inertia));
+    const double radius = in.grains.radius_or(in.radius, g);
+    const bool equal = in.grains.own.empty();
+    const double mass = equal ? in.mass : in.grains.own[g].mass;
+    const double inertia = equal ? in.inertia : mass * radius * radius;
+    const double rotation = r * radius * radius * row_sum(m, -1, m.trace());
+    highest = std::max(highest, 2 * (translation / mass + rotation / inertia));
   }
   return highest;
 }

@@ -17,10 +17,10 @@ struct FrequencyInput {
   const std::vector<Pair>& pairs;
   const Grains& grains;
   Mat3 cell;
-  double radius;           ///< [m]
+  double radius;           ///< where all grains are equal [m]
   double tangential_ratio; ///< k_t/k_n; 0 without friction
-  double mass;             ///< [kg]
-  double inertia;          ///< [kg m^2]
+  double mass;             ///< likewise [kg]
+  double inertia;          ///< likewise [kg m^2]
 };
 
 /// Strict bound on omega^2 of the highest frequency [1/s^2]; 0 where nothing touches. A contact couples two

@@ -119,6 +119,35 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
           .speed_squared = fastest};
 }
 
+/// Where grains differ: R w and v change alike, each grain with its own mass.
+template <class Level>
+GRANUM_INLINE MotionSums kick_unequal_at_level(Grains& grains, Range range, const std::vector<LoadRow>& load,
+                                               const Kick& kick) {
+  const auto keep = Level::row(Four{1, 1, 1, kick.keep}, all(kick.keep));
+  auto kinetic = Level::row(Four{}, Four{}), powers = kinetic;
+  double kinetic_y = 0, power_y = 0, fastest = 0;
+  for (std::size_t g = range.begin; g < range.end; ++g) {
+    const OwnSize& own = grains.own[g];
+    const double push = kick.push * own.per_mass;
+    const auto on = Level::get(&load[g]);
+    const auto grain = keep * Level::get(&grains.row[g]) + Level::row(Four{0, 0, 0, push}, all(push)) * on;
+    const double on_y = load[g].turn[0];
+    const double spin_y = kick.keep * grains.spin_y[g] + push * on_y;
+    Level::put(&grains.row[g], grain);
+    grains.spin_y[g] = spin_y;
+    const auto square = grain * grain;
+    kinetic = kinetic + Level::row(all(own.mass), all(own.mass)) * square;
+    powers = powers + grain * on;
+    kinetic_y += own.mass * (spin_y * spin_y);
+    power_y += spin_y * on_y;
+    fastest = std::max(fastest, sum_of_three(high(square)));
+  }
+  const Four of_spins = low(kinetic), of_rates = high(kinetic);
+  return {.kinetic = sum_of_three(of_rates) + (of_rates[3] + kinetic_y + of_spins[3]),
+          .power = sum_of(low(powers), high(powers), power_y),
+          .speed_squared = fastest};
+}
+
 } // namespace
 
 MotionSums& MotionSums::operator+=(const MotionSums& other) {
@@ -167,7 +196,8 @@ MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& 
                        double mass, double inertia) {
   MotionSums sums;
   at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    sums = kick_at_level<Rows<level>>(grains, range, load, kick, mass, inertia);
+    sums = grains.own.empty() ? kick_at_level<Rows<level>>(grains, range, load, kick, mass, inertia)
+                              : kick_unequal_at_level<Rows<level>>(grains, range, load, kick);
   });
   return sums;
 }

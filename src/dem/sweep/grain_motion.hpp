@@ -19,7 +19,8 @@ struct MotionSums {
   MotionSums& operator+=(const MotionSums& other);
 };
 
-/// What the drag of a step makes of velocities: v becomes keep v + push f, w becomes keep w + turn t.
+/// What the drag of a step makes of velocities: v becomes keep v + push f, w becomes keep w + turn t. Where
+/// grains differ, both R w and v gain push/m times t/R and f, and push is in s.
 struct Kick {
   double keep; ///< [1]
   double push; ///< [s/kg]
@@ -61,7 +62,8 @@ PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vect
                        std::vector<LoadRow>& load);
 /// Velocities and centres of all grains after the step. They do not turn.
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);
-/// New velocities, and the sums over them.
+/// New velocities, and the sums over them. Mass and inertia are those of every grain, and are not asked
+/// for where grains differ.
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
                        double mass, double inertia);
 

@@ -64,6 +64,8 @@ Specimen reordered(const Specimen& state, const std::vector<std::uint32_t>& orde
     out.position[order[g]] = state.position[g];
     out.velocity[order[g]] = state.velocity[g];
     out.angular_velocity[order[g]] = state.angular_velocity[g];
+    if (!state.size.empty())
+      out.size[order[g]] = state.size[g];
   }
   for (ContactHistory& contact : out.history) {
     contact.i = order[contact.i];

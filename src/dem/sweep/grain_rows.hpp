@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <granum/core/vec3.hpp>
@@ -25,14 +26,37 @@ struct alignas(64) LoadRow {
   Four push; ///< x, y, z of f; x of t
 };
 
+/// What is a grain's own where grains differ.
+struct OwnSize {
+  double size;     ///< radius over that of a grain of size 1 [1]
+  double radius;   ///< [m]
+  double mass;     ///< [kg]
+  double per_mass; ///< [1/kg]
+};
+
 /// The grains of an engine; y of the angular velocity has no room in the rows.
+///
+/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides
+/// the branch
+/// as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the sum
+/// of both
+/// R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the difference.
 struct Grains {
   std::vector<MotionRow> row;
   std::vector<double> spin_y;
+  std::vector<OwnSize> own; ///< empty: all grains are equal
+  std::vector<Two>
+      round; ///< radius and curvature of own, for the loops over pairs, which need no more [m, 1/m]
 
   void resize(std::size_t count) {
     row.assign(count, MotionRow{});
     spin_y.assign(count, 0.0);
+  }
+  void set_sizes(std::vector<OwnSize> sizes) {
+    own = std::move(sizes);
+    round.clear();
+    for (const OwnSize& grain : own)
+      round.push_back(Two{grain.radius, 1 / grain.radius});
   }
   [[nodiscard]] std::size_t size() const { return row.size(); }
   [[nodiscard]] Vec3 centre(std::size_t g) const {
@@ -41,11 +65,25 @@ struct Grains {
   [[nodiscard]] Vec3 velocity(std::size_t g) const {
     return {row[g].rate[0], row[g].rate[1], row[g].rate[2]};
   }
-  [[nodiscard]] Vec3 spin(std::size_t g) const { return {row[g].rate[3], spin_y[g], row[g].place[3]}; }
+  /// Angular velocity.
+  [[nodiscard]] Vec3 spin(std::size_t g) const {
+    const Vec3 stored{row[g].rate[3], spin_y[g], row[g].place[3]};
+    return own.empty() ? stored : (1 / own[g].radius) * stored;
+  }
+
+  /// Radius of a grain, `equal` where all have the same [m].
+  [[nodiscard]] double radius_or(double equal, std::size_t g) const {
+    return own.empty() ? equal : own[g].radius;
+  }
+  /// A torque in the unit of the rows.
+  [[nodiscard]] Vec3 stored_torque(std::size_t g, const Vec3& t) const {
+    return own.empty() ? t : (1 / own[g].radius) * t;
+  }
 
   void set_centre(std::size_t g, const Vec3& x) { row[g].place = Four{x.x, x.y, x.z, row[g].place[3]}; }
   void set_velocity(std::size_t g, const Vec3& v) { row[g].rate = Four{v.x, v.y, v.z, row[g].rate[3]}; }
-  void set_spin(std::size_t g, const Vec3& w) {
+  void set_spin(std::size_t g, const Vec3& spin) {
+    const Vec3 w = own.empty() ? spin : own[g].radius * spin;
     row[g].rate[3] = w.x;
     spin_y[g] = w.y;
     row[g].place[3] = w.z;
@@ -53,8 +91,10 @@ struct Grains {
 };
 
 inline Vec3 force(const LoadRow& load) { return {load.push[0], load.push[1], load.push[2]}; }
+/// In the unit of the rows.
 inline Vec3 torque(const LoadRow& load) { return {load.push[3], load.turn[0], load.turn[3]}; }
 inline void add_force(LoadRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
+/// In the unit of the rows: t, or t/R where grains differ.
 inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;
   load.turn += Four{t.y, 0, 0, t.z};

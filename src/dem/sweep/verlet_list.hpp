@@ -19,16 +19,17 @@ inline Images images(const Specimen& state) { return state.walls ? Images::none 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no.
 class VerletList {
  public:
-  VerletList(double contact_distance, double skin, Images images)
-      : contact_distance_(contact_distance), skin_(skin), images_(images) {}
+  /// \param    skin   over the radius of a grain of size 1
+  VerletList(const Specimen& state, double skin)
+      : contact_distance_(2 * state.radius * largest_size(state)), skin_(skin * state.radius) {}
 
-  /// Wraps the centres of a periodic cell and lists the pairs anew.
-  void build(const Mat3& cell, std::span<Vec3> position) {
-    if (images_ == Images::periodic)
-      wrap(cell, position);
-    pairs_ = neighbour_pairs(cell, position, contact_distance_ + skin_, images_);
-    reference_.assign(position.begin(), position.end());
-    reference_inverse_ = inverse(cell);
+  /// Wraps the centres of a periodic cell and lists the pairs anew. The grains have the sizes that they had.
+  void build(Specimen& state) {
+    if (!state.walls)
+      wrap(state.cell, state.position);
+    pairs_ = listed_pairs(state);
+    reference_ = state.position;
+    reference_inverse_ = inverse(state.cell);
   }
 
   /// False when two grains that are not listed could have come into contact since build: a pair nears by at
@@ -60,9 +61,17 @@ class VerletList {
   [[nodiscard]] double skin() const { return skin_; }
 
  private:
-  double contact_distance_;
+  [[nodiscard]] std::vector<Pair> listed_pairs(const Specimen& state) const {
+    if (state.size.empty())
+      return neighbour_pairs(state.cell, state.position, contact_distance_ + skin_, images(state));
+    std::vector<double> radius;
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      radius.push_back(state.radius_of(g));
+    return neighbour_pairs(state.cell, state.position, radius, skin_, images(state));
+  }
+
+  double contact_distance_; ///< of the two largest grains
   double skin_;
-  Images images_;
   std::vector<Pair> pairs_;
   std::vector<Vec3> reference_;
   Mat3 reference_inverse_;

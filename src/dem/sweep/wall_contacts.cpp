@@ -29,14 +29,14 @@ bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, 
 
 } // namespace
 
-void WallContacts::list(const Mat3& cell, const Grains& grains, double reach,
+void WallContacts::list(const Mat3& cell, const Grains& grains, double radius, double gap,
                         const std::vector<WallHistory>& history) {
   const std::array<WallPlane, wall_count> planes = wall_planes(cell);
   std::vector<WallHistory> listed;
   auto past = history.begin();
   for (std::uint32_t g = 0; g < grains.size(); ++g)
     for (std::uint32_t w = 0; w < wall_count; ++w) {
-      if (wall_distance(planes[w], grains.centre(g)) >= reach)
+      if (wall_distance(planes[w], grains.centre(g)) >= grains.radius_or(radius, g) + gap)
         continue;
       while (past != history.end() && std::tie(past->grain, past->wall) < std::tie(g, w))
         ++past;
@@ -58,14 +58,14 @@ WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInpu
     const WallPlane& plane = planes[contact.wall];
     const Vec3 centre = in.grains.centre(contact.grain);
     const double distance = wall_distance(plane, centre);
-    const double overlap = in.diameter / 2 - distance;
+    const double overlap = in.grains.radius_or(in.diameter / 2, contact.grain) - distance;
     if (!(overlap > 0)) {
       contact.tangential_force = {};
       contact.tangential_stiffness = 0;
       continue;
     }
-    const contact::NormalResponse response =
-        std::visit([&](const auto& kernel) { return wall_response(kernel, overlap); }, law);
+    const contact::NormalResponse response = std::visit(
+        [&](const auto& kernel) { return wall_response(kernel, in.grains, contact.grain, overlap); }, law);
     const Vec3 arm = -distance * plane.normal;
     Vec3 force = response.force * plane.normal;
     if (rough) {
@@ -76,7 +76,7 @@ WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInpu
       forces.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
                                        in.tangential_ratio * response.stiffness, friction_ * response.force);
       force += contact.tangential_force;
-      add_torque(load[contact.grain], cross(arm, force));
+      add_torque(load[contact.grain], in.grains.stored_torque(contact.grain, cross(arm, force)));
     }
     add_force(load[contact.grain], force);
     forces.force[contact.wall] += force;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include <granum/contact/pair.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/bytes.hpp>
 #include <granum/dem/specimen.hpp>
@@ -20,6 +21,16 @@ contact::NormalResponse wall_response(const Law& law, double overlap) {
   return {pair.force, 2 * pair.stiffness};
 }
 
+/// The same of one grain among different ones.
+template <class Law>
+contact::NormalResponse wall_response(const Law& law, const Grains& grains, std::size_t grain,
+                                      double overlap) {
+  if (grains.own.empty())
+    return wall_response(law, overlap);
+  const double size = grains.own[grain].size;
+  return wall_response(contact::of_sizes(law, size, size), overlap);
+}
+
 /// Distance of a centre from a wall [m].
 inline double wall_distance(const WallPlane& plane, const Vec3& x) {
   return dot(x - plane.centre, plane.normal);
@@ -30,8 +41,11 @@ class WallContacts {
  public:
   explicit WallContacts(double friction) : friction_(friction) {}
 
-  /// Lists the grains nearer to a wall than reach; a memory moves to its contact's new place.
-  void list(const Mat3& cell, const Grains& grains, double reach, const std::vector<WallHistory>& history);
+  /// Lists the grains nearer to a wall than their radius and the gap; a memory moves to its contact's
+  /// new place.
+  /// \param    radius   of all grains, where they are equal [m]
+  void list(const Mat3& cell, const Grains& grains, double radius, double gap,
+            const std::vector<WallHistory>& history);
   /// Adds forces and torques on some grains to load and to the sums, and gives those on the walls. Tangential
   /// ones only where `tangential` and the walls are rough.
   WallForces sweep(const contact::NormalKernel& law, const SweepInput& input, Range of_grains,

@@ -13,6 +13,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/lammps/data.hpp>
+#include <granum/packing/density.hpp>
 
 namespace granum::io {
 
@@ -45,12 +46,9 @@ void require_valid(const LammpsPath& path) {
   require_open("path.largest_strain", path.largest_strain, 0, 1);
 }
 
-void require_valid(const packing::Assembly& start, const LammpsExperiment& experiment) {
+void require_valid(const LammpsExperiment& experiment) {
   require_positive("radius", experiment.radius, "m");
   require_spheres(experiment.law, experiment.radius);
-  for (const double radius : start.radius)
-    if (radius != experiment.radius)
-      throw InvalidArgument("radius", radius, "m", "the radius of the experiment: all grains are equal");
   require_non_negative("tangential_ratio", experiment.tangential_ratio);
   require_non_negative("friction_coefficient", experiment.friction_coefficient);
   if (experiment.pressures.empty())
@@ -86,6 +84,14 @@ std::string names_of(const std::vector<double>& pressures) {
   return text.empty() ? "none" : text;
 }
 
+/// Of sqrt(m/k_n) of a grain of the mean radius. LAMMPS has the true masses of grains: that of a
+/// smaller one goes as R^3, and its stiffness as R where all bear one stress.
+constexpr double usual_time_step_share = 0.1;
+
+std::string sizes_text(double smallest, double largest) {
+  return "which are of " + short_text(smallest) + " to " + short_text(largest);
+}
+
 using Numbers = std::map<std::string, std::string, std::less<>>;
 
 /// A test that no deck has been asked for is there with its numbers, under the name none.
@@ -104,26 +110,33 @@ void add_path(Numbers& numbers, const LammpsExperiment& e) {
 /// What stands in scene.lmp for each of its placeholders; it says there what they are, with their units.
 Numbers numbers_of(const packing::Assembly& start, const LammpsExperiment& e) {
   const contact::GrainMaterial& grain = e.law.grain();
+  const auto [smallest, largest] = std::minmax_element(start.radius.begin(), start.radius.end());
+  const bool equal = *smallest == *largest;
   const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(e.radius, 3);
-  const double solid_fraction = volume * static_cast<double>(start.grain_count()) / start.volume();
+  const double solid_fraction = equal ? volume * static_cast<double>(start.grain_count()) / start.volume()
+                                      : packing::solid_fraction(start);
   // k_n = 2 G a/(1 - nu) with a the radius of the contact; LAMMPS takes k_t/a.
   const double tangential = e.tangential_ratio * 2 * grain.shear_modulus / (1 - grain.poisson_ratio);
-  Numbers numbers{{"start", e.start == LammpsStart::packed ? "packed" : "scattered"},
-                  {"pressure", list_of(e.pressures)},
-                  {"state", names_of(e.pressures)},
-                  {"probe_state", names_of(e.probe_pressures)},
-                  {"probed_states", std::to_string(e.probe_pressures.size())},
-                  {"radius", exact_text(e.radius)},
-                  {"density", exact_text(e.density)},
-                  {"young", exact_text(2 * grain.shear_modulus * (1 + grain.poisson_ratio))},
-                  {"poisson", exact_text(grain.poisson_ratio)},
-                  {"hertz", exact_text(e.law.coefficient())},
-                  {"tangential_stiffness", exact_text(tangential)},
-                  {"tangential_ratio", exact_text(e.tangential_ratio)},
-                  {"friction", exact_text(e.friction_coefficient)},
-                  {"prepare_friction", exact_text(e.friction_while_prepared ? e.friction_coefficient : 0.0)},
-                  {"first_solid_fraction", exact_text(solid_fraction)},
-                  {"relaxed_share", e.friction_while_prepared ? "0.1" : "0.3"}};
+  Numbers numbers{
+      {"start", e.start == LammpsStart::packed ? "packed" : "scattered"},
+      {"pressure", list_of(e.pressures)},
+      {"state", names_of(e.pressures)},
+      {"probe_state", names_of(e.probe_pressures)},
+      {"probed_states", std::to_string(e.probe_pressures.size())},
+      {"radius", exact_text(e.radius)},
+      {"radius_of", equal ? "every grain" : "all grains in the mean, " + sizes_text(*smallest, *largest)},
+      {"time_step_share",
+       exact_text(equal ? usual_time_step_share : usual_time_step_share * *smallest / e.radius)},
+      {"density", exact_text(e.density)},
+      {"young", exact_text(2 * grain.shear_modulus * (1 + grain.poisson_ratio))},
+      {"poisson", exact_text(grain.poisson_ratio)},
+      {"hertz", exact_text(e.law.coefficient())},
+      {"tangential_stiffness", exact_text(tangential)},
+      {"tangential_ratio", exact_text(e.tangential_ratio)},
+      {"friction", exact_text(e.friction_coefficient)},
+      {"prepare_friction", exact_text(e.friction_while_prepared ? e.friction_coefficient : 0.0)},
+      {"first_solid_fraction", exact_text(solid_fraction)},
+      {"relaxed_share", e.friction_while_prepared ? "0.1" : "0.3"}};
   add_path(numbers, e);
   return numbers;
 }
@@ -151,7 +164,7 @@ std::string filled(std::string_view script, const Numbers& numbers) {
 } // namespace
 
 std::vector<DeckFile> lammps_deck(const packing::Assembly& start, const LammpsExperiment& experiment) {
-  require_valid(start, experiment);
+  require_valid(experiment);
   std::vector<DeckFile> files{{"grains.data", lammps_data(start, experiment.density)}};
   for (const auto& [name, text] : scripts)
     files.push_back({std::string(name),

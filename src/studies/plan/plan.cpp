@@ -65,6 +65,8 @@ double measured_speed(const Scene& scene) {
       for (int z = 0; z < edges; ++z)
         for (const Vec3& site : {Vec3{0, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.5, 0, 0.5}, Vec3{0, 0.5, 0.5}})
           state.position.push_back(edge * (site + Vec3{x + 0.25, y + 0.25, z + 0.25}));
+  if (!specimen.sizes.is_equal())
+    state.size.assign(state.grain_count(), 1.0); // each has its own radius, as far as the engine knows
   dem::Engine engine(state, specimen.material);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();

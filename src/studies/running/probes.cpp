@@ -3,14 +3,25 @@
 
 #include <utility>
 
+#include <granum/contact/pair.hpp>
 #include <granum/triaxial/probe.hpp>
 
 namespace granum::studies {
 
 analysis::Given known_of(const dem::Specimen& state, const dem::Material& material) {
-  return {.law = material.law,
-          .tangential_ratio = material.tangential_ratio,
-          .void_ratio = dem::void_ratio(state)};
+  analysis::Given given{.law = material.law,
+                        .tangential_ratio = material.tangential_ratio,
+                        .void_ratio = dem::void_ratio(state)};
+  if (!state.size.empty()) {
+    given.law.reset();
+    given.law_family = [law = material.law, unit = state.radius](const contact::GrainMaterial& grain,
+                                                                 double radius) {
+      return contact::of_sizes(law.of_grain(grain), radius / unit, radius / unit);
+    };
+    given.grain_shear_modulus = material.law.grain().shear_modulus;
+    given.grain_poisson_ratio = material.law.grain().poisson_ratio;
+  }
+  return given;
 }
 
 Probes run_probes(const dem::Specimen& state, const dem::Material& material,

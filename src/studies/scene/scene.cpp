@@ -44,6 +44,7 @@ triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::u
                            contact::Friction::from_angle(scene.grain.friction_angle).coefficient(),
                        .density = scene.grain.density},
           .radius = scene.grain.radius,
+          .sizes = scene.grain.sizes,
           .grains = scene.study.grains,
           .seed = seed,
           .wall_friction = scene.specimen.walls ? std::optional(scene.specimen.wall_friction) : std::nullopt,

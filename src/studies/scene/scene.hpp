@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <granum/contact/shape.hpp>
+#include <granum/sizes/distribution.hpp>
 #include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
 
@@ -20,13 +21,14 @@ namespace granum::studies {
 
 [[nodiscard]] std::string_view name(triaxial::Density density);
 
-/// Equal spheres of one material.
+/// Spheres of one material.
 struct GrainSection {
-  double radius = 0.5e-3;                                  ///< R [m]
-  double shear_modulus = 30e9;                             ///< G_g [Pa]
-  double poisson_ratio = 0.15;                             ///< nu_g [1]
-  double friction_angle = 26.5 * std::numbers::pi / 180.0; ///< between grains [rad]
-  double density = 2650;                                   ///< of the grains [kg/m^3]
+  double radius = 0.5e-3;                                   ///< R, of all or their mean by number [m]
+  sizes::Distribution sizes = sizes::Distribution::equal(); ///< of the radii over R
+  double shear_modulus = 30e9;                              ///< G_g [Pa]
+  double poisson_ratio = 0.15;                              ///< nu_g [1]
+  double friction_angle = 26.5 * std::numbers::pi / 180.0;  ///< between grains [rad]
+  double density = 2650;                                    ///< of the grains [kg/m^3]
 };
 
 /// Contacts between grains.

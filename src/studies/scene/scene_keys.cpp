@@ -9,6 +9,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 namespace granum::studies {
 
@@ -198,6 +199,21 @@ SceneKey boundary_key(const Head& head) {
   return key;
 }
 
+SceneKey sizes_key(const Head& head) {
+  SceneKey key = key_of(head);
+  key.set = [name = key.name](Scene& scene, const std::string& text) {
+    const sizes::Distribution parsed = sizes::parse_distribution(text);
+    if (parsed.mean_radius())
+      throw InvalidArgument(
+          name + ": a sieve curve has diameters of its own, and a scene has grain.radius; name the "
+                 "uniformity coefficient, for instance uniformity:2.5");
+    scene.grain.sizes = parsed;
+  };
+  key.get = [](const Scene& scene) { return KeyValue(scene.grain.sizes.text()); };
+  key.resolved = key.get;
+  return key;
+}
+
 /// The member of a scene, const or not.
 #define GRANUM_MEMBER(member) ([](auto& scene) -> auto& { return scene.member; })
 
@@ -205,8 +221,12 @@ std::vector<SceneKey> grain_keys() {
   using enum Dimension;
   return {
       quantity(
-          {"grain.radius", "of all grains"}, GRANUM_MEMBER(grain.radius), length,
+          {"grain.radius", "of all grains, or the mean by number of grain.sizes"},
+          GRANUM_MEMBER(grain.radius), length,
           {.low = 1e-9, .high = 1e3, .reason = "volumes, inertias and sums go as up to its fifth power"}),
+      sizes_key({"grain.sizes",
+                 "of their radii by number: equal, bidisperse:RATIO, uniform:SMALLEST:LARGEST, "
+                 "lognormal:SIGMA, power-law:EXPONENT:RATIO or uniformity:C_U"}),
       quantity({"grain.shear_modulus", "of the solid that the grains consist of"},
                GRANUM_MEMBER(grain.shear_modulus), pressure,
                {.low = 1, .high = 1e15, .reason = "no solid lies outside, and products of stiffnesses fit"}),

@@ -36,7 +36,7 @@ struct Section {
 };
 
 constexpr Section sections[] = {
-    {"grain", "equal spheres of quartz-like grains, Table 1 of Chung et al. (2014)"},
+    {"grain", "spheres, quartz-like grains, Table 1 of Chung et al. (2014)"},
     {"contact", "between two grains; a shape reads its own numbers alone"},
     {"study", "which specimens, and where they are measured"},
     {"specimen", "how they are held and made"},

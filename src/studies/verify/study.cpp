@@ -19,14 +19,16 @@ namespace granum::studies {
 
 namespace {
 
-void estimate_closed_form(const triaxial::SpecimenRecipe& recipe, CompressedState& out) {
-  const effective::State state{.law = recipe.material.law,
-                               .tangential_ratio = recipe.material.tangential_ratio,
-                               .radius = recipe.radius,
+/// Rung 2 from the counts of the frozen packing, under the pressure that was asked for.
+void estimate_closed_form(const dem::Material& material, CompressedState& out) {
+  const effective::State state{.law = out.packing.law.value(),
+                               .tangential_ratio = material.tangential_ratio,
+                               .radius = out.packing.sizes.equivalent,
                                .void_ratio = out.packing.void_ratio,
                                .coordination_number = out.packing.counts.coordination_number,
                                .stress_v = out.pressure,
-                               .stress_h = out.pressure};
+                               .stress_h = out.pressure,
+                               .contacts = out.packing.sizes.contacts};
   const effective::RungAnswer form =
       effective::answer(effective::rung(effective::RungName::directional), {state});
   out.G_closed = form.stiffness.G_vh();
@@ -60,7 +62,7 @@ CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::Spec
                       .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
                       .largest_inertial_number = snapshot.report.largest_inertial_number};
   (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
-  estimate_closed_form(recipe, out);
+  estimate_closed_form(material, out);
   if (probed)
     out.probes = run_probes(frozen.state(), material, stop_requested);
   return out;

@@ -2,6 +2,7 @@
 #include <granum/io/lammps/deck.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -222,7 +223,20 @@ TEST_CASE("LAMMPS deck: impossible experiments are refused by name") {
         std::string::npos);
   CHECK(with_path([](auto& p) { p.eta_step = 1e-4; }).find("path.eta_step") != std::string::npos);
   CHECK(with_path([](auto& p) { p.largest_strain = 1; }).find("path.largest_strain") != std::string::npos);
-  packing::Assembly two_sizes = three_grains();
-  two_sizes.radius[1] = 0.4e-3;
-  CHECK(refused(two_sizes, spheres()).find("radius = 0.0004") != std::string::npos);
+}
+
+TEST_CASE("grains of unequal radii: their diameters in the data, a time step for the smallest") {
+  packing::Assembly sizes = three_grains();
+  sizes.radius = {0.25e-3, 0.5e-3, 0.75e-3};
+  const std::vector<DeckFile> deck = lammps_deck(sizes, spheres());
+  const std::string data = text_of(deck, "grains.data"), scene = text_of(deck, "scene.lmp");
+  for (const char* diameter : {"1 1 0.0005 ", "2 1 0.001 ", "3 1 0.0015 "})
+    CHECK(data.find(diameter) != std::string::npos);
+  CHECK(scene.find("variable time_step_share index 0.05 ") != std::string::npos);
+  CHECK(scene.find("all grains in the mean, which are of 0.00025 to 0.00075 [m]") != std::string::npos);
+  const double volume = 4.0 / 3 * 3.14159265358979 * (0.125 + 1 + 3.375) * std::pow(radius, 3);
+  const std::string start = "variable first_solid_fraction index ";
+  const std::size_t at = scene.find(start) + start.size();
+  CHECK(parse_number(scene.substr(at, scene.find(' ', at) - at)).value() ==
+        relative(volume / sizes.volume(), 1e-12));
 }

@@ -28,10 +28,10 @@ struct LammpsPath {
   double largest_strain = 0.03;  ///< axial strain, either sense, at which the test ends, in (0, 1) [1]
 };
 
-/// One specimen: equal spheres, isotropic compression with snapshots, a stress path, small-strain probes.
+/// One specimen: spheres, isotropic compression with snapshots, a stress path, small-strain probes.
 struct LammpsExperiment {
   contact::PowerLaw law;       ///< of spheres of `radius`
-  double radius = 0;           ///< R > 0 [m], all grains
+  double radius = 0;           ///< R > 0 [m], of all grains or of those that the law is of, their mean
   double density = 2650;       ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
   double tangential_ratio = 0; ///< k_t/k_n >= 0 [1]
   double friction_coefficient = 0; ///< mu >= 0 [1]
@@ -56,9 +56,11 @@ struct DeckFile {
 /// the force carried so far; mindlin without /force rescales the whole force with k_t, so that a frozen state
 /// answers with another k_t than a contact network has. Time step, drag and servo follow from the pressure.
 /// Assumes   `start` is periodic on all faces.
-/// \param    start   grains of equal radius; contacts and forces are not taken over
+/// Grains of unequal radii have their diameters in grains.data; LAMMPS takes R* of each pair itself.
+/// Its time step then follows the smallest grain.
+/// \param    start   grains; contacts and forces are not taken over
 /// \throws   InvalidArgument as lammps_data; for a law that is not that of spheres of the radius (LAMMPS
-///           has no other of this family), a radius that is not that of the grains, a ratio, friction,
+///           has no other of this family), a ratio, friction,
 ///           pressure or number of the path out of range
 [[nodiscard]] std::vector<DeckFile> lammps_deck(const packing::Assembly& start,
                                                 const LammpsExperiment& experiment);

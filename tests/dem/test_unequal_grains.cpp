@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/contact/pair.hpp>
+#include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
+#include <granum/dem/specimen_bytes.hpp>
+#include <granum/packing/stress.hpp>
+
+#include "lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// Grains of two sizes that touch with the given overlap along x.
+Specimen pair_state(double size_i, double size_j, double overlap) {
+  Specimen state;
+  state.radius = radius;
+  state.size = {size_i, size_j};
+  state.cell = Mat3::diagonal(16e-3, 16e-3, 16e-3);
+  state.position = {{8e-3, 8e-3, 8e-3}, {8e-3 + radius * (size_i + size_j) - overlap, 8e-3, 8e-3}};
+  state.velocity.resize(2);
+  state.angular_velocity.resize(2);
+  return state;
+}
+
+/// A lattice of grains between `least` and 1 in size, some of which touch, in motion.
+Specimen lively(int edges, double least, bool walls) {
+  Specimen state = test::fcc(radius, edges, 2e-7 + (1 - least) * radius);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double phase = static_cast<double>(g);
+    state.size.push_back(0.5 * (1 + least + (1 - least) * std::sin(13 * phase)));
+    state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    state.angular_velocity[g] = 2 * Vec3{std::cos(phase), std::sin(7 * phase), std::cos(4 * phase)};
+  }
+  if (walls)
+    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+  return state;
+}
+
+void run(Engine& engine, int steps) {
+  for (int k = 0; k < steps; ++k) {
+    engine.set_velocity_gradient(4e-6 / engine.time_step() * Mat3::diagonal(1, -1.5, 0.2));
+    engine.step();
+  }
+}
+
+/// Grains at random in a cube, grown until they fill it, then pressed together without friction.
+Specimen packed(double pressure, const Material& material, double largest) {
+  Specimen state = test::fcc(radius, 5, 0.0);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double phase = static_cast<double>(g);
+    state.size.push_back(g % 3 == 0 ? largest : 1.0);
+    state.position[g] += 0.3 * radius * Vec3{std::sin(7 * phase), std::cos(3 * phase), std::sin(11 * phase)};
+  }
+  const double growth = std::cbrt(grain_volume(state) / (0.6 * determinant(state.cell)));
+  state.cell = growth * state.cell;
+  for (Vec3& x : state.position)
+    x = growth * x;
+  for (const double factor : {100.0, 1.0})
+    (void)minimise_enthalpy(state, material.law, factor * pressure,
+                            {.force_tolerance = 1e-10, .pressure_tolerance = 1e-10})
+        .pressure();
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("the contact of two unequal grains is Hertz's, in the network and in the engine") {
+  const Material material = test::quartz(radius, 0);
+  const double overlap = 1e-7;
+  for (const auto& [a, b] : {std::pair(1.0, 1.0), {0.4, 1.7}, {3.0, 0.6}}) {
+    const Specimen state = pair_state(a, b, overlap);
+    const double reduced = radius * a * b / (a + b);
+    const double expected = 4.0 / 3 * 30e9 / (1 - 0.15) * std::sqrt(reduced) * std::pow(overlap, 1.5);
+    const packing::Contact contact = contact_network(state, material).contacts.at(0);
+    CHECK(contact.normal_force == relative(expected, 1e-9)); // the overlap is a difference of lengths
+    CHECK(contact.normal_stiffness == relative(1.5 * expected / overlap, 1e-9));
+    const Engine engine(state, material);
+    CHECK(engine.figures().contacts == 1);
+    CHECK(engine.figures().mean_normal_force == relative(contact.normal_force, 1e-9));
+  }
+}
+
+TEST_CASE("unequal grains part with the momentum and the angular momentum that they had") {
+  const Material material = test::quartz(radius, inf);
+  Specimen state = pair_state(0.6, 1.9, 1e-7);
+  state.velocity = {{0, 0.002, 0}, {0.001, 0, 0.001}};
+  state.angular_velocity = {{1, 2, 3}, {-2, 0.5, 1}};
+  const auto weight = [&](std::size_t g) { return std::pow(state.size[g], mass_exponent); };
+  const auto momentum = [&](const Specimen& s) {
+    return weight(0) * s.velocity[0] + weight(1) * s.velocity[1];
+  };
+  const auto spin = [&](const Specimen& s) {
+    Vec3 sum;
+    for (std::size_t g = 0; g < 2; ++g) {
+      const double r = s.radius_of(g);
+      sum += weight(g) *
+             (cross(s.position[g] - state.position[0], s.velocity[g]) + r * r * s.angular_velocity[g]);
+    }
+    return sum;
+  };
+  Engine engine(state, material);
+  engine.set_damping(0);
+  engine.set_time_step_fraction(0.02);
+  const Vec3 before = momentum(state), turning = spin(state);
+  for (int k = 0; k < 2000; ++k)
+    engine.step();
+  const Specimen after = engine.state();
+  CHECK(norm(after.velocity[0] - state.velocity[0]) > 1e-4); // it did push
+  CHECK(norm(momentum(after) - before) < 1e-12 * norm(before));
+  // Forces of a step act where grains stood before the step moved them on.
+  CHECK(norm(spin(after) - turning) < 1e-3 * norm(turning));
+}
+
+TEST_CASE("an elastic collision of unequal grains keeps its energy") {
+  const Material material = test::quartz(radius, 0);
+  Specimen state = pair_state(0.5, 2, 1e-7);
+  Engine engine(state, material);
+  engine.set_damping(0);
+  engine.set_time_step_fraction(0.01);
+  const packing::Contact contact = contact_network(state, material).contacts.at(0);
+  const double stored = contact.normal_force * contact.overlap / 2.5;
+  for (int k = 0; k < 3000; ++k)
+    engine.step();
+  CHECK(engine.figures().contacts == 0);
+  CHECK(engine.kinetic_energy() == relative(stored, 1e-3));
+}
+
+TEST_CASE("the surfaces of unequal grains move as their spins and radii say") {
+  const Material material = test::quartz(radius, inf);
+  const double overlap = 1e-7, w0 = 1e-3, w1 = 3e-3;
+  Specimen state = pair_state(0.7, 1.8, overlap);
+  state.angular_velocity = {{0, 0, w0}, {0, 0, w1}};
+  Engine engine(state, material);
+  engine.set_damping(0);
+  const double dt = engine.time_step();
+  engine.step();
+  const packing::Contact contact = contact_network(engine.state(), material).contacts.at(0);
+  const double share = 1 - overlap / (2.5 * radius); // of each radius that is left of it at the contact point
+  const double expected = contact.tangential_stiffness * share * radius * (0.7 * w0 + 1.8 * w1) * dt;
+  CHECK(contact.tangential_force.y == relative(expected, 1e-9));
+}
+
+TEST_CASE("a grain of any size at a wall stands as before its mirror image") {
+  const Material material = test::quartz(radius, 0.5);
+  const double overlap = 1e-7;
+  for (const double size : {0.4, 2.5}) {
+    Specimen state;
+    state.radius = radius;
+    state.size = {size, 1};
+    state.cell = Mat3::diagonal(2 * (radius * size - overlap), 16e-3, 16e-3);
+    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+    state.position = {{radius * size - overlap, 8e-3, 8e-3}, {radius * size - overlap, 2e-3, 2e-3}};
+    state.size[1] = 0.1 * size; // touches nothing
+    const double expected = contact::PowerLaw::sphere(material.law.grain(), size * radius).force(2 * overlap);
+    const Engine engine(state, material);
+    CHECK(engine.figures().wall_contacts == 2);
+    CHECK(norm(engine.wall_forces().force[0]) == relative(expected, 1e-9));
+    CHECK(contact_network(state, material).wall_contacts.at(0).normal_force == relative(expected, 1e-9));
+  }
+}
+
+TEST_CASE("equal grains given one by one move as equal grains do") {
+  const Material material = test::quartz(radius, 0.05);
+  for (const bool walls : {false, true}) {
+    Specimen equal = lively(3, 1, walls);
+    equal.size.clear();
+    Specimen listed = equal, scaled = equal;
+    listed.size.assign(equal.grain_count(), 1.0);
+    scaled.radius = 0.25 * radius;
+    scaled.size.assign(equal.grain_count(), 4.0);
+    Material of_quarter = material;
+    of_quarter.law = contact::of_sizes(material.law, 0.25, 0.25);
+    Engine one(equal, material), other(listed, material), third(scaled, of_quarter);
+    for (Engine* engine : {&one, &other, &third}) {
+      engine->set_damping(0); // the adaptive one follows the last digits
+      run(*engine, 30);
+    }
+    CHECK(one.figures().sliding > 0);
+    const Specimen a = one.state(), b = other.state(), c = third.state();
+    for (std::size_t g = 0; g < a.grain_count(); ++g) {
+      CHECK(norm(a.position[g] - b.position[g]) < 1e-11 * radius);
+      CHECK(norm(a.velocity[g] - b.velocity[g]) < 1e-8 * 1e-2);
+      CHECK(norm(a.angular_velocity[g] - b.angular_velocity[g]) < 1e-8 * 2);
+      CHECK(norm(a.position[g] - c.position[g]) < 1e-11 * radius);
+    }
+    CHECK(other.kinetic_energy() == relative(one.kinetic_energy(), 1e-9));
+    CHECK(other.time_step() == relative(one.time_step(), 1e-12));
+    CHECK(other.unbalanced_force_ratio() == relative(one.unbalanced_force_ratio(), 1e-8));
+  }
+}
+
+TEST_CASE("unequal grains: any number of threads, and save and load, give the same bits") {
+  for (const bool walls : {false, true})
+    for (const double friction : {0.2, 0.0}) {
+      CAPTURE(walls);
+      CAPTURE(friction);
+      const Specimen start = lively(11, 0.5, walls);
+      const Material material = test::quartz(radius, friction);
+      Engine one(start, material), many(start, material);
+      many.set_threads(2);
+      CHECK(many.threads() == 2);
+      run(one, 40);
+      CHECK(one.figures().contacts > 0);
+      run(many, 20);
+      ByteWriter bytes;
+      many.save(bytes);
+      ByteReader reader(bytes.bytes(), "bytes");
+      Engine resumed = Engine::load(reader, material);
+      run(many, 20);
+      run(resumed, 20);
+      CHECK(one.state() == many.state());
+      CHECK(one.state() == resumed.state());
+      CHECK(one.figures().stress == resumed.figures().stress);
+      CHECK(one.kinetic_energy() == many.kinetic_energy());
+    }
+}
+
+TEST_CASE("sizes are written to the bit; a specimen of equal grains has the bytes that it had without them") {
+  const auto bytes_of = [](const Specimen& state) {
+    ByteWriter bytes;
+    save_specimen(bytes, state);
+    return std::string(bytes.bytes());
+  };
+  for (const bool walls : {false, true}) {
+    Specimen state = lively(2, 0.5, walls);
+    const std::string bytes = bytes_of(state);
+    ByteReader reader(bytes, "bytes");
+    CHECK(load_specimen(reader) == state);
+    CHECK(reader.empty());
+    Specimen equal = state;
+    equal.size.clear();
+    CHECK(bytes_of(equal).size() == bytes.size() - (state.grain_count() + 1) * sizeof(double));
+    for (const double wrong : {0.0, -1.0, std::nan(""), inf, 1e9}) {
+      state.size[3] = wrong;
+      const std::string bad = bytes_of(state);
+      ByteReader from(bad, "bad");
+      CHECK_THROWS_AS((void)load_specimen(from), FileError);
+    }
+    state.size.pop_back();
+    const std::string bad = bytes_of(state);
+    ByteReader from(bad, "bad");
+    CHECK_THROWS_AS((void)load_specimen(from), FileError);
+  }
+}
+
+TEST_CASE("unequal grains are minimised to a force balance that the network confirms") {
+  const Material material = test::quartz(radius, 0);
+  const double pressure = 1e5;
+  for (const double largest : {1.4, 3.0}) {
+    CAPTURE(largest);
+    const Specimen state = packed(pressure, material, largest);
+    const packing::Assembly network = contact_network(state, material);
+    CHECK(trace(contact_stress(network).tensor) / 3 == relative(pressure, 1e-9));
+    CHECK(packing::unbalance(network).force_ratio < 1e-8);
+    double cubes = 0;
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      cubes += std::pow(state.radius_of(g), 3);
+    CHECK(void_ratio(state) ==
+          relative(determinant(state.cell) / (4.0 / 3 * std::numbers::pi * cubes) - 1, 1e-12));
+    // The engine finds the same state in balance.
+    Engine engine(state, material);
+    engine.step();
+    CHECK(engine.unbalanced_force_ratio() < 1e-6);
+    CHECK(trace(engine.figures().stress) / 3 == relative(pressure, 1e-6));
+  }
+}
+
+TEST_CASE("the time step of unequal grains is stable, and not far from where it is not") {
+  // Without damping, the fastest motion of a packing at rest is bounded at the chosen step.
+  const Material material = test::quartz(radius, 0.5);
+  Specimen state = packed(1e5, test::quartz(radius, 0), 3.0);
+  Engine engine(state, material);
+  engine.set_damping(0);
+  for (int k = 0; k < 4000; ++k)
+    engine.step();
+  CHECK(engine.finite());
+  const double mean_force = engine.figures().mean_normal_force;
+  CHECK(engine.kinetic_energy() < 1e-4 * mean_force * 1e-7 * static_cast<double>(engine.figures().contacts));
+}
+
+TEST_CASE("sizes that no grains can have are refused") {
+  const Material material = test::quartz(radius, 0.5);
+  const auto refused = [&](auto change) {
+    Specimen state = pair_state(1, 2, 1e-7);
+    change(state);
+    CHECK_THROWS_AS((void)Engine(state, material), InvalidArgument);
+    CHECK_THROWS_AS((void)minimise_energy(state, material.law), InvalidArgument);
+  };
+  refused([](Specimen& s) { s.size.pop_back(); });
+  refused([](Specimen& s) { s.size[0] = 0; });
+  refused([](Specimen& s) { s.size[1] = std::nan(""); });
+  refused([](Specimen& s) { s.size[1] = 9; }); // wider than half of the cell
+}
