@@ -62,7 +62,7 @@ packing::Assembly packing_of(const fs::path& folder, const std::string& state) {
 }
 
 Moduli network_moduli(const packing::Assembly& packing) {
-  const auto& c = network::linear_response(packing).relaxed().matrix;
+  const elastic::Matrix6 c = network::linear_response(packing).relaxed().matrix;
   return {{"G_vh", c(4, 4)}, {"G_hh", c(5, 5)}, {"K", c.topLeftCorner<3, 3>().sum() / 9}};
 }
 
