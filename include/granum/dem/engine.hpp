@@ -34,30 +34,28 @@ inline constexpr double default_time_step_fraction = 0.8;
 inline constexpr double mass_exponent = 1;
 
 /// Explicit dynamics of spheres, equal or not, in a cell that deforms with a given velocity gradient:
-/// periodic, or,
-/// where the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts count in the
-/// contact stress with the branch from the centre to the wall, so that at rest it is that of smooth walls.
+/// periodic, or, where the state has walls, a box whose faces are rigid walls (walls.hpp). Wall contacts
+/// count in the contact stress with the branch from the centre to the wall, so that at rest it is that of
+/// smooth walls.
 ///
 /// Contacts: the material's normal law; tangential increments k_t du with k_t = r k_n(d), the force carried
 /// so far scaled down when k_t falls (so that no energy is gained), and Coulomb's limit. Lever arm of a
-/// contact of equal grains: half of the branch. Grains move affinely with the cell plus their own
-/// velocity, which alone is
-/// damped: a mass-proportional drag of twice the lowest frequency that the motion shows (adaptive dynamic
-/// relaxation). The translational mass is density times volume, the rotational inertia m R^2 in place of 0.4
-/// m R^2, which lengthens the stable time step and leaves quasi-static states as they are. Where grains
-/// differ, the
-/// masses together are density times volume, and each has a share as mass_exponent says, for the same
-/// reason. The contact point divides the branch as the radii do. The time step
-/// follows from the contact stiffnesses: a fraction of the stability limit 2/omega, with a strict upper bound
-/// on omega. Without friction no rotations and no histories are modelled.
+/// contact of equal grains: half of the branch. Grains move affinely with the cell plus their own velocity,
+/// which alone is damped: a mass-proportional drag of twice the lowest frequency that the motion shows
+/// (adaptive dynamic relaxation). The translational mass is density times volume, the rotational inertia m
+/// R^2 in place of 0.4 m R^2, which lengthens the stable time step and leaves quasi-static states as they
+/// are. Where grains differ, the masses together are density times volume, and each has a share as
+/// mass_exponent says, for the same reason; the contact point divides the branch as the radii do. The time
+/// step follows from the contact stiffnesses: a fraction of the stability limit 2/omega, with a strict
+/// upper bound on omega. Without friction no rotations and no histories are modelled.
 /// Assumes   quasi-static motion: the time step follows the contacts that exist, so a grain that flies
 ///           into its first contact, deep within one step, gains energy.
 /// Same state, same calls: same bits.       [CundallStrack1979], checked by tests/dem/test_engine.cpp,
 /// tests/dem/test_unequal_grains.cpp
 class Engine {
  public:
-  /// \throws InvalidArgument for an empty state, a material, a radius or sizes that are impossible, a
-  /// cell too small
+  /// \throws InvalidArgument for an empty state, a material, a radius or sizes that are impossible, or a cell
+  ///         that is too small
   Engine(Specimen state, const Material& material);
   ~Engine();
   Engine(Engine&&) noexcept;

@@ -43,7 +43,7 @@ enum class Images {
 /// Assumes   as above.
 /// \param    radius  of each grain [m]
 /// \param    gap     >= 0 [m]; with images twice the largest radius and the gap are at most half of the
-/// smallest           cell width
+///           smallest cell width
 /// \throws   InvalidArgument if there is not one radius for each grain, or the cell is too narrow
 /// Cost      O(N): the larger grain of a pair finds the smaller one, so that small grains look about them as
 ///           far as their own size goes.  Checked against all pairs by tests/dem/test_neighbours.cpp

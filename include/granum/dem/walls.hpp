@@ -10,11 +10,11 @@
 /// Six rigid plane walls, the faces of the cell, in place of its periodicity.
 ///
 /// A wall moves as a rigid plate: with the centre of its face, and turning with its face, so that a sheared
-/// cell tilts a pair of opposite walls. Its contact is that of a rigid plane: by symmetry a grain and
-/// its mirror image
-/// meet at such a plane, each having approached it by half of their overlap, so with the pair law f = F(d) a
-/// grain of the size of that law whose centre is R - d_w from the wall bears f = F(2 d_w), k_n = 2 F'(2
-/// d_w). The ratio k_t/k_n is the grains'. Rough walls bear a part of each other's stress by friction.
+/// cell tilts a pair of opposite walls. Its contact is that of a rigid plane: by symmetry a grain and its
+/// mirror image meet at such a plane, each having approached it by half of their overlap, so with the pair
+/// law f = F(d) a grain of the size of that law whose centre is R - d_w from the wall bears f = F(2 d_w),
+/// k_n = 2 F'(2 d_w). The ratio k_t/k_n is the grains'. Rough walls bear a part of each other's stress by
+/// friction.
 /// Checked by tests/dem/test_walls.cpp
 namespace granum::dem {
 

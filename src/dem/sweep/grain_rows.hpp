@@ -36,11 +36,10 @@ struct OwnSize {
 
 /// The grains of an engine; y of the angular velocity has no room in the rows.
 ///
-/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides
-/// the branch
-/// as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the sum
-/// of both
-/// R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the difference.
+/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides the
+/// branch as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the
+/// sum of both R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the
+/// difference.
 struct Grains {
   std::vector<MotionRow> row;
   std::vector<double> spin_y;
