@@ -34,6 +34,7 @@ struct Packing {
   int seed = 0;
   double pressure = 0; ///< nominal [Pa]
   double stress_ratio = 0;
+  double friction_coefficient = 0;
   State state; ///< k_t/k_n of the specimen
   double mechanical_coordination = 0;
   double rattler_fraction = 0;
@@ -135,6 +136,7 @@ inline std::vector<Packing> read_packings(const std::string& path) {
               .seed = static_cast<int>(row.at("seed")),
               .pressure = row.at("p_Pa"),
               .stress_ratio = row.at("stress_ratio"),
+              .friction_coefficient = row.at("friction_coefficient"),
               .state = {.law = detail::law(fields[0]),
                         .tangential_ratio = ratios.at("0.919"),
                         .radius = 0.5e-3,

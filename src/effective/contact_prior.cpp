@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/contact_prior.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+
+#include "contact_prior_coefficients.hpp"
+#include "contact_prior_kernel.hpp"
+
+namespace granum::effective {
+
+namespace {
+
+/// Friction coefficients of smooth minerals.
+constexpr double least_friction = 0.3, most_friction = 0.5;
+/// The loosest and the densest that are said to exist: packings of equal spheres with any friction
+/// [SongWangMakse2008], and disordered ones.
+constexpr double loosest_spheres = 0.866, densest_disorder = 0.55;
+constexpr double largest_overlap = 0.01;
+/// How the error of z* grows where no packing of spheres is known: a contact from the loosest of friction
+/// (e_l) to the loosest of all, and the slope of the densest line beyond its dense end [1 a unit of e].
+constexpr double error_slope_loose = 7, error_slope_dense = 15;
+/// Standard deviation of ln x_0 of unequal grains: from as few as equal ones have to ten times as many.
+constexpr double unequal_rattler_error = 1.5;
+
+double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
+
+void require_prior_inputs(const State& s) {
+  require_positive("radius", s.radius, "m");
+  require_positive("void_ratio", s.void_ratio);
+  sizes::require_valid(s.contacts);
+  require_non_negative("stress_v", s.stress_v, "Pa");
+  require_non_negative("stress_h", s.stress_h, "Pa");
+}
+
+/// Overlap of the mean force over the mean branch, at C_n contacts.
+double relative_overlap(const State& s, double pressure, double coordination_number) {
+  const double R = s.radius, branch = s.contacts.branch;
+  const double load =
+      4 * std::numbers::pi * R * R * (1 + s.void_ratio) * pressure * (s.contacts.grain_volume / branch);
+  return s.law.overlap(load / coordination_number) / (2 * R * branch);
+}
+
+ContactCounts with_rattlers(double z, double overlap) {
+  return {.mechanical_coordination_number = z,
+          .rattler_fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients)};
+}
+
+/// Counts and overlap at which both agree: more overlap, more contacts, a smaller force on each.
+struct Rest {
+  ContactCounts counts;
+  double void_ratio = 0;
+  double overlap = 0;
+};
+
+/// \param   counts_at   of void ratio and overlap
+/// \param   void_ratio_at   of the overlap
+template <class CountsAt, class VoidRatioAt>
+Rest at_rest(State s, double pressure, const CountsAt& counts_at, const VoidRatioAt& void_ratio_at) {
+  Rest rest{.counts = counts_at(s.void_ratio, 0.0), .void_ratio = s.void_ratio, .overlap = 0};
+  // Each round leaves a small part of the difference: contacts go as the root of the overlap.
+  for (int round = 0; round < 60; ++round) {
+    const double overlap = relative_overlap(s, pressure, rest.counts.coordination_number());
+    const bool settled = std::abs(overlap - rest.overlap) <= 1e-15 * overlap;
+    rest.overlap = overlap;
+    rest.void_ratio = s.void_ratio = void_ratio_at(overlap);
+    rest.counts = counts_at(s.void_ratio, overlap);
+    if (settled)
+      break;
+  }
+  return rest;
+}
+
+/// The densest line, or what a friction coefficient leaves of it.
+Rest packing_of(const State& s, std::optional<double> friction) {
+  const auto counts_at = [&](double void_ratio, double overlap) {
+    const double rigid = kernel::rigid_void_ratio(void_ratio, overlap, kernel::contact_coefficients);
+    const double z =
+        friction ? kernel::contacts_of_friction(*friction, rigid, overlap, kernel::contact_coefficients)
+                 : kernel::densest_contacts(rigid, overlap, kernel::contact_coefficients);
+    return with_rattlers(z, overlap);
+  };
+  return at_rest(s, mean_stress(s), counts_at, [&](double) { return s.void_ratio; });
+}
+
+/// The frictions between which a preparation lies; nothing: the densest line.
+struct FrictionRange {
+  std::optional<double> most, least;
+};
+
+FrictionRange frictions_of(const Preparation& preparation) {
+  switch (preparation.kind) {
+  case Preparation::Kind::dense:
+    return {};
+  case Preparation::Kind::loose:
+    return {.most = most_friction, .least = least_friction};
+  case Preparation::Kind::friction:
+    require_positive("friction_coefficient", preparation.friction_coefficient);
+    return {.most = preparation.friction_coefficient, .least = preparation.friction_coefficient};
+  default:
+    return {.most = most_friction, .least = std::nullopt};
+  }
+}
+
+/// How far a void ratio lies beyond those of disordered packings of equal spheres.
+struct Beyond {
+  double loose = 0, dense = 0;
+};
+Beyond beyond_spheres(double rigid_void_ratio) {
+  const auto& [densest, loosest] =
+      std::pair(kernel::contact_coefficients[0], kernel::contact_coefficients[1]);
+  return {.loose = std::max(0.0, rigid_void_ratio - loosest),
+          .dense = std::max(0.0, std::min(densest, densest_disorder) - rigid_void_ratio)};
+}
+
+bool unequal(const State& s) { return s.contacts != sizes::ContactMeans{}; }
+
+void note_density(double void_ratio, double rigid_void_ratio, const Beyond& beyond, Validity& validity) {
+  if (beyond.loose > 0)
+    validity.add(detail::formatted(
+        rigid_void_ratio > loosest_spheres
+            ? "no sphere packing is so loose: void ratio %.3g, at most 0.87. In a sand of it angular or "
+              "rough "
+              "grains hold one another where spheres roll off; contacts of the loosest spheres are taken"
+            : "at void ratio %.3g spheres rest only if they can hardly roll, as angular grains: with "
+              "friction "
+              "alone they pack down to 0.75. Contacts of the loosest spheres with friction are taken",
+        void_ratio));
+  if (beyond.dense > 0)
+    validity.add(detail::formatted(
+        "no disordered packing of equal spheres is so dense: void ratio %.3g, at least 0.55. A sand of it "
+        "has grains of many sizes, or grains that fit; contacts of the densest spheres are taken",
+        void_ratio));
+}
+
+void note_friction(const State& s, const Preparation& preparation, double rigid_void_ratio,
+                   Validity& validity) {
+  if (preparation.kind != Preparation::Kind::friction)
+    return;
+  const double own =
+      kernel::rigid_contacts_of_friction(preparation.friction_coefficient, kernel::contact_coefficients);
+  const double line = kernel::densest_rigid_contacts(rigid_void_ratio, kernel::contact_coefficients);
+  if (own > line + 2 * kernel::friction_scatter)
+    validity.add(detail::formatted("friction %.3g does not hold grains apart at void ratio %.3g: the "
+                                   "contacts are those of the friction that does",
+                                   preparation.friction_coefficient, s.void_ratio));
+}
+
+void note_sizes(const State& s, Validity& validity) {
+  if (unequal(s))
+    validity.add(
+        "contacts of unequal grains are taken to be those of equal ones: at one void ratio they "
+        "have fewer and more rattlers (validation/sizes: 13 % dense, 39 % loose); say what is known");
+}
+
+void note_overlap(double overlap, Validity& validity) {
+  if (overlap > largest_overlap)
+    validity.add(detail::formatted(
+        "mean overlap is %.3g diameters: the numbers of contacts are calibrated up to 0.01", overlap));
+}
+
+} // namespace
+
+Preparation preparation_of(std::string_view text) {
+  if (text == "dense")
+    return {.kind = Preparation::Kind::dense};
+  if (text == "loose")
+    return {.kind = Preparation::Kind::loose};
+  constexpr std::string_view friction = "friction:";
+  if (!text.starts_with(friction))
+    throw InvalidArgument("preparation '" + std::string(text) +
+                          "' is unknown; known are dense, loose and friction:0.3");
+  const double coefficient =
+      parse_quantity("friction_coefficient", text.substr(friction.size()), Dimension::dimensionless);
+  return {.kind = Preparation::Kind::friction,
+          .friction_coefficient = require_positive("friction_coefficient", coefficient)};
+}
+
+ContactPrior contact_prior(const State& state, const Preparation& preparation) {
+  require_prior_inputs(state);
+  const auto [most, least] = frictions_of(preparation);
+  const Rest loosest = packing_of(state, most), densest = packing_of(state, least);
+  const double overlap = (loosest.overlap + densest.overlap) / 2;
+  const double rigid = kernel::rigid_void_ratio(state.void_ratio, overlap, kernel::contact_coefficients);
+  const Beyond beyond = beyond_spheres(rigid);
+  ContactPrior prior{
+      .loosest = loosest.counts,
+      .middle = with_rattlers(
+          (loosest.counts.mechanical_coordination_number + densest.counts.mechanical_coordination_number) / 2,
+          overlap),
+      .densest = densest.counts,
+      .coordination_error = std::hypot(
+          preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter,
+          error_slope_loose * beyond.loose + error_slope_dense * beyond.dense),
+      .rattler_error = unequal(state) ? unequal_rattler_error : kernel::rattler_scatter,
+      .relative_overlap = overlap,
+      .validity = {}};
+  note_density(state.void_ratio, rigid, beyond, prior.validity);
+  note_friction(state, preparation, rigid, prior.validity);
+  note_sizes(state, prior.validity);
+  note_overlap(overlap, prior.validity);
+  return prior;
+}
+
+CarriedContacts carried_contacts(const State& known, const ContactCounts& counts, double pressure) {
+  require_prior_inputs(known);
+  const double z = require_positive("mechanical_coordination_number", counts.mechanical_coordination_number);
+  require_closed("rattler_fraction", counts.rattler_fraction, 0, 1);
+  require_positive("1 - rattler_fraction", 1 - counts.rattler_fraction);
+  require_non_negative("pressure", pressure, "Pa");
+  const auto& c = kernel::contact_coefficients;
+  const double before = relative_overlap(known, mean_stress(known), counts.coordination_number());
+  const double rigid = kernel::rigid_void_ratio(known.void_ratio, before, c);
+  const double missing = kernel::densest_contacts(rigid, before, c) - z;
+  const double rattlers = kernel::rattlers_of_contacts(z, before, kernel::rattler_coefficients);
+  const auto counts_at = [&](double, double overlap) {
+    const double z_here = kernel::densest_contacts(rigid, overlap, c) -
+                          kernel::missing_contacts(missing, rigid, before, overlap, c);
+    const double share = counts.rattler_fraction / rattlers *
+                         kernel::rattlers_of_contacts(z_here, overlap, kernel::rattler_coefficients);
+    return ContactCounts{.mechanical_coordination_number = z_here, .rattler_fraction = std::min(share, 0.99)};
+  };
+  const auto void_ratio_at = [&](double overlap) { return (1 + rigid) / (1 + c[3] * overlap) - 1; };
+  const Rest rest = at_rest(known, pressure, counts_at, void_ratio_at);
+  CarriedContacts carried{.counts = rest.counts,
+                          .void_ratio = rest.void_ratio,
+                          .relative_overlap = rest.overlap,
+                          .coordination_error = kernel::carried_scatter,
+                          .validity = {}};
+  note_overlap(std::max(before, rest.overlap), carried.validity);
+  return carried;
+}
+
+} // namespace granum::effective

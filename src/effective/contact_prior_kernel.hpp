@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unchecked formulas of the contact prior, templates on the number type. Private to src/effective and to
+// validation/contact_prior, which fits the coefficients of contact_prior_coefficients.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "relaxation_kernel.hpp"
+
+namespace granum::effective::kernel {
+
+/// Of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing,
+/// opening.
+template <class T>
+using ContactCoefficients = std::array<T, 10>;
+/// c, k and w_r of the rattlers.
+template <class T>
+using RattlerCoefficients = std::array<T, 3>;
+
+/// z* of rigid grains without friction, and the least that grains with much friction can have.
+inline constexpr double most_rigid_contacts = frictionless_isostatic;
+inline constexpr double fewest_rigid_contacts = shear_coefficients[7];
+/// The relative overlap at which friction is said to have decided z*: that of quartz at some 10 kPa.
+inline constexpr double reference_overlap = 5e-5;
+
+/// Void ratio that the packing would have at rest without pressure: overlaps make it denser.
+template <class T>
+T rigid_void_ratio(double void_ratio, double overlap, const ContactCoefficients<T>& c) {
+  return (1 + void_ratio) * (1.0 + overlap * c[3]) - 1.0;
+}
+
+/// z* of rigid grains that friction alone keeps from being denser: most at e_d and below, fewest at e_l and
+/// above.
+template <class T>
+T densest_rigid_contacts(const T& rigid_void_ratio, const ContactCoefficients<T>& c) {
+  using std::exp;
+  using std::log;
+  const T share = (c[1] - rigid_void_ratio) / (c[1] - c[0]);
+  if (share >= 1.0)
+    return T(most_rigid_contacts);
+  if (!(share > 0.0))
+    return T(fewest_rigid_contacts);
+  const T logarithm = log(share);
+  const T power = c[2] * logarithm;
+  return fewest_rigid_contacts + (most_rigid_contacts - fewest_rigid_contacts) * T(exp(power));
+}
+
+/// z* of rigid grains compressed from a gas with that friction.
+template <class T>
+T rigid_contacts_of_friction(double friction, const ContactCoefficients<T>& c) {
+  using std::exp;
+  using std::log;
+  if (!(friction > 0))
+    return T(most_rigid_contacts);
+  const T power = c[7] * (std::log(friction) - T(log(c[6])));
+  const T decay = -T(exp(power));
+  return fewest_rigid_contacts + (most_rigid_contacts - fewest_rigid_contacts) * T(exp(decay));
+}
+
+/// Contacts that overlaps add to a packing of the densest line.
+template <class T>
+T contacts_of_overlap(const T& rigid_contacts, double overlap, const ContactCoefficients<T>& c) {
+  return (c[4] + c[5] * (most_rigid_contacts - rigid_contacts)) * std::sqrt(overlap);
+}
+
+/// z* of the densest line less that of the packing, after the overlap has changed: its root falls as the root
+/// of the overlap grows, faster where the packing is nearly as dense as it can be. Above the line (missing <
+/// 0) it stays.
+template <class T>
+T missing_contacts(const T& missing, const T& rigid_void_ratio, double overlap_before, double overlap,
+                   const ContactCoefficients<T>& c) {
+  using std::exp;
+  using std::sqrt;
+  if (!(missing > 0.0))
+    return missing;
+  const T loosened = (rigid_void_ratio - c[0]) / c[9];
+  const T rate = loosened > 0.0 ? T(c[8] * exp(T(-loosened))) : c[8];
+  const T root = sqrt(missing) - rate * (std::sqrt(overlap) - std::sqrt(overlap_before));
+  return root > 0.0 ? T(root * root) : T(0.0);
+}
+
+/// z* of a packing of the densest line.
+template <class T>
+T densest_contacts(const T& rigid_void_ratio, double overlap, const ContactCoefficients<T>& c) {
+  const T rigid = densest_rigid_contacts(rigid_void_ratio, c);
+  return rigid + contacts_of_overlap(rigid, overlap, c);
+}
+
+/// z* of a packing that was compressed with that friction: never more than the densest line, nor fewer than
+/// grains of much friction have.
+template <class T>
+T contacts_of_friction(double friction, const T& rigid_void_ratio, double overlap,
+                       const ContactCoefficients<T>& c) {
+  const T densest = densest_rigid_contacts(rigid_void_ratio, c);
+  const T missing = missing_contacts(T(densest - rigid_contacts_of_friction(friction, c)), rigid_void_ratio,
+                                     reference_overlap, overlap, c);
+  const T most = densest - fewest_rigid_contacts;
+  const T taken = missing < 0.0 ? T(0.0) : missing > most ? most : missing;
+  return densest + contacts_of_overlap(densest, overlap, c) - taken;
+}
+
+/// Share of rattlers of a packing of z* at that overlap.
+template <class T>
+T rattlers_of_contacts(double mechanical_coordination, double overlap, const RattlerCoefficients<T>& c) {
+  using std::exp;
+  const T power = -c[1] * (mechanical_coordination - fewest_rigid_contacts) - c[2] * std::sqrt(overlap);
+  return c[0] * T(exp(power));
+}
+
+} // namespace granum::effective::kernel

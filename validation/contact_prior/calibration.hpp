@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the coefficients of the contact prior follow from the recorded packings of validation/relaxation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../relaxation/least_squares.hpp"
+#include "../relaxation/packings.hpp"
+#include "effective/contact_prior_kernel.hpp"
+
+namespace contact_prior {
+
+namespace kernel = granum::effective::kernel;
+using relaxation::Dual;
+using relaxation::Fit;
+using relaxation::Numbers;
+using relaxation::Observation;
+using relaxation::Packing;
+
+constexpr double largest_overlap = 0.01;
+constexpr int size = 10;      ///< of the coefficients of contacts
+constexpr int rattlers_n = 3; ///< of those of rattlers
+
+/// Isotropic, never loaded more, overlaps as the half-space allows.
+inline bool usable(const Packing& p) {
+  return p.isotropic() && p.preparation == relaxation::unsheared(p.preparation) && p.preparation != "cycle" &&
+         p.relative_overlap < largest_overlap;
+}
+inline bool from_gas(const Packing& p) { return p.preparation.starts_with("gas"); }
+/// Without friction, or as loose as its friction allows.
+inline bool on_densest_line(const Packing& p) { return from_gas(p) || p.preparation == "dense"; }
+
+template <class T>
+T rigid(const Packing& p, const kernel::ContactCoefficients<T>& c) {
+  return kernel::rigid_void_ratio<T>(p.state.void_ratio, p.relative_overlap, c);
+}
+
+/// z* by void ratio alone, for packings of the densest line.
+template <class T>
+T by_line(const Packing& p, const kernel::ContactCoefficients<T>& c) {
+  return kernel::densest_contacts<T>(rigid(p, c), p.relative_overlap, c);
+}
+/// z* by friction, of packings from a gas, whatever their void ratio.
+template <class T>
+T by_friction_alone(const Packing& p, const kernel::ContactCoefficients<T>& c) {
+  const T z = kernel::rigid_contacts_of_friction<T>(p.friction_coefficient, c);
+  return z + kernel::contacts_of_overlap<T>(z, p.relative_overlap, c);
+}
+/// z* by friction and void ratio.
+template <class T>
+T by_friction(const Packing& p, const kernel::ContactCoefficients<T>& c) {
+  return kernel::contacts_of_friction<T>(p.friction_coefficient, rigid(p, c), p.relative_overlap, c);
+}
+/// z* of `later` from that of `first`, the same specimen at another pressure.
+template <class T>
+T by_carrying(const Packing& first, const Packing& later, const kernel::ContactCoefficients<T>& c) {
+  const T e = rigid(first, c);
+  const T missing = kernel::densest_contacts<T>(e, first.relative_overlap, c) - first.mechanical_coordination;
+  return kernel::densest_contacts<T>(e, later.relative_overlap, c) -
+         kernel::missing_contacts<T>(missing, e, first.relative_overlap, later.relative_overlap, c);
+}
+
+/// What a recipe tells of its packing: the line, or friction.
+template <class T>
+T by_recipe(const Packing& p, const kernel::ContactCoefficients<T>& c) {
+  return on_densest_line(p) ? by_line(p, c) : by_friction(p, c);
+}
+
+struct Step {
+  const Packing* first;
+  const Packing* later;
+};
+
+/// Neighbouring pressures of each specimen.
+inline std::vector<Step> steps_of(const std::vector<Packing>& packings) {
+  std::map<std::string, std::vector<const Packing*>> specimens;
+  for (const Packing& p : packings)
+    specimens[p.specimen].push_back(&p);
+  std::vector<Step> steps;
+  for (auto& [name, path] : specimens) {
+    std::ranges::sort(path, {}, &Packing::pressure);
+    for (std::size_t k = 1; k < path.size(); ++k)
+      steps.push_back({path[k - 1], path[k]});
+  }
+  return steps;
+}
+
+/// Root mean square.
+class Scatter {
+ public:
+  void add(double error) {
+    sum_ += error * error;
+    mean_ += error;
+    worst_ = std::max(worst_, std::abs(error));
+    ++count_;
+  }
+  [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : 0; }
+  [[nodiscard]] double mean() const { return count_ > 0 ? mean_ / count_ : 0; }
+  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  double sum_ = 0, mean_ = 0, worst_ = 0;
+  int count_ = 0;
+};
+
+/// Everything that contact_prior_coefficients.hpp holds.
+struct Result {
+  Fit<size> contacts;
+  Fit<rattlers_n> rattlers;
+  double line_scatter = 0, friction_scatter = 0, carried_scatter = 0, rattler_scatter = 0;
+};
+
+/// Carried z* count twice: they are known better, since specimens of one recipe differ.
+constexpr double weight_of_steps = 2;
+/// Fewer rattlers than this tell more about counting than about the law.
+constexpr double countable_rattlers = 0.004;
+
+inline Fit<size> fit_contacts(const std::vector<Packing>& packings) {
+  using D = Dual<size>;
+  using C = kernel::ContactCoefficients<D>;
+  std::vector<Observation<size>> rows;
+  for (const Packing& p : packings) {
+    rows.push_back(
+        {[&p](const C& c) { return by_recipe<D>(p, c); }, p.mechanical_coordination, 1, p.specimen});
+    if (from_gas(p))
+      rows.push_back({[&p](const C& c) { return by_friction_alone<D>(p, c); }, p.mechanical_coordination, 1,
+                      p.specimen});
+  }
+  for (const Step& s : steps_of(packings))
+    rows.push_back({[s](const C& c) { return by_carrying<D>(*s.first, *s.later, c); },
+                    s.later->mechanical_coordination, weight_of_steps, s.later->specimen});
+  return relaxation::least_squares<size>(std::move(rows), {0.57, 0.745, 1.2, 4, 9, 2, 0.2, 1, 13, 0.014});
+}
+
+/// Roots of shares: counts scatter as their roots.
+inline Fit<rattlers_n> fit_rattlers(const std::vector<Packing>& packings) {
+  using D = Dual<rattlers_n>;
+  std::vector<Observation<rattlers_n>> rows;
+  for (const Packing& p : packings)
+    rows.push_back(
+        {[&p](const kernel::RattlerCoefficients<D>& c) {
+           return D(sqrt(kernel::rattlers_of_contacts<D>(p.mechanical_coordination, p.relative_overlap, c)));
+         },
+         std::sqrt(p.rattler_fraction), 1, p.specimen});
+  return relaxation::least_squares<rattlers_n>(std::move(rows), {0.15, 1.2, 10});
+}
+
+inline double rattlers_of(const Packing& p, const Numbers<double, rattlers_n>& c) {
+  return kernel::rattlers_of_contacts<double>(p.mechanical_coordination, p.relative_overlap, c);
+}
+
+/// Errors of packings of which the fit has seen no other of the same preparation: what the prior states.
+struct LeftOut {
+  Scatter line, friction, carried;
+};
+inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
+  std::set<std::string> preparations;
+  for (const Packing& p : packings)
+    preparations.insert(p.preparation);
+  LeftOut errors;
+  for (const std::string& preparation : preparations) {
+    std::vector<Packing> kept, left;
+    for (const Packing& p : packings)
+      (p.preparation == preparation ? left : kept).push_back(p);
+    const auto c = fit_contacts(kept).coefficients;
+    for (const Packing& p : left)
+      (on_densest_line(p) ? errors.line : errors.friction).add(by_recipe(p, c) - p.mechanical_coordination);
+    for (const Step& s : steps_of(left))
+      errors.carried.add(by_carrying(*s.first, *s.later, c) - s.later->mechanical_coordination);
+  }
+  return errors;
+}
+
+inline Result fit_everything(const std::vector<Packing>& packings) {
+  Result result{.contacts = fit_contacts(packings), .rattlers = fit_rattlers(packings)};
+  const LeftOut errors = errors_of_left_out(packings);
+  result.line_scatter = errors.line.rms();
+  result.friction_scatter = errors.friction.rms();
+  result.carried_scatter = errors.carried.rms();
+  Scatter rattlers;
+  for (const Packing& p : packings)
+    if (p.rattler_fraction > countable_rattlers)
+      rattlers.add(std::log(rattlers_of(p, result.rattlers.coefficients) / p.rattler_fraction));
+  result.rattler_scatter = rattlers.rms();
+  return result;
+}
+
+} // namespace contact_prior

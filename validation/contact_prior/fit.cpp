@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits the contact prior to the packings that validation/relaxation recorded.
+//
+//     contact_prior_fit coefficients states.csv
+//                                      writes src/effective/contact_prior_coefficients.hpp
+//     contact_prior_fit check states.csv published.csv
+//                                      fits again, compares with that file, and asks whether recipes left
+//                                      out, and packings of others, lie where it says
+//     contact_prior_fit points states.csv
+//     contact_prior_fit lines          CSV for the picture: z* measured and by the prior; z* over void ratio
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <set>
+#include <string_view>
+
+#include <granum/contact/power_law.hpp>
+#include <granum/effective/contact_prior.hpp>
+
+#include "calibration.hpp"
+#include "effective/contact_prior_coefficients.hpp"
+
+namespace {
+
+using namespace contact_prior;
+using granum::effective::ContactPrior;
+using granum::effective::Preparation;
+using granum::effective::State;
+using Coefficients = Numbers<double, size>;
+
+std::string number(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+// ---- coefficients ----
+
+template <int n>
+void print_fit(const char* what, const char* name, const Fit<n>& fit) {
+  std::printf("/// %s\n/// Standard errors:", what);
+  for (int k = 0; k < n; ++k)
+    std::printf("%s %s", k > 0 ? "," : "", number(std::sqrt(fit.covariance(k, k)), 2).c_str());
+  std::printf(".\ninline constexpr std::array<double, %d> %s_coefficients{\n    ", n, name);
+  for (int k = 0; k < n; ++k)
+    std::printf("%s%s", number(fit.coefficients[static_cast<std::size_t>(k)], 8).c_str(),
+                k + 1 == n ? "};\n"
+                : k == 4   ? ",\n    "
+                           : ", ");
+}
+
+void print_coefficients(const Result& r) {
+  std::printf(
+      "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "// Written by `contact_prior_fit coefficients states.csv` from validation/relaxation/states.csv; "
+      "the test\n"
+      "// \"validation: contact_prior\" fits them again and compares. Not to be edited by hand.\n"
+      "// clang-format off\n#pragma once\n\n#include <array>\n\nnamespace granum::effective::kernel {\n\n");
+  print_fit("e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing, opening.", "contact",
+            r.contacts);
+  print_fit("c, k, w_r.", "rattler", r.rattlers);
+  std::printf(
+      "/// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of\n"
+      "/// those with a friction, of carrying z* to another pressure; and that of ln x_0.\n"
+      "inline constexpr double line_scatter = %.5g;\ninline constexpr double friction_scatter = %.5g;\n"
+      "inline constexpr double carried_scatter = %.5g;\ninline constexpr double rattler_scatter = %.5g;\n"
+      "\n} // namespace granum::effective::kernel\n",
+      r.line_scatter, r.friction_scatter, r.carried_scatter, r.rattler_scatter);
+}
+
+// ---- errors ----
+
+using Label = std::function<std::string(const Packing&)>;
+std::string preparation_of(const Packing& p) { return p.preparation; }
+std::string contact_of(const Packing& p) { return p.contact; }
+std::string seed_of(const Packing& p) { return std::to_string(p.seed % 100); }
+
+/// How far z* is missed, and how often by more than the stated scatter.
+struct Coverage {
+  Scatter z, carried;
+  int within_one = 0, within_two = 0;
+
+  void add(double error, double stated) {
+    z.add(error);
+    within_one += std::abs(error) < stated;
+    within_two += std::abs(error) < 2 * stated;
+  }
+  [[nodiscard]] double one() const { return static_cast<double>(within_one) / z.count(); }
+  [[nodiscard]] double two() const { return static_cast<double>(within_two) / z.count(); }
+};
+
+void print(const std::string& what, const Coverage& c) {
+  std::printf(
+      "  %-28s %4d | z* rms %.3f mean %+.3f worst %.2f | within one %3.0f %% two %3.0f %% | carried rms "
+      "%.3f worst %.2f\n",
+      what.c_str(), c.z.count(), c.z.rms(), c.z.mean(), c.z.worst(), 100 * c.one(), 100 * c.two(),
+      c.carried.rms(), c.carried.worst());
+}
+
+/// \param    stated   whose scatters are held against the errors of the coefficients
+void judge(const std::vector<Packing>& packings, const Coefficients& c, const Result& stated,
+           Coverage& coverage) {
+  for (const Packing& p : packings)
+    coverage.add(by_recipe(p, c) - p.mechanical_coordination,
+                 on_densest_line(p) ? stated.line_scatter : stated.friction_scatter);
+  for (const Step& s : steps_of(packings))
+    coverage.carried.add(by_carrying(*s.first, *s.later, c) - s.later->mechanical_coordination);
+}
+
+/// Everything of one label left out of the fit in turn.
+Coverage left_out(const std::vector<Packing>& packings, const Result& stated, const std::string& title,
+                  const Label& label) {
+  std::set<std::string> values;
+  for (const Packing& p : packings)
+    values.insert(label(p));
+  Coverage all;
+  for (const std::string& value : values) {
+    std::vector<Packing> kept, left;
+    for (const Packing& p : packings)
+      (label(p) == value ? left : kept).push_back(p);
+    const Coefficients c = fit_contacts(kept).coefficients;
+    Coverage here;
+    judge(left, c, stated, here);
+    print("without " + value, here);
+    judge(left, c, stated, all);
+  }
+  print("left out by " + title, all);
+  return all;
+}
+
+// ---- the library ----
+
+/// How many packings of friction up to 0.5 lie between loosest and densest, each less or more two errors.
+double share_in_range(const std::vector<Packing>& packings) {
+  constexpr double most_friction = 0.5;
+  int inside = 0, count = 0;
+  for (const Packing& p : packings) {
+    if (p.friction_coefficient > most_friction)
+      continue;
+    ++count;
+    const ContactPrior prior = granum::effective::contact_prior(p.state);
+    const double z = p.mechanical_coordination, error = 2 * prior.coordination_error;
+    const bool holds = z > prior.loosest.mechanical_coordination_number - error &&
+                       z < prior.densest.mechanical_coordination_number + error;
+    inside += holds;
+    if (!holds)
+      std::printf("  outside: %s #%d at %g kPa, e %.3f: z* %.2f, range %.2f to %.2f +- %.2f\n",
+                  p.recipe.c_str(), p.seed, p.pressure / 1e3, p.state.void_ratio, z,
+                  prior.loosest.mechanical_coordination_number, prior.densest.mechanical_coordination_number,
+                  error);
+  }
+  return static_cast<double>(inside) / count;
+}
+
+/// Rounding aside, the library is the kernel: z* of a recipe at the measured state.
+double worst_difference_of_library(const std::vector<Packing>& packings) {
+  double worst = 0;
+  for (const Packing& p : packings) {
+    const Preparation preparation = on_densest_line(p)
+                                        ? Preparation{.kind = Preparation::Kind::dense}
+                                        : Preparation{.kind = Preparation::Kind::friction,
+                                                      .friction_coefficient = p.friction_coefficient};
+    const ContactPrior prior = granum::effective::contact_prior(p.state, preparation);
+    Packing at_prior = p;
+    at_prior.relative_overlap = prior.relative_overlap;
+    worst = std::max(worst, std::abs(prior.middle.mechanical_coordination_number -
+                                     by_recipe<double>(at_prior, kernel::contact_coefficients)));
+  }
+  return worst;
+}
+
+/// Loading to 3 MPa and unloading, carried from the first state on.
+Scatter cycles(const std::vector<Packing>& packings) {
+  std::map<std::string, const Packing*> first;
+  Scatter errors;
+  for (const Packing& p : packings)
+    if (p.preparation == "cycle") {
+      const auto [start, fresh] = first.try_emplace(p.specimen, &p);
+      if (!fresh)
+        errors.add(by_carrying<double>(*start->second, p, kernel::contact_coefficients) -
+                   p.mechanical_coordination);
+    }
+  return errors;
+}
+
+// ---- packings of others ----
+
+struct Published {
+  std::string state;
+  double void_ratio = 0, coordination = 0, pressure = 0;
+  std::string preparation;
+};
+
+std::vector<Published> read_published(const std::string& path) {
+  std::ifstream in(path);
+  std::string line;
+  if (!std::getline(in, line))
+    throw std::runtime_error("cannot read " + path);
+  std::vector<Published> states;
+  while (std::getline(in, line)) {
+    const std::vector<std::string> f = relaxation::detail::split(line);
+    states.push_back({f.at(0), std::stod(f.at(1)), std::stod(f.at(2)), std::stod(f.at(3)), f.at(4)});
+  }
+  return states;
+}
+
+/// Whether each lies in the range of its void ratio, and, where its recipe is told, by how much z* is missed.
+bool compare_published(const std::vector<Published>& states) {
+  bool all_inside = true;
+  std::printf("states of others: z*, the range of the void ratio, and by the recipe\n");
+  for (const Published& s : states) {
+    const State state{
+        .law = granum::contact::PowerLaw::sphere({.shear_modulus = 30e9, .poisson_ratio = 0.3}, 0.5e-3),
+        .radius = 0.5e-3,
+        .void_ratio = s.void_ratio,
+        .stress_v = s.pressure,
+        .stress_h = s.pressure};
+    const ContactPrior range = granum::effective::contact_prior(state);
+    const double error = 2 * range.coordination_error;
+    const double low = range.loosest.mechanical_coordination_number - error;
+    const double high = range.densest.mechanical_coordination_number + error;
+    const bool inside = s.coordination > low && s.coordination < high;
+    all_inside &= inside;
+    std::printf("  %-40s e %.3f z* %.2f | %.2f to %.2f %s", s.state.c_str(), s.void_ratio, s.coordination,
+                low, high, inside ? "inside" : "OUTSIDE");
+    if (!s.preparation.empty()) {
+      const double z =
+          granum::effective::contact_prior(state, granum::effective::preparation_of(s.preparation))
+              .middle.mechanical_coordination_number;
+      std::printf(" | %s %.2f (%+.2f)", s.preparation.c_str(), z, z - s.coordination);
+    }
+    std::printf("\n");
+  }
+  return all_inside;
+}
+
+// ---- check ----
+
+/// Claims that do not hold, named as they are found.
+class Claims {
+ public:
+  void require(bool holds, const std::string& claim) {
+    std::printf("%s  %s\n", holds ? "ok    " : "FAILED", claim.c_str());
+    failed_ += !holds;
+  }
+  [[nodiscard]] int failed() const { return failed_; }
+
+ private:
+  int failed_ = 0;
+};
+
+template <std::size_t n>
+bool same(const std::array<double, n>& fitted, const std::array<double, n>& recorded) {
+  for (std::size_t k = 0; k < n; ++k)
+    if (!(std::abs(fitted[k] - recorded[k]) <= 1e-4 * std::abs(recorded[k])))
+      return false;
+  return true;
+}
+bool same(double fitted, double recorded) { return std::abs(fitted / recorded - 1) < 1e-4; }
+
+int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
+          const std::vector<Packing>& unfitted, const std::vector<Published>& published) {
+  const Result result = fit_everything(packings);
+  Coverage fitted;
+  judge(packings, result.contacts.coefficients, result, fitted);
+  print("all, fitted", fitted);
+  std::printf("  scatter: line %.3f, friction %.3f, carried %.3f, ln of rattlers %.2f\n", result.line_scatter,
+              result.friction_scatter, result.carried_scatter, result.rattler_scatter);
+  const Coverage by_preparation = left_out(packings, result, "preparation", preparation_of);
+  const Coverage by_contact = left_out(packings, result, "contact", contact_of);
+  const Coverage by_seed = left_out(packings, result, "seed", seed_of);
+  Coverage by_unfitted;
+  judge(unfitted, result.contacts.coefficients, result, by_unfitted);
+  print("a shape that no fit has seen", by_unfitted);
+  const Scatter unloaded = cycles(all);
+  std::printf("  cycles to 3 MPa and back: rms %.3f worst %.2f\n", unloaded.rms(), unloaded.worst());
+  const double in_range = share_in_range(packings);
+  const bool published_inside = compare_published(published);
+
+  Claims claims;
+  claims.require(same(result.contacts.coefficients, kernel::contact_coefficients) &&
+                     same(result.rattlers.coefficients, kernel::rattler_coefficients) &&
+                     same(result.line_scatter, kernel::line_scatter) &&
+                     same(result.friction_scatter, kernel::friction_scatter) &&
+                     same(result.carried_scatter, kernel::carried_scatter) &&
+                     same(result.rattler_scatter, kernel::rattler_scatter),
+                 "the numbers of the library are those of these data");
+  claims.require(worst_difference_of_library(packings) < 0.01,
+                 "the library finds the measured overlaps, and so z* of the recipes, within 0.01");
+  for (const Coverage* c : {&by_preparation, &by_contact, &by_seed}) {
+    claims.require(c->one() >= 0.55, "at least 55 % of packings left out within one stated error");
+    claims.require(c->two() >= 0.90, "at least 90 % within two");
+    claims.require(c->carried.rms() < 0.08, "z* carried to the next pressure: 0.08 rms");
+  }
+  claims.require(by_unfitted.z.rms() < 2 * result.friction_scatter, "alpha = 4 within two errors, rms");
+  claims.require(unloaded.rms() < 0.15, "cycles retrace within 0.15 rms");
+  claims.require(in_range >= 0.95,
+                 "95 % of packings of friction up to 0.5 in the range of their void ratio (" +
+                     number(100 * in_range, 3) + " %)");
+  claims.require(published_inside, "so are those of others");
+  return claims.failed() == 0 ? 0 : 1;
+}
+
+/// Columns for the picture: void ratio without pressure, z* less what overlaps add.
+void print_points(const std::vector<Packing>& packings) {
+  std::printf("contact,preparation,pressure_Pa,rigid_void_ratio,z_star,z_prior,rattlers,rattlers_prior\n");
+  const auto& c = kernel::contact_coefficients;
+  for (const Packing& p : packings)
+    std::printf("%s,%s,%g,%.5g,%.5g,%.5g,%.5g,%.5g\n", p.contact.c_str(), p.preparation.c_str(), p.pressure,
+                rigid<double>(p, c), p.mechanical_coordination, by_recipe<double>(p, c), p.rattler_fraction,
+                rattlers_of(p, kernel::rattler_coefficients));
+}
+
+/// Densest line and friction 0.5 of spheres at 10 kPa and 1 MPa, against the void ratio without pressure.
+void print_lines() {
+  std::printf("rigid_void_ratio,densest_10kPa,loosest_10kPa,densest_1MPa,loosest_1MPa\n");
+  for (double e = 0.55; e < 0.9; e += 0.005) {
+    std::printf("%g", e);
+    for (const double pressure : {10e3, 1e6}) {
+      State state{
+          .law = granum::contact::PowerLaw::sphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 0.5e-3),
+          .radius = 0.5e-3,
+          .void_ratio = e,
+          .stress_v = pressure,
+          .stress_h = pressure};
+      const double overlap = granum::effective::contact_prior(state).relative_overlap;
+      state.void_ratio = (1 + e) / (1 + overlap * kernel::contact_coefficients[3]) - 1;
+      const ContactPrior prior = granum::effective::contact_prior(state);
+      std::printf(",%.4f,%.4f", prior.densest.mechanical_coordination_number,
+                  prior.loosest.mechanical_coordination_number);
+    }
+    std::printf("\n");
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command == "lines" && argc == 2) {
+    print_lines();
+    return 0;
+  }
+  if (!((command == "coefficients" || command == "points") && argc == 3) &&
+      !(command == "check" && argc == 4)) {
+    std::fprintf(stderr,
+                 "usage: %s coefficients|points states.csv, lines, or check states.csv published.csv\n",
+                 argv[0]);
+    return 2;
+  }
+  try {
+    const std::vector<Packing> all = relaxation::read_packings(argv[2]);
+    std::vector<Packing> packings, unfitted;
+    for (const Packing& p : all)
+      if (usable(p))
+        (p.contact == relaxation::unfitted_contact ? unfitted : packings).push_back(p);
+    if (command == "coefficients")
+      print_coefficients(fit_everything(packings));
+    else if (command == "points")
+      print_points(packings);
+    else
+      return check(all, packings, unfitted, read_published(argv[3]));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
