@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what granum needs and this machine lacks:  scripts/setup.sh run|test|tidy|bench
+# Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|test|tidy|bench
 # This is the only place that names the packages, as Debian 12 and 13 and Ubuntu 24.04 do. What matters is whether the
 # system offers them, not what it is called. Checked by tests/setup/check_setup.cmake
 # Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
@@ -11,18 +11,20 @@ run_packages=(
   libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
   libfast-float-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
-test_packages=("${run_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
+python_packages=("${run_packages[@]}" python3-dev python3-numpy pybind11-dev python3-pytest python3-hypothesis mypy)
+test_packages=("${python_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
   clang libc++-dev libc++abi-dev dpkg-dev file)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 
 case "${1:-}" in
 run) packages=("${run_packages[@]}") ;;
+python) packages=("${python_packages[@]}") ;;
 test) packages=("${test_packages[@]}") ;;
 tidy) packages=("${tidy_packages[@]}") ;;
 bench) packages=("${bench_packages[@]}") ;;
 *)
-  echo "usage: scripts/setup.sh run|test|tidy|bench" >&2
+  echo "usage: scripts/setup.sh run|python|test|tidy|bench" >&2
   exit 2
   ;;
 esac

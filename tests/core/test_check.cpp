@@ -24,6 +24,27 @@ TEST_CASE("a rejected value is named with its unit and range") {
   }
 }
 
+TEST_CASE("a refused number can be read off its exception, and a text that is none has none") {
+  try {
+    require_closed("stress_v", 2e300, 0, 1e200, "Pa");
+    FAIL("no exception");
+  } catch (const InvalidArgument& error) {
+    REQUIRE(error.refused());
+    CHECK(error.refused()->name == "stress_v");
+    CHECK(error.refused()->value == 2e300);
+    CHECK(error.refused()->unit == "Pa");
+    CHECK(error.refused()->range == "[0, 1e+200]");
+  }
+  CHECK_FALSE(InvalidArgument("two masses").refused());
+}
+
+TEST_CASE("a file error knows its path and its line") {
+  const FileError error("a.csv", 3, "expected a number");
+  CHECK(error.path() == "a.csv");
+  CHECK(error.line() == 3);
+  CHECK(FileError("a.csv", 0, "no such file").line() == 0);
+}
+
 TEST_CASE("checks pass their value on and stop NaN and infinity") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();

@@ -7,7 +7,7 @@ set(longest_header 200)
 set(longest_source 500)
 
 file(GLOB files RELATIVE "${ROOT}" "${ROOT}/CMakeLists.txt" "${ROOT}/*.sh" "${ROOT}/.ci/*" "${ROOT}/scripts/*" "${ROOT}/cmake/*")
-foreach(folder include src tests examples validation bench docs)
+foreach(folder include src tests examples validation bench docs python)
   file(GLOB_RECURSE found RELATIVE "${ROOT}" "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp"
     "${ROOT}/${folder}/*.cmake" "${ROOT}/${folder}/CMakeLists.txt" "${ROOT}/${folder}/*.sh" "${ROOT}/${folder}/*.py")
   list(APPEND files ${found})

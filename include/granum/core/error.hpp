@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -13,12 +14,27 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number that was refused.
+struct RefusedNumber {
+  std::string name;  ///< what the user knows the argument by
+  double value = 0;  ///< [unit]
+  std::string unit;  ///< "" for a pure number
+  std::string range; ///< what is allowed, "(0, 1)"
+};
+
 /// An argument that no physical state can have (porosity 38, Poisson's ratio 0.6, NaN).
-/// The text reads "<name> = <value> [<unit>] is outside <range>".
+/// The text of a refused number reads "<name> = <value> [<unit>] is outside <range>".
+/// Checked by tests/core/test_check.cpp
 class InvalidArgument : public Error {
  public:
   using Error::Error;
   InvalidArgument(const std::string& name, double value, const std::string& unit, const std::string& range);
+
+  /// The number, where it is one number that was refused.
+  [[nodiscard]] const std::optional<RefusedNumber>& refused() const { return refused_; }
+
+ private:
+  std::optional<RefusedNumber> refused_;
 };
 
 /// A file that cannot be read or written as asked. The text begins with "<path>:<line>: " (line 0: no line
@@ -26,6 +42,13 @@ class InvalidArgument : public Error {
 class FileError : public Error {
  public:
   FileError(const std::string& path, std::size_t line, const std::string& what);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] std::size_t line() const { return line_; } ///< counted from 1; 0: no line is meant
+
+ private:
+  std::string path_;
+  std::size_t line_;
 };
 
 /// The result of a calculation that did not converge was asked for.

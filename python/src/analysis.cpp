@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/core/number.hpp>
+#include <granum/network/linear_response.hpp>
+
+#include "bindings.hpp"
+#include "errors.hpp"
+#include "estimate.hpp"
+#include "keywords.hpp"
+#include "packing.hpp"
+#include "rows.hpp"
+#include "studies/analyse/materials.hpp"
+#include "studies/analyse/measured_frame.hpp"
+#include "studies/analyse/overlaps.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using analysis::Measurement;
+using studies::MeasuredFrame;
+
+// ---- parts of a measurement
+
+template <class Type, class Member>
+void show_matrix(py::class_<Type>& type, const char* name, Member Type::*member, const char* documentation) {
+  type.def_property_readonly(
+      name, [member](const Type& value) { return array_of(value.*member); }, documentation);
+}
+
+void bind_counts(py::module_& module) {
+  using analysis::Counts;
+  py::class_<Counts>(module, "Counts", "Grains and contacts, counted.")
+      .def_readonly("grains", &Counts::grains)
+      .def_readonly("contacts", &Counts::contacts)
+      .def_readonly("wall_contacts", &Counts::wall_contacts)
+      .def_readonly("without_contact", &Counts::without_contact, "Grains that touch no other.")
+      .def_readonly("coordination_number", &Counts::coordination_number, "C_n = 2 N_c/N, all grains [1].")
+      .def_readonly("coordination_error", &Counts::coordination_error, "Its standard error [1].")
+      .def_readonly("touching_coordination_number", &Counts::touching_coordination_number,
+                    "C_n over the grains with a contact [1].")
+      .def_readonly("coordination_number_with_walls", &Counts::coordination_number_with_walls, "[1]")
+      .def_readonly("sliding_fraction", &Counts::sliding_fraction, "Of the contacts [1].")
+      .def_property_readonly(
+          "mechanical_coordination_number", [](const Counts& c) { return c.mechanical.coordination_number; },
+          "z*, rattlers left out [1].")
+      .def_property_readonly(
+          "rattler_fraction", [](const Counts& c) { return c.mechanical.rattler_fraction; }, "x_0 [1].")
+      .def_property_readonly(
+          "rattlers", [](const Counts& c) { return c.mechanical.rattler_count; }, "Number of rattlers.")
+      .def_property_readonly(
+          "is_rattler",
+          [](const Counts& c) {
+            py::array_t<bool> out(static_cast<py::ssize_t>(c.mechanical.rattler.size()));
+            std::copy(c.mechanical.rattler.begin(), c.mechanical.rattler.end(), out.mutable_data());
+            return out;
+          },
+          "One flag for each grain.");
+  using analysis::Microstructure;
+  py::class_<Microstructure>(module, "Microstructure", "The contact network in numbers.")
+      .def_readonly("coordination_number", &Microstructure::coordination_number, "C_n, all grains [1].")
+      .def_readonly("mechanical_coordination_number", &Microstructure::mechanical_coordination_number,
+                    "z* [1].")
+      .def_readonly("rattler_fraction", &Microstructure::rattler_fraction, "[1]")
+      .def_readonly("fabric_anisotropy", &Microstructure::fabric_anisotropy, "a of E(gamma; a) [1].")
+      .def_readonly("fabric_anisotropy_error", &Microstructure::fabric_anisotropy_error,
+                    "Its standard error [1].")
+      .def_readonly("sliding_fraction", &Microstructure::sliding_fraction, "[1]");
+  using analysis::Sizes;
+  py::class_<Sizes>(module, "Sizes", "Sizes of the grains.")
+      .def_readonly("smallest", &Sizes::smallest, "Radius [m].")
+      .def_readonly("largest", &Sizes::largest, "Radius [m].")
+      .def_readonly("equivalent", &Sizes::equivalent, "<R^3>/<R^2> [m].")
+      .def_readonly("gradation", &Sizes::gradation, "d10, d50, d60.")
+      .def_readonly("contacts", &Sizes::contacts, "Means over the contacts as they were counted.");
+}
+
+void bind_fabric_parts(py::module_& module) {
+  py::class_<fabric::RoseBin>(module, "RoseBin", "One bin of the angles between contact normals and axis 3.")
+      .def_readonly("low", &fabric::RoseBin::low, "[rad]")
+      .def_readonly("high", &fabric::RoseBin::high, "[rad]")
+      .def_readonly("count", &fabric::RoseBin::count)
+      .def_readonly("density", &fabric::RoseBin::density, "[1/sr]")
+      .def_readonly("density_error", &fabric::RoseBin::density_error, "[1/sr]")
+      .def_readonly("expected_density", &fabric::RoseBin::expected_density, "[1/sr]");
+  using analysis::Fabric;
+  py::class_<Fabric> type(module, "Fabric", "Directions of the contacts.");
+  show_matrix(type, "tensor", &Fabric::tensor, "F_ij, mean of n_i n_j, (3, 3).");
+  type.def_readonly("contacts", &Fabric::contacts)
+      .def_property_readonly(
+          "anisotropy", [](const Fabric& f) { return f.by_moment.anisotropy; }, "a, by F33 [1].")
+      .def_property_readonly(
+          "standard_error", [](const Fabric& f) { return f.by_moment.standard_error; }, "Of a [1].")
+      .def_property_readonly(
+          "likeliest_anisotropy",
+          [](const Fabric& f) {
+            return f.by_likelihood ? std::optional(f.by_likelihood->anisotropy) : std::nullopt;
+          },
+          "a by maximum likelihood [1].")
+      .def_property_readonly(
+          "isotropy_p_value",
+          [](const Fabric& f) { return f.isotropy ? std::optional(f.isotropy->p_value) : std::nullopt; },
+          "Of the directions if there were no preferred one.")
+      .def_readonly("rose", &Fabric::rose, "Bins of [0, pi/2].");
+}
+
+void bind_forces(py::module_& module) {
+  py::class_<packing::ContactStress> stress(module, "ContactStress", "Mean stress by the contact forces.");
+  show_matrix(stress, "symmetric", &packing::ContactStress::symmetric, "[Pa], (3, 3).");
+  show_matrix(stress, "tensor", &packing::ContactStress::tensor, "As summed [Pa], (3, 3).");
+  stress
+      .def_readonly("asymmetry", &packing::ContactStress::asymmetry, "Antisymmetric over symmetric part [1].")
+      .def_property_readonly("mean", &packing::ContactStress::mean, "p = trace/3 [Pa].");
+  using analysis::Forces;
+  py::class_<Forces>(module, "Forces", "Forces of the contacts.")
+      .def_property_readonly(
+          "mean", [](const Forces& f) { return f.distribution.mean; }, "<f_n> of those that press [N].")
+      .def_property_readonly(
+          "largest", [](const Forces& f) { return f.distribution.largest; }, "[N]")
+      .def_property_readonly(
+          "pressing", [](const Forces& f) { return f.distribution.pressing; }, "Contacts with f_n > 0.")
+      .def_property_readonly("in_tension", [](const Forces& f) { return f.distribution.in_tension; })
+      .def_readonly("Z_2", &Forces::Z_2, "<f_n^2>/<f_n>^2 [1].")
+      .def_readonly("mean_tangential_over_normal", &Forces::mean_tangential_over_normal, "[1]")
+      .def_property_readonly(
+          "friction_coefficient",
+          [](const Forces& f) { return f.friction ? std::optional(f.friction->coefficient) : std::nullopt; },
+          "As the forces show it [1].")
+      .def_readonly("sliding_fraction", &Forces::sliding_fraction,
+                    "At the coefficient given, or else estimated [1].")
+      .def_property_readonly(
+          "unbalanced_force_ratio",
+          [](const Forces& f) {
+            return f.unbalance ? std::optional(f.unbalance->force_ratio) : std::nullopt;
+          },
+          "Mean residual force over mean contact force [1].");
+  using analysis::LawCheck;
+  py::class_<LawCheck>(module, "LawCheck", "Forces against overlaps.")
+      .def_readonly("contacts", &LawCheck::contacts, "Compared.")
+      .def_property_readonly(
+          "force_exponent",
+          [](const LawCheck& c) {
+            return c.force_exponent ? std::optional(c.force_exponent->value) : std::nullopt;
+          },
+          "1 + 1/alpha [1].")
+      .def_readonly("coefficient_ratio", &LawCheck::coefficient_ratio,
+                    "Median of f_n over the law's force [1].")
+      .def_readonly("median_misfit", &LawCheck::median_misfit, "[1]")
+      .def_readonly("worst_misfit", &LawCheck::worst_misfit, "[1]");
+}
+
+void bind_network(py::module_& module) {
+  using analysis::Network;
+  using elastic::EngineeringModuli;
+  py::class_<EngineeringModuli>(module, "EngineeringModuli", "Moduli along the axes and in their planes.")
+      .def_readonly("bulk_modulus", &EngineeringModuli::bulk_modulus, "K [Pa].")
+      .def_readonly("E_1", &EngineeringModuli::E_1, "[Pa]")
+      .def_readonly("E_2", &EngineeringModuli::E_2, "[Pa]")
+      .def_readonly("E_3", &EngineeringModuli::E_3, "[Pa]")
+      .def_readonly("C44", &EngineeringModuli::C44, "[Pa]")
+      .def_readonly("C55", &EngineeringModuli::C55, "[Pa]")
+      .def_readonly("C66", &EngineeringModuli::C66, "[Pa]");
+  py::class_<elastic::SymmetryDistances>(module, "SymmetryDistances",
+                                         "How far a stiffness is from classes of symmetry.")
+      .def_readonly("isotropic", &elastic::SymmetryDistances::isotropic, "[1]")
+      .def_readonly("cubic", &elastic::SymmetryDistances::cubic, "[1]")
+      .def_readonly("transversely_isotropic", &elastic::SymmetryDistances::transversely_isotropic, "[1]")
+      .def_readonly("orthotropic", &elastic::SymmetryDistances::orthotropic, "[1]");
+  py::class_<Network>(module, "Network", "The contact network's linear response, rung 4.")
+      .def_property_readonly(
+          "relaxed", [](const Network& n) { return array_of(n.response.relaxed().matrix); },
+          "6 x 6 with every grain in equilibrium [Pa]. Raises NotConverged where it was not solved.")
+      .def_property_readonly(
+          "affine", [](const Network& n) { return array_of(n.response.affine().matrix); },
+          "6 x 6 under uniform strain without spin [Pa].")
+      .def_property_readonly("converged", [](const Network& n) { return n.response.converged(); })
+      .def_property_readonly("iterations", [](const Network& n) { return n.response.report().iterations; })
+      .def_property_readonly(
+          "residual", [](const Network& n) { return n.response.report().residual; },
+          "Residual force over affine force, of the worst load case [1].")
+      .def_property_readonly(
+          "grains", [](const Network& n) { return n.response.report().grains; }, "That carry load.")
+      .def_property_readonly(
+          "contacts", [](const Network& n) { return n.response.report().contacts; }, "Between them.")
+      .def_property_readonly("G_hh", &Network::G_hh, "Shear modulus of the horizontal plane [Pa].")
+      .def_property_readonly("G_vh", &Network::G_vh, "Mean of both vertical ones [Pa].")
+      .def_property_readonly(
+          "bulk_modulus", [](const Network& n) { return n.isotropic_relaxed().bulk_modulus(); },
+          "K of the nearest isotropic solid [Pa].")
+      .def_property_readonly(
+          "shear_modulus", [](const Network& n) { return n.isotropic_relaxed().shear_modulus(); },
+          "G of the nearest isotropic solid [Pa].")
+      .def_property_readonly(
+          "moduli", [](const Network& n) { return n.relaxed.moduli; }, "Of the relaxed network.")
+      .def_property_readonly(
+          "symmetry", [](const Network& n) { return n.relaxed.symmetry; }, "Of the relaxed network.")
+      .def_property_readonly(
+          "bulk_modulus_bounds",
+          [](const Network& n) { return py::make_tuple(n.bulk_bounds.lower, n.bulk_bounds.upper); }, "[Pa]");
+}
+
+// ---- the measurement
+
+/// What the closed forms say by the names of their columns, rung0 to rung3 and uniform_stress.
+py::dict rungs_of(const MeasuredFrame& frame) {
+  py::dict out;
+  for (const analysis::ClosedForm& form : frame.packing.closed_forms)
+    if (form.answer)
+      out[form.rung->column] = estimate_object(*form.answer);
+  return out;
+}
+
+template <class Part>
+void show_part(py::class_<MeasuredFrame>& type, const char* name, Part Measurement::*part,
+               const char* documentation) {
+  type.def_property_readonly(
+      name, [part](const MeasuredFrame& frame) -> const Part& { return frame.packing.*part; }, documentation);
+}
+template <class Part>
+void show_part(py::class_<MeasuredFrame>& type, const char* name, std::optional<Part> Measurement::*part,
+               const char* documentation) {
+  type.def_property_readonly(
+      name,
+      [part](const MeasuredFrame& frame) -> const Part* {
+        const std::optional<Part>& value = frame.packing.*part;
+        return value ? &*value : nullptr;
+      },
+      documentation);
+}
+
+void bind_measurement(py::module_& module) {
+  py::class_<MeasuredFrame> type(
+      module, "Measurement",
+      "What one packing tells. Parts that were not wanted, or need what nobody knows, are "
+      "None; notes say what was missing.");
+  show_part(type, "volume", &Measurement::volume, "Of the cell [m^3].");
+  show_part(type, "void_ratio", &Measurement::void_ratio, "Of the whole cell [1].");
+  show_part(type, "sizes", &Measurement::sizes, "Sizes of the grains.");
+  show_part(type, "counts", &Measurement::counts, "Grains and contacts, counted.");
+  show_part(type, "fabric", &Measurement::fabric, "Directions of the contacts.");
+  show_part(type, "stress", &Measurement::stress, "By the contact forces.");
+  show_part(type, "bulk_density", &Measurement::bulk_density, "Dry [kg/m3].");
+  show_part(type, "forces", &Measurement::forces, "Forces of the contacts.");
+  show_part(type, "law_check", &Measurement::law_check, "Forces against overlaps.");
+  show_part(type, "law", &Measurement::law, "Of contacts of grains of the equivalent radius.");
+  show_part(type, "network", &Measurement::network, "Rung 4; None where no grain bears load.");
+  type.def_property_readonly(
+          "microstructure", [](const MeasuredFrame& f) { return f.packing.microstructure(); },
+          "C_n, z*, rattlers, a, sliding. Raises InvalidArgument for fewer than 2 contacts.")
+      .def_property_readonly("rungs", &rungs_of,
+                             "What the closed forms say of this packing: rung0 to rung3, uniform_stress.")
+      .def_property_readonly(
+          "notes", [](const MeasuredFrame& f) { return f.packing.notes; },
+          "What was assumed or not there, a sentence each.")
+      .def_readonly("warnings", &MeasuredFrame::warnings, "What ruins comparisons, a sentence each.")
+      .def("__repr__", [](const MeasuredFrame& f) {
+        const analysis::Counts& c = f.packing.counts;
+        return "<Measurement of " + std::to_string(c.grains) +
+               " grains: C_n = " + short_text(c.coordination_number) +
+               ", z* = " + short_text(c.mechanical.coordination_number) +
+               ", e = " + short_text(f.packing.void_ratio) + ">";
+      });
+}
+
+enum : std::size_t {
+  packing_at,
+  law_at,
+  grain_shear_modulus_at,
+  grain_poisson_ratio_at,
+  materials_at,
+  tangential_ratio_at,
+  friction_coefficient_at,
+  grain_density_at,
+  stiffness_from_at,
+  network_at,
+  prestress_at,
+};
+
+/// The law of two grains of any material and radius that a law between two of them stands for: only that of
+/// spheres depends on the radius.
+analysis::LawFamily family_of(const contact::PowerLaw& law) {
+  if (law.alpha() == 2)
+    return contact::PowerLaw::sphere;
+  return [law](const contact::GrainMaterial& grain, double) { return law.of_grain(grain); };
+}
+
+std::optional<double> number_if_given(const Arguments& a, std::size_t at, const char* name) {
+  return a.given(at) ? std::optional(number_of(name, a[at])) : std::nullopt;
+}
+
+packing::StiffnessFrom stiffness_from(const std::string& name) {
+  using packing::StiffnessFrom;
+  static constexpr std::pair<const char*, StiffnessFrom> all[] = {
+      {"overlap", StiffnessFrom::overlap}, {"force", StiffnessFrom::force}, {"ratio", StiffnessFrom::ratio}};
+  for (const auto& [known, from] : all)
+    if (name == known)
+      return from;
+  throw InvalidArgument("stiffness_from is one of overlap, force, ratio, not " + name);
+}
+
+studies::MaterialsByType materials_by_type(const py::handle& value) {
+  studies::MaterialsByType out;
+  for (const auto& [type, material] : value.cast<std::map<long, std::pair<double, double>>>())
+    out[type] = {material.first, material.second};
+  return out;
+}
+
+analysis::Given given_of(const Arguments& a, const Packing& packing) {
+  analysis::Given given{
+      .grain_shear_modulus = number_if_given(a, grain_shear_modulus_at, "grain_shear_modulus"),
+      .grain_density = number_if_given(a, grain_density_at, "grain_density"),
+      .law_assumed = !a.given(law_at),
+      .tangential_ratio = number_if_given(a, tangential_ratio_at, "tangential_ratio"),
+      .friction_coefficient = number_if_given(a, friction_coefficient_at, "friction_coefficient")};
+  if (const auto ratio = number_if_given(a, grain_poisson_ratio_at, "grain_poisson_ratio"))
+    given.grain_poisson_ratio = *ratio;
+  if (a.given(law_at)) {
+    if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
+      throw py::type_error("law says what the grains are made of: leave out grain_shear_modulus, "
+                           "grain_poisson_ratio and materials");
+    const auto& law = a[law_at].cast<const contact::PowerLaw&>();
+    given.law_family = family_of(law);
+    given.grain_shear_modulus = law.grain().shear_modulus;
+    given.grain_poisson_ratio = law.grain().poisson_ratio;
+  }
+  if (a.given(materials_at))
+    given.materials = studies::materials_of(packing, materials_by_type(a[materials_at]));
+  if (a.given(stiffness_from_at))
+    given.stiffness_from = stiffness_from(a[stiffness_from_at].cast<std::string>());
+  return given;
+}
+
+py::object measure(const Arguments& a) {
+  const SharedPacking packing = a[packing_at].cast<SharedPacking>();
+  const analysis::Given given = given_of(a, *packing);
+  analysis::Wanted wanted = analysis::everything();
+  wanted.network->stop_requested = stop_on_signal();
+  wanted.network->prestress = a.flag(prestress_at);
+  if (a.given(network_at) && !a.flag(network_at))
+    wanted.network.reset();
+  MeasuredFrame frame;
+  {
+    const py::gil_scoped_release unlocked;
+    if (packing->has(io::Finding::contacts_unknown))
+      frame = studies::measure_frame(studies::with_overlap_contacts(*packing, given), given, wanted);
+    else
+      frame = studies::measure_frame(*packing, given, wanted);
+  }
+  if (PyErr_Occurred() != nullptr)
+    throw py::error_already_set();
+  return py::cast(std::move(frame));
+}
+
+} // namespace
+
+void bind_analysis(py::module_& module) {
+  bind_counts(module);
+  bind_fabric_parts(module);
+  bind_forces(module);
+  bind_network(module);
+  bind_measurement(module);
+  define(module, {"measure",
+                  {{"packing"},
+                   {"law", "None"},
+                   {"grain_shear_modulus", "None"},
+                   {"grain_poisson_ratio", "None"},
+                   {"materials", "None"},
+                   {"tangential_ratio", "None"},
+                   {"friction_coefficient", "None"},
+                   {"grain_density", "None"},
+                   {"stiffness_from", "None"},
+                   {"network", "True"},
+                   {"prestress", "False"}},
+                  &measure,
+                  R"(What one packing tells: contacts, fabric, stress, both 6 x 6, every rung.
+
+Other threads run meanwhile, and Ctrl-C ends it within a second.
+
+Parameters
+----------
+packing : Packing
+    As read() or packing() makes it. Without contacts, overlapping spheres are taken to touch.
+law : PowerLaw, optional
+    Contact law and material of the grains; spheres take the radii of the packing. Without it, what the forces
+    show against the overlaps.
+grain_shear_modulus, grain_poisson_ratio : float, optional
+    Material of spheres, instead of a law: G_g [Pa] and nu_g.
+materials : dict, optional
+    Of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio)}.
+tangential_ratio : float, optional
+    k_t/k_n [1]; without it that of the no-slip contact.
+friction_coefficient : float, optional
+    Between grains [1]; without it as the forces show it.
+grain_density : float, optional
+    Of the grains' solid [kg/m3].
+stiffness_from : {"overlap", "force", "ratio"}, optional
+    What k_n of the network is taken from; without it the overlaps, or the forces if those have few digits.
+network : bool
+    Solve the contact network, rung 4: the part that takes the time.
+prestress : bool
+    Add the stiffness that the contact forces make.
+
+Returns
+-------
+Measurement
+
+Raises
+------
+InvalidArgument
+    For a packing or a number that cannot be.
+)",
+                  1});
+}
+
+} // namespace granum::python

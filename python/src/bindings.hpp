@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// The module: one function a module of the library, each in the source of that name.
+namespace granum::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_contact(py::module_& module);
+void bind_sizes(py::module_& module);
+void bind_fabric(py::module_& module);
+void bind_elastic(py::module_& module);
+void bind_effective(py::module_& module);
+void bind_sensitivity(py::module_& module);
+void bind_rock_physics(py::module_& module);
+void bind_packing(py::module_& module);
+void bind_io(py::module_& module);
+void bind_analysis(py::module_& module);
+
+} // namespace granum::python

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <limits>
+
+#include <granum/effective/batch.hpp>
+#include <granum/effective/kinematic_field.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+#include "bindings.hpp"
+#include "estimate.hpp"
+#include "state.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using effective::RungAnswer;
+using elastic::Loading;
+using elastic::TransverselyIsotropic;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// ---- stiffness with its errors
+
+/// A Young's modulus or Poisson's ratio: NaN where the stiffness has none.
+double where_stable(const TransverselyIsotropic& c, double (TransverselyIsotropic::*get)() const) {
+  return c.positive_definite() ? (c.*get)() : nan;
+}
+
+py::object matrices(const Stiffnesses& rows) {
+  if (rows.scalar)
+    return array_of(elastic::voigt(rows.front().stiffness).matrix);
+  std::vector<py::ssize_t> shape = rows.shape;
+  shape.insert(shape.end(), {6, 6});
+  py::array_t<double> out(shape);
+  double* to = out.mutable_data();
+  for (const StiffnessRow& row : rows.rows) {
+    const elastic::Matrix6 matrix = elastic::voigt(row.stiffness).matrix;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        *to++ = matrix(i, j);
+  }
+  return out;
+}
+
+/// Members of Rows<StiffnessRow> for the derived class.
+py::object number(const py::object& result, std::size_t offset) {
+  return member<StiffnessRow>(result, offset);
+}
+
+template <class Class, class Get>
+void show(Class& type, const char* name, const Get& get, const char* documentation) {
+  type.def_property_readonly(
+      name,
+      [get](const Stiffnesses& rows) {
+        return computed<StiffnessRow>(rows, [&](const StiffnessRow& row) { return get(row.stiffness); });
+      },
+      documentation);
+}
+
+/// Errors of three moduli, a view of their result.
+struct ErrorView {
+  py::object result;
+};
+
+std::string text_of(const Stiffnesses& rows) {
+  if (!rows.scalar)
+    return "<Estimate of shape " + std::string(py::str(py::object(py::tuple(py::cast(rows.shape))))) + ">";
+  const TransverselyIsotropic& c = rows.front().stiffness;
+  return py::str("Estimate(K={:.4g}, G_vh={:.4g}, G_hh={:.4g})").format(c.bulk_modulus(), c.G_vh(), c.G_hh());
+}
+
+void bind_estimate(py::module_& module) {
+  result_class<StiffnessRow>(module, "_StiffnessRows", "What all estimates have.");
+  py::class_<Stiffnesses, Rows<StiffnessRow>> type(module, "Estimate",
+                                                   R"(Stiffness of packings, symmetric about axis 3.
+
+Numbers of a call with numbers, arrays of the broadcast shape of a call with arrays.)");
+  constexpr std::size_t c = offsetof(StiffnessRow, stiffness);
+  const std::pair<const char*, std::size_t> constants[] = {
+      {"C11", c + offsetof(TransverselyIsotropic, C11)}, {"C33", c + offsetof(TransverselyIsotropic, C33)},
+      {"C12", c + offsetof(TransverselyIsotropic, C12)}, {"C13", c + offsetof(TransverselyIsotropic, C13)},
+      {"C44", c + offsetof(TransverselyIsotropic, C44)}, {"G_vh", c + offsetof(TransverselyIsotropic, C44)}};
+  for (const auto& [name, offset] : constants)
+    type.def_property_readonly(
+        name, [offset = offset](const py::object& result) { return number(result, offset); },
+        "Elastic constant [Pa]; G_vh = C44 is the shear modulus of vertical planes.");
+  show(
+      type, "C66", [](const TransverselyIsotropic& s) { return s.C66(); }, "(C11-C12)/2 [Pa].");
+  show(
+      type, "G_hh", [](const TransverselyIsotropic& s) { return s.G_hh(); },
+      "Shear modulus of the horizontal plane, C66 [Pa].");
+  show(
+      type, "bulk_modulus", [](const TransverselyIsotropic& s) { return s.bulk_modulus(); }, "K [Pa].");
+  show(
+      type, "E_v",
+      [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::vertical).value_or(nan); },
+      "Young's modulus of vertical loading [Pa]; NaN where the stiffness has none.");
+  show(
+      type, "E_h",
+      [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::horizontal).value_or(nan); },
+      "Young's modulus of horizontal loading [Pa]; NaN where the stiffness has none.");
+  show(
+      type, "nu_vh",
+      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_vh); },
+      "Vertical loading: -e_h/e_v [1]; NaN where the stiffness is not positive definite.");
+  show(
+      type, "nu_hv",
+      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hv); },
+      "Horizontal loading: -e_v/e_h [1]; NaN where the stiffness is not positive definite.");
+  show(
+      type, "nu_hh",
+      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hh); },
+      "Horizontal loading: -e_h2/e_h1 [1]; NaN where the stiffness is not positive definite.");
+  type.def_property_readonly("stiffness", &matrices,
+                             "6 x 6 Voigt matrices [Pa], order 11 22 33 23 13 12: (..., 6, 6).");
+  type.def_property_readonly(
+      "relative_error",
+      [](const py::object& result) -> py::object {
+        return result.cast<const Stiffnesses&>().has_error ? py::cast(ErrorView{result}) : py::none();
+      },
+      "Standard errors of the moduli over the moduli, where the estimate states them; else None.");
+  type.def("__repr__", &text_of);
+
+  py::class_<ErrorView> errors(module, "ModulusErrors", "Standard errors of moduli, over the moduli [1].");
+  constexpr std::size_t e = offsetof(StiffnessRow, error);
+  const std::pair<const char*, std::size_t> moduli[] = {
+      {"bulk_modulus", e + offsetof(effective::ModulusErrors, bulk_modulus)},
+      {"G_hh", e + offsetof(effective::ModulusErrors, G_hh)},
+      {"G_vh", e + offsetof(effective::ModulusErrors, G_vh)}};
+  for (const auto& [name, offset] : moduli)
+    errors.def_property_readonly(
+        name, [offset = offset](const ErrorView& view) { return number(view.result, offset); },
+        "Standard error over the modulus [1].");
+}
+
+// ---- closed forms
+
+template <class Answer>
+py::object stiffnesses(const StateArguments& arguments, bool has_error, const Answer& answer) {
+  Stiffnesses out{answer_rows(arguments.columns(), arguments.strict(), StiffnessRow{}, answer)};
+  out.has_error = has_error;
+  return py::cast(std::move(out));
+}
+
+template <effective::Estimate (*form)(const effective::State&)>
+py::object field(const Arguments& a) {
+  const StateArguments arguments(a);
+  return stiffnesses(arguments, false, [&](const double* x, Notes& notes) {
+    const effective::Estimate estimate = form(arguments.state(x));
+    notes.add(estimate.validity);
+    return StiffnessRow{.stiffness = estimate.stiffness};
+  });
+}
+
+StiffnessRow row_of(const RungAnswer& answer, Notes& notes) {
+  notes.add(answer.validity);
+  StiffnessRow row{.stiffness = answer.stiffness};
+  if (answer.relative_error)
+    row.error = *answer.relative_error;
+  return row;
+}
+
+py::object ask(const effective::Rung& rung, const StateArguments& arguments) {
+  return stiffnesses(arguments, rung.name == effective::RungName::relaxed,
+                     [&](const double* x, Notes& notes) {
+                       return row_of(effective::answer(rung, arguments.inputs(x)), notes);
+                     });
+}
+
+std::string documentation(const char* what, const char* more = "") {
+  return std::string(what) + "\n" + state_parameters + more + R"(
+Returns
+-------
+Estimate
+
+Raises
+------
+InvalidArgument
+    For numbers that no packing can have; arrays: under strict.
+)";
+}
+
+void bind_closed_forms(py::module_& module) {
+  define(module, {"uniform_strain", state_keywords(), field<effective::uniform_strain>,
+                  documentation("Stiffness if all grains follow the mean strain: rung 2, an upper bound.")});
+  define(module, {"free_spin", state_keywords(), field<effective::free_spin>,
+                  documentation("Uniform strain with a free mean spin: a tighter upper bound.")});
+  define(module, {"uniform_stress", state_keywords(), field<effective::uniform_stress>,
+                  documentation("Stiffness if all contacts bear the forces of the mean stress.")});
+  define(module, {"uniform_strain_kinematic", state_keywords(), field<effective::uniform_strain_kinematic>,
+                  documentation("Uniform strain with the contact forces of a uniform strain.")});
+  define(module, {"uniform_stress_kinematic", state_keywords(), field<effective::uniform_stress_kinematic>,
+                  documentation("Uniform stress with the contact forces of a uniform strain.")});
+  define(module,
+         {"relaxed", state_keywords(),
+          [](const Arguments& a) {
+            return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
+          },
+          documentation("Uniform strain, relaxed as contact networks of this z* do: rung 3, with its "
+                        "standard errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.")});
+  define(module,
+         {"answer", state_keywords({{"rung"}}),
+          [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); },
+          documentation("What a rung says of packings, by its number or name.",
+                        "rung : int or str\n    0 to 3, or isotropic, fabric, directional, relaxed, "
+                        "uniform_stress.\n")});
+}
+
+// ---- the table of rungs
+
+void bind_rungs(py::module_& module) {
+  using effective::Rung;
+  py::class_<Rung>(module, "Rung", "A row of the table of rungs.")
+      .def_readonly("number", &Rung::number, "On the ladder; None beside it.")
+      .def_readonly("key", &Rung::key, "Its name on a command line.")
+      .def_readonly("title", &Rung::title, "In a few words.")
+      .def_readonly("description", &Rung::description, "In more words.")
+      .def_readonly("needs", &Rung::needs, "Beyond contact law, C_n, e and the mean stress.")
+      .def_readonly("typical_time", &Rung::typical_time, "Of one evaluation [s].")
+      .def_readonly("error_source", &Rung::error_source, "Where its stated errors come from.")
+      .def("__repr__",
+           [](const Rung& rung) { return "<" + effective::label(rung) + ": " + rung.title + ">"; });
+  module.def(
+      "rungs",
+      [] {
+        py::list all;
+        for (const Rung& rung : effective::rungs())
+          all.append(py::cast(&rung, py::return_value_policy::reference));
+        return all;
+      },
+      "All rungs, from the cheapest to the dearest.");
+}
+
+// ---- many packings in one call
+
+struct Moduli {
+  py::array_t<double> bulk_modulus, shear_modulus;
+  std::vector<py::ssize_t> shape;
+  std::map<std::size_t, std::string> errors;
+};
+
+/// A column of the batch: a number, or an array of the shape of the results laid out in rows.
+class BatchColumn {
+ public:
+  BatchColumn(const char* name, const py::handle& value) : array_(numbers_of(name, value)) {}
+
+  [[nodiscard]] const py::array& array() const { return array_; }
+  [[nodiscard]] bool varies() const { return array_.ndim() > 0; }
+  void spread(const std::vector<py::ssize_t>& shape) {
+    if (!varies())
+      return;
+    if (!std::equal(shape.begin(), shape.end(), array_.shape(), array_.shape() + array_.ndim()))
+      array_ = py::module_::import("numpy").attr("broadcast_to")(array_, py::tuple(py::cast(shape)));
+    array_ = py::array_t<double, py::array::c_style>(array_);
+  }
+  [[nodiscard]] effective::Column rows(std::size_t first, std::size_t count) const {
+    return varies() ? effective::Column(std::span(array_.data() + first, count))
+                    : effective::Column(*array_.data());
+  }
+
+ private:
+  py::array_t<double> array_;
+};
+
+/// The rows of a batch, and what was said of those that were refused.
+class Batch {
+ public:
+  explicit Batch(const Arguments& a)
+      : law_(a[0].cast<const contact::PowerLaw&>()),
+        contacts_(a.given(6) ? a[6].cast<sizes::ContactMeans>() : sizes::ContactMeans{}),
+        tangential_ratio_(a.given(5) ? number_of("tangential_ratio", a[5])
+                                     : contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio)),
+        radius_(number_of("radius", a[1])), pressure_("pressure", a[4]),
+        coordination_number_("coordination_number", a[3]), porosity_("porosity", a[2]) {
+    const Argument arguments[] = {{"pressure", a[4]}, {"coordination_number", a[3]}, {"porosity", a[2]}};
+    const Columns columns(arguments);
+    out_.shape = columns.shape();
+    rows_ = columns.rows();
+    for (BatchColumn* column : {&pressure_, &coordination_number_, &porosity_})
+      column->spread(out_.shape);
+    out_.bulk_modulus = py::array_t<double>(out_.shape);
+    out_.shear_modulus = py::array_t<double>(out_.shape);
+    bulk_ = out_.bulk_modulus.mutable_data();
+    shear_ = out_.shear_modulus.mutable_data();
+  }
+
+  Moduli run() && {
+    const py::gil_scoped_release unlocked;
+    const effective::BatchReport report = solve(0, rows_);
+    if (report.failed == report.errors.size()) {
+      take_errors(report, 0);
+    } else { // more than one report holds: in pieces that no report can be too short for
+      for (std::size_t first = 0; first < rows_; first += effective::BatchReport::most_errors)
+        take_errors(solve(first, std::min(rows_ - first, effective::BatchReport::most_errors)), first);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  effective::BatchReport solve(std::size_t first, std::size_t count) {
+    return effective::uniform_strain({.law = law_,
+                                      .tangential_ratio = tangential_ratio_,
+                                      .radius = radius_,
+                                      .pressure = pressure_.rows(first, count),
+                                      .coordination_number = coordination_number_.rows(first, count),
+                                      .porosity = porosity_.rows(first, count),
+                                      .contacts = contacts_},
+                                     {std::span(bulk_ + first, count), std::span(shear_ + first, count)});
+  }
+  void take_errors(const effective::BatchReport& report, std::size_t first) {
+    for (const effective::RowError& error : report.errors) {
+      const std::size_t row = first + error.row;
+      bulk_[row] = shear_[row] = nan;
+      out_.errors.emplace(row, error.message);
+    }
+  }
+
+  const contact::PowerLaw& law_;
+  sizes::ContactMeans contacts_;
+  double tangential_ratio_, radius_;
+  BatchColumn pressure_, coordination_number_, porosity_;
+  std::size_t rows_ = 0;
+  Moduli out_;
+  double* bulk_ = nullptr;
+  double* shear_ = nullptr;
+};
+
+py::object shown(const py::array_t<double>& array) {
+  return array.ndim() == 0 ? py::object(py::float_(*array.data())) : py::object(array);
+}
+
+void bind_batch(py::module_& module) {
+  py::class_<Moduli>(module, "Moduli", "Bulk and shear modulus of isotropic packings.")
+      .def_property_readonly(
+          "bulk_modulus", [](const Moduli& m) { return shown(m.bulk_modulus); }, "K [Pa].")
+      .def_property_readonly(
+          "shear_modulus", [](const Moduli& m) { return shown(m.shear_modulus); }, "G [Pa].")
+      .def_property_readonly(
+          "errors", [](const Moduli& m) { return errors_by_index(m.errors, m.shape); },
+          "Messages of the elements that were refused, by index; their moduli are NaN.");
+  define(module, {"uniform_strain_moduli",
+                  {{"law"},
+                   {"radius"},
+                   {"porosity"},
+                   {"coordination_number"},
+                   {"pressure"},
+                   {"tangential_ratio", "None"},
+                   {"contact_means", "None"},
+                   {"strict", "False"}},
+                  [](const Arguments& a) {
+                    Moduli moduli = Batch(a).run();
+                    if (!moduli.errors.empty() && (a.flag(7) || moduli.shape.empty()))
+                      throw InvalidArgument(moduli.errors.begin()->second);
+                    return py::cast(std::move(moduli));
+                  },
+                  R"(K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.
+
+The fast way for large arrays: within 1e-14 of answer(rung=0).
+
+Parameters
+----------
+law : PowerLaw
+    Normal contact of two grains.
+radius : float
+    R > 0 of a grain [m].
+porosity : array_like
+    Voids in the volume, in (0, 1).
+coordination_number : array_like
+    C_n in [0, 1e6].
+pressure : array_like
+    p in [0, 1e200] [Pa].
+tangential_ratio : float, optional
+    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
+contact_means : ContactMeans, optional
+    Of unequal grains; without it those of equal ones.
+strict : bool
+    Raise at the first element that is refused, instead of NaN and a message in `errors`.
+
+Returns
+-------
+Moduli
+)"});
+}
+
+} // namespace
+
+py::object estimate_object(const RungAnswer& answer) {
+  Notes notes;
+  Stiffnesses out;
+  out.rows.push_back(row_of(answer, notes));
+  out.notes = notes.take();
+  out.has_error = answer.relative_error.has_value();
+  return py::cast(std::move(out));
+}
+
+void bind_effective(py::module_& module) {
+  bind_estimate(module);
+  bind_closed_forms(module);
+  bind_rungs(module);
+  bind_batch(module);
+}
+
+} // namespace granum::python

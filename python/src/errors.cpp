@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "errors.hpp"
+
+#include <granum/core/error.hpp>
+
+#include "bindings.hpp"
+
+namespace granum::python {
+
+namespace {
+
+/// The class of that name, which granum/_errors.py defines.
+py::object error_class(const char* name) { return py::module_::import("granum._errors").attr(name); }
+
+void raise(const py::object& type, const py::object& error) { PyErr_SetObject(type.ptr(), error.ptr()); }
+
+void raise(const char* name, const std::exception& error) {
+  const py::object type = error_class(name);
+  raise(type, type(error.what()));
+}
+
+void raise(const InvalidArgument& error) {
+  const py::object type = error_class("InvalidArgument");
+  py::object object = type(error.what());
+  if (const auto& refused = error.refused()) {
+    object.attr("name") = refused->name;
+    object.attr("value") = refused->value;
+    object.attr("unit") = refused->unit;
+    object.attr("range") = refused->range;
+  }
+  raise(type, object);
+}
+
+void raise(const FileError& error) {
+  const py::object type = error_class("FileError");
+  py::object object = type(error.what());
+  object.attr("path") = error.path();
+  if (error.line() > 0)
+    object.attr("line") = error.line();
+  raise(type, object);
+}
+
+void set_error(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (py::error_already_set& e) {
+    e.restore();
+  } catch (const py::builtin_exception& e) {
+    e.set_error();
+  } catch (const InvalidArgument& e) {
+    raise(e);
+  } catch (const FileError& e) {
+    raise(e);
+  } catch (const NotConverged& e) {
+    raise("NotConverged", e);
+  } catch (const Stopped& e) {
+    if (PyErr_Occurred() == nullptr) // of a signal, see stop_on_signal
+      raise("Stopped", e);
+  } catch (const Error& e) {
+    raise("Error", e);
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::exception& e) {
+    PyErr_SetString(PyExc_RuntimeError, e.what());
+  }
+}
+
+} // namespace
+
+void set_python_error(std::exception_ptr error) noexcept {
+  try {
+    set_error(error);
+  } catch (py::error_already_set& e) {
+    e.restore();
+  }
+}
+
+StopRequest stop_on_signal() {
+  return [] {
+    const py::gil_scoped_acquire lock;
+    return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+  };
+}
+
+void bind_errors(py::module_&) {
+  py::register_exception_translator([](std::exception_ptr error) {
+    if (!error)
+      return;
+    try {
+      std::rethrow_exception(error);
+    } catch (const Error&) {
+      set_python_error(error);
+    }
+  });
+}
+
+} // namespace granum::python

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Functions that take keywords, called without the overload resolution of pybind11, which takes longer
+/// than a closed form: a name is compared by its address.
+namespace granum::python {
+
+namespace py = pybind11;
+
+/// The objects of a call in the order of the function's keywords; null where one was left out.
+class Arguments {
+ public:
+  Arguments(std::span<PyObject* const> values) : values_(values) {} // NOLINT: meant to convert
+
+  [[nodiscard]] bool given(std::size_t k) const { return values_[k] != nullptr && values_[k] != Py_None; }
+  [[nodiscard]] py::handle operator[](std::size_t k) const { return values_[k]; }
+  /// True if it was given and is true.
+  [[nodiscard]] bool flag(std::size_t k) const {
+    return values_[k] != nullptr && py::handle(values_[k]).cast<bool>();
+  }
+
+ private:
+  std::span<PyObject* const> values_;
+};
+
+/// A keyword of a function, and what is shown as its default; null: it must be given.
+struct Keyword {
+  const char* name;
+  const char* shown_default = nullptr;
+};
+
+/// A function that takes keywords.
+struct KeywordFunction {
+  const char* name;
+  std::vector<Keyword> keywords;
+  py::object (*call)(const Arguments& arguments);
+  std::string documentation;
+  std::size_t positional = 0; ///< so many may be given without their names as well
+};
+
+/// Puts the function in the module. Its signature can be inspected.
+void define(py::module_& module, KeywordFunction function);
+
+} // namespace granum::python

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include <granum/core/version.hpp>
+
+#include "bindings.hpp"
+
+PYBIND11_MODULE(_granum, module) {
+  using namespace granum::python;
+  module.doc() = "The library granum; import granum instead.";
+  module.attr("__version__") = std::string(granum::version());
+  bind_errors(module);
+  bind_contact(module);
+  bind_sizes(module);
+  bind_effective(module);
+  bind_rock_physics(module);
+  bind_packing(module);
+  bind_io(module);
+  bind_analysis(module);
+}

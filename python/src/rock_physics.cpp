@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <limits>
+
+#include <granum/rock_physics/contact_cement.hpp>
+#include <granum/rock_physics/coordination_relations.hpp>
+#include <granum/rock_physics/digby.hpp>
+#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/jenkins.hpp>
+#include <granum/rock_physics/sand_bounds.hpp>
+
+#include "bindings.hpp"
+#include "keywords.hpp"
+#include "rows.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using rock_physics::SpherePacking;
+
+struct ModuliRow {
+  double bulk_modulus = std::numeric_limits<double>::quiet_NaN();
+  double shear_modulus = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Keywords that are all columns, with `strict` behind them.
+py::object moduli(const Arguments& a, std::span<const Argument> columns, std::size_t strict_at,
+                  rock_physics::IsotropicEstimate (*model)(const double*)) {
+  return py::cast(answer_rows(columns, a.flag(strict_at), ModuliRow{}, [&](const double* x, Notes& notes) {
+    const rock_physics::IsotropicEstimate estimate = model(x);
+    notes.add(estimate.validity);
+    return ModuliRow{estimate.bulk_modulus, estimate.shear_modulus};
+  }));
+}
+
+Argument optional(const Arguments& a, std::size_t at, const char* name, double otherwise) {
+  return a.given(at) ? Argument{name, a[at]} : Argument{name, otherwise};
+}
+
+SpherePacking sphere_packing(const double* x) {
+  return {.shear_modulus = x[0],
+          .poisson_ratio = x[1],
+          .porosity = x[2],
+          .coordination_number = x[3],
+          .pressure = x[4],
+          .no_slip_fraction = x[5]};
+}
+
+constexpr const char* sphere_parameters = R"(
+Parameters
+----------
+shear_modulus : array_like
+    G_g > 0 of the grain [Pa].
+poisson_ratio : array_like
+    nu_g of the grain, -1 < nu_g <= 0.5.
+porosity : array_like
+    Pore volume by total volume, in [0, 1).
+coordination_number : array_like
+    C_n = 2 N_c/N >= 0.
+pressure : array_like
+    p >= 0, effective, compression positive [Pa].
+)";
+
+constexpr const char* no_slip_parameter = R"(no_slip_fraction : array_like
+    Share of no-slip contacts, in [0, 1]: 1 rough, 0 smooth grains.
+)";
+
+constexpr const char* strict_and_result = R"(strict : bool
+    Raise at the first element that is refused, instead of NaN and a message in `errors`.
+
+Returns
+-------
+IsotropicModuli
+
+Raises
+------
+InvalidArgument
+    For numbers that no packing can have; arrays: under strict.
+)";
+
+std::string sphere_documentation(const char* what, const char* more = "") {
+  return std::string(what) + "\n" + sphere_parameters + more + strict_and_result;
+}
+
+const std::vector<Keyword> sphere_keywords{
+    {"shear_modulus"}, {"poisson_ratio"},           {"porosity"},       {"coordination_number"},
+    {"pressure"},      {"no_slip_fraction", "1.0"}, {"strict", "False"}};
+
+std::array<Argument, 6> sphere_columns(const Arguments& a) {
+  return {
+      Argument{"shear_modulus", a[0]}, Argument{"poisson_ratio", a[1]},
+      Argument{"porosity", a[2]},      Argument{"coordination_number", a[3]},
+      Argument{"pressure", a[4]},      optional(a, 5, "no_slip_fraction", SpherePacking{}.no_slip_fraction)};
+}
+
+void bind_hertz_mindlin(py::module_& module) {
+  define(
+      module,
+      {"hertz_mindlin", sphere_keywords,
+       [](const Arguments& a) {
+         return moduli(a, sphere_columns(a), 6,
+                       [](const double* x) { return rock_physics::hertz_mindlin(sphere_packing(x)); });
+       },
+       sphere_documentation("Random packing of equal spheres under uniform strain, with slip (Walton 1987).",
+                            no_slip_parameter)});
+  define(module, {"jenkins_shear_modulus",
+                  {{"shear_modulus"},
+                   {"poisson_ratio"},
+                   {"porosity"},
+                   {"coordination_number"},
+                   {"pressure"},
+                   {"strict", "False"}},
+                  [](const Arguments& a) -> py::object {
+                    const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                                {"porosity", a[2]},      {"coordination_number", a[3]},
+                                                {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
+                    const Rows<ModuliRow> rows =
+                        answer_rows(columns, a.flag(5), ModuliRow{}, [](const double* x, Notes&) {
+                          return ModuliRow{ModuliRow{}.bulk_modulus,
+                                           rock_physics::jenkins_shear_modulus(sphere_packing(x))};
+                        });
+                    return py::cast(rows);
+                  },
+                  sphere_documentation(
+                      "Frictionless spheres whose pairs may deviate from the mean strain (Jenkins 2005): "
+                      "shear modulus alone, the bulk modulus is NaN.")});
+}
+
+void bind_bounds(py::module_& module) {
+  static constexpr struct {
+    const char* name;
+    const char* what;
+    py::object (*call)(const Arguments&);
+  } bounds[] = {
+      {"soft_sand",
+       "Lower bound between a packing at its critical porosity and the mineral (Dvorkin and Nur 1996).",
+       [](const Arguments& a) {
+         const auto sphere = sphere_columns(a);
+         const Argument columns[] = {sphere[0], sphere[1], {"critical_porosity", a[2]}, sphere[3],
+                                     sphere[4], sphere[5], {"porosity", a[7]}};
+         return moduli(a, columns, 6,
+                       [](const double* x) { return rock_physics::soft_sand(sphere_packing(x), x[6]); });
+       }},
+      {"stiff_sand", "Upper bound between a packing at its critical porosity and the mineral (Gal 1998).",
+       [](const Arguments& a) {
+         const auto sphere = sphere_columns(a);
+         const Argument columns[] = {sphere[0], sphere[1], {"critical_porosity", a[2]}, sphere[3],
+                                     sphere[4], sphere[5], {"porosity", a[7]}};
+         return moduli(a, columns, 6,
+                       [](const double* x) { return rock_physics::stiff_sand(sphere_packing(x), x[6]); });
+       }}};
+  std::vector<Keyword> keywords = sphere_keywords;
+  keywords[2].name = "critical_porosity";
+  keywords.push_back({"porosity"});
+  for (const auto& bound : bounds)
+    define(module,
+           {bound.name, keywords, bound.call,
+            std::string(bound.what) +
+                "\n\nParameters as hertz_mindlin, critical_porosity for the packing's porosity, and\n\n"
+                "porosity : array_like\n    In [0, critical porosity].\n" +
+                strict_and_result});
+}
+
+void bind_digby(py::module_& module) {
+  define(module, {"digby",
+                  {{"shear_modulus"},
+                   {"poisson_ratio"},
+                   {"porosity"},
+                   {"coordination_number"},
+                   {"pressure"},
+                   {"bond_radius_ratio"},
+                   {"strict", "False"}},
+                  [](const Arguments& a) {
+                    const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                                {"porosity", a[2]},      {"coordination_number", a[3]},
+                                                {"pressure", a[4]},      {"bond_radius_ratio", a[5]}};
+                    return moduli(a, columns, 6, [](const double* x) {
+                      return rock_physics::digby({.shear_modulus = x[0],
+                                                  .poisson_ratio = x[1],
+                                                  .porosity = x[2],
+                                                  .coordination_number = x[3],
+                                                  .pressure = x[4],
+                                                  .bond_radius_ratio = x[5]});
+                    });
+                  },
+                  sphere_documentation(
+                      "Equal spheres bonded over small discs before the pressure came (Digby 1981).",
+                      "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
+                      "[0, 1).\n")});
+}
+
+template <rock_physics::CementScheme scheme>
+py::object cement(const Arguments& a) {
+  const Argument columns[] = {
+      {"shear_modulus", a[0]},        {"poisson_ratio", a[1]}, {"cement_shear_modulus", a[2]},
+      {"cement_poisson_ratio", a[3]}, {"porosity", a[4]},      {"coordination_number", a[5]},
+      {"cement_saturation", a[6]}};
+  return moduli(a, columns, 7, [](const double* x) {
+    return rock_physics::contact_cement({.shear_modulus = x[0],
+                                         .poisson_ratio = x[1],
+                                         .cement_shear_modulus = x[2],
+                                         .cement_poisson_ratio = x[3],
+                                         .porosity = x[4],
+                                         .coordination_number = x[5],
+                                         .cement_saturation = x[6]},
+                                        scheme);
+  });
+}
+
+void bind_cement(py::module_& module) {
+  const std::vector<Keyword> keywords{{"shear_modulus"},        {"poisson_ratio"},  {"cement_shear_modulus"},
+                                      {"cement_poisson_ratio"}, {"porosity"},       {"coordination_number"},
+                                      {"cement_saturation"},    {"strict", "False"}};
+  const std::string parameters = R"(
+Parameters
+----------
+shear_modulus, poisson_ratio : array_like
+    G_g > 0 [Pa] and nu_g of the grain.
+cement_shear_modulus, cement_poisson_ratio : array_like
+    G_c > 0 [Pa] and nu_c of the cement.
+porosity : array_like
+    Before cementation (critical), in [0, 1).
+coordination_number : array_like
+    C_n = 2 N_c/N >= 0.
+cement_saturation : array_like
+    Share of those pores that is cement, in [0, 1].
+)";
+  define(module, {"cement_at_contacts", keywords, cement<rock_physics::CementScheme::at_contacts>,
+                  "Spheres with all cement in discs around their contacts (Dvorkin and Nur 1996).\n" +
+                      parameters + strict_and_result});
+  define(module, {"cement_in_surface_layer", keywords, cement<rock_physics::CementScheme::surface_layer>,
+                  "Spheres with cement evenly on their surface (Dvorkin and Nur 1996).\n" + parameters +
+                      strict_and_result});
+}
+
+void bind_coordination(py::module_& module) {
+  using rock_physics::CoordinationRelation;
+  static constexpr std::pair<const char*, CoordinationRelation> relations[] = {
+      {"table", CoordinationRelation::murphy_table},
+      {"quadratic", CoordinationRelation::murphy_quadratic},
+      {"exponential", CoordinationRelation::murphy_exponential}};
+  module.def(
+      "murphy_coordination_number",
+      [](const py::object& porosity, const std::string& relation) {
+        for (const auto& [name, which] : relations)
+          if (relation == name) {
+            const Argument columns[] = {{"porosity", porosity}};
+            return computed(answer_rows<double>(columns, true, 0.0,
+                                                [which = which](const double* x, Notes&) {
+                                                  return rock_physics::coordination_number(x[0], which);
+                                                }),
+                            [](double value) { return value; });
+          }
+        throw InvalidArgument("relation is one of table, quadratic, exponential, not " + relation);
+      },
+      py::kw_only(), py::arg("porosity"), py::arg("relation"),
+      "C_n of clean, well sorted grains at a porosity in [0.2, 0.7] (Murphy 1982), by the relation named: "
+      "table,\n"
+      "quadratic or exponential. They differ by up to 0.7: none replaces a measured number.");
+}
+
+} // namespace
+
+void bind_rock_physics(py::module_& module) {
+  auto type =
+      result_class<ModuliRow>(module, "IsotropicModuli", "Bulk and shear modulus of isotropic packings.");
+  show_member<ModuliRow>(type, "bulk_modulus", offsetof(ModuliRow, bulk_modulus), "K [Pa].");
+  show_member<ModuliRow>(type, "shear_modulus", offsetof(ModuliRow, shear_modulus), "G [Pa].");
+  bind_hertz_mindlin(module);
+  bind_bounds(module);
+  bind_digby(module);
+  bind_cement(module);
+  bind_coordination(module);
+}
+
+} // namespace granum::python

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rows.hpp"
+
+#include <algorithm>
+
+namespace granum::python {
+
+Columns::Columns(std::span<const Argument> arguments) {
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    if (const double* number = std::get_if<double>(&arguments[k].value)) {
+      number_[k] = *number;
+      continue;
+    }
+    const py::handle value = std::get<py::handle>(arguments[k].value);
+    if (value && PyFloat_Check(value.ptr())) {
+      number_[k] = PyFloat_AS_DOUBLE(value.ptr());
+      continue;
+    }
+    py::array_t<double> array = numbers_of(arguments[k].name, value);
+    if (array.ndim() == 0) {
+      number_[k] = *array.data();
+      continue;
+    }
+    scalar_ = false;
+    varying_.push_back(k);
+    arrays_.push_back(std::move(array));
+  }
+  if (!scalar_)
+    broadcast(arguments);
+}
+
+void Columns::broadcast(std::span<const Argument> arguments) {
+  for (const py::array& array : arrays_)
+    shape_.resize(std::max(shape_.size(), static_cast<std::size_t>(array.ndim())), 1);
+  std::vector<std::size_t> owner(shape_.size(), 0);
+  for (std::size_t a = 0; a < arrays_.size(); ++a) {
+    const auto axes = static_cast<std::size_t>(arrays_[a].ndim());
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const std::size_t of_result = shape_.size() - axes + axis;
+      const py::ssize_t length = arrays_[a].shape(static_cast<py::ssize_t>(axis));
+      if (length == 1 || length == shape_[of_result])
+        continue;
+      if (shape_[of_result] != 1)
+        throw InvalidArgument(std::string(arguments[varying_[a]].name) + " of shape " +
+                              shape_text(arrays_[a]) + " does not go with " +
+                              arguments[varying_[owner[of_result]]].name + " of shape " +
+                              shape_text(arrays_[owner[of_result]]));
+      shape_[of_result] = length;
+      owner[of_result] = a;
+    }
+  }
+  rows_ = 1;
+  for (const py::ssize_t length : shape_)
+    rows_ *= static_cast<std::size_t>(length);
+  for (std::size_t a = 0; a < arrays_.size(); ++a) {
+    const std::size_t k = varying_[a];
+    const auto axes = static_cast<std::size_t>(arrays_[a].ndim());
+    first_[k] = reinterpret_cast<const char*>(arrays_[a].data());
+    step_[k].assign(shape_.size(), 0);
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      if (arrays_[a].shape(static_cast<py::ssize_t>(axis)) != 1)
+        step_[k][shape_.size() - axes + axis] = arrays_[a].strides(static_cast<py::ssize_t>(axis));
+  }
+}
+
+py::dict errors_by_index(const std::map<std::size_t, std::string>& errors,
+                         const std::vector<py::ssize_t>& shape) {
+  py::dict out;
+  for (const auto& [row, message] : errors) {
+    py::tuple index(shape.size());
+    std::size_t rest = row;
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+      index[axis] = rest % static_cast<std::size_t>(shape[axis]);
+      rest /= static_cast<std::size_t>(shape[axis]);
+    }
+    out[index] = message;
+  }
+  return out;
+}
+
+} // namespace granum::python

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/core/validity.hpp>
+
+#include "arrays.hpp"
+
+/// One function of the library called for every element of arrays that are broadcast as numpy does.
+namespace granum::python {
+
+/// An argument of a call: what the caller gave, or a number.
+struct Argument {
+  const char* name;
+  std::variant<py::handle, double> value;
+};
+
+/// Numbers, one to an argument, of every element of a call.
+class Columns {
+ public:
+  static constexpr std::size_t most = 16;
+
+  /// \throws   TypeError for what is no number; InvalidArgument for shapes that do not go together
+  explicit Columns(std::span<const Argument> arguments);
+
+  /// Only numbers were given, no arrays: one element.
+  [[nodiscard]] bool is_scalar() const { return scalar_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] const std::vector<py::ssize_t>& shape() const { return shape_; }
+  /// The numbers of one call without arrays.
+  [[nodiscard]] const double* numbers() const { return number_.data(); }
+
+  /// Calls see(element, numbers) for all elements in the order of rows; does without Python's lock.
+  template <class See>
+  void for_each(const See& see) const {
+    std::array<double, most> numbers = number_;
+    std::array<const char*, most> place = first_;
+    std::vector<py::ssize_t> index(shape_.size());
+    for (std::size_t row = 0; row < rows_; ++row) {
+      for (const std::size_t k : varying_)
+        numbers[k] = *reinterpret_cast<const double*>(place[k]);
+      see(row, numbers.data());
+      advance(index, place);
+    }
+  }
+
+ private:
+  void advance(std::vector<py::ssize_t>& index, std::array<const char*, most>& place) const {
+    for (std::size_t axis = shape_.size(); axis-- > 0;) {
+      for (const std::size_t k : varying_)
+        place[k] += step_[k][axis];
+      if (++index[axis] < shape_[axis])
+        return;
+      index[axis] = 0;
+      for (const std::size_t k : varying_)
+        place[k] -= step_[k][axis] * shape_[axis];
+    }
+  }
+  void broadcast(std::span<const Argument> arguments);
+
+  bool scalar_ = true;
+  std::size_t rows_ = 1;
+  std::vector<py::ssize_t> shape_;
+  std::array<double, most> number_{};
+  std::array<const char*, most> first_{};
+  std::vector<std::size_t> varying_;                ///< arguments that are arrays
+  std::vector<py::array_t<double>> arrays_;         ///< of them
+  std::array<std::vector<py::ssize_t>, most> step_; ///< in bytes along each axis of the result
+};
+
+/// What a function says of every element of a call.
+template <class Row>
+struct Rows {
+  bool scalar = true;
+  std::vector<py::ssize_t> shape;
+  std::vector<Row> rows;
+  std::map<std::size_t, std::string> errors; ///< of elements that were refused
+  std::vector<std::string> notes;            ///< each once
+
+  [[nodiscard]] const Row& front() const { return rows.front(); }
+};
+
+/// Notes, each once.
+class Notes {
+ public:
+  void add(const Validity& validity) {
+    for (const std::string& note : validity.notes)
+      if (in_order_.size() < most && seen_.insert(note).second)
+        in_order_.push_back(note);
+  }
+  [[nodiscard]] std::vector<std::string> take() { return std::move(in_order_); }
+
+ private:
+  static constexpr std::size_t most = 1000; // as many as a batch reports
+  std::set<std::string> seen_;
+  std::vector<std::string> in_order_;
+};
+
+/// Calls `answer`(numbers, notes) for every element. An element that is refused holds `refused` and its
+/// message; numbers alone raise, as arrays do under `strict`.
+template <class Row, class Answer>
+Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Row& refused,
+                      const Answer& answer) {
+  const Columns columns(arguments);
+  Rows<Row> out;
+  Notes notes;
+  if (columns.is_scalar()) {
+    out.rows.push_back(answer(columns.numbers(), notes));
+    out.notes = notes.take();
+    return out;
+  }
+  out.scalar = false;
+  out.shape = columns.shape();
+  out.rows.resize(columns.rows(), refused);
+  const py::gil_scoped_release unlocked;
+  columns.for_each([&](std::size_t row, const double* numbers) {
+    try {
+      out.rows[row] = answer(numbers, notes);
+    } catch (const InvalidArgument& error) {
+      if (strict)
+        throw;
+      out.errors.emplace(row, error.what());
+    }
+  });
+  out.notes = notes.take();
+  return out;
+}
+
+/// The messages of refused elements by their indices in the arrays.
+[[nodiscard]] py::dict errors_by_index(const std::map<std::size_t, std::string>& errors,
+                                       const std::vector<py::ssize_t>& shape);
+
+/// A number of every element: a float, or a view of the result's memory.
+template <class Row>
+[[nodiscard]] py::object member(const py::object& result, std::size_t offset) {
+  const auto& rows = result.cast<const Rows<Row>&>();
+  if (rows.scalar)
+    return py::float_(
+        *reinterpret_cast<const double*>(reinterpret_cast<const char*>(rows.rows.data()) + offset));
+  std::vector<py::ssize_t> strides(rows.shape.size());
+  py::ssize_t step = sizeof(Row);
+  for (std::size_t axis = strides.size(); axis-- > 0; step *= rows.shape[axis])
+    strides[axis] = step;
+  if (rows.rows.empty())
+    return py::array_t<double>(rows.shape);
+  return view<double>(
+      rows.shape, strides,
+      reinterpret_cast<const double*>(reinterpret_cast<const char*>(rows.rows.data()) + offset), result);
+}
+
+/// The same of a number that is worked out from the element.
+template <class Row, class Get>
+[[nodiscard]] py::object computed(const Rows<Row>& rows, const Get& get) {
+  if (rows.scalar)
+    return py::float_(get(rows.front()));
+  py::array_t<double> out(rows.shape);
+  double* to = out.mutable_data();
+  for (const Row& row : rows.rows)
+    *to++ = get(row);
+  return out;
+}
+
+/// A class of results with what all of them have.
+template <class Row>
+py::class_<Rows<Row>> result_class(py::module_& module, const char* name, const char* documentation) {
+  return py::class_<Rows<Row>>(module, name, documentation)
+      .def_property_readonly(
+          "errors", [](const Rows<Row>& rows) { return errors_by_index(rows.errors, rows.shape); },
+          "Messages of the elements that were refused, by index; their numbers are NaN.")
+      .def_property_readonly(
+          "notes", [](const Rows<Row>& rows) { return rows.notes; },
+          "Remarks on values that are possible but outside the range of a formula, each once.")
+      .def_property_readonly(
+          "shape", [](const Rows<Row>& rows) { return py::tuple(py::cast(rows.shape)); },
+          "Shape of the arrays; () of a call with numbers alone.");
+}
+
+/// A property that shows a double of the row, at its offset.
+template <class Row, class Class>
+void show_member(Class& type, const char* name, std::size_t offset, const char* documentation) {
+  type.def_property_readonly(
+      name, [offset](const py::object& result) { return member<Row>(result, offset); }, documentation);
+}
+
+} // namespace granum::python

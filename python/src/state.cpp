@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state.hpp"
+
+#include <string>
+
+#include <granum/effective/relaxation.hpp>
+
+namespace granum::python {
+
+namespace {
+
+enum : std::size_t {
+  law_at,
+  radius_at,
+  void_ratio_at,
+  coordination_number_at,
+  pressure_at,
+  stress_v_at,
+  stress_h_at,
+  fabric_at,
+  tangential_ratio_at,
+  mechanical_at,
+  rattlers_at,
+  contact_means_at,
+  strict_at,
+};
+
+Argument stress_of(const Arguments& a, std::size_t at, const char* name) {
+  if (a.given(pressure_at)) {
+    if (a.given(stress_v_at) || a.given(stress_h_at))
+      throw py::type_error("pressure sets both stresses: leave out stress_v and stress_h");
+    return {"pressure", a[pressure_at]};
+  }
+  if (!a.given(at))
+    throw py::type_error(std::string(name) + " is missing: give pressure, or stress_v and stress_h");
+  return {name, a[at]};
+}
+
+} // namespace
+
+std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
+  std::vector<Keyword> all{{"law"},
+                           {"radius"},
+                           {"void_ratio"},
+                           {"coordination_number"},
+                           {"pressure", "None"},
+                           {"stress_v", "None"},
+                           {"stress_h", "None"},
+                           {"fabric_anisotropy", "0.0"},
+                           {"tangential_ratio", "None"},
+                           {"mechanical_coordination_number", "None"},
+                           {"rattler_fraction", "None"},
+                           {"contact_means", "None"},
+                           {"strict", "False"}};
+  all.insert(all.end(), more);
+  return all;
+}
+
+const char* const state_parameters = R"(
+Parameters
+----------
+law : PowerLaw
+    Normal contact of two grains, as sphere() makes it.
+radius : array_like
+    R > 0 of a grain [m].
+void_ratio : array_like
+    e > 0 [1].
+coordination_number : array_like
+    C_n = 2 N_c/N over all grains, >= 0 [1].
+pressure : array_like, optional
+    Isotropic stress [Pa], instead of stress_v and stress_h.
+stress_v, stress_h : array_like, optional
+    Vertical stress and horizontal stress, compression positive [Pa].
+fabric_anisotropy : array_like
+    a of E(gamma; a); > 0: more contacts are vertical [1].
+tangential_ratio : array_like, optional
+    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
+mechanical_coordination_number : array_like, optional
+    z*, contacts per grain without rattlers [1].
+rattler_fraction : array_like, optional
+    Share of grains that carry no force, instead of z* = C_n/(1 - share) [1].
+contact_means : ContactMeans, optional
+    Of unequal grains; without it those of equal ones.
+strict : bool
+    Raise at the first element that is refused, instead of NaN and a message in `errors`.
+)";
+
+StateArguments::StateArguments(const Arguments& a)
+    : law_(&a[law_at].cast<const contact::PowerLaw&>()),
+      contacts_(a.given(contact_means_at) ? a[contact_means_at].cast<sizes::ContactMeans>()
+                                          : sizes::ContactMeans{}),
+      columns_{Argument{"radius", a[radius_at]},
+               Argument{"void_ratio", a[void_ratio_at]},
+               Argument{"coordination_number", a[coordination_number_at]},
+               stress_of(a, stress_v_at, "stress_v"),
+               stress_of(a, stress_h_at, "stress_h"),
+               Argument{"fabric_anisotropy", 0.0},
+               Argument{"tangential_ratio", 0.0},
+               Argument{"mechanical_coordination_number", 0.0}},
+      strict_(a.flag(strict_at)) {
+  if (a.given(fabric_at))
+    columns_[5].value = a[fabric_at];
+  if (a.given(tangential_ratio_at))
+    columns_[6].value = a[tangential_ratio_at];
+  else
+    columns_[6].value = contact::mindlin_stiffness_ratio(law_->grain().poisson_ratio);
+  if (a.given(mechanical_at) && a.given(rattlers_at))
+    throw py::type_error("mechanical_coordination_number and rattler_fraction say the same: give one");
+  if (a.given(mechanical_at)) {
+    coordination_ = Coordination::mechanical;
+    columns_[7].value = a[mechanical_at];
+  } else if (a.given(rattlers_at)) {
+    coordination_ = Coordination::rattlers;
+    columns_[7] = {"rattler_fraction", a[rattlers_at]};
+  }
+}
+
+effective::State StateArguments::state(const double* x) const {
+  return {.law = *law_,
+          .tangential_ratio = x[6],
+          .radius = x[0],
+          .void_ratio = x[1],
+          .coordination_number = x[2],
+          .fabric_anisotropy = x[5],
+          .stress_v = x[3],
+          .stress_h = x[4],
+          .contacts = contacts_};
+}
+
+effective::RungInputs StateArguments::inputs(const double* x) const {
+  effective::RungInputs out{.state = state(x)};
+  if (coordination_ == Coordination::mechanical)
+    out.mechanical_coordination_number = x[7];
+  if (coordination_ == Coordination::rattlers)
+    out.mechanical_coordination_number = effective::mechanical_coordination_number(x[2], x[7]);
+  return out;
+}
+
+effective::RungInputs StateArguments::one_packing(const char* function) const {
+  const Columns columns(columns_);
+  if (!columns.is_scalar())
+    throw py::type_error(std::string(function) + "() takes one packing: numbers, no arrays");
+  return inputs(columns.numbers());
+}
+
+effective::Modulus modulus_of(const py::handle& name) {
+  using enum effective::Modulus;
+  static constexpr std::pair<const char*, effective::Modulus> all[] = {
+      {"K", K},     {"G_hh", G_hh}, {"G_vh", G_vh}, {"E_v", E_v}, {"E_h", E_h},
+      {"C11", C11}, {"C33", C33},   {"C12", C12},   {"C13", C13}};
+  const std::string text = name.cast<std::string>();
+  for (const auto& [known, modulus] : all)
+    if (text == known)
+      return modulus;
+  throw InvalidArgument("modulus is one of K, G_hh, G_vh, E_v, E_h, C11, C33, C12, C13, not " + text);
+}
+
+const effective::Rung& closed_form_of(const py::handle& name) {
+  using enum effective::RungName;
+  static constexpr std::pair<const char*, effective::RungName> names[] = {{"isotropic", isotropic},
+                                                                          {"fabric", fabric},
+                                                                          {"directional", directional},
+                                                                          {"relaxed", relaxed},
+                                                                          {"uniform_stress", uniform_stress}};
+  const std::string text = py::str(py::reinterpret_borrow<py::object>(name));
+  for (const effective::Rung& rung : effective::closed_forms())
+    if (text == rung.key || text == rung.column)
+      return rung;
+  for (const auto& [known, rung] : names)
+    if (text == known)
+      return effective::rung(rung);
+  throw InvalidArgument("rung is a number from 0 to 3, isotropic, fabric, directional, relaxed or "
+                        "uniform_stress, not " +
+                        text);
+}
+
+} // namespace granum::python

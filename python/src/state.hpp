@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <granum/effective/exponents.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/effective/state.hpp>
+
+#include "keywords.hpp"
+#include "rows.hpp"
+
+/// The state of a packing as keywords of Python: what all closed forms take.
+namespace granum::python {
+
+/// Keywords of a state in the order in which StateArguments reads them, and those of one function behind.
+[[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
+/// How many they are: where those of a function begin.
+inline constexpr std::size_t state_keyword_count = 13;
+
+/// What the docstrings of all closed forms say of these keywords.
+extern const char* const state_parameters;
+
+/// The keywords of a state, read.
+class StateArguments {
+ public:
+  explicit StateArguments(const Arguments& arguments);
+
+  [[nodiscard]] std::span<const Argument> columns() const { return columns_; }
+  [[nodiscard]] bool strict() const { return strict_; }
+  /// z* or the share of rattlers was given.
+  [[nodiscard]] bool knows_rattlers() const { return coordination_ != Coordination::unknown; }
+  /// The packing of one element.
+  [[nodiscard]] effective::RungInputs inputs(const double* numbers) const;
+  [[nodiscard]] effective::State state(const double* numbers) const;
+  /// The packing of a call without arrays.
+  /// \throws   TypeError if there are arrays
+  [[nodiscard]] effective::RungInputs one_packing(const char* function) const;
+
+ private:
+  enum class Coordination { unknown, mechanical, rattlers };
+
+  const contact::PowerLaw* law_;
+  sizes::ContactMeans contacts_;
+  Coordination coordination_ = Coordination::unknown;
+  std::array<Argument, 8> columns_;
+  bool strict_;
+};
+
+/// "G_vh" and so on.
+/// \throws   InvalidArgument for another name
+[[nodiscard]] effective::Modulus modulus_of(const py::handle& name);
+/// The closed form of a number, "rung3", or a name: isotropic, fabric, directional, relaxed, uniform_stress.
+/// \throws   InvalidArgument for another one
+[[nodiscard]] const effective::Rung& closed_form_of(const py::handle& name);
+
+} // namespace granum::python

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Packings out of files and of arrays, their views, and what is measured on them."""
+
+import copy
+import pickle
+import sys
+import threading
+
+import granum
+import numpy as np
+import pytest
+
+
+def arrays_of(packing):
+    """The packing as another code holds it: in an order of its own, pairs in both senses."""
+    contacts = packing.contacts
+    order = np.random.default_rng(1).permutation(len(contacts))
+    turned = np.random.default_rng(2).random(len(contacts)) < 0.5
+    pairs = np.stack([contacts.i, contacts.j], axis=1).astype(np.int64)
+    branch = contacts.branch
+    normal = branch / np.linalg.norm(branch, axis=1)[:, None]
+    sense = np.where(turned, -1.0, 1.0)[:, None]
+    pairs = np.where(turned[:, None], pairs[:, ::-1], pairs)
+    return {
+        "position": packing.position,
+        "radius": packing.radius,
+        "cell": packing.cell,
+        "contacts": pairs[order],
+        "branch": (sense * branch)[order],
+        "overlap": contacts.overlap[order],
+        "normal_force": contacts.normal_force[order],
+        "tangential_force": (sense * contacts.tangential_force)[order],
+    }, (sense * (contacts.normal_force[:, None] * normal + contacts.tangential_force))[order]
+
+
+def test_a_packing_of_arrays_is_that_of_files(packing, sphere):
+    arrays, forces = arrays_of(packing)
+    same = granum.packing(**arrays)
+    assert same == packing
+    assert same.contacts.j.tolist() == packing.contacts.j.tolist()
+    found, expected = granum.measure(same, law=sphere), granum.measure(packing, law=sphere)
+    assert found.network.relaxed.tolist() == expected.network.relaxed.tolist()
+    assert found.stress.tensor.tolist() == expected.stress.tensor.tolist()
+
+    # the whole force, and lines of centres from the nearest images
+    for name in ("branch", "overlap", "normal_force", "tangential_force"):
+        del arrays[name]
+    near = granum.packing(**arrays, forces=forces)
+    np.testing.assert_allclose(near.contacts.branch, packing.contacts.branch, atol=1e-12 * 1e-3, rtol=1e-9)
+    np.testing.assert_allclose(
+        near.contacts.normal_force, packing.contacts.normal_force, rtol=1e-7, atol=1e-9
+    )
+    np.testing.assert_allclose(
+        granum.measure(near, law=sphere, network=False).stress.tensor,
+        expected.stress.tensor,
+        rtol=1e-6,
+        atol=1e-3,
+    )
+
+
+def test_views_show_the_memory_of_the_packing_and_keep_it(dump):
+    packing = granum.read(*dump)
+    position, branch = packing.position, packing.contacts.branch
+    assert position.shape == (10000, 3) and branch.shape == (20172, 3)
+    assert not position.flags.owndata and not branch.flags.owndata
+    assert np.shares_memory(position, packing.position) and np.shares_memory(branch, packing.contacts.branch)
+    with pytest.raises(ValueError, match="read-only"):
+        position[0, 0] = 0
+    first = position[0].copy(), branch[0].copy()
+    del packing
+    assert (position[0] == first[0]).all() and (branch[0] == first[1]).all()
+
+
+def test_patterns_and_paths(source, packing):
+    pattern = source / "examples" / "data" / "lammps_loose_p50.*.gz"
+    assert granum.read(str(pattern)) == packing
+    assert [frame == packing for frame in granum.frames(pattern)] == [True]
+    assert len(granum.formats()) == 7
+
+
+def test_a_file_error_has_path_and_line(tmp_path):
+    missing = tmp_path / "nothing.csv"
+    with pytest.raises(granum.FileError) as refused:
+        granum.read(missing)
+    assert isinstance(refused.value, OSError) and refused.value.path == str(missing)
+    table = tmp_path / "grains.csv"
+    table.write_text("x_m,y_m,z_m,radius_m\n0,0,0,1\n2,0,zero,1\n")
+    with pytest.raises(granum.FileError) as refused:
+        granum.read(table)
+    assert (refused.value.path, refused.value.line) == (str(table), 3)
+
+
+def test_several_states_are_not_read_as_one(tmp_path, source):
+    import gzip
+
+    atoms = gzip.open(source / "examples" / "data" / "lammps_loose_p50.atoms.gz", "rt").read()
+    twice = tmp_path / "twice.dump"
+    twice.write_text(atoms + atoms.replace("102830", "102831"))
+    assert len(list(granum.frames(twice))) == 2
+    with pytest.raises(granum.InvalidArgument, match="several states"):
+        granum.read(twice)
+
+
+TRIPLE = {
+    "position": [[0, 0, 0], [0.9, 0, 0], [0.45, 0.8, 0]],
+    "radius": 0.5,
+    "cell": [4, 4, 4],
+    "contacts": [[0, 1], [1, 2]],
+    "normal_force": [1.0, 2.0],
+}
+
+
+@pytest.mark.parametrize(
+    "name, wrong, said",
+    [
+        ("position", [[0, 0], [1, 0], [0, 1]], r"position has the shape \(3, 2\), not \(N, 3\)"),
+        ("position", [[0, 0, 0], [np.nan, 0, 0], [0.45, 0.8, 0]], r"grains\[1\]: the position"),
+        ("radius", [0.5, 0.5], "radius has 2 elements, position has 3"),
+        ("radius", [0.5, -0.5, 0.5], r"grains\[1\]: expected a positive radius"),
+        ("cell", [4, 4], r"cell has the shape \(2,\), not \(3,\)"),
+        ("cell", [4, 4, -4], "expected a box of positive volume"),
+        ("contacts", [[0, 1, 2]], r"contacts has the shape \(1, 3\), not \(N, 2\)"),
+        ("contacts", [[0, 1], [1, 3]], r"contacts\[1\]: the grain 3 is not among the 3 grains"),
+        ("contacts", [[0, 1], [1, -1]], r"contacts\[1\]: the grain -1 is not among"),
+        ("contacts", [[0, 1], [2, 2]], r"contacts\[1\]: the grain 2 is in contact with itself"),
+        ("normal_force", [1.0], "normal_force has 1 elements, contacts has 2"),
+        ("normal_force", [1.0, np.inf], r"contacts\[1\]: .*beyond all range"),
+        ("branch", [[0.9, 0, 0], [0, 0, 0]], r"contacts\[1\]: .*line of centres"),
+        ("forces", [[1, 0, 0], [2, 0, 0]], "force is the whole force"),
+        ("tangential_force", [[0, 0, 1]], "tangential_force has 1 elements"),
+    ],
+)
+def test_arrays_that_are_no_packing_are_refused_by_name(name, wrong, said):
+    with pytest.raises(granum.InvalidArgument, match=said):
+        granum.packing(**{**TRIPLE, name: wrong})
+
+
+@pytest.mark.parametrize("name", ["position", "radius", "cell", "contacts", "normal_force", "branch"])
+def test_arrays_of_other_types_are_refused_by_name(name):
+    for wrong in ("text", [["a", "b"]], {"a": 1}):
+        with pytest.raises(TypeError, match=name):
+            granum.packing(**{**TRIPLE, name: wrong})
+
+
+def test_numbers_of_grains_are_integers():
+    with pytest.raises(TypeError, match="contacts is no array of integers"):
+        granum.packing(**{**TRIPLE, "contacts": [[0.0, 1.0], [1.0, 2.0]]})
+    small = granum.packing(**{**TRIPLE, "contacts": np.array([[0, 1], [1, 2]], dtype=np.uint16)})
+    assert small.contacts.j.tolist() == [1, 2]
+
+
+def test_spheres_without_contacts_touch_where_they_overlap(packing, sphere):
+    grains = granum.packing(position=packing.position, radius=packing.radius, cell=packing.cell)
+    assert len(grains.contacts) == 0
+    found = granum.measure(grains, law=sphere)
+    pressing = (packing.contacts.overlap > 0).sum()
+    assert found.counts.contacts == pressing
+    assert found.network.converged
+
+
+def test_copies_and_pickles_are_the_same_packing(packing):
+    for other in (copy.copy(packing), copy.deepcopy(packing), pickle.loads(pickle.dumps(packing))):
+        assert other == packing
+        assert (
+            other.notes == packing.notes and other.step == packing.step and other.periodic == packing.periodic
+        )
+        assert (other.id == packing.id).all()
+    assert granum.packing(**TRIPLE) != packing
+
+
+def test_two_threads_measure_at_once(packing, sphere):
+    expected = granum.measure(packing, law=sphere).network.relaxed
+    found = [None, None]
+
+    def measure(k):
+        found[k] = granum.measure(packing, law=sphere).network.relaxed
+
+    threads = [threading.Thread(target=measure, args=(k,)) for k in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all((matrix == expected).all() for matrix in found)
+
+
+def ran_meanwhile(call):
+    """Whether this thread ran while another one was in the call, between two lines of Python."""
+    began, ended = threading.Event(), threading.Event()
+
+    def work():
+        began.set()
+        call()
+        ended.set()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    began.wait()
+    meanwhile = not ended.is_set()
+    thread.join()
+    return meanwhile
+
+
+def test_python_runs_while_a_packing_is_measured(packing, sphere):
+    """Threads take no turns here, so that another one runs only if measuring gives the interpreter free."""
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000)
+    try:
+        assert any(ran_meanwhile(lambda: granum.measure(packing, law=sphere)) for _ in range(20))
+        assert not ran_meanwhile(lambda: sum(range(1000)))
+    finally:
+        sys.setswitchinterval(interval)

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Python and the program say the same, to the bit: both ask one library."""
+
+import random
+
+import granum
+import pytest
+
+MATERIALS = {"sphere": {}, "cone": {"slope": 0.4}, "flat": {"punch_radius": 2e-5}}
+MAKERS = {"sphere": granum.sphere, "cone": granum.cone, "flat": granum.flat_punch}
+
+
+def random_state(rng):
+    contact = rng.choice(list(MATERIALS))
+    state = {
+        "radius": 10 ** rng.uniform(-4, -2),
+        "void_ratio": rng.uniform(0.4, 1.0),
+        "coordination_number": rng.uniform(3, 9),
+        "fabric_anisotropy": rng.uniform(-0.5, 0.5),
+        "stress_v": 10 ** rng.uniform(3, 6),
+        "mechanical_coordination_number": rng.uniform(4.2, 8),
+    }
+    state["stress_h"] = state["stress_v"] * rng.uniform(0.4, 2)
+    if rng.random() < 0.5:
+        state["tangential_ratio"] = rng.uniform(0, 1)
+    grain = {"shear_modulus": 10 ** rng.uniform(9, 11), "poisson_ratio": rng.uniform(0, 0.45)}
+    return contact, grain, state
+
+
+def options_of(contact, grain, state):
+    units = {"radius": "m", "stress_v": "Pa", "stress_h": "Pa", "punch_radius": "m"}
+    names = {"fabric_anisotropy": "fabric"}
+    options = ["--contact", contact]
+    options += ["--grain-shear-modulus", f"{grain['shear_modulus']!r}Pa"]
+    options += ["--grain-poisson-ratio", repr(grain["poisson_ratio"])]
+    for name, value in {**state, **MATERIALS[contact]}.items():
+        option = "--" + names.get(name, name).replace("_", "-")
+        options += [f"{option}={value!r}{units.get(name, '')}"]
+    return options
+
+
+def law_of(contact, grain, state):
+    shape = {"radius": state["radius"]} if contact == "sphere" else MATERIALS[contact]
+    return MAKERS[contact](**grain, **shape)
+
+
+FORMS = {
+    "uniform_strain": granum.uniform_strain,
+    "uniform_stress": granum.uniform_stress,
+    "relaxed": granum.relaxed,
+}
+KEYS = {
+    "K": "bulk_modulus",
+    **{key: key for key in ("C11", "C33", "C12", "C13", "C44", "C66", "G_hh", "G_vh", "E_v", "E_h")},
+}
+
+
+def as_program_says(number):
+    """NaN of Python is null in JSON."""
+    return None if number != number else number
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_estimate_is_the_same_to_the_bit(run_program, seed):
+    contact, grain, state = random_state(random.Random(seed))
+    law = law_of(contact, grain, state)
+    said = run_program("estimate", *options_of(contact, grain, state))
+    for name, form in FORMS.items():
+        estimate = form(law=law, **state)
+        for key, attribute in KEYS.items():
+            assert as_program_says(getattr(estimate, attribute)) == said[name][key], (name, key)
+    error = granum.relaxed(law=law, **state).relative_error
+    assert [error.bulk_modulus, error.G_vh, error.G_hh] == [
+        said["relaxed"]["relative_error"][k] for k in ("K", "G_vh", "G_hh")
+    ]
+
+
+def test_measure_is_the_same_to_the_bit(run_program, dump, packing, sphere):
+    frame = run_program("analyse", *dump, "--grain-shear-modulus", "30GPa", "--grain-poisson-ratio", 0.15)[
+        "frames"
+    ][0]
+    found = granum.measure(packing, law=sphere)
+    assert found.network.relaxed.tolist() == frame["network"]["relaxed"]["C"]
+    assert found.network.affine.tolist() == frame["network"]["affine"]["C"]
+    places = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (1, 0), "xz": (2, 0), "yz": (2, 1)}
+    for key, place in places.items():
+        assert found.stress.tensor[place] == frame["stress"]["by_contacts"][key]
+    assert found.fabric.tensor.tolist() == frame["fabric"]["tensor"]
+    assert found.fabric.anisotropy == frame["fabric"]["anisotropy"]
+    counts = frame["counts"]
+    assert found.counts.coordination_number == counts["coordination_number"]
+    assert found.counts.mechanical_coordination_number == counts["mechanical_coordination_number"]
+    assert found.void_ratio == frame["void_ratio"]
+    assert found.rungs["rung3"].G_vh == frame["moduli"]["rung3"]["G_vh"]
+    assert found.warnings == frame["warnings"]
+
+
+def test_a_law_that_nobody_gives_is_read_off_the_forces(run_program, dump, packing):
+    frame = run_program("analyse", *dump, "--no-network")["frames"][0]
+    found = granum.measure(packing, network=False)
+    assert found.network is None
+    assert found.law.shear_modulus == frame["grain"]["shear_modulus"]

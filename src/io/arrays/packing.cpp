@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/arrays/packing.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <granum/core/error.hpp>
+
+#include "io/packing_builder.hpp"
+
+namespace granum::io {
+
+namespace {
+
+void require_length(const char* name, std::size_t length, std::size_t expected, const char* of) {
+  if (length != 0 && length != expected)
+    throw InvalidArgument(std::string(name) + " has " + std::to_string(length) + " elements, " + of +
+                          " has " + std::to_string(expected));
+}
+
+void require_lengths(const ContactArrays& c) {
+  const std::size_t contacts = c.grains.size();
+  const std::pair<const char*, std::size_t> lengths[] = {
+      {"branch", c.branch.size()},
+      {"overlap", c.overlap.size()},
+      {"force", c.force.size()},
+      {"normal_force", c.normal_force.size()},
+      {"tangential_force", c.tangential_force.size()},
+      {"normal_stiffness", c.normal_stiffness.size()},
+      {"tangential_stiffness", c.tangential_stiffness.size()},
+      {"sliding", c.sliding.size()}};
+  for (const auto& [name, length] : lengths)
+    require_length(name, length, contacts, "contacts");
+  if (!c.force.empty() && !(c.normal_force.empty() && c.tangential_force.empty()))
+    throw InvalidArgument("force is the whole force: leave out normal_force and tangential_force");
+  if (c.normal_force.empty() && !c.tangential_force.empty())
+    throw InvalidArgument("tangential_force goes with normal_force, which is missing");
+}
+
+template <class Number>
+Number element(std::span<const Number> values, std::size_t k) {
+  return values.empty() ? Number{} : values[k];
+}
+
+PairRow pair_row(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
+  const std::size_t line = k + 1;
+  PairRow row{.a = builder.index(c.grains[k][0], line),
+              .b = builder.index(c.grains[k][1], line),
+              .normal_force = element(c.normal_force, k),
+              .tangential_force = element(c.tangential_force, k),
+              .normal_stiffness = element(c.normal_stiffness, k),
+              .tangential_stiffness = element(c.tangential_stiffness, k),
+              .sliding = element(c.sliding, k),
+              .line = line};
+  row.branch = c.branch.empty() ? builder.nearest(builder.straight(row.a, row.b)) : c.branch[k];
+  row.overlap = c.overlap.empty() ? builder.radius_sum(row.a, row.b) - norm(row.branch) : c.overlap[k];
+  if (!c.branch.empty())
+    builder.require_agreement(row);
+  if (!c.force.empty() && norm(row.branch) > 0) {
+    const Vec3 n = (1 / norm(row.branch)) * row.branch;
+    row.normal_force = dot(c.force[k], n);
+    row.tangential_force = c.force[k] + -row.normal_force * n;
+  }
+  return row;
+}
+
+void note_unknown(PackingBuilder& builder, const ContactArrays& c) {
+  if (c.normal_stiffness.empty())
+    builder.note(Finding::stiffness_unknown, "no stiffnesses were given");
+  builder.note(Finding::history_unknown, "the loading history of the contacts is not in arrays");
+  if (c.force.empty() && c.normal_force.empty()) {
+    builder.expect_no_forces();
+    builder.note(Finding::forces_unknown, "no forces were given");
+  } else if (c.force.empty() && c.tangential_force.empty()) {
+    builder.note(Finding::tangential_unknown, "no tangential forces were given");
+  }
+}
+
+ImportedPacking build(const PackingArrays& arrays) {
+  PackingBuilder builder("grains", "contacts");
+  if (arrays.cell)
+    builder.set_cell(*arrays.cell, arrays.periodic, 0);
+  std::vector<GrainRow> rows(arrays.position.size());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k] = {.id = static_cast<long>(k),
+               .position = arrays.position[k],
+               .radius = arrays.radius[k],
+               .line = k + 1};
+  builder.set_grains(std::move(rows));
+  builder.note(Finding::law_unknown, "contact law and grain material are not in arrays");
+  if (!arrays.contacts) {
+    builder.note(Finding::contacts_unknown, "no contacts were given");
+    return builder.finish(0, std::nullopt);
+  }
+  const ContactArrays& contacts = *arrays.contacts;
+  note_unknown(builder, contacts);
+  builder.expect_contacts(contacts.grains.size());
+  for (std::size_t k = 0; k < contacts.grains.size(); ++k)
+    builder.add(pair_row(builder, contacts, k));
+  return builder.finish(0, std::nullopt);
+}
+
+/// What the builder says of a line of a file, of an element of an array.
+InvalidArgument in_arrays(const FileError& error) {
+  const bool numbered = error.line() > 0;
+  const std::string place = error.path() + (numbered ? ":" + std::to_string(error.line()) : "") + ": ";
+  const std::string element = numbered ? "[" + std::to_string(error.line() - 1) + "]" : "";
+  return InvalidArgument(error.path() + element + ": " + std::string(error.what()).substr(place.size()));
+}
+
+} // namespace
+
+ImportedPacking packing_of(const PackingArrays& arrays) {
+  if (arrays.radius.size() != arrays.position.size())
+    throw InvalidArgument("radius has " + std::to_string(arrays.radius.size()) + " elements, position has " +
+                          std::to_string(arrays.position.size()));
+  if (arrays.contacts)
+    require_lengths(*arrays.contacts);
+  try {
+    return build(arrays);
+  } catch (const FileError& error) {
+    throw in_arrays(error);
+  }
+}
+
+} // namespace granum::io

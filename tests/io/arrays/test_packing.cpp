@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/arrays/packing.hpp>
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/packing/stress.hpp>
+
+using namespace granum;
+
+namespace {
+
+/// Three grains of radius 0.5 in a cube of edge 4; the third touches the first through a face.
+struct Row {
+  std::vector<Vec3> position{{0.2, 1, 1}, {1.1, 1, 1}, {3.3, 1, 1}};
+  std::vector<double> radius{0.5, 0.5, 0.5};
+  std::vector<std::array<long, 2>> pairs{{2, 0}, {1, 0}};
+  std::vector<Vec3> force{{3, 0.5, 0}, {-2, 0, 0}};
+
+  [[nodiscard]] io::PackingArrays arrays() const {
+    return {.position = position,
+            .radius = radius,
+            .cell = Mat3::diagonal(4, 4, 4),
+            .contacts = io::ContactArrays{.grains = pairs, .force = force}};
+  }
+};
+
+std::string refusal(const io::PackingArrays& arrays) {
+  try {
+    (void)io::packing_of(arrays);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("contacts of arrays are turned, sorted and joined through the faces") {
+  const io::ImportedPacking packing = io::packing_of(Row{}.arrays());
+  const auto& contacts = packing.assembly.contacts;
+  REQUIRE(contacts.size() == 2);
+  CHECK((contacts[0].i == 0 && contacts[0].j == 1));
+  CHECK((contacts[1].i == 0 && contacts[1].j == 2));
+  CHECK(contacts[0].branch.x == doctest::Approx(0.9));
+  CHECK(contacts[1].branch.x == doctest::Approx(-0.9)); // 3.3 - 4 is nearer than 3.3
+  CHECK(contacts[1].overlap == doctest::Approx(0.1));
+  // Grain 1 pushes grain 0 by -2 along x, so grain 0 pushes 1 by +2; grain 2 pushes 0 by +3.
+  CHECK(contacts[0].normal_force == doctest::Approx(2));
+  CHECK(contacts[1].normal_force == doctest::Approx(3));
+  CHECK(contacts[1].tangential_force.y == doctest::Approx(-0.5));
+  CHECK(packing::contact_stress(packing.assembly).tensor(0, 0) == doctest::Approx((2 + 3) * 0.9 / 64));
+  CHECK(packing.has(io::Finding::unsorted));
+  CHECK(packing.has(io::Finding::through_faces));
+  CHECK_FALSE(packing.has(io::Finding::forces_unknown));
+}
+
+TEST_CASE("arrays say what they do not hold") {
+  Row row;
+  io::PackingArrays arrays = row.arrays();
+  arrays.contacts->force = {};
+  CHECK(io::packing_of(arrays).has(io::Finding::forces_unknown));
+  const std::vector<double> normal{3, 2};
+  arrays.contacts->normal_force = normal;
+  CHECK(io::packing_of(arrays).has(io::Finding::tangential_unknown));
+  CHECK(io::packing_of(arrays).has(io::Finding::stiffness_unknown));
+  arrays.contacts->normal_stiffness = normal;
+  CHECK_FALSE(io::packing_of(arrays).has(io::Finding::stiffness_unknown));
+  arrays.contacts.reset();
+  CHECK(io::packing_of(arrays).has(io::Finding::contacts_unknown));
+  arrays.cell.reset();
+  CHECK(io::packing_of(arrays).has(io::Finding::cell_unknown));
+}
+
+TEST_CASE("arrays that are no packing are refused with their element") {
+  Row row;
+  row.pairs[1] = {1, 3};
+  CHECK(refusal(row.arrays()).starts_with("contacts[1]: the grain 3 is not among the 3 grains"));
+  row = {};
+  row.pairs[1] = {1, 1};
+  CHECK(refusal(row.arrays()) == "contacts[1]: the grain 1 is in contact with itself");
+  row = {};
+  row.radius[2] = 0;
+  CHECK(refusal(row.arrays()).starts_with("grains[2]: expected a positive radius"));
+  row = {};
+  row.radius.pop_back();
+  CHECK(refusal(row.arrays()) == "radius has 2 elements, position has 3");
+  row = {};
+  row.force.pop_back();
+  CHECK(refusal(row.arrays()) == "force has 1 elements, contacts has 2");
+  row = {};
+  const std::vector<double> normal{1, 2};
+  io::PackingArrays twice = row.arrays();
+  twice.contacts->normal_force = normal;
+  CHECK(refusal(twice).starts_with("force is the whole force"));
+  io::PackingArrays flat = row.arrays();
+  flat.cell = Mat3::diagonal(4, 4, 0);
+  CHECK(refusal(flat).starts_with("grains: expected a box of positive volume"));
+  row = {};
+  const std::vector<Vec3> far{{0.9, 0, 0}, {-1.8, 0, 0}};
+  io::PackingArrays wrong = row.arrays();
+  wrong.contacts->branch = far;
+  CHECK(refusal(wrong).starts_with("contacts[1]: the pair 1, 0 has a line of centres"));
+}
