@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <Eigen/Core>
 #include <gsl/gsl_linalg.h>
-#include <gsl/gsl_multifit_nlinear.h>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "gsl_errors.hpp"
+#include "eigen_gsl.hpp"
+#include "nonlinear_fit.hpp"
 
 namespace granum::hardin {
 
@@ -49,40 +48,6 @@ struct Problem {
   }
 };
 
-struct Solution {
-  FitStatus status = FitStatus::converged;
-  std::size_t iterations = 0;
-  Eigen::VectorXd theta;
-};
-
-// --- the bridge to GSL
-// -----------------------------------------------------------------------------------------------
-
-using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
-
-Eigen::VectorXd vector_of(const gsl_vector* v) {
-  Eigen::VectorXd copy(static_cast<Eigen::Index>(v->size));
-  for (std::size_t k = 0; k < v->size; ++k)
-    copy[static_cast<Eigen::Index>(k)] = gsl_vector_get(v, k);
-  return copy;
-}
-
-void copy_to(const Eigen::VectorXd& from, gsl_vector* to) {
-  for (std::size_t k = 0; k < to->size; ++k)
-    gsl_vector_set(to, k, from[static_cast<Eigen::Index>(k)]);
-}
-void copy_to(const Eigen::MatrixXd& from, gsl_matrix* to) {
-  for (std::size_t i = 0; i < to->size1; ++i)
-    for (std::size_t j = 0; j < to->size2; ++j)
-      gsl_matrix_set(to, i, j, from(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-}
-GslMatrix gsl_matrix_of(const Eigen::MatrixXd& from) {
-  GslMatrix to =
-      allocated_matrix(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
-  copy_to(from, to.get());
-  return to;
-}
-
 struct LinearFit {
   Eigen::VectorXd theta;
   Eigen::MatrixXd inverse_information; ///< (X^T X)^-1
@@ -110,61 +75,10 @@ LinearFit least_squares(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   return fit;
 }
 
-int gsl_residuals(const gsl_vector* theta, void* problem, gsl_vector* out) {
-  copy_to(static_cast<const Problem*>(problem)->residuals(vector_of(theta)), out);
-  return GSL_SUCCESS;
-}
-
-int gsl_jacobian(const gsl_vector* theta, void* problem, gsl_matrix* out) {
-  copy_to(static_cast<const Problem*>(problem)->jacobian(vector_of(theta)), out);
-  return GSL_SUCCESS;
-}
-
-/// Whether the residuals vanish to rounding or are perpendicular to every column of the Jacobian: no step
-/// helps.
-bool stationary(const Problem& problem, const Eigen::VectorXd& theta) {
-  const Eigen::VectorXd r = problem.residuals(theta);
-  const double root_n = std::sqrt(static_cast<double>(r.size()));
-  if (r.norm() <= 1e-13 * root_n)
-    return true;
-  const Eigen::MatrixXd j = problem.jacobian(theta);
-  const Eigen::VectorXd cosines =
-      (j.transpose() * r).array() / (j.colwise().norm().transpose().array() * r.norm());
-  return cosines.cwiseAbs().maxCoeff() <= 1e-8;
-}
-
-Solution solve(Problem& problem, const Eigen::VectorXd& start, std::size_t iteration_limit) {
-  const GslErrorsReturned guard;
-  const auto rows = static_cast<std::size_t>(problem.design.rows());
-  const auto parameters = static_cast<std::size_t>(problem.design.cols());
-  gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
-  settings.trs = gsl_multifit_nlinear_trs_lm;
-  const Workspace workspace =
-      required(Workspace(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, rows, parameters),
-                         gsl_multifit_nlinear_free),
-               rows);
-
-  gsl_multifit_nlinear_fdf system{};
-  system.f = gsl_residuals;
-  system.df = gsl_jacobian;
-  system.n = rows;
-  system.p = parameters;
-  system.params = &problem;
-  const gsl_vector_const_view first = gsl_vector_const_view_array(start.data(), parameters);
-  require_success(gsl_multifit_nlinear_init(&first.vector, &system, workspace.get()),
-                  "the start of a fit of Eq. (1)");
-
-  int reason = 0;
-  const double step = 1e-13, gradient = 1e-15, change = 0; // to rounding: a row costs nothing
-  const int outcome = gsl_multifit_nlinear_driver(iteration_limit, step, gradient, change, nullptr, nullptr,
-                                                  &reason, workspace.get());
-  Solution solution{FitStatus::converged, gsl_multifit_nlinear_niter(workspace.get()),
-                    vector_of(gsl_multifit_nlinear_position(workspace.get()))};
-  // at the optimum the driver may find no better step and call that a failure
-  if (outcome != GSL_SUCCESS && !stationary(problem, solution.theta))
-    solution.status =
-        solution.iterations >= iteration_limit ? FitStatus::iteration_limit : FitStatus::no_progress;
-  return solution;
+NonlinearSolution solve(const Problem& problem, const Eigen::VectorXd& start, std::size_t iteration_limit) {
+  return hardin::solve({[&](const Eigen::VectorXd& theta) { return problem.residuals(theta); },
+                        [&](const Eigen::VectorXd& theta) { return problem.jacobian(theta); }},
+                       start, iteration_limit, "Eq. (1)");
 }
 
 // --- from rows to the problem, and back
@@ -341,7 +255,7 @@ void require_valid(const MeasuredModulus& row, VoidRatioFunction function) {
 FitReport fit(std::span<const MeasuredModulus> rows, const FitOptions& options) {
   Problem problem = make_problem(rows, options, 3);
   require_distinct_exponents(problem.design);
-  const Solution solution = solve(problem, start_of(problem), options.iteration_limit);
+  const NonlinearSolution solution = solve(problem, start_of(problem), options.iteration_limit);
   Fit result = make_fit(problem, options, solution.theta);
   note_correlation(problem, solution.theta, result.validity);
   return {solution.status, solution.iterations, std::move(result)};
@@ -352,7 +266,7 @@ FitReport fit_exponent_sum(std::span<const MeasuredModulus> rows, const FitOptio
   const Eigen::VectorXd u = problem.design.col(1);
   if (u.maxCoeff() - u.minCoeff() < smallest_scatter)
     throw InvalidArgument("all rows have the same stress: no exponent can be fitted");
-  const Solution solution = solve(problem, start_of(problem), options.iteration_limit);
+  const NonlinearSolution solution = solve(problem, start_of(problem), options.iteration_limit);
   Fit result = make_fit(problem, options, solution.theta);
   note_unequal_stresses(rows, result.validity);
   return {solution.status, solution.iterations, std::move(result)};
