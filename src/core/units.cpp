@@ -33,7 +33,8 @@ constexpr Unit units[] = {
     {"ms", Dimension::time, 1e-3},       {"N", Dimension::force, 1},
     {"nN", Dimension::force, 1e-9},      {"uN", Dimension::force, 1e-6},
     {"mN", Dimension::force, 1e-3},      {"kN", Dimension::force, 1e3},
-    {"MN", Dimension::force, 1e6},
+    {"MN", Dimension::force, 1e6},       {"m/s", Dimension::speed, 1},
+    {"km/s", Dimension::speed, 1e3},
 };
 
 std::vector<Unit> units_of(Dimension dimension) {
@@ -92,6 +93,8 @@ std::string_view description(Dimension dimension) {
     return "a time";
   case Dimension::force:
     return "a force";
+  case Dimension::speed:
+    return "a speed";
   }
   throw InvalidArgument("dimension is not one of the known ones");
 }
@@ -145,7 +148,9 @@ std::string pretty(double value, Dimension dimension) {
   if (dimension == Dimension::angle)
     return short_text(value / degree) + " deg";
   std::vector<Unit> steps = units_of(dimension);
-  std::erase_if(steps, [](const Unit& unit) { return unit.symbol == "cm" || unit.symbol.starts_with("g/"); });
+  std::erase_if(steps, [](const Unit& unit) {
+    return unit.symbol == "cm" || unit.symbol == "km/s" || unit.symbol.starts_with("g/");
+  });
   std::sort(steps.begin(), steps.end(), [](const Unit& a, const Unit& b) { return a.factor < b.factor; });
   // the largest unit in which the rounded value is not below 1, so that 999.96 kPa becomes 1 MPa
   Unit best = *find_unit(si_symbol(dimension));

@@ -37,6 +37,7 @@ TEST_CASE("quantities come in as SI") {
   CHECK(parse_quantity("rho", "2.65g/cm3", Dimension::density) == 2650);
   CHECK(parse_quantity("t", "20us", Dimension::time) == relative(20e-6, ulp));
   CHECK(parse_quantity("f", "3mN", Dimension::force) == relative(3e-3, ulp));
+  CHECK(parse_quantity("v", "0.25km/s", Dimension::speed) == 250);
   CHECK(parse_quantity("e", "0.6", Dimension::dimensionless) == 0.6);
   CHECK(parse_quantity("n", "38%", Dimension::dimensionless) == relative(0.38, ulp));
 }
@@ -71,6 +72,8 @@ TEST_CASE("column headings carry their unit") {
   CHECK(is_column_of("sigma_v_kPa", "sigma_v"));
   CHECK(is_column_of("e", "e"));
   CHECK(is_column_of("G_mm", "G"));
+  CHECK(is_column_of("V_s_m/s", "V_s"));
+  CHECK_FALSE(is_column_of("V_s_hh_m/s", "V_s"));
   CHECK_FALSE(is_column_of("sigma_v_kPa", "sigma"));
   CHECK_FALSE(is_column_of("sigma_", "sigma"));
   CHECK_FALSE(is_column_of("Ge_kPa", "G"));
@@ -94,5 +97,6 @@ TEST_CASE("tables show the fitting prefix") {
   CHECK(pretty(0.02, Dimension::length) == "20 mm");
   CHECK(pretty(26.5 * std::numbers::pi / 180, Dimension::angle) == "26.5 deg");
   CHECK(pretty(2650, Dimension::density) == "2650 kg/m3");
+  CHECK(pretty(1587.25, Dimension::speed) == "1587 m/s");
   CHECK(pretty(0.123456, Dimension::dimensionless) == "0.1235");
 }

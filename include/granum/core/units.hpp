@@ -17,6 +17,7 @@ enum class Dimension {
   density,       ///< [kg/m^3]
   time,          ///< [s]
   force,         ///< [N]
+  speed,         ///< [m/s]
 };
 
 /// A unit that programs and files may use: value in SI = factor * value in this unit.
