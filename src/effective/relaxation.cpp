@@ -199,6 +199,10 @@ double mechanical_coordination_number(double coordination_number, double rattler
   return coordination_number / (1 - rattler_fraction);
 }
 
+double isostatic_coordination_number(double tangential_ratio) {
+  return isostatic(require_non_negative("tangential_ratio", tangential_ratio));
+}
+
 Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                       double stiffness_exponent) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);

@@ -299,3 +299,13 @@ TEST_CASE("relaxation: slopes of a modulus that is held to its bound") {
   const auto g = effective::relaxed_gradient(s, z, effective::Modulus::G_vh).gradient;
   CHECK(std::abs(g[effective::Input::stress_v] * s.stress_v / g.value - slope) < 1e-9);
 }
+
+TEST_CASE("relaxation: moduli vanish at the isostatic point and not above it") {
+  for (const double r : {0.0, 0.1, 0.9189}) {
+    const double isostatic = effective::isostatic_coordination_number(r);
+    CHECK(isostatic == doctest::Approx(r > 0 ? 3.967 : 6).epsilon(1e-3));
+    CHECK(shear(isostatic, r) == 0);
+    CHECK(shear(isostatic + 1e-6, r) > 0);
+  }
+  CHECK_THROWS_AS((void)effective::isostatic_coordination_number(-0.1), InvalidArgument);
+}

@@ -31,6 +31,13 @@ struct Relaxation {
 /// Accuracy  1 ulp of the formula.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double mechanical_coordination_number(double coordination_number, double rattler_fraction);
 
+/// z* at which a network of contacts loses its rigidity: 3.967, and 6 for r = 0.
+/// [validation/relaxation]
+/// \param    tangential_ratio   r = k_t/k_n >= 0 [1]
+/// \throws   InvalidArgument if r is out of its range
+/// Accuracy  0.006, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
+[[nodiscard]] double isostatic_coordination_number(double tangential_ratio);
+
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.9; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/implied_coordination.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+namespace granum::effective {
+
+namespace {
+
+/// Neighbours that equal spheres can touch at once.
+constexpr double most_contacts = 12;
+/// z* above the isostatic point at which a network counts as just rigid.
+constexpr double just_rigid = 1e-9;
+
+double modulus_with(const State& state, double z, const RattlerLaw& rattlers, Modulus which) {
+  return modulus(relaxed(with_contacts(state, z, rattlers.at(z)), z).stiffness, which);
+}
+
+void require_growing(Modulus which) {
+  if (which == Modulus::K || which == Modulus::G_hh || which == Modulus::G_vh || which == Modulus::C11 ||
+      which == Modulus::C33)
+    return;
+  throw InvalidArgument("a contact number follows from K, G_hh, G_vh, C11 or C33, which grow with it; this "
+                        "modulus need not");
+}
+
+} // namespace
+
+double RattlerLaw::at(double z) const { return share * std::exp(-decay * (z - 4)); }
+
+const RattlerLaw& rattlers_of_packings() {
+  static constexpr RattlerLaw law{.share = 0.121, .decay = 1.36, .scatter = 0.38};
+  return law;
+}
+
+State with_contacts(State state, double mechanical_coordination_number, double rattler_fraction) {
+  const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
+  if (!(rattler_fraction >= 0 && rattler_fraction < 1))
+    throw InvalidArgument("rattler_fraction", rattler_fraction, "", "[0, 1)");
+  state.coordination_number = z * (1 - rattler_fraction);
+  return state;
+}
+
+ImpliedCoordination implied_coordination(const State& state, Modulus which, double modulus,
+                                         const RattlerLaw& rattlers) {
+  require_growing(which);
+  require_positive("modulus", modulus, "Pa");
+  require_positive("stress_v", state.stress_v, "Pa");
+  const double isostatic = isostatic_coordination_number(state.tangential_ratio);
+  // In ln(z* - isostatic point) a modulus is nearly a power law, also where it vanishes.
+  const auto excess = [&](double logarithm) {
+    return std::log(modulus_with(state, isostatic + std::exp(logarithm), rattlers, which) / modulus);
+  };
+  const double low = std::log(just_rigid), high = std::log(most_contacts - isostatic);
+  const double below = excess(low), above = excess(high);
+  ImpliedCoordination implied{.mechanical_coordination_number = std::nullopt,
+                              .softest = modulus * std::exp(below),
+                              .stiffest = modulus * std::exp(above)};
+  if (below > 0 || above < 0) {
+    implied.explained = below > 0 ? Explained::too_soft : Explained::too_stiff;
+    return implied;
+  }
+  std::uintmax_t rounds = 200;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      excess, low, high, below, above, boost::math::tools::eps_tolerance<double>(), rounds);
+  implied.mechanical_coordination_number = isostatic + std::exp((left + right) / 2);
+  return implied;
+}
+
+} // namespace granum::effective

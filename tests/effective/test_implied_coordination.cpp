@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/effective/implied_coordination.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+#include "relative.hpp"
+#include "support.hpp"
+
+using namespace granum;
+using namespace granum::test;
+using effective::Explained;
+using effective::implied_coordination;
+using effective::Modulus;
+
+namespace {
+
+const effective::RattlerLaw& rattlers = effective::rattlers_of_packings();
+constexpr Modulus measurable[] = {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::C11, Modulus::C33};
+
+double modulus_with(const State& state, double z, Modulus which) {
+  return modulus(relaxed(effective::with_contacts(state, z, rattlers.at(z)), z).stiffness, which);
+}
+
+} // namespace
+
+TEST_CASE("implied coordination: the z* that a modulus was computed with") {
+  for (const double alpha : {1.0, 2.0, 4.0, infinity})
+    for (const double fabric : {0.0, 0.15})
+      for (const double z : {4.05, 4.4, 5.0, 5.7, 6.3, 8.0, 11.0})
+        for (const Modulus which : measurable) {
+          const State state = state_of(alpha, fabric, 0.15, 100e3, 60e3);
+          const auto implied = implied_coordination(state, which, modulus_with(state, z, which));
+          REQUIRE(implied.mechanical_coordination_number);
+          CHECK(*implied.mechanical_coordination_number == relative(z, 1e-10));
+        }
+}
+
+TEST_CASE("implied coordination: moduli grow with z*, so that there is one answer") {
+  for (const double r : {0.0, 0.1, 0.6, 0.9189})
+    for (const Modulus which : measurable) {
+      State state = state_of(2, 0.1, 0.15, 100e3, 50e3);
+      state.tangential_ratio = r;
+      double before = 0;
+      for (double z = effective::isostatic_coordination_number(r) + 0.002; z < 12; z += 0.01) {
+        const double now = modulus_with(state, z, which);
+        CHECK(now > before);
+        before = now;
+      }
+    }
+}
+
+TEST_CASE("implied coordination: what no contact number explains") {
+  const State state = state_of(2, 0, 0.15, 100e3, 100e3);
+  const double most = modulus_with(state, 12, Modulus::G_vh);
+  const auto stiff = implied_coordination(state, Modulus::G_vh, 1.001 * most);
+  CHECK(stiff.explained == Explained::too_stiff);
+  CHECK_FALSE(stiff.mechanical_coordination_number);
+  CHECK(stiff.stiffest == relative(most, 1e-12));
+  // That is below uniform strain with as many contacts.
+  const double bound = uniform_strain(effective::with_contacts(state, 12, 0)).stiffness.G_vh();
+  CHECK(stiff.stiffest < bound);
+  CHECK(implied_coordination(state, Modulus::G_vh, bound).explained == Explained::too_stiff);
+
+  // K has a jump at the isostatic point, G begins at 0.
+  const double least = modulus_with(state, 3.968, Modulus::K);
+  const auto soft = implied_coordination(state, Modulus::K, 0.9 * least);
+  CHECK(soft.explained == Explained::too_soft);
+  CHECK_FALSE(soft.mechanical_coordination_number);
+  CHECK(soft.softest == relative(least, 1e-2));
+  CHECK(implied_coordination(state, Modulus::G_vh, 1e6).explained == Explained::yes);
+  CHECK(implied_coordination(state, Modulus::G_vh, 1e6).softest < 1);
+}
+
+TEST_CASE("implied coordination: rattlers take contacts away") {
+  const State state = state_of(2, 0, 0.15, 100e3, 100e3);
+  const double measured = modulus_with(state, 5, Modulus::G_vh);
+  const auto none = implied_coordination(state, Modulus::G_vh, measured, {.share = 0});
+  const auto many = implied_coordination(state, Modulus::G_vh, measured, {.share = 0.2});
+  CHECK(*none.mechanical_coordination_number < 5);
+  CHECK(*many.mechanical_coordination_number > 5);
+  CHECK(rattlers.at(4) == relative(0.121, 1e-14));
+  CHECK(rattlers.at(5) == relative(0.121 * std::exp(-1.36), 1e-14));
+}
+
+TEST_CASE("implied coordination: refuses what has no answer") {
+  const State state = state_of(2, 0, 0.15, 100e3, 100e3);
+  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::C12, 1e8), InvalidArgument);
+  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::E_v, 1e8), InvalidArgument);
+  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::K, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::K, NAN), InvalidArgument);
+  CHECK_THROWS_AS((void)implied_coordination(state_of(2, 0, 0.15, 0, 0), Modulus::K, 1e8), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::with_contacts(state, 5, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::with_contacts(state, -1, 0), InvalidArgument);
+}
