@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <granum/core/measured.hpp>
+#include <granum/core/validity.hpp>
+#include <granum/effective/implied_coordination.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/effective/state.hpp>
+#include <granum/inverse/quantity.hpp>
+
+/// Calibrate once, predict elsewhere: the contact number that measured moduli or wave speeds imply through
+/// rung 3, with its standard error, and what follows of it at another stress, void ratio or direction.
+/// Checked by tests/inverse/test_inference.cpp, validation/infer
+namespace granum::inverse {
+
+/// A measured value and the state it was measured at; the state's coordination number is not used.
+struct Measurement {
+  Quantity quantity = Quantity::G_vh;
+  Measured value; ///< > 0 [Pa or m/s]; errors below 0.01 % count as 0.01 %
+  effective::State state;
+};
+
+/// An input that all measurements share and whose error they share.
+struct UncertainInput {
+  std::string key;
+  /// Moves it by so many standard deviations in a state and in the density of the grains [kg/m3].
+  std::function<void(effective::State& state, double& grain_density, double deviations)> move;
+};
+
+/// How z* follows the mean stress p from measurement to measurement.
+enum class Growth {
+  fixed, ///< the same at every stress
+  fitted ///< (z* - isostatic point) ~ p^g, g fitted; asks for two stresses
+};
+
+struct InferenceOptions {
+  std::optional<double> grain_density = std::nullopt; ///< of the solid; speeds ask for it [kg/m3]
+  /// Share of rattlers by z*; a known share x is {.share = x}.
+  effective::RattlerLaw rattlers = effective::rattlers_of_packings();
+  Growth growth = Growth::fixed;
+  std::vector<UncertainInput> inputs = {};
+  std::size_t iteration_limit = 100;
+};
+
+/// Of the variance of z*, 0 to 1, what one source makes.
+struct ErrorShare {
+  std::string source; ///< "measurement", "rung 3", "rattlers" or the key of an input
+  double share = 0;
+};
+
+/// Contacts of the packing at one stress.
+struct InferredPacking {
+  Measured mechanical_coordination_number; ///< z*
+  Measured rattler_fraction;               ///< x_0
+  Measured coordination_number;            ///< C_n = z* (1 - x_0)
+};
+
+/// A measurement beside what all of them together say of it.
+struct FittedMeasurement {
+  Measured value;       ///< as fitted [Pa or m/s]
+  double deviation = 0; ///< ln of measured over fitted, in standard errors of measurement and rung 3
+};
+
+namespace detail {
+class ContactModel;
+}
+
+/// What the measurements together say of the packing, and of every other state of it.
+class Inference {
+ public:
+  /// The stress that z*() belongs to: that of the first measurement [Pa].
+  [[nodiscard]] double reference_stress() const { return reference_stress_; }
+  /// Contacts at the stress and void ratio of a state.
+  [[nodiscard]] InferredPacking packing(const effective::State& at) const;
+  /// A quantity at another state of the same packing. What measurement and prediction have in common, as the
+  /// error of the grains' modulus or of the preparation, cancels as far as they have it in common.
+  /// \throws   InvalidArgument as relaxed(), and for a speed without grain density
+  [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at) const;
+  /// The packing as the table of rungs takes it, to ask any of them.
+  [[nodiscard]] effective::RungInputs rung_inputs(effective::State at) const;
+
+  [[nodiscard]] const std::vector<FittedMeasurement>& measurements() const { return fitted_; }
+  [[nodiscard]] const std::vector<ErrorShare>& error_shares() const { return shares_; }
+  /// g of Growth::fitted.
+  [[nodiscard]] const std::optional<Measured>& growth_exponent() const { return growth_; }
+  /// Sum of squared deviations, how many of them are free, and the probability that errors as stated make
+  /// it so large; 1 where none is free.
+  [[nodiscard]] double chi_square() const { return chi_square_; }
+  [[nodiscard]] std::size_t degrees_of_freedom() const { return degrees_of_freedom_; }
+  [[nodiscard]] double probability() const { return probability_; }
+
+ private:
+  friend class detail::ContactModel;
+  Inference() = default;
+
+  std::shared_ptr<const detail::ContactModel> model_;
+  std::vector<double> parameters_;
+  std::vector<double> covariance_; ///< by rows
+  double reference_stress_ = 0;
+  std::vector<FittedMeasurement> fitted_;
+  std::vector<ErrorShare> shares_;
+  std::optional<Measured> growth_;
+  double chi_square_ = 0;
+  std::size_t degrees_of_freedom_ = 0;
+  double probability_ = 1;
+};
+
+/// What one measurement says by itself.
+struct AloneAnswer {
+  effective::ImpliedCoordination implied;                 ///< bounds in Pa, also for a speed
+  std::optional<Measured> mechanical_coordination_number; ///< z* with its error, where there is one
+};
+
+struct InferenceAnswer {
+  std::vector<AloneAnswer> alone;    ///< one a measurement
+  std::optional<Inference> together; ///< nothing where no measurement can be explained by any contact number
+  Validity validity;                 ///< what cannot be explained, or contradicts, in words
+};
+
+/// z* by weighted least squares in ln of the measured values. Unknown besides z* are, each within its error,
+/// the share of rattlers, how much the packing differs from the calibration of rung 3 (the part that packings
+/// of one preparation share; the rest differs from state to state), and the inputs named as uncertain.
+/// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
+/// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
+///           grain density, and for Growth::fitted at one stress; NotConverged if least squares fail
+/// Accuracy  a modulus computed at z* gives z* back to 1e-10. Errors: to first order
+/// Checked by tests/inverse/test_inference.cpp; own packings: validation/infer
+[[nodiscard]] InferenceAnswer infer(std::span<const Measurement> measurements,
+                                    const InferenceOptions& options);
+
+} // namespace granum::inverse

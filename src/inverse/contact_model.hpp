@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <granum/inverse/inference.hpp>
+
+/// The model behind infer(): measured values as functions of a vector of parameters.
+namespace granum::inverse::detail {
+
+/// Measurements at one state: their errors have the scatter of rung 3 there in common.
+struct StateGroup {
+  std::vector<std::size_t> members;
+  Eigen::MatrixXd scatter;   ///< of ln value, by one deviation of K and of G
+  Eigen::VectorXd noise;     ///< standard errors of ln value as measured
+  Eigen::MatrixXd whitening; ///< W with W (noise^2 + scatter scatter^T) W^T = 1
+};
+
+/// Parameters: ln(z* - isostatic point) at the reference stress, g where it is fitted; then deviations from
+/// what is expected, in standard deviations: of ln x_0, of K and G of rung 3, of the inputs.
+class ContactModel {
+ public:
+  /// \throws   InvalidArgument as infer
+  ContactModel(std::span<const Measurement> measurements, const InferenceOptions& options);
+
+  /// Least squares from the z* that a measurement implies.
+  [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
+
+  [[nodiscard]] double coordination(const Eigen::VectorXd& theta, const effective::State& at) const;
+  [[nodiscard]] double rattlers(const Eigen::VectorXd& theta, const effective::State& at) const;
+  [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity,
+                                 const effective::State& at) const;
+  /// What one deviation of K and of G in this state alone does to ln value.
+  [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
+                                               const effective::State& at) const;
+
+ private:
+  [[nodiscard]] std::vector<StateGroup> groups(const Eigen::VectorXd& theta) const;
+  [[nodiscard]] Eigen::VectorXd residuals(const std::vector<StateGroup>& groups,
+                                          const Eigen::VectorXd& theta) const;
+  void describe(Inference& inference, const std::vector<StateGroup>& groups, const Eigen::VectorXd& theta,
+                const Eigen::MatrixXd& jacobian) const;
+  [[nodiscard]] Eigen::Index parameter_count() const;
+  [[nodiscard]] Eigen::Index free_count() const { return options_.growth == Growth::fitted ? 2 : 1; }
+  [[nodiscard]] std::string source_of(Eigen::Index prior) const;
+
+  std::vector<Measurement> measurements_;
+  InferenceOptions options_;
+  double isostatic_ = 0;
+  double reference_stress_ = 0;
+};
+
+/// The derivatives of a function of the parameters, a column for each, by central differences: relative
+/// 1e-10 for functions that change by themselves over a distance of 1.
+template <class Function>
+Eigen::MatrixXd slopes(const Function& function, const Eigen::VectorXd& theta) {
+  constexpr double step = 1e-5;
+  Eigen::MatrixXd matrix(Eigen::VectorXd(function(theta)).size(), theta.size());
+  for (Eigen::Index k = 0; k < theta.size(); ++k) {
+    Eigen::VectorXd above = theta, below = theta;
+    above[k] += step;
+    below[k] -= step;
+    matrix.col(k) = (Eigen::VectorXd(function(above)) - Eigen::VectorXd(function(below))) / (2 * step);
+  }
+  return matrix;
+}
+
+} // namespace granum::inverse::detail

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/inference.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <granum/core/number.hpp>
+
+#include "contact_model.hpp"
+
+namespace granum::inverse {
+
+namespace {
+
+using effective::Explained;
+
+/// Deviations so large are taken for a contradiction: three of a thousand.
+constexpr double improbable = 0.003;
+
+double modulus_of(const Measurement& m, const InferenceOptions& options) {
+  if (!row_of(m.quantity).speed)
+    return m.value.value;
+  return *options.grain_density / (1 + m.state.void_ratio) * m.value.value * m.value.value;
+}
+
+std::string named(const Measurement& m) {
+  const QuantityRow& row = row_of(m.quantity);
+  const double p = (m.state.stress_v + 2 * m.state.stress_h) / 3;
+  const std::string value = row.speed ? granum::detail::formatted("%.4g m/s", m.value.value)
+                                      : granum::detail::formatted("%.4g MPa", m.value.value / 1e6);
+  return std::string(row.key) + " = " + value + granum::detail::formatted(" at %.4g kPa", p / 1e3);
+}
+
+std::string bound_text(const Measurement& m, const InferenceOptions& options, double bound) {
+  if (!row_of(m.quantity).speed)
+    return granum::detail::formatted("%.4g MPa", bound / 1e6);
+  const double density = *options.grain_density / (1 + m.state.void_ratio);
+  return granum::detail::formatted("%.4g m/s", std::sqrt(bound / density));
+}
+
+void note_unexplained(const Measurement& m, const InferenceOptions& options,
+                      const effective::ImpliedCoordination& implied, Validity& validity) {
+  if (implied.explained == Explained::too_stiff)
+    validity.add("no contact number explains " + named(m) +
+                 ": with 12 contacts a grain, the most that equal "
+                 "spheres can have, it would be " +
+                 bound_text(m, options, implied.stiffest) +
+                 "; the grains may be bonded, flat at their contacts, or stiffer than was said");
+  if (implied.explained == Explained::too_soft)
+    validity.add("no contact number explains " + named(m) +
+                 ": the loosest network of contacts that is rigid "
+                 "would have " +
+                 bound_text(m, options, implied.softest) +
+                 "; the contacts may be rough or damaged, or the grains softer than was said");
+}
+
+void note_contradiction(const Inference& all, std::span<const Measurement> measurements, Validity& validity) {
+  if (all.probability() >= improbable)
+    return;
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < measurements.size(); ++k)
+    if (std::abs(all.measurements()[k].deviation) > std::abs(all.measurements()[worst].deviation))
+      worst = k;
+  const double deviation = all.measurements()[worst].deviation;
+  validity.add("the measurements contradict each other: no one contact number explains them all within their "
+               "errors and that of rung 3 (" +
+               granum::detail::formatted("chi^2 %.3g at %.0f degrees of freedom); ", all.chi_square(),
+                                         static_cast<double>(all.degrees_of_freedom())) +
+               "the worst is " + named(measurements[worst]) +
+               granum::detail::formatted(", %.2g standard errors ", std::abs(deviation)) +
+               (deviation > 0 ? "stiffer" : "softer") + " than the rest says");
+}
+
+} // namespace
+
+InferenceAnswer infer(std::span<const Measurement> measurements, const InferenceOptions& options) {
+  const auto model = std::make_shared<const detail::ContactModel>(measurements, options);
+  InferenceOptions one_alone = options;
+  one_alone.growth = Growth::fixed;
+  InferenceAnswer answer;
+  std::optional<double> start;
+  for (const Measurement& m : measurements) {
+    const QuantityRow& row = row_of(m.quantity);
+    AloneAnswer alone{
+        effective::implied_coordination(m.state, row.modulus, modulus_of(m, options), options.rattlers),
+        std::nullopt};
+    if (const auto z = alone.implied.mechanical_coordination_number) {
+      const auto own = std::make_shared<const detail::ContactModel>(std::span(&m, 1), one_alone);
+      alone.mechanical_coordination_number =
+          detail::ContactModel::solve(own, *z).packing(m.state).mechanical_coordination_number;
+      start = start ? start : z;
+    }
+    note_unexplained(m, options, alone.implied, answer.validity);
+    answer.alone.push_back(std::move(alone));
+  }
+  if (!start)
+    return answer;
+  answer.together = detail::ContactModel::solve(model, *start);
+  for (const Measurement& m : measurements)
+    answer.validity.merge(effective::answer(effective::rung(effective::RungName::relaxed),
+                                            answer.together->rung_inputs(m.state))
+                              .validity);
+  answer.validity.keep_each_once();
+  note_contradiction(*answer.together, measurements, answer.validity);
+  return answer;
+}
+
+} // namespace granum::inverse

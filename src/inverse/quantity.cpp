@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/quantity.hpp>
+
+#include <algorithm>
+
+#include <granum/core/error.hpp>
+
+namespace granum::inverse {
+
+namespace {
+
+using effective::Modulus;
+
+constexpr QuantityRow table[] = {
+    {Quantity::G_vh, "G", Modulus::G_vh, false, "shear modulus of a vertical plane"},
+    {Quantity::G_hh, "G_hh", Modulus::G_hh, false, "shear modulus of the horizontal plane"},
+    {Quantity::K, "K", Modulus::K, false, "bulk modulus"},
+    {Quantity::V_s, "V_s", Modulus::G_vh, true, "shear wave, vertical"},
+    {Quantity::V_s_hh, "V_s_hh", Modulus::G_hh, true, "shear wave, horizontal"},
+    {Quantity::V_p, "V_p", Modulus::C33, true, "compression wave, vertical"},
+    {Quantity::V_p_h, "V_p_h", Modulus::C11, true, "compression wave, horizontal"}};
+
+} // namespace
+
+std::span<const QuantityRow> quantities() { return table; }
+
+const QuantityRow& row_of(Quantity quantity) {
+  const auto found = std::find_if(std::begin(table), std::end(table),
+                                  [quantity](const QuantityRow& row) { return row.quantity == quantity; });
+  if (found == std::end(table))
+    throw InvalidArgument("quantity is not one of the known ones");
+  return *found;
+}
+
+} // namespace granum::inverse

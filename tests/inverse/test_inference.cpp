@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/inference.hpp>
+
+#include <cmath>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using effective::Modulus;
+using effective::State;
+using inverse::Growth;
+using inverse::infer;
+using inverse::InferenceOptions;
+using inverse::Measurement;
+using inverse::Quantity;
+
+namespace {
+
+constexpr double density = 2480;
+const effective::RattlerLaw& rattlers = effective::rattlers_of_packings();
+
+/// Glass beads under a vertical and a horizontal stress.
+State beads(double stress_v, double stress_h, double void_ratio = 0.61, double grain_modulus = 29e9) {
+  const contact::GrainMaterial glass{.shear_modulus = grain_modulus, .poisson_ratio = 0.2};
+  return {.law = contact::PowerLaw::sphere(glass, 0.5e-3),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(0.2),
+          .radius = 0.5e-3,
+          .void_ratio = void_ratio,
+          .coordination_number = 1, // not used
+          .stress_v = stress_v,
+          .stress_h = stress_h};
+}
+State beads(double pressure) { return beads(pressure, pressure); }
+
+/// What a packing of that z* shows.
+double value_of(Quantity quantity, const State& state, double z, double rattler_fraction) {
+  const auto& row = inverse::row_of(quantity);
+  const auto stiffness = relaxed(effective::with_contacts(state, z, rattler_fraction), z).stiffness;
+  const double x = modulus(stiffness, row.modulus);
+  return row.speed ? std::sqrt(x / (density / (1 + state.void_ratio))) : x;
+}
+double value_of(Quantity quantity, const State& state, double z) {
+  return value_of(quantity, state, z, rattlers.at(z));
+}
+
+Measurement measurement(Quantity quantity, const State& state, double z, double relative_error = 0) {
+  const double value = value_of(quantity, state, z);
+  return {quantity, {value, relative_error * value}, state};
+}
+
+InferenceOptions options_with(Growth growth = Growth::fixed) {
+  return {.grain_density = density, .growth = growth};
+}
+
+inverse::UncertainInput grain_modulus_within(double relative_error) {
+  return {"grain-shear-modulus", [relative_error](State& state, double&, double deviations) {
+            const contact::GrainMaterial grain = state.law.grain();
+            const double moved = grain.shear_modulus * std::exp(relative_error * deviations);
+            state.law = contact::PowerLaw::sphere({moved, grain.poisson_ratio}, state.radius);
+          }};
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values)
+    sum += value;
+  return sum / static_cast<double>(values.size());
+}
+double deviation(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values)
+    sum += (value - mean(values)) * (value - mean(values));
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+} // namespace
+
+TEST_CASE("inference: forward and back is the identity") {
+  for (const auto& row : inverse::quantities())
+    for (const double z : {4.3, 5.1, 6.2})
+      for (const double ratio : {1.0, 0.5}) {
+        const Measurement one = measurement(row.quantity, beads(3e6, ratio * 3e6), z, 0.02);
+        const auto answer = infer(std::span(&one, 1), options_with());
+        REQUIRE(answer.together);
+        const auto found = answer.together->packing(one.state);
+        CHECK(found.mechanical_coordination_number.value == relative(z, 1e-10));
+        CHECK(found.rattler_fraction.value == relative(rattlers.at(z), 1e-9));
+        CHECK(answer.alone.front().mechanical_coordination_number->value == relative(z, 1e-10));
+        for (const auto& other : inverse::quantities()) {
+          const State elsewhere = beads(50e3, 80e3, 0.58);
+          CHECK(answer.together->predict(other.quantity, elsewhere).value ==
+                relative(value_of(other.quantity, elsewhere, z), 1e-10));
+        }
+      }
+}
+
+TEST_CASE("inference: measurements of one packing agree, and narrow the error") {
+  std::vector<Measurement> all;
+  for (const double p : {1e6, 3e6, 10e6})
+    for (const Quantity q : {Quantity::V_s, Quantity::V_p})
+      all.push_back(measurement(q, beads(p), 5.2, 0.02));
+  const auto together = infer(all, options_with());
+  REQUIRE(together.together);
+  const Measured z = together.together->packing(all.front().state).mechanical_coordination_number;
+  CHECK(z.value == relative(5.2, 1e-10));
+  CHECK(z.standard_error < together.alone.front().mechanical_coordination_number->standard_error);
+  CHECK(together.together->chi_square() < 1e-15);
+  CHECK(together.together->degrees_of_freedom() == 5);
+  CHECK(together.together->probability() == doctest::Approx(1));
+  CHECK(together.validity.ok());
+  double sum = 0;
+  for (const auto& share : together.together->error_shares())
+    sum += share.share;
+  CHECK(sum == doctest::Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
+  const double isostatic = effective::isostatic_coordination_number(beads(1e6).tangential_ratio);
+  const auto grown = [&](double p) { return isostatic + 0.8 * std::pow(p / 1e6, 0.13); };
+  std::vector<Measurement> all;
+  for (const double p : {1e6, 2e6, 8e6})
+    all.push_back(measurement(Quantity::V_s, beads(p), grown(p), 0.01));
+  const auto answer = infer(all, options_with(Growth::fitted));
+  REQUIRE(answer.together);
+  CHECK(answer.together->growth_exponent()->value == doctest::Approx(0.13).epsilon(1e-9));
+  CHECK(answer.together->predict(Quantity::G_vh, beads(30e6)).value ==
+        relative(value_of(Quantity::G_vh, beads(30e6), grown(30e6)), 1e-9));
+  CHECK(answer.together->degrees_of_freedom() == 1);
+  // With one z* for all the same data do not fit.
+  const auto fixed = infer(all, options_with());
+  CHECK(fixed.together->chi_square() > 1);
+  CHECK_FALSE(fixed.together->growth_exponent());
+  CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(Growth::fitted)), InvalidArgument);
+}
+
+TEST_CASE("inference: K and G that contradict each other") {
+  std::vector<Measurement> all{measurement(Quantity::G_vh, beads(1e6), 4.4, 0.02),
+                               measurement(Quantity::K, beads(1e6), 6.2, 0.02)};
+  all[1].value.value *= 1.3;
+  all[1].value.standard_error *= 1.3;
+  const auto answer = infer(all, options_with());
+  REQUIRE(answer.together);
+  CHECK(answer.together->probability() < 0.003);
+  REQUIRE_FALSE(answer.validity.ok());
+  CHECK(answer.validity.notes.back().find("the measurements contradict each other") == 0);
+  CHECK(answer.validity.notes.back().find("K = ") != std::string::npos);
+  // Wide errors hold the same.
+  for (Measurement& m : all)
+    m.value.standard_error = 0.6 * m.value.value;
+  CHECK(infer(all, options_with()).together->probability() > 0.1);
+}
+
+TEST_CASE("inference: what no contact number explains") {
+  Measurement stiff = measurement(Quantity::V_s, beads(1e6), 12);
+  stiff.value.value *= 1.01;
+  const auto none = infer(std::span(&stiff, 1), options_with());
+  CHECK_FALSE(none.together);
+  CHECK_FALSE(none.alone.front().mechanical_coordination_number);
+  REQUIRE(none.validity.notes.size() == 1);
+  CHECK(none.validity.notes.front().find("no contact number explains V_s = ") == 0);
+  CHECK(none.validity.notes.front().find("12 contacts") != std::string::npos);
+  Measurement soft = measurement(Quantity::K, beads(1e6), 4.3);
+  soft.value.value *= 0.5;
+  const auto too_soft = infer(std::span(&soft, 1), options_with());
+  CHECK_FALSE(too_soft.together);
+  CHECK(too_soft.validity.notes.front().find("loosest network") != std::string::npos);
+  // Beside one that is explained, the fit goes on and the note stays.
+  const std::vector<Measurement> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
+  const auto mixed = infer(both, options_with());
+  CHECK(mixed.together);
+  CHECK(mixed.validity.notes.front().find("no contact number explains K") == 0);
+}
+
+TEST_CASE("inference: what measurement and prediction share cancels") {
+  InferenceOptions options = options_with();
+  const Measurement one = measurement(Quantity::V_s, beads(3e6), 5.3, 0.01);
+  const auto error_at = [&](double p) {
+    const auto answer = infer(std::span(&one, 1), options);
+    const Measured predicted = answer.together->predict(Quantity::V_s, beads(p));
+    return predicted.standard_error / predicted.value;
+  };
+  const double z_error = infer(std::span(&one, 1), options)
+                             .together->packing(one.state)
+                             .mechanical_coordination_number.standard_error;
+  const double without = error_at(30e6);
+  options.inputs = {grain_modulus_within(0.1)};
+  // V_s ~ G_g^(1/3): by itself 3.3 % and much of z*, nearly nothing of the prediction.
+  const auto answer = infer(std::span(&one, 1), options);
+  CHECK(answer.together->packing(one.state).mechanical_coordination_number.standard_error > 1.5 * z_error);
+  CHECK(error_at(30e6) == doctest::Approx(without).epsilon(0.02));
+  CHECK(without < 0.025);
+}
+
+TEST_CASE("inference: stated errors are those of a sample") {
+  // Truth: z* 5.2; everything else scatters as it is said to. A measurement at 3 MPa, a prediction at 30.
+  const double z = 5.2, noise = 0.03, grain_error = 0.05, shared = 0.42;
+  InferenceOptions options = options_with();
+  options.inputs = {grain_modulus_within(grain_error)};
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> found, missed;
+  Measured stated_z, stated_value;
+  for (int draw = 0; draw < 3000; ++draw) {
+    const double x = rattlers.at(z) * std::exp(rattlers.scatter * normal(generator));
+    const double grain_modulus = 29e9 * std::exp(grain_error * normal(generator));
+    const double preparation = normal(generator);
+    const auto truth = [&](double p) {
+      const State state = beads(p, p, 0.61, grain_modulus);
+      const double error = relaxed(effective::with_contacts(state, z, x), z).relative_error.G_vh;
+      return value_of(Quantity::G_vh, state, z, x) *
+             std::exp(error * (std::sqrt(shared) * preparation + std::sqrt(1 - shared) * normal(generator)));
+    };
+    const double measured = truth(3e6) * std::exp(noise * normal(generator));
+    const Measurement one{Quantity::G_vh, {measured, noise * measured}, beads(3e6)};
+    const auto answer = infer(std::span(&one, 1), options);
+    const Measured predicted = answer.together->predict(Quantity::G_vh, beads(30e6));
+    found.push_back(answer.together->packing(one.state).mechanical_coordination_number.value);
+    missed.push_back(std::log(predicted.value / truth(30e6)));
+  }
+  const Measurement typical = measurement(Quantity::G_vh, beads(3e6), z, noise);
+  const auto answer = infer(std::span(&typical, 1), options);
+  stated_z = answer.together->packing(typical.state).mechanical_coordination_number;
+  stated_value = answer.together->predict(Quantity::G_vh, beads(30e6));
+  CHECK(deviation(found) == doctest::Approx(stated_z.standard_error).epsilon(0.05));
+  CHECK(deviation(missed) == doctest::Approx(stated_value.standard_error / stated_value.value).epsilon(0.05));
+  CHECK(std::abs(mean(found) - z) < 0.1 * stated_z.standard_error);
+}
+
+TEST_CASE("inference: shares of the error by leaving its sources out") {
+  InferenceOptions options = options_with();
+  options.inputs = {grain_modulus_within(0.05)};
+  const Measurement one = measurement(Quantity::G_vh, beads(3e6), 5.2, 0.03);
+  const auto variance = [&](const InferenceOptions& o, const Measurement& m) {
+    const double error =
+        infer(std::span(&m, 1), o).together->packing(m.state).mechanical_coordination_number.standard_error;
+    return error * error;
+  };
+  const auto answer = infer(std::span(&one, 1), options);
+  const double all = variance(options, one);
+  for (const auto& [source, share] : answer.together->error_shares()) {
+    InferenceOptions fewer = options;
+    Measurement exact = one;
+    if (source == "measurement")
+      exact.value.standard_error = 0;
+    else if (source == "rattlers")
+      fewer.rattlers.scatter = 0;
+    else if (source == "grain-shear-modulus")
+      fewer.inputs.clear();
+    else
+      continue;
+    CHECK((all - variance(fewer, exact)) / all == doctest::Approx(share).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("inference: exact measurements of dependent quantities") {
+  std::vector<Measurement> all;
+  for (const Quantity q : {Quantity::K, Quantity::G_vh, Quantity::V_p, Quantity::V_s})
+    all.push_back(measurement(q, beads(1e6), 5));
+  const auto answer = infer(all, options_with());
+  CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value == relative(5.0, 1e-9));
+}
+
+TEST_CASE("inference: refuses what it cannot use") {
+  const Measurement good = measurement(Quantity::V_s, beads(1e6), 5);
+  const auto refused = [](const Measurement& m, const InferenceOptions& o) {
+    CHECK_THROWS_AS((void)infer(std::span(&m, 1), o), InvalidArgument);
+  };
+  refused(good, {});
+  CHECK_THROWS_AS((void)infer({}, options_with()), InvalidArgument);
+  Measurement bad = good;
+  bad.value.value = 0;
+  refused(bad, options_with());
+  bad = good;
+  bad.value.standard_error = -1;
+  refused(bad, options_with());
+  bad = good;
+  bad.value.value = NAN;
+  refused(bad, options_with());
+  bad = good;
+  bad.state.stress_v = bad.state.stress_h = 0;
+  refused(bad, options_with());
+  bad = good;
+  bad.state.void_ratio = -0.5;
+  refused(bad, options_with());
+  const auto answer = infer(std::span(&good, 1), options_with());
+  CHECK_THROWS_AS((void)answer.together->predict(Quantity::G_vh, beads(-1e3)), InvalidArgument);
+}
