@@ -19,9 +19,9 @@ ExitCode fail(ExitCode code, std::string_view message) {
 
 std::vector<Command> add_commands(CLI::App& program) {
   program.require_subcommand(0, 1); // none at all is reported by parse_and_run, after unknown words
-  return {add_analyse(program), add_estimate(program), add_export(program),
-          add_fit(program),     add_plan(program),     add_reproduce(program),
-          add_sweep(program),   add_trade(program),    add_verify(program)};
+  return {add_analyse(program), add_estimate(program), add_export(program),    add_fit(program),
+          add_infer(program),   add_plan(program),     add_reproduce(program), add_sweep(program),
+          add_trade(program),   add_verify(program)};
 }
 
 ExitCode parse_and_run(int argc, char** argv) {

@@ -47,6 +47,7 @@ Command add_analyse(CLI::App& program);
 Command add_estimate(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
+Command add_infer(CLI::App& program);
 Command add_plan(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_sweep(CLI::App& program);

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "infer.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+#include <granum/io/output_file.hpp>
+
+#include "cli/frame/messages.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using inverse::Quantity;
+
+constexpr MeasuredOption options_table[] = {
+    {Quantity::G_vh, "--shear-modulus", {"G", "G_vh"}, "G of a vertical plane, or of an isotropic packing"},
+    {Quantity::G_hh, "--shear-modulus-hh", {"G_hh", "G_hh"}, "G of the horizontal plane"},
+    {Quantity::K, "--bulk-modulus", {"K", "K"}, "K"},
+    {Quantity::V_s, "--shear-wave-speed,--vs", {"V_s", "Vs"}, "Shear wave that travels or swings vertically"},
+    {Quantity::V_s_hh, "--shear-wave-speed-hh", {"V_s_hh", "Vs_hh"}, "Shear wave, horizontal in both"},
+    {Quantity::V_p,
+     "--compression-wave-speed,--vp",
+     {"V_p", "Vp"},
+     "Compression wave that travels vertically"},
+    {Quantity::V_p_h, "--compression-wave-speed-h", {"V_p_h", "Vp_h"}, "Compression wave, horizontal"}};
+
+void add_measured_options(CLI::App& command, InferOptions& o) {
+  for (std::size_t k = 0; k < o.measured.size(); ++k)
+    command.add_option(options_table[k].option, o.measured[k], options_table[k].help)
+        ->type_name(options_table[k].dimension() == Dimension::speed ? "SPEED[+-ERROR]"
+                                                                     : "PRESSURE[+-ERROR]");
+  add_number_without_default(command, "--measurement-error", o.measurement_error,
+                             "Standard error of measurements that state none, of their value: 2%");
+  add_number_without_default(command, "--grain-density", o.grain_density,
+                             "Of the grains' solid; wave speeds ask for it");
+  add_path(command, "--table", o.table,
+           "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, G_MPa, ...")
+      ->type_name("FILE.csv");
+}
+
+void add_prediction_options(CLI::App& command, InferOptions& o) {
+  command
+      .add_option("--growth", o.growth,
+                  "z* at other stresses: fixed, or (z* - isostatic point) ~ p^g with g fitted")
+      ->check(CLI::IsMember({"fixed", "fitted"}))
+      ->capture_default_str();
+  command
+      .add_option("--predict-pressure", o.predict_pressure,
+                  "Mean stresses to predict for, separated by commas")
+      ->delimiter(',')
+      ->type_name("PRESSURE");
+  add_number_without_default(command, "--predict-stress-ratio", o.predict_stress_ratio,
+                             "sigma_h/sigma_v to predict for; by default that of the first measurement");
+  add_number_without_default(command, "--predict-void-ratio", o.predict_void_ratio,
+                             "Void ratio to predict for, at the same contacts; by default the measured one");
+  command
+      .add_option("--uncertainty", o.uncertain,
+                  "Standard deviation of an input that all measurements share, may be repeated: "
+                  "grain-shear-modulus=5%, void-ratio=0.01")
+      ->type_name("KEY=SD")
+      ->allow_extra_args(false);
+}
+
+void add_infer_options(CLI::App& command, InferOptions& o) {
+  add_packing_options(command, o.packing);
+  for (Number* number : {&o.packing.coordination_number, &o.packing.mechanical_coordination_number}) {
+    command.remove_option(command.get_option(number->name));
+    number->option = nullptr;
+  }
+  add_measured_options(command, o);
+  add_prediction_options(command, o);
+  add_output_options(command, o.output);
+  auto* picture =
+      add_path(command, "--picture", o.picture, "Draw data, fit and prediction over the mean stress")
+          ->type_name("FILE.svg");
+  std::vector<std::string> keys;
+  for (const inverse::QuantityRow& row : inverse::quantities())
+    keys.emplace_back(row.key);
+  command
+      .add_option("--picture-of", o.picture_of, "What the picture shows; by default what was measured first")
+      ->check(CLI::IsMember(keys))
+      ->needs(picture);
+}
+
+Quantity pictured(const InferOptions& o, const InferCase& question) {
+  for (const inverse::QuantityRow& row : inverse::quantities())
+    if (o.picture_of == row.key) {
+      if (row.speed && !question.options.grain_density)
+        throw InvalidArgument(fmt::format("--picture-of {} needs --grain-density", row.key));
+      return row.quantity;
+    }
+  return question.measurements.front().quantity;
+}
+
+void require_free(const InferOptions& o) {
+  if (!o.picture.empty() && std::filesystem::path(o.picture).extension() != ".svg")
+    throw InvalidArgument("--picture = '" + o.picture + "' must end in .svg");
+  for (const std::string& file : {o.output.out, o.picture})
+    if (!o.output.force && !file.empty() && io::is_taken(file))
+      throw FileError(file, 0, "exists already and is kept; --force replaces it");
+}
+
+ExitCode run(const InferOptions& o) {
+  require_free(o);
+  const InferCase question = infer_case(o);
+  const Quantity of_picture = pictured(o, question);
+  const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
+  const bool csv = !o.output.out.empty() && !o.output.json;
+  const ExitCode code = deliver(o.output, csv ? infer_csv(question, answer) : infer_table(question, answer),
+                                infer_json(question, answer), answer.validity);
+  if (!answer.together) {
+    say("error", "nothing measured can be explained by contacts between these grains");
+    return code == ExitCode::ok ? ExitCode::fell_short : code;
+  }
+  if (!o.picture.empty())
+    io::write_file(o.picture, plot::svg(infer_chart(question, *answer.together, of_picture)),
+                   o.output.force ? io::Existing::replace : io::Existing::keep);
+  return code;
+}
+
+} // namespace
+
+Dimension MeasuredOption::dimension() const {
+  return inverse::row_of(quantity).speed ? Dimension::speed : Dimension::pressure;
+}
+
+std::span<const MeasuredOption> measured_options() { return options_table; }
+
+Command add_infer(CLI::App& program) {
+  auto options = std::make_shared<InferOptions>();
+  CLI::App* command = program.add_subcommand(
+      "infer",
+      "The contact number that a measured modulus or wave speed implies, and what follows elsewhere");
+  add_infer_options(*command, *options);
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace granum::cli

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <granum/inverse/inference.hpp>
+#include <granum/plot/chart.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/options/packing_options.hpp"
+
+/// What granum infer works out, and how it is put into words.
+namespace granum::cli {
+
+/// A quantity as an option and as a column of a table.
+struct MeasuredOption {
+  inverse::Quantity quantity;
+  const char* option;                 ///< "--shear-wave-speed,--vs"
+  std::array<const char*, 2> columns; ///< names of the column, besides the unit
+  const char* help;
+  [[nodiscard]] Dimension dimension() const;
+};
+[[nodiscard]] std::span<const MeasuredOption> measured_options();
+
+struct InferOptions {
+  PackingOptions packing;
+  OutputOptions output;
+  std::array<std::string, 7> measured; ///< as given, in the order of measured_options(); empty: not given
+  Number measurement_error;            ///< relative, of those that state none
+  Number grain_density{0, Dimension::density};
+  std::string table;
+  std::string growth = "fixed";
+  std::vector<std::string> uncertain;        ///< key=sd
+  std::vector<std::string> predict_pressure; ///< with unit
+  Number predict_stress_ratio;
+  Number predict_void_ratio;
+  std::string picture; ///< file; empty for none
+  std::string picture_of;
+};
+
+/// The question: measurements, what they share, and where something is to be predicted.
+struct InferCase {
+  std::vector<inverse::Measurement> measurements;
+  inverse::InferenceOptions options;
+  std::vector<effective::State> predicted;
+  nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
+  std::vector<std::string> assumptions; ///< what was not given, one sentence each
+};
+
+/// \throws   InvalidArgument or FileError for options and tables that cannot be understood
+[[nodiscard]] InferCase infer_case(const InferOptions& options);
+
+/// A number with its error, "587m/s+-5m/s" or "587m/s+-1%"; without one, a relative error that stands in.
+/// \throws   InvalidArgument
+[[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
+                                      double relative_error);
+
+[[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
+[[nodiscard]] std::string infer_csv(const InferCase& question, const inverse::InferenceAnswer& answer);
+[[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,
+                                                const inverse::InferenceAnswer& answer);
+/// Data, fit and its band over the mean stress.
+[[nodiscard]] plot::Chart infer_chart(const InferCase& question, const inverse::Inference& fit,
+                                      inverse::Quantity quantity);
+
+} // namespace granum::cli

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "cli/options/packing_rows.hpp"
+#include "infer.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using effective::State;
+using inverse::Measurement;
+
+/// The packing without its contacts, which are what is asked for.
+PackingOptions without_contacts(PackingOptions o) {
+  o.coordination_number.in_table = true; // nobody is to assume one
+  o.rattler_fraction.in_table = false;
+  return o;
+}
+
+double share_of(const Number& number) {
+  return number.given() ? require_non_negative(number.name, number.value) : 0;
+}
+
+// ---- measurements
+
+std::vector<Measurement> measurements_of_options(const InferOptions& o) {
+  std::vector<Measurement> all;
+  for (std::size_t k = 0; k < o.measured.size(); ++k) {
+    if (o.measured[k].empty())
+      continue;
+    const MeasuredOption& option = measured_options()[k];
+    const std::string name(
+        option.option, std::find(option.option, option.option + std::string_view(option.option).size(), ','));
+    const State state = resolve_state(o.packing, resolve_stresses(o.packing));
+    all.push_back({option.quantity,
+                   parse_measured(name, o.measured[k], option.dimension(), share_of(o.measurement_error)),
+                   state});
+  }
+  if (all.empty())
+    throw InvalidArgument(
+        "nothing is measured: give --shear-modulus, --vs, --vp, --bulk-modulus, or --table");
+  return all;
+}
+
+/// A measured quantity of a table, and its error if that has a column.
+struct MeasuredColumn {
+  inverse::Quantity quantity;
+  io::CsvTable::Column value;
+  std::optional<io::CsvTable::Column> error;
+};
+
+std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingRows& rows) {
+  std::vector<MeasuredColumn> found;
+  for (const MeasuredOption& option : measured_options())
+    for (const std::string name : option.columns) {
+      const bool again = !found.empty() && found.back().quantity == option.quantity;
+      if (!table.has(name) || again)
+        continue;
+      MeasuredColumn column{option.quantity, table.column(name, option.dimension()), std::nullopt};
+      if (table.has(name + "_error"))
+        column.error = table.column(name + "_error", option.dimension());
+      rows.mark_as_read(column.value.index);
+      if (column.error)
+        rows.mark_as_read(column.error->index);
+      found.push_back(column);
+    }
+  if (found.empty())
+    throw FileError(table.name(), 0,
+                    "has no column of a measured quantity: G_MPa, K_MPa, V_s_m/s, V_p_m/s, ...");
+  return found;
+}
+
+/// The number in a field, SI; nothing where it is empty.
+std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
+                                const io::CsvTable::Column& column) {
+  const std::string& field = table.fields(row)[column.index];
+  if (trimmed(field).empty())
+    return std::nullopt;
+  const auto value = parse_number(field);
+  if (!value)
+    throw InvalidArgument(
+        fmt::format("expected a number in column '{}', found '{}'", table.headings()[column.index], field));
+  return *value * column.factor;
+}
+
+/// A column of contacts is what another program counted, no input of this one.
+std::vector<std::string> table_remarks(const PackingRows& rows, const PackingOptions& row) {
+  std::vector<std::string> remarks;
+  if (row.coordination_number.in_table || row.mechanical_coordination_number.in_table ||
+      row.rattler_fraction.in_table)
+    remarks.emplace_back("C_n, z* and rattlers in the table are not used: they are what is asked for");
+  if (const std::vector<std::string> unread = rows.unread(); !unread.empty())
+    remarks.push_back(fmt::format("columns that are no inputs: {}", fmt::join(unread, ", ")));
+  return remarks;
+}
+
+/// Fills in the measurements; returns the packing of the first row.
+PackingOptions read_table(const InferOptions& o, InferCase& question) {
+  for (const std::string& text : o.measured)
+    if (!text.empty())
+      throw InvalidArgument("measurements stand in --table, or in options: give one of the two");
+  const io::CsvTable table = io::read_csv(o.table);
+  PackingRows rows(table, o.packing);
+  const std::vector<MeasuredColumn> columns = measured_columns(table, rows);
+  std::optional<PackingOptions> first;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    try {
+      const PackingOptions& row = rows.packing(k);
+      if (!first)
+        question.assumptions = table_remarks(rows, row);
+      const PackingOptions packing = without_contacts(row);
+      first = first ? first : std::optional(packing);
+      for (const MeasuredColumn& column : columns) {
+        const auto value = number_in(table, k, column.value);
+        if (!value)
+          continue;
+        const auto error = column.error ? number_in(table, k, *column.error) : std::nullopt;
+        question.measurements.push_back({column.quantity,
+                                         {*value, error.value_or(share_of(o.measurement_error) * *value)},
+                                         resolve_state(packing, resolve_stresses(packing))});
+      }
+    } catch (const InvalidArgument& error) {
+      throw FileError(o.table, table.line(k), error.what());
+    }
+  }
+  if (question.measurements.empty())
+    throw FileError(o.table, 0, "holds no measured value: the columns of measured quantities are empty");
+  return *first;
+}
+
+// ---- uncertain inputs
+
+/// The numbers whose error all measurements share: stresses and contacts are not among them.
+std::vector<Number*> shared_numbers(PackingOptions& o) {
+  std::vector<Number*> shared{&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.fabric};
+  Number* by_contact[] = {&o.slope, &o.punch_radius, &o.alpha, &o.profile_constant};
+  const contact::Shape owners[] = {contact::Shape::cone, contact::Shape::flat, contact::Shape::power_law,
+                                   contact::Shape::power_law};
+  for (std::size_t k = 0; k < std::size(owners); ++k)
+    if (o.contact == owners[k])
+      shared.push_back(by_contact[k]);
+  for (Number* size : {&o.radius, &o.d50})
+    if (size->given() || (size == &o.radius && !o.d50.given()))
+      shared.push_back(size);
+  for (Number* number : {&o.tangential_ratio, &o.void_ratio, &o.porosity, &o.solid_fraction})
+    if (number->given())
+      shared.push_back(number);
+  return shared;
+}
+
+/// Positive numbers keep their sign however far they are moved.
+double moved(double value, double deviation, double deviations, bool positive) {
+  return positive ? value * std::exp(deviation / value * deviations) : value + deviation * deviations;
+}
+
+State state_of(const PackingOptions& o) {
+  constexpr double any_stress = 1e5; // neither law nor density depends on it
+  return resolve_state(o, {any_stress, any_stress});
+}
+
+inverse::UncertainInput uncertain_number(const PackingOptions& packing, const std::string& key,
+                                         std::size_t index, double deviation) {
+  const State before = state_of(packing);
+  const auto move = [=](State& state, double&, double deviations) {
+    PackingOptions o = packing;
+    Number& number = *shared_numbers(o)[index];
+    number.value = moved(number.value, deviation, deviations,
+                         number.value > 0 && &number != &o.fabric && &number != &o.grain_poisson_ratio);
+    const State after = state_of(o);
+    state.law = after.law;
+    state.tangential_ratio = after.tangential_ratio;
+    state.radius = after.radius;
+    state.contacts = after.contacts;
+    state.fabric_anisotropy += after.fabric_anisotropy - before.fabric_anisotropy;
+    state.void_ratio *= after.void_ratio / before.void_ratio;
+  };
+  return {key, move};
+}
+
+double deviation_of(const std::string& key, const std::string& text, double value, Dimension dimension) {
+  const bool share = std::string_view(trimmed(text)).ends_with('%');
+  const double number =
+      parse_quantity("--uncertainty " + key, text, share ? Dimension::dimensionless : dimension);
+  return require_non_negative("--uncertainty " + key, share ? number * std::abs(value) : number);
+}
+
+inverse::UncertainInput parse_uncertain(const InferOptions& o, const PackingOptions& packing,
+                                        const std::string& setting) {
+  const std::size_t split = setting.find('=');
+  if (split == std::string::npos)
+    throw InvalidArgument("--uncertainty " + setting + ": write key=sd, as in grain-shear-modulus=5%");
+  const std::string key(trimmed(std::string_view(setting).substr(0, split)));
+  const std::string text = setting.substr(split + 1);
+  std::vector<std::string> known;
+  PackingOptions copy = packing;
+  const std::vector<Number*> shared = shared_numbers(copy);
+  for (std::size_t k = 0; k < shared.size(); ++k) {
+    known.push_back(shared[k]->name.substr(2));
+    if (known.back() == key)
+      return uncertain_number(packing, key, k,
+                              deviation_of(key, text, shared[k]->value, shared[k]->dimension));
+  }
+  if (o.grain_density.given()) {
+    known.emplace_back("grain-density");
+    if (key == known.back()) {
+      const double share =
+          deviation_of(key, text, o.grain_density.value, Dimension::density) / o.grain_density.value;
+      return {key, [share](State&, double& density, double deviations) {
+                density *= std::exp(share * deviations);
+              }};
+    }
+  }
+  throw InvalidArgument(
+      fmt::format("--uncertainty {}: not an input that the measurements share, which are {}", key,
+                  fmt::join(known, ", ")));
+}
+
+std::vector<inverse::UncertainInput> parse_all_uncertain(const InferOptions& o,
+                                                         const PackingOptions& packing) {
+  std::vector<inverse::UncertainInput> all;
+  for (const std::string& setting : o.uncertain) {
+    all.push_back(parse_uncertain(o, packing, setting));
+    for (std::size_t k = 0; k + 1 < all.size(); ++k)
+      if (all[k].key == all.back().key)
+        throw InvalidArgument("--uncertainty " + all.back().key + " is given twice");
+  }
+  return all;
+}
+
+// ---- predictions
+
+std::vector<State> predicted_states(const InferOptions& o, const State& first) {
+  std::vector<double> pressures;
+  for (const std::string& text : o.predict_pressure)
+    pressures.push_back(require_positive(
+        "--predict-pressure", parse_quantity("--predict-pressure", text, Dimension::pressure), "Pa"));
+  if (pressures.empty())
+    pressures.push_back((first.stress_v + 2 * first.stress_h) / 3);
+  const double ratio = o.predict_stress_ratio.given()
+                           ? require_positive(o.predict_stress_ratio.name, o.predict_stress_ratio.value)
+                           : first.stress_h / first.stress_v;
+  std::vector<State> states;
+  for (const double p : pressures) {
+    State state = first;
+    state.stress_v = 3 * p / (1 + 2 * ratio);
+    state.stress_h = ratio * state.stress_v;
+    if (o.predict_void_ratio.given())
+      state.void_ratio = require_positive(o.predict_void_ratio.name, o.predict_void_ratio.value);
+    states.push_back(state);
+  }
+  return states;
+}
+
+} // namespace
+
+Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
+                        double relative_error) {
+  const std::string signs[] = {"+-", "\u00b1"};
+  for (const std::string& sign : signs) {
+    const std::size_t split = text.find(sign);
+    if (split == std::string::npos)
+      continue;
+    const double value = parse_quantity(name, text.substr(0, split), dimension);
+    const std::string error = text.substr(split + sign.size());
+    const bool share = std::string_view(trimmed(error)).ends_with('%');
+    const double size = parse_quantity(name + " error", error, share ? Dimension::dimensionless : dimension);
+    return {value, require_non_negative(name + " error", share ? size * std::abs(value) : size,
+                                        std::string(si_symbol(dimension)))};
+  }
+  const double value = parse_quantity(name, text, dimension);
+  return {value, relative_error * std::abs(value)};
+}
+
+InferCase infer_case(const InferOptions& o) {
+  InferCase question;
+  InferOptions given = o;
+  given.packing.coordination_number.in_table = true; // nobody is to assume one
+  const PackingOptions packing = o.table.empty() ? given.packing : read_table(o, question);
+  if (o.table.empty())
+    question.measurements = measurements_of_options(given);
+  const State& first = question.measurements.front().state;
+  for (const std::string& note : assumed_inputs(packing, first))
+    question.assumptions.push_back(note);
+  question.packing = packing_json(packing, first);
+  question.packing.erase("coordination_number");
+  if (o.grain_density.given())
+    question.options.grain_density = o.grain_density.value;
+  if (o.packing.rattler_fraction.given())
+    question.options.rattlers = {.share = o.packing.rattler_fraction.value};
+  question.options.growth = o.growth == "fitted" ? inverse::Growth::fitted : inverse::Growth::fixed;
+  question.options.inputs = parse_all_uncertain(o, packing);
+  question.predicted = predicted_states(o, first);
+  return question;
+}
+
+} // namespace granum::cli

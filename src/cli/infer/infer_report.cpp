@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <granum/core/number.hpp>
+#include <granum/core/version.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "infer.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using effective::State;
+using inverse::Inference;
+using inverse::InferenceAnswer;
+using inverse::QuantityRow;
+using nlohmann::ordered_json;
+
+double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
+
+Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
+
+/// The quantities that can be told: speeds need the density of the grains.
+std::vector<const QuantityRow*> told(const InferCase& question) {
+  std::vector<const QuantityRow*> rows;
+  for (const QuantityRow& row : inverse::quantities())
+    if (!row.speed || question.options.grain_density)
+      rows.push_back(&row);
+  return rows;
+}
+
+std::string percent(const Measured& number) {
+  return number.value != 0 ? percent_text(number.standard_error / std::abs(number.value)) : "0 %";
+}
+std::string with_error(const Measured& number, int digits) {
+  return fmt::format("{} +- {}", short_text(number.value, digits), short_text(number.standard_error, 2));
+}
+
+std::string place(const State& s) {
+  std::string text = s.stress_v == s.stress_h
+                         ? "p = " + pretty(s.stress_v, Dimension::pressure)
+                         : fmt::format("sigma_v = {}, sigma_h = {}", pretty(s.stress_v, Dimension::pressure),
+                                       pretty(s.stress_h, Dimension::pressure));
+  return text + ", e = " + short_text(s.void_ratio);
+}
+
+// ---- screen
+
+std::string head_text(const InferCase& question) {
+  const State& s = question.measurements.front().state;
+  std::string text = "Contacts that measured stiffness implies, through rung 3 (relaxed)\n\n";
+  text += fmt::format("  contact   {}; k_t/k_n = {}\n", question.packing.at("contact").get<std::string>(),
+                      short_text(s.tangential_ratio));
+  text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}{}\n", pretty(s.radius, Dimension::length),
+                      pretty(s.law.grain().shear_modulus, Dimension::pressure),
+                      short_text(s.law.grain().poisson_ratio),
+                      question.options.grain_density
+                          ? ", density " + pretty(*question.options.grain_density, Dimension::density)
+                          : "");
+  return text;
+}
+
+std::string measurement_lines(const InferCase& question, const InferenceAnswer& answer) {
+  std::string text = fmt::format("\n{:<34} {:>8} {:>19} {:>16} {:>14} {:>10}\n", "measured", "", "",
+                                 "z* alone", "together", "off by");
+  for (std::size_t k = 0; k < question.measurements.size(); ++k) {
+    const inverse::Measurement& m = question.measurements[k];
+    const QuantityRow& row = inverse::row_of(m.quantity);
+    const auto& z = answer.alone[k].mechanical_coordination_number;
+    text += fmt::format("  {:<32} {:>8} {:>12} +- {:<6}{:>14}", place(m.state), row.key,
+                        pretty(m.value.value, dimension_of(row)), percent(m.value),
+                        z ? with_error(*z, 3) : "none");
+    if (answer.together) {
+      const inverse::FittedMeasurement& fitted = answer.together->measurements()[k];
+      text += fmt::format(" {:>14} {:>+6.1f} s.e.", pretty(fitted.value.value, dimension_of(row)),
+                          fitted.deviation);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string shares_text(const Inference& fit) {
+  std::vector<inverse::ErrorShare> shares = fit.error_shares();
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::vector<std::string> parts;
+  for (const inverse::ErrorShare& share : shares)
+    if (share.share > 0)
+      parts.push_back(share.source + " " + percent_text(share.share));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string contact_lines(const InferCase& question, const Inference& fit) {
+  const inverse::InferredPacking packing = fit.packing(question.measurements.front().state);
+  std::string text = fmt::format("\ncontacts at {}\n", place(question.measurements.front().state));
+  text += fmt::format("  {:<9} {:>16}   contacts per grain, without rattlers\n", "z*",
+                      with_error(packing.mechanical_coordination_number, 4));
+  text += fmt::format("  {:<9} {:>16}   grains that bear nothing\n", "rattlers",
+                      fmt::format("{} +- {}", percent_text(packing.rattler_fraction.value),
+                                  percent_text(packing.rattler_fraction.standard_error)));
+  text += fmt::format("  {:<9} {:>16}   contacts per grain, over all\n", "C_n",
+                      with_error(packing.coordination_number, 4));
+  if (fit.growth_exponent())
+    text += fmt::format("  {:<9} {:>16}   (z* - isostatic point) ~ p^g\n", "g",
+                        with_error(*fit.growth_exponent(), 3));
+  text += "  error of z*: " + shares_text(fit) + "\n";
+  if (fit.degrees_of_freedom() > 0)
+    text += fmt::format("  the measurements agree: chi^2 {} at {} degrees of freedom, probability {}\n",
+                        short_text(fit.chi_square(), 3), fit.degrees_of_freedom(),
+                        short_text(fit.probability(), 2));
+  return text;
+}
+
+std::string prediction_lines(const InferCase& question, const Inference& fit) {
+  std::string text = fmt::format("\n{:<34} {:>6}", "predicted", "z*");
+  const std::vector<const QuantityRow*> rows = told(question);
+  for (const QuantityRow* row : rows)
+    text += fmt::format(" {:>19}", row->key);
+  text += "\n";
+  for (const State& state : question.predicted) {
+    text += fmt::format("  {:<32} {:>6}", place(state),
+                        short_text(fit.packing(state).mechanical_coordination_number.value, 3));
+    for (const QuantityRow* row : rows) {
+      const Measured value = fit.predict(row->quantity, state);
+      text += fmt::format(" {:>19}", pretty(value.value, dimension_of(*row)) + " +- " + percent(value));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+// ---- JSON
+
+ordered_json json_of(const Measured& number) {
+  return {{"value", number.value}, {"standard_error", number.standard_error}};
+}
+
+ordered_json json_of(const inverse::InferredPacking& packing) {
+  return {{"mechanical_coordination_number", json_of(packing.mechanical_coordination_number)},
+          {"rattler_fraction", json_of(packing.rattler_fraction)},
+          {"coordination_number", json_of(packing.coordination_number)}};
+}
+
+ordered_json json_of(const State& s) {
+  return {{"stress_v", s.stress_v}, {"stress_h", s.stress_h}, {"void_ratio", s.void_ratio}};
+}
+
+const char* name_of(effective::Explained explained) {
+  switch (explained) {
+  case effective::Explained::yes:
+    return "yes";
+  case effective::Explained::too_soft:
+    return "too soft";
+  case effective::Explained::too_stiff:
+    return "too stiff";
+  }
+  return "";
+}
+
+ordered_json measurements_json(const InferCase& question, const InferenceAnswer& answer) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t k = 0; k < question.measurements.size(); ++k) {
+    const inverse::Measurement& m = question.measurements[k];
+    const inverse::AloneAnswer& alone = answer.alone[k];
+    ordered_json json = {{"quantity", inverse::row_of(m.quantity).key}};
+    json.update(json_of(m.value));
+    json.update(json_of(m.state));
+    json["explained"] = name_of(alone.implied.explained);
+    json["softest"] = alone.implied.softest;
+    json["stiffest"] = alone.implied.stiffest;
+    const auto& z = alone.mechanical_coordination_number;
+    json["mechanical_coordination_number"] = z ? json_of(*z) : ordered_json();
+    if (answer.together) {
+      json["fitted"] = json_of(answer.together->measurements()[k].value);
+      json["deviation"] = answer.together->measurements()[k].deviation;
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+ordered_json predictions_json(const InferCase& question, const Inference& fit) {
+  ordered_json list = ordered_json::array();
+  for (const State& state : question.predicted) {
+    ordered_json json = json_of(state);
+    json.update(json_of(fit.packing(state)));
+    for (const QuantityRow* row : told(question))
+      json[row->key] = json_of(fit.predict(row->quantity, state));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+// ---- picture
+
+constexpr std::size_t curve_points = 60;
+
+} // namespace
+
+std::string infer_table(const InferCase& question, const InferenceAnswer& answer) {
+  std::string text = head_text(question) + measurement_lines(question, answer);
+  if (answer.together)
+    text += contact_lines(question, *answer.together) + prediction_lines(question, *answer.together);
+  text += "\n";
+  for (const std::string& note : question.assumptions)
+    text += "note: " + note + "\n";
+  return text;
+}
+
+ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer) {
+  ordered_json json = json_head("infer");
+  if (answer.together) {
+    const Inference& fit = *answer.together;
+    json["answer"] = json_of(fit.packing(question.measurements.front().state));
+    json["reference_stress"] = fit.reference_stress();
+    json["growth_exponent"] = fit.growth_exponent() ? json_of(*fit.growth_exponent()) : ordered_json();
+    for (const inverse::ErrorShare& share : fit.error_shares())
+      json["error_shares"][share.source] = share.share;
+    json["chi_square"] = fit.chi_square();
+    json["degrees_of_freedom"] = fit.degrees_of_freedom();
+    json["probability"] = fit.probability();
+    json["predictions"] = predictions_json(question, fit);
+  } else {
+    json["answer"] = nullptr;
+  }
+  json["measurements"] = measurements_json(question, answer);
+  json["inputs"] = question.packing;
+  if (question.options.grain_density)
+    json["inputs"]["grain_density"] = *question.options.grain_density;
+  json["notes"] = question.assumptions;
+  return json;
+}
+
+std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) {
+  io::CsvContent csv;
+  csv.notes = {{"program", fmt::format("granum {} infer", version())},
+               {"inputs", json_text(question.packing, -1)},
+               {"signs", "compression positive; z is the vertical axis v"}};
+  for (const std::string& note : question.assumptions)
+    csv.notes.emplace_back("note", note);
+  csv.headings = {"kind",   "p_Pa",         "sigma_v_Pa",       "sigma_h_Pa", "e",
+                  "z_star", "z_star_error", "rattler_fraction", "C_n"};
+  const std::vector<const QuantityRow*> rows = told(question);
+  for (const QuantityRow* row : rows)
+    for (const char* what : {"_measured", "_measured_error", "", "_error"})
+      csv.headings.push_back(fmt::format("{}{}_{}", row->key, what, si_symbol(dimension_of(*row))));
+
+  const auto add = [&](const char* kind, const State& s, const inverse::Measurement* m) {
+    auto& cells = csv.rows.emplace_back();
+    cells = {std::string(kind), mean_stress(s), s.stress_v, s.stress_h, s.void_ratio};
+    const auto packing = answer.together ? std::optional(answer.together->packing(s)) : std::nullopt;
+    cells.emplace_back(packing ? packing->mechanical_coordination_number.value : nothing);
+    cells.emplace_back(packing ? packing->mechanical_coordination_number.standard_error : nothing);
+    cells.emplace_back(packing ? packing->rattler_fraction.value : nothing);
+    cells.emplace_back(packing ? packing->coordination_number.value : nothing);
+    for (const QuantityRow* row : rows) {
+      const bool here = m != nullptr && m->quantity == row->quantity;
+      const Measured value =
+          answer.together ? answer.together->predict(row->quantity, s) : Measured{nothing, nothing};
+      for (const double number : {here ? m->value.value : nothing, here ? m->value.standard_error : nothing,
+                                  value.value, value.standard_error})
+        cells.emplace_back(number);
+    }
+  };
+  for (const inverse::Measurement& m : question.measurements)
+    add("measured", m.state, &m);
+  if (answer.together)
+    for (const State& state : question.predicted)
+      add("predicted", state, nullptr);
+  return io::csv_text(csv);
+}
+
+plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse::Quantity quantity) {
+  const QuantityRow& row = inverse::row_of(quantity);
+  plot::Chart chart{.title = std::string(row.meaning),
+                    .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
+                    .y = {.title = std::string(row.key) + (row.speed ? " [m/s]" : " [MPa]"),
+                          .scale = plot::Scale::logarithmic,
+                          .unit = row.speed ? 1 : 1e6},
+                    .series = {}};
+  plot::Series data{.name = "measured", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  plot::Series points{.name = "predicted",
+                      .mark = plot::Mark::marker,
+                      .x = {},
+                      .y = {},
+                      .style = 1,
+                      .tone = plot::Tone::hollow};
+  double least = mean_stress(question.measurements.front().state), most = least;
+  for (const inverse::Measurement& m : question.measurements) {
+    least = std::min(least, mean_stress(m.state));
+    most = std::max(most, mean_stress(m.state));
+    if (m.quantity != quantity)
+      continue;
+    data.x.push_back(mean_stress(m.state));
+    data.y.push_back(m.value.value);
+    data.y_error.push_back(m.value.standard_error);
+  }
+  for (const State& state : question.predicted) {
+    const Measured value = fit.predict(quantity, state);
+    least = std::min(least, mean_stress(state));
+    most = std::max(most, mean_stress(state));
+    points.x.push_back(mean_stress(state));
+    points.y.push_back(value.value);
+    points.y_error.push_back(value.standard_error);
+  }
+  if (least == most) {
+    least /= 3;
+    most *= 3;
+  }
+  plot::Series curve{.name = "fit", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 2};
+  plot::Series low{.name = "its standard error",
+                   .mark = plot::Mark::line,
+                   .x = {},
+                   .y = {},
+                   .style = 2,
+                   .tone = plot::Tone::faint};
+  plot::Series high = low;
+  high.name.clear();
+  const State& first = question.predicted.front();
+  for (std::size_t k = 0; k < curve_points; ++k) {
+    const double share = static_cast<double>(k) / (curve_points - 1);
+    const double p = least * std::pow(most / least, share);
+    State state = first;
+    state.stress_v *= p / mean_stress(first);
+    state.stress_h *= p / mean_stress(first);
+    const Measured value = fit.predict(quantity, state);
+    for (plot::Series* series : {&curve, &low, &high})
+      series->x.push_back(p);
+    curve.y.push_back(value.value);
+    low.y.push_back(value.value - value.standard_error);
+    high.y.push_back(value.value + value.standard_error);
+  }
+  for (plot::Series* series : {&curve, &low, &high, &data, &points})
+    if (!series->x.empty())
+      chart.series.push_back(std::move(*series));
+  return chart;
+}
+
+} // namespace granum::cli
