@@ -9,6 +9,9 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+#include "contact_prior_coefficients.hpp"
+#include "contact_prior_kernel.hpp"
+
 namespace granum::effective {
 
 namespace {
@@ -18,8 +21,9 @@ constexpr double most_contacts = 12;
 /// z* above the isostatic point at which a network counts as just rigid.
 constexpr double just_rigid = 1e-9;
 
-double modulus_with(const State& state, double z, const RattlerLaw& rattlers, Modulus which) {
-  return modulus(relaxed(with_contacts(state, z, rattlers.at(z)), z).stiffness, which);
+double modulus_with(const State& state, double z, std::optional<double> rattlers, Modulus which) {
+  const double fraction = rattlers ? *rattlers : expected_rattlers(state, z).fraction;
+  return modulus(relaxed(with_contacts(state, z, fraction), z).stiffness, which);
 }
 
 void require_growing(Modulus which) {
@@ -32,11 +36,20 @@ void require_growing(Modulus which) {
 
 } // namespace
 
-double RattlerLaw::at(double z) const { return share * std::exp(-decay * (z - 4)); }
-
-const RattlerLaw& rattlers_of_packings() {
-  static constexpr RattlerLaw law{.share = 0.121, .decay = 1.36, .scatter = 0.38};
-  return law;
+ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordination_number) {
+  const double z = require_positive("mechanical_coordination_number", mechanical_coordination_number);
+  double fraction = 0;
+  // Fewer contacts bear larger forces and overlap more: each round leaves a small part of the difference.
+  for (int round = 0; round < 60; ++round) {
+    const State with = with_contacts(state, z, fraction);
+    const double overlap =
+        with.law.overlap(mean_contact_force(with)) / (2 * with.radius * with.contacts.branch);
+    const double before = fraction;
+    fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients);
+    if (std::abs(fraction - before) <= 1e-15 * fraction)
+      break;
+  }
+  return {.fraction = fraction, .scatter = kernel::rattler_scatter};
 }
 
 State with_contacts(State state, double mechanical_coordination_number, double rattler_fraction) {
@@ -48,14 +61,14 @@ State with_contacts(State state, double mechanical_coordination_number, double r
 }
 
 ImpliedCoordination implied_coordination(const State& state, Modulus which, double modulus,
-                                         const RattlerLaw& rattlers) {
+                                         std::optional<double> rattler_fraction) {
   require_growing(which);
   require_positive("modulus", modulus, "Pa");
   require_positive("stress_v", state.stress_v, "Pa");
   const double isostatic = isostatic_coordination_number(state.tangential_ratio);
   // In ln(z* - isostatic point) a modulus is nearly a power law, also where it vanishes.
   const auto excess = [&](double logarithm) {
-    return std::log(modulus_with(state, isostatic + std::exp(logarithm), rattlers, which) / modulus);
+    return std::log(modulus_with(state, isostatic + std::exp(logarithm), rattler_fraction, which) / modulus);
   };
   const double low = std::log(just_rigid), high = std::log(most_contacts - isostatic);
   const double below = excess(low), above = excess(high);

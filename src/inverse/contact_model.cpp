@@ -26,6 +26,11 @@ constexpr double smallest_error = 1e-4;
 constexpr double shared_by_preparation = 0.42;
 /// A step of the parameters that no longer matters.
 constexpr double smallest_step = 1e-10;
+/// However far the least squares look around.
+constexpr double most_rattlers = 0.9, just_rigid = 1e-6;
+
+/// Places of the deviations that have a normal prior, behind the free parameters.
+constexpr Eigen::Index rattler_prior = 0, rung_prior = 1, growth_prior = 3, other_prior = 4, prior_count = 5;
 
 double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
 
@@ -61,6 +66,12 @@ Eigen::VectorXd least_squares_step(const Eigen::MatrixXd& jacobian, const Eigen:
   return inverse_information(jacobian) * (jacobian.transpose() * residuals);
 }
 
+const State& first_state(std::span<const Measurement> measurements) {
+  if (measurements.empty())
+    throw InvalidArgument("there is no measurement: a contact number follows from at least one");
+  return measurements.front().state;
+}
+
 bool same_state(const State& a, const State& b) {
   return a.stress_v == b.stress_v && a.stress_h == b.stress_h && a.void_ratio == b.void_ratio;
 }
@@ -72,12 +83,10 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
 } // namespace
 
 ContactModel::ContactModel(std::span<const Measurement> measurements, const InferenceOptions& options)
-    : measurements_(measurements.begin(), measurements.end()), options_(options) {
-  if (measurements_.empty())
-    throw InvalidArgument("there is no measurement: a contact number follows from at least one");
-  const State& first = measurements_.front().state;
-  isostatic_ = effective::isostatic_coordination_number(first.tangential_ratio);
-  reference_stress_ = require_positive("stress", mean_stress(first), "Pa");
+    : measurements_(measurements.begin(), measurements.end()), options_(options),
+      first_(first_state(measurements)) {
+  isostatic_ = effective::isostatic_coordination_number(first_.tangential_ratio);
+  reference_stress_ = require_positive("stress", mean_stress(first_), "Pa");
   bool one_stress = true;
   for (const Measurement& m : measurements_) {
     const QuantityRow& row = row_of(m.quantity);
@@ -95,47 +104,98 @@ ContactModel::ContactModel(std::span<const Measurement> measurements, const Infe
 }
 
 Eigen::Index ContactModel::parameter_count() const {
-  return free_count() + 3 + static_cast<Eigen::Index>(options_.inputs.size());
+  return free_count() + prior_count + static_cast<Eigen::Index>(options_.inputs.size());
 }
 
 std::string ContactModel::source_of(Eigen::Index prior) const {
-  if (prior == 0)
-    return "rattlers";
-  return prior < 3 ? "rung 3" : options_.inputs[static_cast<std::size_t>(prior - 3)].key;
+  if (prior >= prior_count)
+    return options_.inputs[static_cast<std::size_t>(prior - prior_count)].key;
+  static constexpr const char* sources[] = {"rattlers", "rung 3", "rung 3", "growth", "another packing"};
+  return sources[prior];
 }
 
-double ContactModel::coordination(const Eigen::VectorXd& theta, const State& at) const {
-  double excess = theta[0];
-  if (options_.growth == Growth::fitted)
-    excess += theta[1] * std::log(mean_stress(at) / reference_stress_);
-  return isostatic_ + std::exp(excess);
+effective::ContactCounts ContactModel::first_contacts(const Eigen::VectorXd& theta) const {
+  const double z = isostatic_ + std::exp(theta[0]);
+  if (options_.rattler_fraction)
+    return {.mechanical_coordination_number = z, .rattler_fraction = *options_.rattler_fraction};
+  const effective::ExpectedRattlers expected = effective::expected_rattlers(first_, z);
+  const double deviation = std::exp(expected.scatter * theta[free_count() + rattler_prior]);
+  return {.mechanical_coordination_number = z,
+          .rattler_fraction = std::min(most_rattlers, expected.fraction * deviation)};
 }
 
-double ContactModel::rattlers(const Eigen::VectorXd& theta, const State& at) const {
-  constexpr double most = 0.9; // however far the least squares look around
-  const double deviation = std::exp(options_.rattlers.scatter * theta[free_count()]);
-  return std::min(most, options_.rattlers.at(coordination(theta, at)) * deviation);
+effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, double mean_stress) const {
+  effective::ContactCounts counts = first_contacts(theta);
+  const double step = std::log(mean_stress / reference_stress_);
+  if (options_.growth == Growth::fixed || step == 0)
+    return counts;
+  const double before = counts.mechanical_coordination_number;
+  if (options_.growth == Growth::fitted) {
+    counts.mechanical_coordination_number = isostatic_ + std::exp(theta[0] + theta[1] * step);
+    State here = first_;
+    here.stress_v *= mean_stress / reference_stress_;
+    here.stress_h *= mean_stress / reference_stress_;
+    const double now = counts.mechanical_coordination_number;
+    counts.rattler_fraction *= effective::expected_rattlers(here, now).fraction /
+                               effective::expected_rattlers(first_, before).fraction;
+  } else {
+    const effective::CarriedContacts carried = effective::carried_contacts(first_, counts, mean_stress);
+    counts = carried.counts;
+    // The error of being carried is that of steps of a factor of three to ten in stress.
+    const double reach = std::min(1.0, std::abs(step) / std::log(10.0));
+    counts.mechanical_coordination_number +=
+        reach * carried.coordination_error * theta[free_count() + growth_prior];
+  }
+  counts.mechanical_coordination_number =
+      std::max(counts.mechanical_coordination_number, isostatic_ + just_rigid);
+  counts.rattler_fraction = std::min(counts.rattler_fraction, most_rattlers);
+  return counts;
 }
 
-double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at) const {
+effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, const State& at,
+                                                Specimen specimen) const {
+  effective::ContactCounts counts = at_stress(theta, mean_stress(at));
+  if (specimen == Specimen::same)
+    return counts;
+  State here = at;
+  here.void_ratio = void_ratio_at(theta, mean_stress(at));
+  const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(at);
+  const auto z_of = [](const effective::ContactCounts& c) { return c.mechanical_coordination_number; };
+  const double share = (z_of(counts) - z_of(from.loosest)) / (z_of(from.densest) - z_of(from.loosest));
+  const double z = z_of(to.loosest) + share * (z_of(to.densest) - z_of(to.loosest)) +
+                   to.coordination_error * theta[free_count() + other_prior];
+  counts.mechanical_coordination_number = std::max(z, isostatic_ + just_rigid);
+  const double by_law = effective::expected_rattlers(at, counts.mechanical_coordination_number).fraction;
+  counts.rattler_fraction = std::min(by_law, most_rattlers);
+  return counts;
+}
+
+double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const {
+  if (options_.growth != Growth::as_packings || mean_stress == reference_stress_)
+    return first_.void_ratio;
+  return effective::carried_contacts(first_, first_contacts(theta), mean_stress).void_ratio;
+}
+
+double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
+                               Specimen specimen) const {
   const QuantityRow& row = row_of(quantity);
   const Eigen::Index priors = free_count();
-  const double z = coordination(theta, at);
-  State state = effective::with_contacts(at, z, rattlers(theta, at));
+  const auto [z, rattlers] = contacts(theta, at, specimen);
+  State state = effective::with_contacts(at, z, rattlers);
   double density = options_.grain_density.value_or(1);
   for (std::size_t k = 0; k < options_.inputs.size(); ++k)
-    options_.inputs[k].move(state, density, theta[priors + 3 + static_cast<Eigen::Index>(k)]);
+    options_.inputs[k].move(state, density, theta[priors + prior_count + static_cast<Eigen::Index>(k)]);
   const effective::RelaxedEstimate packing = effective::relaxed(state, z);
   const double value = std::log(effective::modulus(packing.stiffness, row.modulus));
   const double shared = std::sqrt(shared_by_preparation) *
-                        calibration_of(row, packing).dot(theta.segment<2>(priors + 1).transpose());
+                        calibration_of(row, packing).dot(theta.segment<2>(priors + rung_prior).transpose());
   return shared + (row.speed ? (value - std::log(density / (1 + state.void_ratio))) / 2 : value);
 }
 
-Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
-                                             const State& at) const {
-  const double z = coordination(theta, at);
-  const State state = effective::with_contacts(at, z, rattlers(theta, at));
+Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
+                                             Specimen specimen) const {
+  const auto [z, rattlers] = contacts(theta, at, specimen);
+  const State state = effective::with_contacts(at, z, rattlers);
   return std::sqrt(1 - shared_by_preparation) *
          calibration_of(row_of(quantity), effective::relaxed(state, z));
 }
@@ -155,7 +215,7 @@ std::vector<StateGroup> ContactModel::groups(const Eigen::VectorXd& theta) const
     group.noise.resize(size);
     for (Eigen::Index i = 0; i < size; ++i) {
       const Measurement& m = measurements_[group.members[static_cast<std::size_t>(i)]];
-      group.scatter.row(i) = own_scatter(theta, m.quantity, m.state);
+      group.scatter.row(i) = own_scatter(theta, m.quantity, m.state, Specimen::same);
       group.noise[i] = std::max(smallest_error, m.value.standard_error / m.value.value);
     }
     Eigen::MatrixXd covariance = group.scatter * group.scatter.transpose();
@@ -175,7 +235,7 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
     Eigen::VectorXd misfit(group.noise.size());
     for (Eigen::Index i = 0; i < misfit.size(); ++i) {
       const Measurement& m = measurements_[group.members[static_cast<std::size_t>(i)]];
-      misfit[i] = log_value(theta, m.quantity, m.state) - std::log(m.value.value);
+      misfit[i] = log_value(theta, m.quantity, m.state, Specimen::same) - std::log(m.value.value);
     }
     all.segment(row, misfit.size()) = group.whitening * misfit;
     row += misfit.size();
@@ -281,29 +341,35 @@ Measured with_error(const Function& function, const Eigen::VectorXd& theta, cons
 
 } // namespace
 
-InferredPacking Inference::packing(const effective::State& at) const {
+InferredPacking Inference::packing(const effective::State& at, Specimen specimen) const {
   const Eigen::VectorXd theta = detail::as_vector(parameters_);
-  const auto z = [&](const Eigen::VectorXd& t) { return model_->coordination(t, at); };
-  const auto x = [&](const Eigen::VectorXd& t) { return model_->rattlers(t, at); };
-  const auto all = [&](const Eigen::VectorXd& t) { return z(t) * (1 - x(t)); };
+  const auto counts = [&](const Eigen::VectorXd& t) { return model_->contacts(t, at, specimen); };
+  const auto z = [&](const Eigen::VectorXd& t) { return counts(t).mechanical_coordination_number; };
+  const auto x = [&](const Eigen::VectorXd& t) { return counts(t).rattler_fraction; };
+  const auto all = [&](const Eigen::VectorXd& t) { return counts(t).coordination_number(); };
   return {.mechanical_coordination_number = with_error(z, theta, covariance_),
           .rattler_fraction = with_error(x, theta, covariance_),
           .coordination_number = with_error(all, theta, covariance_)};
 }
 
-Measured Inference::predict(Quantity quantity, const effective::State& at) const {
+Measured Inference::predict(Quantity quantity, const effective::State& at, Specimen specimen) const {
   const Eigen::VectorXd theta = detail::as_vector(parameters_);
-  const auto logarithm = [&](const Eigen::VectorXd& t) { return model_->log_value(t, quantity, at); };
-  const Measured log_value =
-      with_error(logarithm, theta, covariance_, model_->own_scatter(theta, quantity, at).squaredNorm());
+  const auto logarithm = [&](const Eigen::VectorXd& t) {
+    return model_->log_value(t, quantity, at, specimen);
+  };
+  const Measured log_value = with_error(logarithm, theta, covariance_,
+                                        model_->own_scatter(theta, quantity, at, specimen).squaredNorm());
   const double value = std::exp(log_value.value);
   return {value, value * log_value.standard_error};
 }
 
-effective::RungInputs Inference::rung_inputs(effective::State at) const {
-  const Eigen::VectorXd theta = detail::as_vector(parameters_);
-  const double z = model_->coordination(theta, at), x = model_->rattlers(theta, at);
-  return {effective::with_contacts(std::move(at), z, x), z};
+effective::RungInputs Inference::rung_inputs(effective::State at, Specimen specimen) const {
+  const auto [z, rattlers] = model_->contacts(detail::as_vector(parameters_), at, specimen);
+  return {effective::with_contacts(std::move(at), z, rattlers), z};
+}
+
+double Inference::void_ratio_at(double mean_stress) const {
+  return model_->void_ratio_at(detail::as_vector(parameters_), mean_stress);
 }
 
 } // namespace granum::inverse

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <granum/effective/contact_prior.hpp>
 #include <granum/inverse/inference.hpp>
 
 /// The model behind infer(): measured values as functions of a vector of parameters.
@@ -16,7 +17,8 @@ struct StateGroup {
 };
 
 /// Parameters: ln(z* - isostatic point) at the reference stress, g where it is fitted; then deviations from
-/// what is expected, in standard deviations: of ln x_0, of K and G of rung 3, of the inputs.
+/// what is expected, in standard deviations: of ln x_0, of K and G of rung 3, of the growth of z*, of another
+/// packing prepared alike, of the inputs.
 class ContactModel {
  public:
   /// \throws   InvalidArgument as infer
@@ -25,13 +27,15 @@ class ContactModel {
   /// Least squares from the z* that a measurement implies.
   [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
 
-  [[nodiscard]] double coordination(const Eigen::VectorXd& theta, const effective::State& at) const;
-  [[nodiscard]] double rattlers(const Eigen::VectorXd& theta, const effective::State& at) const;
-  [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity,
-                                 const effective::State& at) const;
+  /// z* and rattlers.
+  [[nodiscard]] effective::ContactCounts contacts(const Eigen::VectorXd& theta, const effective::State& at,
+                                                  Specimen specimen) const;
+  [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity, const effective::State& at,
+                                 Specimen specimen) const;
   /// What one deviation of K and of G in this state alone does to ln value.
   [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
-                                               const effective::State& at) const;
+                                               const effective::State& at, Specimen specimen) const;
+  [[nodiscard]] double void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const;
 
  private:
   [[nodiscard]] std::vector<StateGroup> groups(const Eigen::VectorXd& theta) const;
@@ -39,12 +43,15 @@ class ContactModel {
                                           const Eigen::VectorXd& theta) const;
   void describe(Inference& inference, const std::vector<StateGroup>& groups, const Eigen::VectorXd& theta,
                 const Eigen::MatrixXd& jacobian) const;
+  [[nodiscard]] effective::ContactCounts first_contacts(const Eigen::VectorXd& theta) const;
+  [[nodiscard]] effective::ContactCounts at_stress(const Eigen::VectorXd& theta, double mean_stress) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
   [[nodiscard]] Eigen::Index free_count() const { return options_.growth == Growth::fitted ? 2 : 1; }
   [[nodiscard]] std::string source_of(Eigen::Index prior) const;
 
   std::vector<Measurement> measurements_;
   InferenceOptions options_;
+  effective::State first_; ///< of the first measurement
   double isostatic_ = 0;
   double reference_stress_ = 0;
 };

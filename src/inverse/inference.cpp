@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <granum/core/number.hpp>
+#include <granum/effective/contact_prior.hpp>
 
 #include "contact_model.hpp"
 
@@ -55,6 +56,22 @@ void note_unexplained(const Measurement& m, const InferenceOptions& options,
                  "; the contacts may be rough or damaged, or the grains softer than was said");
 }
 
+/// Where the contacts are not those of packings of that void ratio.
+void note_density(const Inference& all, const effective::State& first, Validity& validity) {
+  const effective::ContactPrior prior = effective::contact_prior(first);
+  const Measured z = all.packing(first).mechanical_coordination_number;
+  const double room = 2 * std::hypot(z.standard_error, prior.coordination_error);
+  const double most = prior.densest.mechanical_coordination_number;
+  const double least = prior.loosest.mechanical_coordination_number;
+  if (z.value > most + room || z.value < least - room)
+    validity.add(
+        granum::detail::formatted("z* = %.3g is %s than packings of spheres of void ratio %.3g have at "
+                                  "this stress, from %.3g to %.3g: ",
+                                  z.value, z.value > most ? "more" : "less", first.void_ratio, least, most) +
+        (z.value > most ? "grains of other shape touch more often, or their contacts are stiffer"
+                        : "their contacts may be softer than was said, or the grains crushed"));
+}
+
 void note_contradiction(const Inference& all, std::span<const Measurement> measurements, Validity& validity) {
   if (all.probability() >= improbable)
     return;
@@ -82,9 +99,9 @@ InferenceAnswer infer(std::span<const Measurement> measurements, const Inference
   std::optional<double> start;
   for (const Measurement& m : measurements) {
     const QuantityRow& row = row_of(m.quantity);
-    AloneAnswer alone{
-        effective::implied_coordination(m.state, row.modulus, modulus_of(m, options), options.rattlers),
-        std::nullopt};
+    AloneAnswer alone{effective::implied_coordination(m.state, row.modulus, modulus_of(m, options),
+                                                      options.rattler_fraction),
+                      std::nullopt};
     if (const auto z = alone.implied.mechanical_coordination_number) {
       const auto own = std::make_shared<const detail::ContactModel>(std::span(&m, 1), one_alone);
       alone.mechanical_coordination_number =
@@ -101,6 +118,7 @@ InferenceAnswer infer(std::span<const Measurement> measurements, const Inference
     answer.validity.merge(effective::answer(effective::rung(effective::RungName::relaxed),
                                             answer.together->rung_inputs(m.state))
                               .validity);
+  note_density(*answer.together, measurements.front().state, answer.validity);
   answer.validity.keep_each_once();
   note_contradiction(*answer.together, measurements, answer.validity);
   return answer;

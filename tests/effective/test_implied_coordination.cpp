@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/effective/contact_prior.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "relative.hpp"
@@ -18,11 +19,13 @@ using effective::Modulus;
 
 namespace {
 
-const effective::RattlerLaw& rattlers = effective::rattlers_of_packings();
 constexpr Modulus measurable[] = {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::C11, Modulus::C33};
 
 double modulus_with(const State& state, double z, Modulus which) {
-  return modulus(relaxed(effective::with_contacts(state, z, rattlers.at(z)), z).stiffness, which);
+  return modulus(
+      relaxed(effective::with_contacts(state, z, effective::expected_rattlers(state, z).fraction), z)
+          .stiffness,
+      which);
 }
 
 } // namespace
@@ -78,12 +81,25 @@ TEST_CASE("implied coordination: what no contact number explains") {
 TEST_CASE("implied coordination: rattlers take contacts away") {
   const State state = state_of(2, 0, 0.15, 100e3, 100e3);
   const double measured = modulus_with(state, 5, Modulus::G_vh);
-  const auto none = implied_coordination(state, Modulus::G_vh, measured, {.share = 0});
-  const auto many = implied_coordination(state, Modulus::G_vh, measured, {.share = 0.2});
+  const auto none = implied_coordination(state, Modulus::G_vh, measured, 0.0);
+  const auto many = implied_coordination(state, Modulus::G_vh, measured, 0.2);
   CHECK(*none.mechanical_coordination_number < 5);
   CHECK(*many.mechanical_coordination_number > 5);
-  CHECK(rattlers.at(4) == relative(0.121, 1e-14));
-  CHECK(rattlers.at(5) == relative(0.121 * std::exp(-1.36), 1e-14));
+}
+
+TEST_CASE("expected rattlers: those of the contact prior at its own z*") {
+  for (const double void_ratio : {0.6, 0.66, 0.72})
+    for (const double pressure : {10e3, 1e6}) {
+      State state = state_of(2, 0, 0.15, pressure, pressure);
+      state.void_ratio = void_ratio;
+      const effective::ContactPrior prior = effective::contact_prior(state);
+      const effective::ContactCounts& counts = prior.densest;
+      const auto expected = expected_rattlers(state, counts.mechanical_coordination_number);
+      CHECK(expected.fraction == relative(counts.rattler_fraction, 1e-9));
+      CHECK(expected.scatter == prior.rattler_error);
+    }
+  const State state = state_of(2, 0, 0.15, 100e3, 100e3);
+  CHECK(effective::expected_rattlers(state, 6).fraction < effective::expected_rattlers(state, 4.5).fraction);
 }
 
 TEST_CASE("implied coordination: refuses what has no answer") {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/effective/contact_prior.hpp>
 
 #include "relative.hpp"
 
@@ -21,7 +22,6 @@ using inverse::Quantity;
 namespace {
 
 constexpr double density = 2480;
-const effective::RattlerLaw& rattlers = effective::rattlers_of_packings();
 
 /// Glass beads under a vertical and a horizontal stress.
 State beads(double stress_v, double stress_h, double void_ratio = 0.61, double grain_modulus = 29e9) {
@@ -44,7 +44,7 @@ double value_of(Quantity quantity, const State& state, double z, double rattler_
   return row.speed ? std::sqrt(x / (density / (1 + state.void_ratio))) : x;
 }
 double value_of(Quantity quantity, const State& state, double z) {
-  return value_of(quantity, state, z, rattlers.at(z));
+  return value_of(quantity, state, z, effective::expected_rattlers(state, z).fraction);
 }
 
 Measurement measurement(Quantity quantity, const State& state, double z, double relative_error = 0) {
@@ -88,21 +88,25 @@ TEST_CASE("inference: forward and back is the identity") {
         REQUIRE(answer.together);
         const auto found = answer.together->packing(one.state);
         CHECK(found.mechanical_coordination_number.value == relative(z, 1e-10));
-        CHECK(found.rattler_fraction.value == relative(rattlers.at(z), 1e-9));
+        const double rattlers = effective::expected_rattlers(one.state, z).fraction;
+        CHECK(found.rattler_fraction.value == relative(rattlers, 1e-9));
         CHECK(answer.alone.front().mechanical_coordination_number->value == relative(z, 1e-10));
         for (const auto& other : inverse::quantities()) {
           const State elsewhere = beads(50e3, 80e3, 0.58);
           CHECK(answer.together->predict(other.quantity, elsewhere).value ==
-                relative(value_of(other.quantity, elsewhere, z), 1e-10));
+                relative(value_of(other.quantity, elsewhere, z, rattlers), 1e-9));
         }
       }
 }
 
 TEST_CASE("inference: measurements of one packing agree, and narrow the error") {
   std::vector<Measurement> all;
+  const double rattlers = effective::expected_rattlers(beads(1e6), 5.2).fraction;
   for (const double p : {1e6, 3e6, 10e6})
-    for (const Quantity q : {Quantity::V_s, Quantity::V_p})
-      all.push_back(measurement(q, beads(p), 5.2, 0.02));
+    for (const Quantity q : {Quantity::V_s, Quantity::V_p}) {
+      const double value = value_of(q, beads(p), 5.2, rattlers);
+      all.push_back({q, {value, 0.02 * value}, beads(p)});
+    }
   const auto together = infer(all, options_with());
   REQUIRE(together.together);
   const Measured z = together.together->packing(all.front().state).mechanical_coordination_number;
@@ -135,6 +139,70 @@ TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
   CHECK(fixed.together->chi_square() > 1);
   CHECK_FALSE(fixed.together->growth_exponent());
   CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(Growth::fitted)), InvalidArgument);
+}
+
+TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrinks") {
+  const State at_rest = beads(1e6, 1e6, 0.6);
+  const double z = 5.3;
+  const effective::ContactCounts counts{z, effective::expected_rattlers(at_rest, z).fraction};
+  std::vector<Measurement> all;
+  for (const double p : {1e6, 3e6, 10e6}) {
+    const auto carried = effective::carried_contacts(at_rest, counts, p);
+    const State here = beads(p, p, p == 1e6 ? 0.6 : carried.void_ratio);
+    const double value = value_of(Quantity::V_s, here, carried.counts.mechanical_coordination_number,
+                                  carried.counts.rattler_fraction);
+    all.push_back({Quantity::V_s, {value, 0.01 * value}, here});
+  }
+  const auto answer = infer(all, options_with(Growth::as_packings));
+  REQUIRE(answer.together);
+  CHECK(answer.together->packing(at_rest).mechanical_coordination_number.value == relative(z, 1e-10));
+  CHECK(answer.together->chi_square() < 1e-14);
+  CHECK(answer.together->void_ratio_at(10e6) == relative(all.back().state.void_ratio, 1e-12));
+  CHECK(answer.together->void_ratio_at(10e6) < 0.59);
+  // From the first alone: the same prediction of the last, with an error that the growth has a share in.
+  const auto one = infer(std::span(all).first(1), options_with(Growth::as_packings));
+  const Measured grown = one.together->predict(Quantity::V_s, all.back().state);
+  CHECK(grown.value == relative(all.back().value.value, 1e-10));
+  const auto fixed = infer(std::span(all).first(1), options_with());
+  const Measured stays = fixed.together->predict(Quantity::V_s, all.back().state);
+  CHECK(stays.value < 0.97 * grown.value);
+  CHECK(stays.standard_error / stays.value < grown.standard_error / grown.value);
+  CHECK(fixed.together->void_ratio_at(10e6) == 0.6);
+}
+
+TEST_CASE("inference: another packing, prepared alike") {
+  const State known = beads(1e6, 1e6, 0.6);
+  const Measurement one = measurement(Quantity::G_vh, known, 5.3, 0.02);
+  const auto answer = infer(std::span(&one, 1), options_with());
+  const auto share_at = [&](const State& state) {
+    const effective::ContactPrior prior = effective::contact_prior(state);
+    const double low = prior.loosest.mechanical_coordination_number;
+    const Measured z =
+        answer.together->packing(state, inverse::Specimen::prepared_alike).mechanical_coordination_number;
+    return (z.value - low) / (prior.densest.mechanical_coordination_number - low);
+  };
+  const State looser = beads(1e6, 1e6, 0.68);
+  CHECK(share_at(looser) == doctest::Approx(share_at(known)).epsilon(1e-9));
+  const auto same = answer.together->packing(known),
+             alike = answer.together->packing(known, inverse::Specimen::prepared_alike);
+  CHECK(alike.mechanical_coordination_number.value == relative(5.3, 1e-9));
+  CHECK(alike.mechanical_coordination_number.standard_error >
+        same.mechanical_coordination_number.standard_error);
+  // Sands lose more with the void ratio than equal contacts would let them.
+  const double there =
+      answer.together->predict(Quantity::G_vh, looser, inverse::Specimen::prepared_alike).value;
+  CHECK(there < 0.9 * answer.together->predict(Quantity::G_vh, looser).value);
+}
+
+TEST_CASE("inference: contacts that no packing of that void ratio has") {
+  const Measurement many = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.72), 7.5, 0.02);
+  const auto answer = infer(std::span(&many, 1), options_with());
+  REQUIRE(answer.together);
+  REQUIRE_FALSE(answer.validity.ok());
+  CHECK(answer.validity.notes.back().find("is more than packings of spheres of void ratio 0.72") !=
+        std::string::npos);
+  const Measurement usual = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.6), 5.3, 0.02);
+  CHECK(infer(std::span(&usual, 1), options_with()).validity.ok());
 }
 
 TEST_CASE("inference: K and G that contradict each other") {
@@ -205,7 +273,8 @@ TEST_CASE("inference: stated errors are those of a sample") {
   std::vector<double> found, missed;
   Measured stated_z, stated_value;
   for (int draw = 0; draw < 3000; ++draw) {
-    const double x = rattlers.at(z) * std::exp(rattlers.scatter * normal(generator));
+    const auto [expected, scatter] = effective::expected_rattlers(beads(3e6), z);
+    const double x = expected * std::exp(scatter * normal(generator));
     const double grain_modulus = 29e9 * std::exp(grain_error * normal(generator));
     const double preparation = normal(generator);
     const auto truth = [&](double p) {
@@ -246,8 +315,6 @@ TEST_CASE("inference: shares of the error by leaving its sources out") {
     Measurement exact = one;
     if (source == "measurement")
       exact.value.standard_error = 0;
-    else if (source == "rattlers")
-      fewer.rattlers.scatter = 0;
     else if (source == "grain-shear-modulus")
       fewer.inputs.clear();
     else

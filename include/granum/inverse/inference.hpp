@@ -35,24 +35,32 @@ struct UncertainInput {
   std::function<void(effective::State& state, double& grain_density, double deviations)> move;
 };
 
-/// How z* follows the mean stress p from measurement to measurement.
+/// How z* follows the mean stress p from state to state of one packing.
 enum class Growth {
-  fixed, ///< the same at every stress
-  fitted ///< (z* - isostatic point) ~ p^g, g fitted; asks for two stresses
+  as_packings, ///< as effective::carried_contacts, which own packings taught
+  fixed,       ///< the same at every stress
+  fitted       ///< (z* - isostatic point) ~ p^g, g fitted; asks for two stresses
+};
+
+/// Whose state it is that is asked about.
+enum class Specimen {
+  same,          ///< the one that was measured
+  prepared_alike ///< another of the same grains at the void ratio of the state asked about: as far between the
+                 ///< loosest and the densest that effective::contact_prior knows there
 };
 
 struct InferenceOptions {
   std::optional<double> grain_density = std::nullopt; ///< of the solid; speeds ask for it [kg/m3]
-  /// Share of rattlers by z*; a known share x is {.share = x}.
-  effective::RattlerLaw rattlers = effective::rattlers_of_packings();
-  Growth growth = Growth::fixed;
+  /// At the first measurement, where it is known; else that of effective::expected_rattlers.
+  std::optional<double> rattler_fraction = std::nullopt;
+  Growth growth = Growth::as_packings;
   std::vector<UncertainInput> inputs = {};
   std::size_t iteration_limit = 100;
 };
 
 /// Of the variance of z*, 0 to 1, what one source makes.
 struct ErrorShare {
-  std::string source; ///< "measurement", "rung 3", "rattlers" or the key of an input
+  std::string source; ///< "measurement", "rung 3", "rattlers", "growth", or the key of an input
   double share = 0;
 };
 
@@ -78,14 +86,19 @@ class Inference {
  public:
   /// The stress that z*() belongs to: that of the first measurement [Pa].
   [[nodiscard]] double reference_stress() const { return reference_stress_; }
-  /// Contacts at the stress and void ratio of a state.
-  [[nodiscard]] InferredPacking packing(const effective::State& at) const;
+  /// Contacts at a state.
+  [[nodiscard]] InferredPacking packing(const effective::State& at, Specimen specimen = Specimen::same) const;
   /// A quantity at another state of the same packing. What measurement and prediction have in common, as the
   /// error of the grains' modulus or of the preparation, cancels as far as they have it in common.
   /// \throws   InvalidArgument as relaxed(), and for a speed without grain density
-  [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at) const;
+  [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
+                                 Specimen specimen = Specimen::same) const;
   /// The packing as the table of rungs takes it, to ask any of them.
-  [[nodiscard]] effective::RungInputs rung_inputs(effective::State at) const;
+  [[nodiscard]] effective::RungInputs rung_inputs(effective::State at,
+                                                  Specimen specimen = Specimen::same) const;
+  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it where z* grows as_packings;
+  /// else it stays that of the first measurement.
+  [[nodiscard]] double void_ratio_at(double mean_stress) const;
 
   [[nodiscard]] const std::vector<FittedMeasurement>& measurements() const { return fitted_; }
   [[nodiscard]] const std::vector<ErrorShare>& error_shares() const { return shares_; }
@@ -126,7 +139,7 @@ struct InferenceAnswer {
 };
 
 /// z* by weighted least squares in ln of the measured values. Unknown besides z* are, each within its error,
-/// the share of rattlers, how much the packing differs from the calibration of rung 3 (the part that packings
+/// the share of rattlers, how z* grows, how much the packing differs from the calibration of rung 3 (the part that packings
 /// of one preparation share; the rest differs from state to state), and the inputs named as uncertain.
 /// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without

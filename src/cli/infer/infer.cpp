@@ -45,9 +45,10 @@ void add_measured_options(CLI::App& command, InferOptions& o) {
 
 void add_prediction_options(CLI::App& command, InferOptions& o) {
   command
-      .add_option("--growth", o.growth,
-                  "z* at other stresses: fixed, or (z* - isostatic point) ~ p^g with g fitted")
-      ->check(CLI::IsMember({"fixed", "fitted"}))
+      .add_option(
+          "--growth", o.growth,
+          "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the measurements")
+      ->check(CLI::IsMember({"packings", "fixed", "fitted"}))
       ->capture_default_str();
   command
       .add_option("--predict-pressure", o.predict_pressure,
@@ -57,7 +58,7 @@ void add_prediction_options(CLI::App& command, InferOptions& o) {
   add_number_without_default(command, "--predict-stress-ratio", o.predict_stress_ratio,
                              "sigma_h/sigma_v to predict for; by default that of the first measurement");
   add_number_without_default(command, "--predict-void-ratio", o.predict_void_ratio,
-                             "Void ratio to predict for, at the same contacts; by default the measured one");
+                             "Void ratio of another packing to predict for, prepared alike");
   command
       .add_option("--uncertainty", o.uncertain,
                   "Standard deviation of an input that all measurements share, may be repeated: "
@@ -107,9 +108,11 @@ void require_free(const InferOptions& o) {
 
 ExitCode run(const InferOptions& o) {
   require_free(o);
-  const InferCase question = infer_case(o);
+  InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
+  if (answer.together)
+    fill_in_void_ratios(question, *answer.together);
   const bool csv = !o.output.out.empty() && !o.output.json;
   const ExitCode code = deliver(o.output, csv ? infer_csv(question, answer) : infer_table(question, answer),
                                 infer_json(question, answer), answer.validity);

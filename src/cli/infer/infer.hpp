@@ -34,7 +34,7 @@ struct InferOptions {
   Number measurement_error;            ///< relative, of those that state none
   Number grain_density{0, Dimension::density};
   std::string table;
-  std::string growth = "fixed";
+  std::string growth = "packings";
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;
@@ -43,11 +43,17 @@ struct InferOptions {
   std::string picture_of;
 };
 
+/// A state to predict for.
+struct PredictedState {
+  effective::State state;
+  inverse::Specimen specimen = inverse::Specimen::same;
+};
+
 /// The question: measurements, what they share, and where something is to be predicted.
 struct InferCase {
   std::vector<inverse::Measurement> measurements;
   inverse::InferenceOptions options;
-  std::vector<effective::State> predicted;
+  std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
   std::vector<std::string> assumptions; ///< what was not given, one sentence each
 };
@@ -59,6 +65,9 @@ struct InferCase {
 /// \throws   InvalidArgument
 [[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                                       double relative_error);
+
+/// The void ratio of the measured packing at the stresses to predict for, where no other is asked for.
+void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit);
 
 [[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
 [[nodiscard]] std::string infer_csv(const InferCase& question, const inverse::InferenceAnswer& answer);

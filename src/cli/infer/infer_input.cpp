@@ -237,7 +237,7 @@ std::vector<inverse::UncertainInput> parse_all_uncertain(const InferOptions& o,
 
 // ---- predictions
 
-std::vector<State> predicted_states(const InferOptions& o, const State& first) {
+std::vector<PredictedState> predicted_states(const InferOptions& o, const State& first) {
   std::vector<double> pressures;
   for (const std::string& text : o.predict_pressure)
     pressures.push_back(require_positive(
@@ -247,16 +247,24 @@ std::vector<State> predicted_states(const InferOptions& o, const State& first) {
   const double ratio = o.predict_stress_ratio.given()
                            ? require_positive(o.predict_stress_ratio.name, o.predict_stress_ratio.value)
                            : first.stress_h / first.stress_v;
-  std::vector<State> states;
+  std::vector<PredictedState> states;
   for (const double p : pressures) {
-    State state = first;
-    state.stress_v = 3 * p / (1 + 2 * ratio);
-    state.stress_h = ratio * state.stress_v;
-    if (o.predict_void_ratio.given())
-      state.void_ratio = require_positive(o.predict_void_ratio.name, o.predict_void_ratio.value);
-    states.push_back(state);
+    PredictedState predicted{.state = first};
+    predicted.state.stress_v = 3 * p / (1 + 2 * ratio);
+    predicted.state.stress_h = ratio * predicted.state.stress_v;
+    if (o.predict_void_ratio.given()) {
+      predicted.state.void_ratio = require_positive(o.predict_void_ratio.name, o.predict_void_ratio.value);
+      predicted.specimen = inverse::Specimen::prepared_alike;
+    }
+    states.push_back(predicted);
   }
   return states;
+}
+
+inverse::Growth growth_of(const std::string& name) {
+  if (name == "fixed")
+    return inverse::Growth::fixed;
+  return name == "fitted" ? inverse::Growth::fitted : inverse::Growth::as_packings;
 }
 
 } // namespace
@@ -279,6 +287,12 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
   return {value, relative_error * std::abs(value)};
 }
 
+void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
+  for (auto& [state, specimen] : question.predicted)
+    if (specimen == inverse::Specimen::same)
+      state.void_ratio = fit.void_ratio_at((state.stress_v + 2 * state.stress_h) / 3);
+}
+
 InferCase infer_case(const InferOptions& o) {
   InferCase question;
   InferOptions given = o;
@@ -294,8 +308,8 @@ InferCase infer_case(const InferOptions& o) {
   if (o.grain_density.given())
     question.options.grain_density = o.grain_density.value;
   if (o.packing.rattler_fraction.given())
-    question.options.rattlers = {.share = o.packing.rattler_fraction.value};
-  question.options.growth = o.growth == "fitted" ? inverse::Growth::fitted : inverse::Growth::fixed;
+    question.options.rattler_fraction = o.packing.rattler_fraction.value;
+  question.options.growth = growth_of(o.growth);
   question.options.inputs = parse_all_uncertain(o, packing);
   question.predicted = predicted_states(o, first);
   return question;

@@ -32,6 +32,23 @@ std::vector<const QuantityRow*> told(const InferCase& question) {
   return rows;
 }
 
+/// Those that differ: in an isotropic packing no direction is its own.
+std::vector<const QuantityRow*> told_apart(const InferCase& question) {
+  using inverse::Quantity;
+  std::vector<const QuantityRow*> rows = told(question);
+  const bool isotropic =
+      std::all_of(question.predicted.begin(), question.predicted.end(), [](const PredictedState& predicted) {
+        const State& s = predicted.state;
+        return s.fabric_anisotropy == 0 && std::abs(s.stress_v - s.stress_h) <= 1e-12 * s.stress_v;
+      });
+  if (isotropic)
+    std::erase_if(rows, [](const QuantityRow* row) {
+      return row->quantity == Quantity::G_hh || row->quantity == Quantity::V_s_hh ||
+             row->quantity == Quantity::V_p_h;
+    });
+  return rows;
+}
+
 std::string percent(const Measured& number) {
   return number.value != 0 ? percent_text(number.standard_error / std::abs(number.value)) : "0 %";
 }
@@ -107,26 +124,26 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
   if (fit.growth_exponent())
     text += fmt::format("  {:<9} {:>16}   (z* - isostatic point) ~ p^g\n", "g",
                         with_error(*fit.growth_exponent(), 3));
-  text += "  error of z*: " + shares_text(fit) + "\n";
+  text += "  of the variance of z*: " + shares_text(fit) + "\n";
   if (fit.degrees_of_freedom() > 0)
-    text += fmt::format("  the measurements agree: chi^2 {} at {} degrees of freedom, probability {}\n",
+    text += fmt::format("  chi^2 of the measurements {} at {} degrees of freedom, probability {}\n",
                         short_text(fit.chi_square(), 3), fit.degrees_of_freedom(),
                         short_text(fit.probability(), 2));
   return text;
 }
 
 std::string prediction_lines(const InferCase& question, const Inference& fit) {
-  std::string text = fmt::format("\n{:<34} {:>6}", "predicted", "z*");
-  const std::vector<const QuantityRow*> rows = told(question);
+  const std::vector<const QuantityRow*> rows = told_apart(question);
+  std::string text = fmt::format("\n{:<40} {:>5}", "predicted", "z*");
   for (const QuantityRow* row : rows)
-    text += fmt::format(" {:>19}", row->key);
+    text += fmt::format(" {:>14}", fmt::format("{} [{}]", row->key, row->speed ? "m/s" : "MPa"));
   text += "\n";
-  for (const State& state : question.predicted) {
-    text += fmt::format("  {:<32} {:>6}", place(state),
-                        short_text(fit.packing(state).mechanical_coordination_number.value, 3));
+  for (const auto& [state, specimen] : question.predicted) {
+    const Measured z = fit.packing(state, specimen).mechanical_coordination_number;
+    text += fmt::format("  {:<38} {:>5}", place(state), short_text(z.value, 3));
     for (const QuantityRow* row : rows) {
-      const Measured value = fit.predict(row->quantity, state);
-      text += fmt::format(" {:>19}", pretty(value.value, dimension_of(*row)) + " +- " + percent(value));
+      const Measured value = fit.predict(row->quantity, state, specimen);
+      text += fmt::format(" {:>6} +-{:>6}", short_text(value.value / (row->speed ? 1 : 1e6)), percent(value));
     }
     text += "\n";
   }
@@ -185,11 +202,11 @@ ordered_json measurements_json(const InferCase& question, const InferenceAnswer&
 
 ordered_json predictions_json(const InferCase& question, const Inference& fit) {
   ordered_json list = ordered_json::array();
-  for (const State& state : question.predicted) {
+  for (const auto& [state, specimen] : question.predicted) {
     ordered_json json = json_of(state);
-    json.update(json_of(fit.packing(state)));
+    json.update(json_of(fit.packing(state, specimen)));
     for (const QuantityRow* row : told(question))
-      json[row->key] = json_of(fit.predict(row->quantity, state));
+      json[row->key] = json_of(fit.predict(row->quantity, state, specimen));
     list.push_back(std::move(json));
   }
   return list;
@@ -249,10 +266,12 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
     for (const char* what : {"_measured", "_measured_error", "", "_error"})
       csv.headings.push_back(fmt::format("{}{}_{}", row->key, what, si_symbol(dimension_of(*row))));
 
-  const auto add = [&](const char* kind, const State& s, const inverse::Measurement* m) {
+  const auto add = [&](const char* kind, const State& s, inverse::Specimen specimen,
+                       const inverse::Measurement* m) {
     auto& cells = csv.rows.emplace_back();
     cells = {std::string(kind), mean_stress(s), s.stress_v, s.stress_h, s.void_ratio};
-    const auto packing = answer.together ? std::optional(answer.together->packing(s)) : std::nullopt;
+    const auto packing =
+        answer.together ? std::optional(answer.together->packing(s, specimen)) : std::nullopt;
     cells.emplace_back(packing ? packing->mechanical_coordination_number.value : nothing);
     cells.emplace_back(packing ? packing->mechanical_coordination_number.standard_error : nothing);
     cells.emplace_back(packing ? packing->rattler_fraction.value : nothing);
@@ -260,17 +279,17 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
     for (const QuantityRow* row : rows) {
       const bool here = m != nullptr && m->quantity == row->quantity;
       const Measured value =
-          answer.together ? answer.together->predict(row->quantity, s) : Measured{nothing, nothing};
+          answer.together ? answer.together->predict(row->quantity, s, specimen) : Measured{nothing, nothing};
       for (const double number : {here ? m->value.value : nothing, here ? m->value.standard_error : nothing,
                                   value.value, value.standard_error})
         cells.emplace_back(number);
     }
   };
   for (const inverse::Measurement& m : question.measurements)
-    add("measured", m.state, &m);
+    add("measured", m.state, inverse::Specimen::same, &m);
   if (answer.together)
-    for (const State& state : question.predicted)
-      add("predicted", state, nullptr);
+    for (const auto& [state, specimen] : question.predicted)
+      add("predicted", state, specimen, nullptr);
   return io::csv_text(csv);
 }
 
@@ -299,8 +318,8 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
     data.y.push_back(m.value.value);
     data.y_error.push_back(m.value.standard_error);
   }
-  for (const State& state : question.predicted) {
-    const Measured value = fit.predict(quantity, state);
+  for (const auto& [state, specimen] : question.predicted) {
+    const Measured value = fit.predict(quantity, state, specimen);
     least = std::min(least, mean_stress(state));
     most = std::max(most, mean_stress(state));
     points.x.push_back(mean_stress(state));
@@ -320,13 +339,14 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
                    .tone = plot::Tone::faint};
   plot::Series high = low;
   high.name.clear();
-  const State& first = question.predicted.front();
+  const State& first = question.measurements.front().state;
   for (std::size_t k = 0; k < curve_points; ++k) {
     const double share = static_cast<double>(k) / (curve_points - 1);
     const double p = least * std::pow(most / least, share);
     State state = first;
     state.stress_v *= p / mean_stress(first);
     state.stress_h *= p / mean_stress(first);
+    state.void_ratio = fit.void_ratio_at(p);
     const Measured value = fit.predict(quantity, state);
     for (plot::Series* series : {&curve, &low, &high})
       series->x.push_back(p);

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What estimate says of known contacts gives the contacts back: C_n = 5 and 2 % of rattlers make z* = 5.1020408163265.
+set(packing --void-ratio 0.6 --pressure 100kPa)
+set(G 122976867.55661069Pa)
+set(glass --grain-shear-modulus 29GPa --grain-poisson-ratio 0.2 --radius 0.05mm --grain-density 2480kg/m3)
+set(beads infer --void-ratio 0.613 --pressure 2.76MPa ${glass})
+foreach(expectation "answer/mechanical_coordination_number/value=^5\\.10204081(6326|6327)" "answer/coordination_number/value=^(5\\.0$|5\\.0000000000|4\\.999999999)"
+    "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1627481(06\\.6|0[67]\\.)"
+    "predictions/0/G/value=^12297686[78]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
+    "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^(1\\.0|0\\.9)")
+  granum_cli_test("infer: there and back ${expectation}" EXIT 0 JSON "${expectation}"
+    ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
+endforeach()
+granum_cli_test("infer: table" EXIT 0
+  STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- 1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted +z\\* +G \\[MPa\\] +K \\[MPa\\] +V_s \\[m/s\\] +V_p \\[m/s\\]\n  p = 34\\.47 MPa, e = 0\\.5[0-9]* "
+  ARGS ${beads} --vs 587m/s+-1% --predict-pressure 34.47MPa)
+granum_cli_test("infer: directions are told apart under unequal stresses" EXIT 0 STDOUT "G \\[MPa\\] +G_hh \\[MPa\\] +K"
+  ARGS ${beads} --vs 587m/s+-1% --predict-stress-ratio 0.5)
+granum_cli_test("infer: an absolute error" EXIT 0 JSON "measurements/0/standard_error=^5(\\.0)?$" ARGS ${beads} --vs 587m/s±5m/s --json)
+granum_cli_test("infer: an error for all" EXIT 0 JSON "measurements/0/standard_error=^11\\.74$"
+  ARGS ${beads} --vs 587m/s --measurement-error 2% --json)
+granum_cli_test("infer: fixed contacts keep the void ratio" EXIT 0 JSON "predictions/0/void_ratio=^0\\.61(3$|2999999|3000000)"
+  ARGS ${beads} --vs 587m/s --predict-pressure 30MPa --growth fixed --json)
+granum_cli_test("infer: another packing, prepared alike" EXIT 0 JSON "predictions/0/mechanical_coordination_number/value=^5\\.[23]"
+  ARGS ${beads} --vs 587m/s --predict-void-ratio 0.65 --json)
+granum_cli_test("infer: uncertain inputs have their share" EXIT 0 JSON "error_shares/grain-shear-modulus=^0\\.[1-9]"
+  ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-density=20kg/m3 --json)
+granum_cli_test("infer: table of measurements" EXIT 0 JSON "degrees_of_freedom=^7$"
+  STDERR "measurements contradict each other"
+  ARGS infer --table beads_speeds.csv --porosity 0.38 ${glass} --measurement-error 1% --growth fitted --json)
+
+granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\^2 of the measurements"
+  STDERR "^granum: error: the measurements contradict each other: [^\n]*the worst is V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer than the rest says\n$"
+  ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
+granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 0 % +none"
+  STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: nothing measured can be explained"
+  ARGS ${beads} --vs 1587m/s)
+granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"
+  STDERR "the loosest network of contacts that is rigid would have" ARGS ${beads} --bulk-modulus 100MPa --json)
+granum_cli_test("infer: more contacts than packings of that void ratio have" EXIT 0 JSON "measurements/0/explained=^yes$"
+  STDERR "is more than packings of spheres of void ratio 0.613 have at this stress" ARGS ${beads} --vs 750m/s --json)
+
+function(granum_infer_refuses what message)
+  granum_cli_test("infer: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS infer ${ARGN})
+endfunction()
+granum_infer_refuses("nothing measured" "nothing is measured: give --shear-modulus" ${packing})
+granum_infer_refuses("a speed without density" "a wave speed tells a modulus only with the density" ${packing} --vs 200m/s)
+granum_infer_refuses("a speed without unit" "--shear-wave-speed = 200 has no unit; write 200m/s, 200km/s" ${packing} --vs 200)
+granum_infer_refuses("an error without unit" "--shear-modulus error = 5 has no unit" ${packing} --shear-modulus 100MPa+-5)
+granum_infer_refuses("a negative error" "--shear-modulus error = -5000000 Pa" ${packing} --shear-modulus 100MPa+--5MPa)
+granum_infer_refuses("a negative modulus" "G = -100000000 Pa is outside" ${packing} --shear-modulus -100MPa)
+granum_infer_refuses("contacts that are asked for" "The following arguments were not expected: 5 --coordination-number"
+  ${packing} --shear-modulus 100MPa --coordination-number 5)
+granum_infer_refuses("no stress" "stress = 0 Pa is outside" --void-ratio 0.6 --pressure 0kPa --shear-modulus 100MPa)
+granum_infer_refuses("growth of one measurement" "the growth of z\\* with stress can be fitted to measurements at two stresses"
+  ${packing} --shear-modulus 100MPa --growth fitted)
+granum_infer_refuses("an uncertainty of contacts" "--uncertainty pressure: not an input that the measurements share, which are grain-shear-modulus, "
+  ${packing} --shear-modulus 100MPa --uncertainty pressure=5%)
+granum_infer_refuses("an uncertainty twice" "--uncertainty void-ratio is given twice"
+  ${packing} --shear-modulus 100MPa --uncertainty void-ratio=0.01 --uncertainty void-ratio=0.02)
+granum_infer_refuses("options beside a table" "measurements stand in --table, or in options: give one of the two"
+  --table beads_speeds.csv --porosity 0.38 --vs 200m/s)
+granum_infer_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg" ${packing} --shear-modulus 100MPa --picture a.png)
+granum_cli_test("infer: a table without measurements" EXIT 3 STDERR "sweep_states\\.csv: has no column of a measured quantity"
+  ARGS infer --table sweep_states.csv)
+granum_cli_test("infer: a row without a stress" EXIT 3 STDERR "infer_no_stress\\.csv:4: the stress is missing"
+  ARGS infer --table infer_no_stress.csv --void-ratio 0.6)
+granum_cli_test("infer: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
+  ARGS infer ${packing} --shear-modulus 100MPa --out isotropic.csv)
+
+add_test(NAME "cli: infer: files" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/infer files"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_infer.cmake")
+set_tests_properties("cli: infer: files" PROPERTIES LABELS cli)
