@@ -301,7 +301,7 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
                           .scale = plot::Scale::logarithmic,
                           .unit = row.speed ? 1 : 1e6},
                     .series = {}};
-  plot::Series data{.name = "measured", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  plot::Series data{.name = "measured", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 1};
   plot::Series points{.name = "predicted",
                       .mark = plot::Mark::marker,
                       .x = {},
@@ -330,12 +330,14 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
     least /= 3;
     most *= 3;
   }
-  plot::Series curve{.name = "fit", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 2};
+  if (least >= 1e6)
+    chart.x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6};
+  plot::Series curve{.name = "fit", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0};
   plot::Series low{.name = "its standard error",
                    .mark = plot::Mark::line,
                    .x = {},
                    .y = {},
-                   .style = 2,
+                   .style = 0,
                    .tone = plot::Tone::faint};
   plot::Series high = low;
   high.name.clear();
