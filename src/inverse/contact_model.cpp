@@ -24,8 +24,8 @@ constexpr double smallest_error = 1e-4;
 /// Of the variance that rung 3 states, what packings of one preparation have in common: recipes scatter by
 /// 1.9 %, the packings of one by 2.2 %. [validation/relaxation]
 constexpr double shared_by_preparation = 0.42;
-/// A step of the parameters that no longer matters.
-constexpr double smallest_step = 1e-10;
+/// Of the sum of squares, what is too little to go on for.
+constexpr double negligible_gain = 1e-12;
 /// However far the least squares look around.
 constexpr double most_rattlers = 0.9, just_rigid = 1e-6;
 
@@ -259,8 +259,11 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
         hardin::solve(problem, theta, model->options_.iteration_limit, "a contact number");
     theta = solution.theta;
     jacobian = slopes(residuals, theta);
-    // Exact measurements leave residuals of rounding errors, of which no criterion of GSL makes sense.
-    const bool arrived = least_squares_step(jacobian, residuals(theta)).cwiseAbs().maxCoeff() < smallest_step;
+    // GSL compares sums of squares, which near the minimum differ by rounding alone: a last step goes further.
+    const Eigen::VectorXd misfit = residuals(theta), step = least_squares_step(jacobian, misfit);
+    const bool arrived = (jacobian * step).squaredNorm() <= negligible_gain * (1 + misfit.squaredNorm());
+    if (arrived)
+      theta -= step;
     if (solution.status != hardin::FitStatus::converged && !arrived)
       throw NotConverged("the fit of a contact number did not converge after " +
                          std::to_string(solution.iterations) + " iterations");

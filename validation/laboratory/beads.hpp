@@ -93,6 +93,14 @@ inline double exponent_of(const std::vector<Measured>& at, const std::vector<dou
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
+/// What was not measured is a dash.
+inline void print_number(double number, int digits) {
+  if (std::isnan(number))
+    std::printf("      -");
+  else
+    std::printf(" %6.*f", digits, number);
+}
+
 inline void print(const Comparison& c, double Moduli::*modulus, const char* symbol) {
   std::printf("\n%s: %s over that measured, porosity %.2f\n  %-36s", c.grains->name, symbol, porosity,
               "p [MPa]");
@@ -102,13 +110,13 @@ inline void print(const Comparison& c, double Moduli::*modulus, const char* symb
   std::vector<double> moduli;
   for (std::size_t k = 0; k < c.measured.size(); ++k) {
     moduli.push_back(c.measured_moduli(k).*modulus);
-    std::printf(" %6.0f", moduli.back() / 1e6);
+    print_number(moduli.back() / 1e6, 0);
   }
   std::printf("   %.3f", exponent_of(c.measured, moduli));
   for (const Estimate& estimate : c.estimates) {
     std::printf("\n  %-36s", estimate.name);
     for (std::size_t k = 0; k < c.measured.size(); ++k) {
-      std::printf(" %6.2f", estimate.moduli[k].*modulus / moduli[k]);
+      print_number(estimate.moduli[k].*modulus / moduli[k], 2);
     }
     std::vector<double> own;
     for (const Moduli& both : estimate.moduli)
