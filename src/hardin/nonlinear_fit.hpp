@@ -24,7 +24,7 @@ struct NonlinearSolution {
 };
 
 /// The parameters at which the sum of squared residuals is least, by Levenberg-Marquardt with a trust region,
-/// to rounding.                                                                                     [More1978]
+/// to rounding. [More1978]
 /// \param    what   is fitted, for errors: "Eq. (1)"
 /// \throws   what the functions of the problem throw; NotConverged if GSL cannot begin
 /// Checked by tests/hardin/test_nonlinear_fit.cpp
