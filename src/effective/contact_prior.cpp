@@ -183,6 +183,12 @@ Preparation preparation_of(std::string_view text) {
           .friction_coefficient = require_positive("friction_coefficient", coefficient)};
 }
 
+double typical_rattler_fraction(double mechanical_coordination_number, double relative_overlap) {
+  const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
+  const double overlap = require_non_negative("relative_overlap", relative_overlap);
+  return std::min(kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients), 0.9);
+}
+
 ContactPrior contact_prior(const State& state, const Preparation& preparation) {
   require_prior_inputs(state);
   const auto [most, least] = frictions_of(preparation);

@@ -150,6 +150,16 @@ TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
   CHECK(prior.rattler_error > effective::contact_prior(spheres(0.6, 1e5)).rattler_error);
 }
 
+TEST_CASE("contact prior: rattlers of z* are those of the prior, and fewer the more contacts there are") {
+  const ContactPrior prior = effective::contact_prior(spheres(0.65, 1e5), dense);
+  CHECK(close(effective::typical_rattler_fraction(z(prior.middle), prior.relative_overlap),
+              prior.middle.rattler_fraction, 1e-9));
+  CHECK(effective::typical_rattler_fraction(4.38, 6.5e-5) == doctest::Approx(0.083).epsilon(0.3));
+  CHECK(effective::typical_rattler_fraction(6.08, 5e-5) < effective::typical_rattler_fraction(4.38, 5e-5));
+  CHECK(effective::typical_rattler_fraction(0, 0) == 0.9);
+  CHECK_THROWS_AS((void)effective::typical_rattler_fraction(-1, 0), InvalidArgument);
+}
+
 TEST_CASE("contact prior: without pressure the contacts are those of rigid grains") {
   const ContactPrior prior = effective::contact_prior(spheres(0.56, 0), dense);
   CHECK(z(prior.middle) == 6);

@@ -71,6 +71,15 @@ struct ContactPrior {
 /// Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior
 [[nodiscard]] ContactPrior contact_prior(const State& state, const Preparation& preparation = {});
 
+/// x_0 that packings of z* have, by the fit of the prior.
+/// \param    mechanical_coordination_number   z* >= 0 [1]
+/// \param    relative_overlap                 as in ContactPrior, >= 0 [1]
+/// \return   at most 0.9, which a z* far below the isostatic point would exceed
+/// \throws   InvalidArgument outside of these ranges
+/// Accuracy  of equal grains within a factor of 1.3 (one standard deviation).
+///           Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior
+[[nodiscard]] double typical_rattler_fraction(double mechanical_coordination_number, double relative_overlap);
+
 /// A packing whose contacts are known at one mean stress, at another.
 struct CarriedContacts {
   ContactCounts counts;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/elastic/transverse_isotropic.hpp>
+
+/// Water in the pores: what it adds to stiffness and mass.
+namespace granum::elastic {
+
+/// What Gassmann's relation needs to know of grains and pores.
+struct SaturatedPores {
+  double grain_bulk_modulus = 0; ///< K_s of the grains' solid [Pa], > 0
+  double fluid_bulk_modulus = 0; ///< K_f of what fills the pores [Pa], > 0
+  double void_ratio = 0;         ///< e [1], > 0
+};
+
+/// Bulk modulus of water and air mixed finely, 1/(S/K_w + (1 - S)/K_a): that of air but for the last per
+/// cent. Water of 20 degrees Celsius, 2.18 GPa; air at one atmosphere, 0.142 MPa.            [Mavko2009]
+/// Assumes   one pressure in both; the forces of menisci between grains are not in it.
+/// \param    saturation   S, share of the pores' volume that is water, in [0, 1]
+/// \throws   InvalidArgument outside of that range
+/// Accuracy  2 ulp.  Checked by tests/elastic/test_saturation.cpp
+[[nodiscard]] double water_and_air_bulk_modulus(double saturation);
+
+/// Undrained stiffness of a skeleton whose pores are filled: C_ij + a_i a_j M for the normal components,
+/// a_i = 1 - (C_i1 + C_i2 + C_i3)/(3 K_s), 1/M = (1 - K/K_s - n)/K_s + n/K_f with n = e/(1+e) and K the mean
+/// of all normal components. Shear moduli stay. Isotropic: K_sat of the usual equation.
+/// [Gassmann1951; Mavko2009]
+/// Assumes   one solid, connected pores, frequencies at which the fluid moves with the grains.
+/// \param    skeleton   dry, or drained [Pa]
+/// \throws   InvalidArgument for pores out of their ranges
+/// Accuracy  4 ulp of C33.  Checked by tests/elastic/test_saturation.cpp
+[[nodiscard]] TransverselyIsotropic saturated(const TransverselyIsotropic& skeleton,
+                                              const SaturatedPores& pores);
+
+} // namespace granum::elastic
