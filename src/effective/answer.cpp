@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <tuple>
 #include <utility>
 
+#include <granum/contact/minerals.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
@@ -86,9 +86,15 @@ KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
   return {.middle = with(1), .fewer = with(1 / factor), .more = with(factor), .validity = {}};
 }
 
-/// The share of rattlers is known: z* is where the prior has it, within the prior's range.
-KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior) {
-  const KnownContacts range = contacts_by_prior(prior);
+/// The share of rattlers is known: z* is where the prior has it, within its range. Rattlers of unequal
+/// grains tell how unequal they are, rather than z*.
+KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, bool equal_grains) {
+  KnownContacts range = contacts_by_prior(prior);
+  if (!equal_grains) {
+    for (ContactCounts* counts : {&range.middle, &range.fewer, &range.more})
+      counts->rattler_fraction = rattlers;
+    return range;
+  }
   const auto with = [&](double factor) {
     const double z = contacts_at(
         [&](double at) { return -typical_rattler_fraction(at, prior.relative_overlap); }, -rattlers * factor);
@@ -125,7 +131,7 @@ KnownContacts contacts_of(const PackingQuestion& q) {
   const ContactPrior prior = contact_prior(q.state, q.preparation);
   return z     ? contacts_by_z(*z, prior)
          : C_n ? contacts_by_C_n(*C_n, prior)
-         : x   ? contacts_by_rattlers(*x, prior)
+         : x   ? contacts_by_rattlers(*x, prior, q.state.contacts == sizes::ContactMeans{})
                : contacts_by_prior(prior);
 }
 
@@ -150,12 +156,6 @@ enum Quantity : std::size_t {
 };
 using Quantities = std::array<double, quantity_count>;
 
-double mineral_bulk_modulus(const contact::GrainMaterial& grain) {
-  const double nu_g = grain.poisson_ratio;
-  return nu_g < 0.5 ? 2 * grain.shear_modulus * (1 + nu_g) / (3 * (1 - 2 * nu_g))
-                    : std::numeric_limits<double>::max();
-}
-
 Quantities quantities_of(const PackingQuestion& q, const ContactCounts& counts,
                          const elastic::TransverselyIsotropic& c) {
   Quantities all{};
@@ -176,7 +176,7 @@ Quantities quantities_of(const PackingQuestion& q, const ContactCounts& counts,
                                             .pore_density = q.saturation * water_density});
   const elastic::TransverselyIsotropic undrained =
       q.saturation > 0
-          ? elastic::saturated(c, {.grain_bulk_modulus = mineral_bulk_modulus(q.state.law.grain()),
+          ? elastic::saturated(c, {.grain_bulk_modulus = contact::bulk_modulus(q.state.law.grain()),
                                    .fluid_bulk_modulus = elastic::water_and_air_bulk_modulus(q.saturation),
                                    .void_ratio = q.state.void_ratio})
           : c;

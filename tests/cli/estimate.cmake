@@ -30,10 +30,11 @@ foreach(expectation "uniform_strain/m=^0\\.19967532467532" "uniform_strain/n=^0\
     ARGS estimate --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
 endforeach()
 
+set(far_fabric STDERR "beyond what the relaxation of anisotropic packings was compared with")
 # Contacts of one stiffness, a = 1/2, r = 0.9: moduli over P k_n are 234/875, 372/875, 1013/2385, 464967/1740115.
 foreach(expectation "C11=^3314886660\\.8442" "C33=^5269819819\\.8037" "E_v=^5264800774\\.0791"
     "E_h=^3312112348\\.5494")
-  granum_cli_test("estimate: fabric ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
+  granum_cli_test("estimate: fabric ${expectation}" EXIT 0 ${far_fabric} JSON "uniform_strain/${expectation}"
     ARGS estimate --contact flat --punch-radius 50um --void-ratio 0.558 --fabric 0.5 --tangential-ratio 0.9
       --pressure 100kPa --json)
 endforeach()
@@ -41,14 +42,14 @@ endforeach()
 # s = 1/(1+alpha) at any fabric and stress ratio
 set(anisotropic --void-ratio 0.6 --fabric 0.5 --stress-v 200kPa --stress-h 100kPa --json)
 foreach(hypothesis uniform_strain uniform_stress)
-  granum_cli_test("estimate: s of cones, ${hypothesis}" EXIT 0
+  granum_cli_test("estimate: s of cones, ${hypothesis}" EXIT 0 ${far_fabric}
     JSON "${hypothesis}/s=^0\\.(5$|50000000000000|4999999999999)"
     ARGS estimate --contact cone --slope 0.4 ${anisotropic})
-  granum_cli_test("estimate: s of spheres, ${hypothesis}" EXIT 0 JSON "${hypothesis}/s=^0\\.3333333333333"
+  granum_cli_test("estimate: s of spheres, ${hypothesis}" EXIT 0 ${far_fabric} JSON "${hypothesis}/s=^0\\.3333333333333"
     ARGS estimate --contact sphere ${anisotropic})
-  granum_cli_test("estimate: s of flat punches, ${hypothesis}" EXIT 0 JSON "${hypothesis}/s=^0(\\.0)?$"
+  granum_cli_test("estimate: s of flat punches, ${hypothesis}" EXIT 0 ${far_fabric} JSON "${hypothesis}/s=^0(\\.0)?$"
     ARGS estimate --contact flat --punch-radius 50um ${anisotropic})
-  granum_cli_test("estimate: s of alpha = 1.5, ${hypothesis}" EXIT 0
+  granum_cli_test("estimate: s of alpha = 1.5, ${hypothesis}" EXIT 0 ${far_fabric}
     JSON "${hypothesis}/s=^0\\.(4$|40000000000000|3999999999999)"
     ARGS estimate --contact power-law --alpha 1.5 --profile-constant 180 ${anisotropic})
 endforeach()
@@ -66,7 +67,7 @@ foreach(hypothesis uniform_strain uniform_stress)
     JSON "${hypothesis}/s=^0\\.3333333333333" ARGS estimate --void-ratio 0.6 --pressure 0Pa --json)
 endforeach()
 granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limit on the isotropic path"
-  ARGS estimate --void-ratio 0.6 --pressure 0Pa)
+  ARGS estimate --bounds --void-ratio 0.6 --pressure 0Pa)
 set(frictionless --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0 --json)
 foreach(expectation "E_v=^0(\\.0)?$" "E_h=^0(\\.0)?$" "s=^$")
   granum_cli_test("estimate: k_t = 0, uniform stress ${expectation}" EXIT 0 JSON "uniform_stress/${expectation}"
@@ -75,7 +76,7 @@ endforeach()
 granum_cli_test("estimate: k_t = 0, uniform strain" EXIT 0 JSON "uniform_strain/E_v=^[1-9]"
   STDERR "warning: uniform stress without" ARGS estimate ${frictionless})
 granum_cli_test("estimate: k_t = 0, in the table" EXIT 0 STDOUT "undefined.*Uniform strain overestimates"
-  STDERR "warning: uniform stress without" ARGS estimate --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0)
+  STDERR "warning: uniform stress without" ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0)
 granum_cli_test("estimate: unstable stiffness has no Young's modulus" EXIT 0 JSON "uniform_strain/E_v=^$"
   STDERR "Young's moduli under uniform strain do not exist"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --fabric -2.3 --tangential-ratio 0.1 --json)
@@ -99,7 +100,7 @@ foreach(note "--contact sphere" "--grain-shear-modulus 30 GPa" "--grain-poisson-
   granum_cli_test("estimate: assumed ${note}, JSON" EXIT 0 JSON "notes=assumed ${note}"
     ARGS estimate --void-ratio 0.6 --pressure 100kPa --json)
   granum_cli_test("estimate: assumed ${note}, table" EXIT 0 STDOUT "- assumed ${note}"
-    ARGS estimate --void-ratio 0.6 --pressure 100kPa)
+    ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa)
 endforeach()
 granum_cli_test("estimate: assumed slope" EXIT 0 JSON "notes=assumed --slope 0\\.4"
   ARGS estimate --contact cone --coordination-number 5.73 ${complete})
@@ -117,13 +118,13 @@ foreach(loose "cone=0\\.78" "sphere=0\\.72" "flat=0\\.61")
 endforeach()
 granum_cli_test("estimate: table" EXIT 0
   STDOUT "K +208 MPa +208 MPa.*s = m . n +0\\.3333 +0\\.3333.*Both overestimate.*0\\.7 of it if dense"
-  ARGS estimate --void-ratio 0.6 --pressure 100kPa)
+  ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa)
 granum_cli_test("estimate: table of a profile" EXIT 0 STDOUT "profile 180 r\\^1\\.5 \\(SI\\)"
   ARGS estimate --contact power-law --alpha 1.5 --profile-constant 180 --void-ratio 0.6 --pressure 100kPa)
 granum_cli_test("estimate: assumptions are not outside validity" EXIT 0 JSON "uniform_strain/K=^20"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --strict --json)
 granum_cli_test("estimate: a validity note fails under --strict" EXIT 4 JSON "notes=coordination number exceeds 12"
-  STDERR "^granum: error: coordination number exceeds 12[^\n]*\n$"
+  STDERR "^granum: error: coordination number exceeds 12[^\n]*\ngranum: error: z\\* is 13"
   ARGS estimate --coordination-number 13 --void-ratio 0.6 --pressure 100kPa --strict --json)
 
 function(granum_estimate_refuses what message)
@@ -193,9 +194,9 @@ granum_cli_test("estimate: relaxed where rattlers are given" EXIT 0 JSON "inputs
 granum_cli_test("estimate: relaxed dense spheres have two thirds of G" EXIT 0 JSON "relaxed/G_vh=^20[0-9][0-9]+\\."
   ARGS estimate ${dense} --rattler-fraction 0.02 --json)
 granum_cli_test("estimate: relaxed with its error" EXIT 0 STDOUT "G_vh = C44 .* 20[0-9]\\.?[0-9]* MPa \\+- 3 %"
-  ARGS estimate ${dense} --mechanical-coordination-number 6.02)
+  ARGS estimate --bounds ${dense} --mechanical-coordination-number 6.02)
 granum_cli_test("estimate: no relaxed column without z*" EXIT 0 STDOUT "--rattler-fraction"
-  ARGS estimate ${dense})
+  ARGS estimate --bounds ${dense})
 granum_cli_test("estimate: below the isostatic point" EXIT 0 STDERR "z\\* = 3.5 is not above the isostatic point"
   JSON "relaxed/G_vh=^0\\.0$" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --json)
 granum_cli_test("estimate: z* given twice" EXIT 2 STDERR "say the same: give one"
@@ -257,15 +258,15 @@ foreach(equal lognormal:0 bidisperse:1 uniform:2:2)
 endforeach()
 granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3" ARGS ${dense} --json)
 granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\.35.*C_u = 1\\.704.*<l\\^2>"
-  STDERR "" ARGS ${dense} --sizes lognormal:0.35)
-granum_cli_test("estimate: a sieve curve" EXIT 0 JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)
-granum_cli_test("estimate: --uniformity with --d50" EXIT 0 JSON "inputs/gradation/uniformity=^2\\.(5|4999999|5000000)"
+  STDERR "contacts of unequal grains" ARGS ${dense} --sizes lognormal:0.35)
+granum_cli_test("estimate: a sieve curve" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)
+granum_cli_test("estimate: --uniformity with --d50" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/uniformity=^2\\.(5|4999999|5000000)"
   ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
-granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
+granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
   ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
-granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0
+granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0 STDERR "contacts of unequal grains"
   STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --uniformity 2.5)
-granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDOUT "d50 +500 um \\+- 100 um"
+granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDERR "contacts of unequal grains" STDOUT "d50 +500 um \\+- 100 um"
   ARGS ${dense} --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm)
 granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"
   ARGS ${dense} --sieve sieve_cut.csv)

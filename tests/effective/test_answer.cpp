@@ -121,6 +121,22 @@ TEST_CASE("answer: whatever is told narrows the range") {
   CHECK(effective::answer(counted).rattler_fraction.value == 0.03);
 }
 
+TEST_CASE("answer: rattlers of equal grains tell z*, those of unequal ones do not") {
+  PackingQuestion few = beads(), many = beads();
+  few.rattler_fraction = 0.02;
+  many.rattler_fraction = 0.08;
+  const auto z_of = [](const PackingQuestion& q) {
+    return effective::answer(q).mechanical_coordination_number.value;
+  };
+  CHECK(z_of(few) > z_of(many) + 0.5);
+  for (PackingQuestion* q : {&few, &many}) {
+    q->state.contacts.branch = 1.05;
+    q->state.contacts.branch_square = 1.2;
+  }
+  CHECK(z_of(few) == doctest::Approx(z_of(many)).epsilon(0.01));
+  CHECK(has(effective::answer(few).validity, "unequal grains"));
+}
+
 TEST_CASE("answer: dense and loose are the ends of what is not known") {
   PackingQuestion dense = beads(), loosest = beads();
   dense.preparation.kind = Preparation::Kind::dense;

@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "answer_options.hpp"
+#include "answer_report.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/options/packing_options.hpp"
 #include "ladder_report.hpp"
@@ -16,12 +18,15 @@ namespace granum::cli {
 namespace {
 
 using effective::State;
+using nlohmann::ordered_json;
 
 struct Options {
   PackingOptions packing;
+  AnswerOptions answer;
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
   Number tolerance;
+  bool bounds = false; ///< show the uniform fields and rung 3 side by side
 };
 
 EstimateCase resolve(const PackingOptions& o) {
@@ -54,17 +59,41 @@ EstimateAnswer solve(const effective::RungInputs& packing) {
   return all;
 }
 
-ExitCode run(const Options& options) {
+/// What --uncertainty says of the packing itself: the density of the grains changes wave speeds alone.
+std::vector<std::string> of_packing(std::vector<std::string> settings) {
+  std::erase_if(settings, [](const std::string& setting) { return setting.starts_with("grain-density="); });
+  return settings;
+}
+
+/// Of z* alone the rungs take the C_n that the answer found to belong to it, not that of a dense packing.
+void take_contacts(PackingOptions& packing, const effective::PackingAnswer& answer) {
+  if (!packing.mechanical_coordination_number.given() || packing.coordination_number.given())
+    return;
+  packing.coordination_number.value = answer.coordination_number.value;
+  packing.coordination_number.preset = true;
+}
+
+ExitCode run(Options options) {
+  apply_presets(options.packing, options.answer);
+  const AnswerCase answer = solve_answer(options.packing, options.answer, options.uncertain);
+  take_contacts(options.packing, answer.answer);
   const EstimateCase question = resolve(options.packing);
-  EstimateAnswer answer = solve(question.subject);
+  EstimateAnswer rungs = solve(question.subject);
+  const std::vector<std::string> uncertain = of_packing(options.uncertain);
   std::optional<UncertaintyAnswer> uncertainty;
-  if (!options.uncertain.empty()) {
-    uncertainty = propagate(options.packing, options.uncertain);
-    answer.validity.merge(uncertainty->validity);
+  if (!uncertain.empty()) {
+    uncertainty = propagate(options.packing, uncertain);
+    rungs.validity.merge(uncertainty->validity);
   }
-  std::string table = estimate_table(question, answer);
-  nlohmann::ordered_json json = estimate_json(question, answer);
-  Validity validity = answer.validity;
+  std::string table = state_text(question) + answer_table(answer);
+  if (options.bounds)
+    table += "\n" + rungs_table(question, rungs);
+  table +=
+      notes_table(answer.assumptions, options.bounds ? question.assumptions : std::vector<std::string>{});
+  ordered_json json = estimate_json(question, rungs, answer);
+  Validity validity = rungs.validity;
+  validity.merge(answer.answer.validity);
+  validity.keep_each_once();
   if (uncertainty) {
     table += uncertainty_table(*uncertainty);
     json["uncertainty"] = uncertainty_json(*uncertainty);
@@ -95,8 +124,11 @@ std::vector<ShownForm> shown_forms(const effective::RungInputs& packing) {
 Command add_estimate(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "estimate", "Closed-form stiffness of a packing at one state, and how it grows with stress");
+      "estimate", "Small-strain stiffness and wave speeds of a packing at one state, with their range");
   add_packing_options(*command, options->packing);
+  add_answer_options(*command, options->answer);
+  command->add_flag("--bounds", options->bounds,
+                    "Also uniform strain, uniform stress and the relaxed rung side by side, with exponents");
   add_number_without_default(*command, "--tolerance", options->tolerance,
                              "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
   add_uncertainty_option(*command, options->uncertain);

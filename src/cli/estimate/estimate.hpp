@@ -8,6 +8,8 @@
 #include <granum/effective/rungs.hpp>
 #include <nlohmann/json.hpp>
 
+#include "answer_report.hpp"
+
 /// What granum estimate works out, and how it is put into words.
 namespace granum::cli {
 
@@ -37,8 +39,15 @@ struct EstimateAnswer {
   Validity validity; ///< notes of all, each once
 };
 
-[[nodiscard]] nlohmann::ordered_json estimate_json(const EstimateCase& question,
-                                                   const EstimateAnswer& answer);
-[[nodiscard]] std::string estimate_table(const EstimateCase& question, const EstimateAnswer& answer);
+/// The answer first, then the inputs, the rungs and measured sands.
+[[nodiscard]] nlohmann::ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& rungs,
+                                                   const AnswerCase& answer);
+/// Contact, grains, packing and stress.
+[[nodiscard]] std::string state_text(const EstimateCase& question);
+/// Uniform strain, uniform stress and the relaxed rung side by side.
+[[nodiscard]] std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rungs);
+/// A line for each, none twice: what the answer assumes, and what the rungs do.
+[[nodiscard]] std::string notes_table(const std::vector<std::string>& of_answer,
+                                      const std::vector<std::string>& of_rungs);
 
 } // namespace granum::cli

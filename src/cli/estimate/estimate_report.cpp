@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 
@@ -59,33 +61,6 @@ std::string contact_text(const ordered_json& contact) {
   if (contact.contains("alpha"))
     text += fmt::format(", profile {} r^{} (SI)", short_text(contact["profile_constant"].get<double>()),
                         short_text(contact["alpha"].get<double>()));
-  return text;
-}
-
-std::string state_text(const EstimateCase& question) {
-  const State& s = question.subject.state;
-  const ordered_json& packing = question.packing;
-  std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains, closed form\n\n",
-                                 packing.contains("sizes") ? "un" : "");
-  text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
-                      short_text(s.tangential_ratio));
-  text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
-                      pretty(s.law.grain().shear_modulus, Dimension::pressure),
-                      short_text(s.law.grain().poisson_ratio));
-  if (packing.contains("sizes")) {
-    const ordered_json& g = packing.at("gradation");
-    text += fmt::format("  sizes     {}: R is the mean by number; d50 = {}, C_u = {}\n",
-                        packing.at("sizes").get<std::string>(),
-                        pretty(g.at("d50").get<double>(), Dimension::length),
-                        short_text(g.at("uniformity").get<double>()));
-    text += "  contacts  " + means_text(s.contacts) + "\n";
-  }
-  const auto& z = question.subject.mechanical_coordination_number;
-  text += fmt::format("  packing   e = {}, C_n = {}{}, fabric a = {}\n", short_text(s.void_ratio),
-                      short_text(s.coordination_number), z ? ", z* = " + short_text(*z) : "",
-                      short_text(s.fabric_anisotropy));
-  text += fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
-                      pretty(s.stress_h, Dimension::pressure));
   return text;
 }
 
@@ -155,21 +130,49 @@ std::string relaxation_text(const EstimateCase& question) {
 
 } // namespace
 
-ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& answer) {
+std::string state_text(const EstimateCase& question) {
+  const State& s = question.subject.state;
+  const ordered_json& packing = question.packing;
+  std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains\n\n",
+                                 packing.contains("sizes") ? "un" : "");
+  text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
+                      short_text(s.tangential_ratio));
+  text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
+                      pretty(s.law.grain().shear_modulus, Dimension::pressure),
+                      short_text(s.law.grain().poisson_ratio));
+  if (packing.contains("sizes")) {
+    const ordered_json& g = packing.at("gradation");
+    text += fmt::format("  sizes     {}: R is the mean by number; d50 = {}, C_u = {}\n",
+                        packing.at("sizes").get<std::string>(),
+                        pretty(g.at("d50").get<double>(), Dimension::length),
+                        short_text(g.at("uniformity").get<double>()));
+    text += "  contacts  " + means_text(s.contacts) + "\n";
+  }
+  text += fmt::format("  packing   e = {}, fabric a = {}\n", short_text(s.void_ratio),
+                      short_text(s.fabric_anisotropy));
+  text += fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
+                      pretty(s.stress_h, Dimension::pressure));
+  return text;
+}
+
+ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& rungs,
+                           const AnswerCase& answer) {
   ordered_json json = json_head("estimate");
+  json["answer"] = answer_json(answer);
   json["inputs"] = inputs(question);
-  for (const ShownAnswer& shown : answer.forms)
+  for (const ShownAnswer& shown : rungs.forms)
     json[shown.form.key] = json_of(shown.answer);
+  json["measured_sands"] = sands_json(answer);
   json["notes"] = question.assumptions;
-  for (const std::string& note : answer.validity.notes)
+  for (const std::string& note : rungs.validity.notes)
     json["notes"].push_back(note);
   return json;
 }
 
-std::string estimate_table(const EstimateCase& question, const EstimateAnswer& answer) {
+std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rungs) {
   std::vector<ordered_json> answers;
   std::vector<std::string> titles;
-  for (const ShownAnswer& shown : answer.forms) {
+  for (const ShownAnswer& shown : rungs.forms) {
     answers.push_back(json_of(shown.answer));
     titles.emplace_back(shown.form.title);
   }
@@ -179,7 +182,9 @@ std::string estimate_table(const EstimateCase& question, const EstimateAnswer& a
       texts.push_back(text_of(one));
     return texts;
   };
-  std::string text = state_text(question);
+  const auto& z = question.subject.mechanical_coordination_number;
+  std::string text = fmt::format("  at C_n = {}{}\n", short_text(question.subject.state.coordination_number),
+                                 z ? ", z* = " + short_text(*z) : "");
   text += row("", titles, "");
   for (const Label& m : moduli)
     text += row(m.label, cells([&m](const ordered_json& one) {
@@ -190,9 +195,20 @@ std::string estimate_table(const EstimateCase& question, const EstimateAnswer& a
   for (const Label& e : exponents)
     text +=
         row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }), e.meaning);
-  text += relaxation_text(question);
-  for (const std::string& note : question.assumptions)
+  return text + relaxation_text(question);
+}
+
+std::string notes_table(const std::vector<std::string>& of_answer, const std::vector<std::string>& of_rungs) {
+  std::string text = "\n";
+  const auto said = [&](const std::string& note) { // with a spread it may go on
+    const std::string begin = note.substr(0, note.find(','));
+    return std::ranges::any_of(of_answer, [&](const std::string& other) { return other.starts_with(begin); });
+  };
+  for (const std::string& note : of_answer)
     text += "- " + note + "\n";
+  for (const std::string& note : of_rungs)
+    if (!said(note))
+      text += "- " + note + "\n";
   return text;
 }
 

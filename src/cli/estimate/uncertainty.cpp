@@ -16,6 +16,8 @@
 
 namespace granum::cli {
 
+std::string key_of(const Number& number) { return number.name.substr(2); }
+
 namespace {
 
 using effective::Input;
@@ -41,8 +43,6 @@ bool in_use(const PackingOptions& o, const Number& n) {
                           (&n == &o.punch_radius && o.contact == contact::Shape::flat);
   return n.given() || by_default || of_contact;
 }
-
-std::string key_of(const Number& n) { return n.name.substr(2); }
 
 /// How the inputs of the closed forms move with a number of the options. A profile moves the coefficient of
 /// the contact law, c ~ G_g A^(-1/alpha), as G_g would.
@@ -222,6 +222,14 @@ void sample_all(const PackingOptions& options, const std::vector<Target>& target
 }
 
 } // namespace
+
+std::optional<double> said_deviation(const std::string& setting, const Number& number) {
+  const std::size_t split = setting.find('=');
+  const std::string key(trimmed(std::string_view(setting).substr(0, split)));
+  if (split == std::string::npos || key != key_of(number))
+    return std::nullopt;
+  return deviation_of("--uncertainty " + key, setting.substr(split + 1), number);
+}
 
 void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings) {
   command

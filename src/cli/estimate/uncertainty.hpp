@@ -46,6 +46,12 @@ struct UncertaintyAnswer {
 
 void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings);
 
+/// The option of a number without its hyphens.
+[[nodiscard]] std::string key_of(const Number& number);
+/// The deviation that "key=sd" says of a number; nothing if it speaks of another.
+/// \throws   InvalidArgument for a bad deviation
+[[nodiscard]] std::optional<double> said_deviation(const std::string& setting, const Number& number);
+
 /// Works out the uncertainty of every modulus that granum estimate shows.
 /// \param    settings   key=sd; sd with the unit of the key, or in per cent of its value
 /// \throws   InvalidArgument for a key that is no input of this packing, given twice, or with a bad deviation

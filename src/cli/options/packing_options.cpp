@@ -99,7 +99,7 @@ void add_law_options(CLI::App& command, PackingOptions& o, const std::string& na
   add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
 }
 
-bool Number::given() const { return in_table || (option != nullptr && option->count() > 0); }
+bool Number::given() const { return in_table || preset || (option != nullptr && option->count() > 0); }
 
 bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
 
@@ -203,7 +203,7 @@ std::optional<double> resolve_mechanical_coordination_number(const PackingOption
   return std::nullopt;
 }
 
-std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& state) {
+std::vector<std::string> assumed_grains(const PackingOptions& o, const State& state) {
   std::vector<std::string> notes;
   const auto note_default = [&notes](const Number& number, const std::string& remark) {
     if (!number.given())
@@ -231,6 +231,11 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
       uniformity > compared)
     notes.push_back(fmt::format("C_u is {}: which sizes touch was compared with packings up to {} alone",
                                 short_text(uniformity), compared));
+  return notes;
+}
+
+std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& state) {
+  std::vector<std::string> notes = assumed_grains(o, state);
   if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
     notes.emplace_back(
         "assumed that no grain rattles: rattlers are small, and the more there are, the larger are the "

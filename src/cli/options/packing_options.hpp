@@ -28,6 +28,7 @@ struct Number {
   std::string name = {};   ///< of the option, "--radius"
   const CLI::Option* option = nullptr;
   bool in_table = false; ///< a row of a table gives it
+  bool preset = false;   ///< what else was told decides it, as the name of a mineral does
 
   [[nodiscard]] bool given() const;
 };
@@ -93,7 +94,10 @@ void add_law_options(CLI::App& command, PackingOptions& options, const std::stri
 /// \throws   InvalidArgument if both are given, or if the value is out of its range
 [[nodiscard]] std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& options);
 
-/// What was not given, one sentence each.
+/// What was not given of shape, grains and fabric, one sentence each.
+[[nodiscard]] std::vector<std::string> assumed_grains(const PackingOptions& options,
+                                                      const effective::State& state);
+/// The same with what was not given of the contacts.
 [[nodiscard]] std::vector<std::string> assumed_inputs(const PackingOptions& options,
                                                       const effective::State& state);
 /// How much less a loosely prepared packing may have, if the coordination number was assumed.

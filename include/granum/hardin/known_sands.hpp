@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+/// Sands that laboratories test again and again.
+namespace granum::hardin {
+
+/// A sand as far as a source says. Batches of one name differ.
+struct KnownSand {
+  const char* key;                               ///< on a command line
+  const char* name;                              ///< for people
+  const char* source;                            ///< entries of validation/references.bib
+  const char* mineral;                           ///< key of contact::mineral
+  std::optional<double> d50 = {};                ///< [m]
+  std::optional<double> uniformity = {};         ///< C_u [1]
+  std::optional<double> least_void_ratio = {};   ///< e_min [1]
+  std::optional<double> largest_void_ratio = {}; ///< e_max [1]
+};
+
+/// Toyoura, Ottawa F-65, Hostun, Ticino, Nevada and Longstone sand.
+/// [CubrinovskiIshihara2002; YangSze2011; CareyStoneKutter2020; Azeiteiro2017; Fioravante2015]
+/// [Arulmoli1992; Tsomokos2010]
+[[nodiscard]] std::span<const KnownSand> known_sands();
+/// The one of that key.
+/// \throws   InvalidArgument for an unknown key; the text lists the known ones
+/// Checked by tests/hardin/test_known_sands.cpp
+[[nodiscard]] const KnownSand& known_sand(std::string_view key);
+
+/// e of a relative density D_r, e_max - D_r (e_max - e_min).
+/// \param    relative_density     D_r, in [0, 1.2]: more than 1 is found where e_min was not the least [1]
+/// \param    least_void_ratio     e_min > 0 [1]
+/// \param    largest_void_ratio   e_max > e_min [1]
+/// \throws   InvalidArgument outside of these ranges
+/// Accuracy  2 ulp of e_max.  Checked by tests/hardin/test_known_sands.cpp
+[[nodiscard]] double void_ratio_of_relative_density(double relative_density, double least_void_ratio,
+                                                    double largest_void_ratio);
+
+} // namespace granum::hardin

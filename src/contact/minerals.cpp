@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/contact/minerals.hpp>
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
+namespace granum::contact {
+
+namespace {
+
+constexpr double GPa = 1e9;
+
+/// nu of a K and a G.
+constexpr double poisson(double K, double G) { return (3 * K - 2 * G) / (2 * (3 * K + G)); }
+
+constexpr std::array<Mineral, 6> table{{
+    {"quartz", "quartz", "Mavko2009", {44 * GPa, poisson(37, 44)}, 2650, 0.03},
+    {"feldspar", "feldspar, a mean of many", "Mavko2009", {15 * GPa, poisson(37.5, 15)}, 2620, 0.30},
+    {"calcite", "calcite", "Mavko2009", {32 * GPa, poisson(77, 32)}, 2710, 0.05},
+    {"dolomite", "dolomite", "Mavko2009", {45 * GPa, poisson(95, 45)}, 2870, 0.05},
+    {"glass", "soda-lime glass", "Makse2004", {29 * GPa, 0.2}, 2480, 0.08},
+    {"steel", "carbon steel", "BudynasNisbett2011", {79.3 * GPa, 0.292}, 7820, 0.03},
+}};
+
+} // namespace
+
+std::span<const Mineral> minerals() { return table; }
+
+const Mineral& mineral(std::string_view key) {
+  std::string known;
+  for (const Mineral& m : table) {
+    if (key == m.key)
+      return m;
+    known += (known.empty() ? "" : ", ") + std::string(m.key);
+  }
+  throw InvalidArgument("grain '" + std::string(key) + "' is unknown; known are " + known);
+}
+
+double bulk_modulus(const GrainMaterial& grain) {
+  require_positive("grain_shear_modulus", grain.shear_modulus, "Pa");
+  const double nu = require_poisson_ratio("grain_poisson_ratio", grain.poisson_ratio);
+  return nu < 0.5 ? 2 * grain.shear_modulus * (1 + nu) / (3 * (1 - 2 * nu))
+                  : std::numeric_limits<double>::max();
+}
+
+} // namespace granum::contact

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/hardin/known_sands.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/contact/minerals.hpp>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+using namespace granum::hardin;
+
+TEST_CASE("known sands: keys are unique, numbers possible, minerals known") {
+  std::set<std::string> keys;
+  for (const KnownSand& sand : known_sands()) {
+    CHECK(keys.insert(sand.key).second);
+    CHECK(&known_sand(sand.key) == &sand);
+    CHECK(contact::mineral(sand.mineral).density > 2000);
+    CHECK(sand.least_void_ratio.has_value() == sand.largest_void_ratio.has_value());
+    if (sand.least_void_ratio)
+      CHECK(*sand.least_void_ratio < *sand.largest_void_ratio);
+    if (sand.d50)
+      CHECK((*sand.d50 > 0.05e-3 && *sand.d50 < 2e-3));
+  }
+  CHECK_THROWS_WITH_AS((void)known_sand("sahara"), doctest::Contains("toyoura, ottawa"), InvalidArgument);
+}
+
+TEST_CASE("known sands: void ratios of Ottawa F-65 are those of its densities") {
+  const KnownSand& sand = known_sand("ottawa");
+  CHECK(std::abs(*sand.least_void_ratio - (2650.0 / 1754 - 1)) < 5e-4);
+  CHECK(std::abs(*sand.largest_void_ratio - (2650.0 / 1457 - 1)) < 5e-4);
+}
+
+TEST_CASE("known sands: relative density runs from the loosest to the densest") {
+  CHECK(void_ratio_of_relative_density(0, 0.6, 1.0) == 1.0);
+  CHECK(void_ratio_of_relative_density(1, 0.6, 1.0) == doctest::Approx(0.6).epsilon(1e-15));
+  CHECK(void_ratio_of_relative_density(0.5, 0.6, 1.0) == doctest::Approx(0.8).epsilon(1e-15));
+  CHECK_THROWS_AS((void)void_ratio_of_relative_density(60, 0.6, 1.0), InvalidArgument);
+  CHECK_THROWS_AS((void)void_ratio_of_relative_density(0.5, 1.0, 0.6), InvalidArgument);
+  CHECK_THROWS_AS((void)void_ratio_of_relative_density(0.5, 0, 0.6), InvalidArgument);
+}
