@@ -79,13 +79,6 @@ void bind_counts(py::module_& module) {
 }
 
 void bind_fabric_parts(py::module_& module) {
-  py::class_<fabric::RoseBin>(module, "RoseBin", "One bin of the angles between contact normals and axis 3.")
-      .def_readonly("low", &fabric::RoseBin::low, "[rad]")
-      .def_readonly("high", &fabric::RoseBin::high, "[rad]")
-      .def_readonly("count", &fabric::RoseBin::count)
-      .def_readonly("density", &fabric::RoseBin::density, "[1/sr]")
-      .def_readonly("density_error", &fabric::RoseBin::density_error, "[1/sr]")
-      .def_readonly("expected_density", &fabric::RoseBin::expected_density, "[1/sr]");
   using analysis::Fabric;
   py::class_<Fabric> type(module, "Fabric", "Directions of the contacts.");
   show_matrix(type, "tensor", &Fabric::tensor, "F_ij, mean of n_i n_j, (3, 3).");
@@ -154,21 +147,6 @@ void bind_forces(py::module_& module) {
 
 void bind_network(py::module_& module) {
   using analysis::Network;
-  using elastic::EngineeringModuli;
-  py::class_<EngineeringModuli>(module, "EngineeringModuli", "Moduli along the axes and in their planes.")
-      .def_readonly("bulk_modulus", &EngineeringModuli::bulk_modulus, "K [Pa].")
-      .def_readonly("E_1", &EngineeringModuli::E_1, "[Pa]")
-      .def_readonly("E_2", &EngineeringModuli::E_2, "[Pa]")
-      .def_readonly("E_3", &EngineeringModuli::E_3, "[Pa]")
-      .def_readonly("C44", &EngineeringModuli::C44, "[Pa]")
-      .def_readonly("C55", &EngineeringModuli::C55, "[Pa]")
-      .def_readonly("C66", &EngineeringModuli::C66, "[Pa]");
-  py::class_<elastic::SymmetryDistances>(module, "SymmetryDistances",
-                                         "How far a stiffness is from classes of symmetry.")
-      .def_readonly("isotropic", &elastic::SymmetryDistances::isotropic, "[1]")
-      .def_readonly("cubic", &elastic::SymmetryDistances::cubic, "[1]")
-      .def_readonly("transversely_isotropic", &elastic::SymmetryDistances::transversely_isotropic, "[1]")
-      .def_readonly("orthotropic", &elastic::SymmetryDistances::orthotropic, "[1]");
   py::class_<Network>(module, "Network", "The contact network's linear response, rung 4.")
       .def_property_readonly(
           "relaxed", [](const Network& n) { return array_of(n.response.relaxed().matrix); },

@@ -21,6 +21,8 @@ class Arguments {
   Arguments(std::span<PyObject* const> values) : values_(values) {} // NOLINT: meant to convert
 
   [[nodiscard]] bool given(std::size_t k) const { return values_[k] != nullptr && values_[k] != Py_None; }
+  /// None was given.
+  [[nodiscard]] bool is_none(std::size_t k) const { return values_[k] == Py_None; }
   [[nodiscard]] py::handle operator[](std::size_t k) const { return values_[k]; }
   /// True if it was given and is true.
   [[nodiscard]] bool flag(std::size_t k) const {

@@ -14,7 +14,10 @@ PYBIND11_MODULE(_granum, module) {
   bind_errors(module);
   bind_contact(module);
   bind_sizes(module);
+  bind_fabric(module);
+  bind_elastic(module);
   bind_effective(module);
+  bind_sensitivity(module);
   bind_rock_physics(module);
   bind_packing(module);
   bind_io(module);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <granum/elastic/averages.hpp>
+#include <granum/elastic/christoffel.hpp>
+#include <granum/elastic/engineering_moduli.hpp>
+#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/elastic/symmetry.hpp>
+#include <granum/elastic/thomsen.hpp>
+#include <granum/elastic/wave_speeds.hpp>
+
+#include "bindings.hpp"
+#include "estimate.hpp"
+#include "rows.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using elastic::Isotropic;
+using elastic::PlaneWaves;
+using elastic::TransverselyIsotropic;
+
+elastic::VoigtStiffness stiffness(const py::object& value) { return stiffness_of("stiffness", value); }
+
+/// Five constants as an object of Python.
+py::object constants(const TransverselyIsotropic& c) {
+  return estimate_object({.stiffness = c, .validity = {}});
+}
+
+// ---- symmetry
+
+void bind_symmetry(py::module_& module) {
+  using elastic::EngineeringModuli;
+  py::class_<EngineeringModuli>(module, "EngineeringModuli", "Moduli along the axes and in their planes.")
+      .def_readonly("bulk_modulus", &EngineeringModuli::bulk_modulus, "K [Pa].")
+      .def_readonly("E_1", &EngineeringModuli::E_1, "[Pa]")
+      .def_readonly("E_2", &EngineeringModuli::E_2, "[Pa]")
+      .def_readonly("E_3", &EngineeringModuli::E_3, "[Pa]")
+      .def_readonly("C44", &EngineeringModuli::C44, "[Pa]")
+      .def_readonly("C55", &EngineeringModuli::C55, "[Pa]")
+      .def_readonly("C66", &EngineeringModuli::C66, "[Pa]");
+  using elastic::SymmetryDistances;
+  py::class_<SymmetryDistances>(module, "SymmetryDistances",
+                                "How far a stiffness is from classes of symmetry.")
+      .def_readonly("isotropic", &SymmetryDistances::isotropic, "[1]")
+      .def_readonly("cubic", &SymmetryDistances::cubic, "[1]")
+      .def_readonly("transversely_isotropic", &SymmetryDistances::transversely_isotropic, "[1]")
+      .def_readonly("orthotropic", &SymmetryDistances::orthotropic, "[1]");
+  module.def(
+      "engineering_moduli", [](const py::object& c) { return elastic::engineering_moduli(stiffness(c)); },
+      py::arg("stiffness"), "Moduli of a 6 x 6 Voigt matrix along the axes and in their planes [Pa].");
+  module.def(
+      "symmetry_distances", [](const py::object& c) { return elastic::symmetry_distances(stiffness(c)); },
+      py::arg("stiffness"), "How far a 6 x 6 Voigt matrix is from classes of symmetry [1].");
+  module.def(
+      "rotate",
+      [](const py::object& c, const py::object& rotation) {
+        return array_of(elastic::rotate(stiffness(c), matrix_of("rotation", rotation)).matrix);
+      },
+      py::arg("stiffness"), py::kw_only(), py::arg("rotation"),
+      "The 6 x 6 Voigt matrix of the material after it was turned by a (3, 3) rotation.");
+}
+
+// ---- projections and averages
+
+void bind_projections(py::module_& module) {
+  py::class_<Isotropic>(module, "Isotropic", "An isotropic elastic solid.")
+      .def_property_readonly("bulk_modulus", &Isotropic::bulk_modulus, "K [Pa].")
+      .def_property_readonly("shear_modulus", &Isotropic::shear_modulus, "G [Pa].")
+      .def_property_readonly("young_modulus", &Isotropic::young_modulus, "E [Pa].")
+      .def_property_readonly("poisson_ratio", &Isotropic::poisson_ratio, "nu [1].")
+      .def_property_readonly("lame_lambda", &Isotropic::lame_lambda, "lambda [Pa].")
+      .def_property_readonly(
+          "stiffness", [](const Isotropic& solid) { return array_of(elastic::voigt(solid).matrix); },
+          "6 x 6 Voigt matrix [Pa].")
+      .def(
+          "wave_speeds",
+          [](const Isotropic& solid, double density) {
+            const elastic::WaveSpeeds speeds = elastic::wave_speeds(solid, density);
+            return py::dict(py::arg("p") = speeds.p, py::arg("s") = speeds.s);
+          },
+          py::kw_only(), py::arg("bulk_density"), "Speeds of plane waves p and s [m/s].")
+      .def("__repr__", [](const Isotropic& solid) {
+        return py::str("Isotropic(bulk_modulus={!r}, shear_modulus={!r})")
+            .format(solid.bulk_modulus(), solid.shear_modulus());
+      });
+  module.def(
+      "isotropic", [](double bulk, double shear) { return Isotropic::from_bulk_and_shear(bulk, shear); },
+      py::kw_only(), py::arg("bulk_modulus"), py::arg("shear_modulus"),
+      "The isotropic solid of these moduli [Pa].");
+  module.def(
+      "isotropic_projection", [](const py::object& c) { return elastic::isotropic_projection(stiffness(c)); },
+      py::arg("stiffness"), "The isotropic solid nearest to a 6 x 6 Voigt matrix [Pa].");
+  module.def(
+      "transversely_isotropic_projection",
+      [](const py::object& c, const py::object& axis) {
+        if (axis.is_none())
+          return constants(elastic::transversely_isotropic_projection(stiffness(c)));
+        return constants(elastic::transversely_isotropic_projection(stiffness(c), vector_of("axis", axis)));
+      },
+      py::arg("stiffness"), py::kw_only(), py::arg("axis") = py::none(),
+      "The stiffness symmetric about axis 3, or another axis (3,), nearest to a 6 x 6 Voigt matrix [Pa].");
+  using elastic::IsotropicAverages;
+  py::class_<IsotropicAverages>(module, "IsotropicAverages", "Averages over all orientations.")
+      .def_readonly("voigt", &IsotropicAverages::voigt, "Equal strain: an upper bound.")
+      .def_readonly("hill", &IsotropicAverages::hill, "Mean of both.")
+      .def_readonly("reuss", &IsotropicAverages::reuss, "Equal stress: a lower bound.");
+  module.def(
+      "isotropic_averages", [](const py::object& c) { return elastic::isotropic_averages(stiffness(c)); },
+      py::arg("stiffness"), "Voigt's, Hill's and Reuss' average of a 6 x 6 Voigt matrix.");
+}
+
+// ---- waves
+
+struct Waves {
+  std::vector<py::ssize_t> shape; ///< of the directions without their last axis
+  std::vector<PlaneWaves> waves;
+};
+
+constexpr elastic::PlaneWave PlaneWaves::*by_speed[] = {&PlaneWaves::fastest, &PlaneWaves::middle,
+                                                        &PlaneWaves::slowest};
+
+py::array speeds(const Waves& w) {
+  std::vector<py::ssize_t> shape = w.shape;
+  shape.push_back(3);
+  py::array_t<double> out(shape);
+  double* to = out.mutable_data();
+  for (const PlaneWaves& waves : w.waves)
+    for (const auto wave : by_speed)
+      *to++ = (waves.*wave).speed;
+  return out;
+}
+
+py::array polarisations(const Waves& w) {
+  std::vector<py::ssize_t> shape = w.shape;
+  shape.insert(shape.end(), {3, 3});
+  py::array_t<double> out(shape);
+  double* to = out.mutable_data();
+  for (const PlaneWaves& waves : w.waves)
+    for (const auto wave : by_speed)
+      for (int k = 0; k < 3; ++k)
+        *to++ = (waves.*wave).polarisation[k];
+  return out;
+}
+
+Waves plane_waves(const py::object& c, double bulk_density, const py::object& direction) {
+  const py::array_t<double, py::array::c_style | py::array::forcecast> directions =
+      numbers_of("direction", direction);
+  if (directions.ndim() < 1 || directions.shape(directions.ndim() - 1) != 3)
+    throw InvalidArgument("direction has the shape " + shape_text(directions) + ", not (..., 3)");
+  const elastic::VoigtStiffness matrix = stiffness(c);
+  Waves out{{directions.shape(), directions.shape() + directions.ndim() - 1}, {}};
+  const double* from = directions.data();
+  for (py::ssize_t k = 0; k < directions.size() / 3; ++k, from += 3)
+    out.waves.push_back(elastic::plane_waves(matrix, bulk_density, {from[0], from[1], from[2]}));
+  return out;
+}
+
+void bind_waves(py::module_& module) {
+  py::class_<Waves>(module, "PlaneWaves",
+                    "Three plane waves along each direction, from the fastest to the slowest.")
+      .def_property_readonly("speed", &speeds, "Phase speeds [m/s], (..., 3).")
+      .def_property_readonly("polarisation", &polarisations, "Unit vectors of motion, (..., 3, 3).");
+  module.def("plane_waves", &plane_waves, py::arg("stiffness"), py::kw_only(), py::arg("bulk_density"),
+             py::arg("direction"),
+             "Plane waves of a 6 x 6 Voigt matrix [Pa] and a density [kg/m3] along directions (..., 3) of "
+             "any length.");
+  module.def(
+      "bulk_density",
+      [](double grain_density, double void_ratio, double pore_density) {
+        return elastic::bulk_density({grain_density, void_ratio, pore_density});
+      },
+      py::kw_only(), py::arg("grain_density"), py::arg("void_ratio"),
+      py::arg("pore_density") = elastic::GrainsAndPores{}.pore_density,
+      "Mass per volume of a packing, (rho_s + e rho_pore)/(1+e) [kg/m3].");
+  using elastic::ThomsenParameters;
+  py::class_<ThomsenParameters>(module, "ThomsenParameters", "Transverse isotropy in Thomsen's notation.")
+      .def_readonly("epsilon", &ThomsenParameters::epsilon, "(C11-C33)/(2 C33) [1].")
+      .def_readonly("delta", &ThomsenParameters::delta, "[1]")
+      .def_readonly("gamma", &ThomsenParameters::gamma, "(C66-C44)/(2 C44) [1].");
+  module.def(
+      "thomsen_parameters",
+      [](const py::object& c, bool weak) {
+        const TransverselyIsotropic ti = elastic::transversely_isotropic_projection(stiffness(c));
+        return weak ? elastic::weak_thomsen_parameters(ti) : elastic::thomsen_parameters(ti);
+      },
+      py::arg("stiffness"), py::kw_only(), py::arg("weak") = false,
+      "Thomsen's parameters of a 6 x 6 Voigt matrix, made symmetric about axis 3; weak: delta to first "
+      "order.");
+}
+
+} // namespace
+
+void bind_elastic(py::module_& module) {
+  bind_symmetry(module);
+  bind_projections(module);
+  bind_waves(module);
+}
+
+} // namespace granum::python
