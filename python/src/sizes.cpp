@@ -68,7 +68,6 @@ void bind_gradation(py::module_& module) {
 } // namespace
 
 void bind_sizes(py::module_& module) {
-  bind_contact_means(module);
   bind_gradation(module);
   py::class_<Distribution>(module, "Distribution", "Radii of grains over their mean by number, x = r/<r>.")
       .def(py::init([](const std::string& text) { return sizes::parse_distribution(text); }), py::arg("text"),
@@ -99,6 +98,7 @@ void bind_sizes(py::module_& module) {
           py::kw_only(), py::arg("d50"), "Mean radius by number of grains of this d50 [m].")
       .def(py::self == py::self)
       .def("__repr__", [](const Distribution& sizes) { return "Distribution(\"" + sizes.text() + "\")"; });
+  bind_contact_means(module);
 }
 
 } // namespace granum::python

@@ -3,6 +3,7 @@
 
 import doctest
 import inspect
+import runpy
 
 import granum
 import pytest
@@ -40,3 +41,25 @@ def test_functions_say_what_they_take(name):
 def test_all_names_are_there():
     assert all(hasattr(granum, name) for name in granum.__all__)
     assert "measure" in granum.__all__ and "__version__" in granum.__all__
+
+
+EXAMPLES = {
+    "judge_a_packing": [
+        "steep contacts bear 1.007 of what flat ones bear",
+        "force ~ overlap^1.5000, G_g = 30.00 GPa",
+        "rung3           G_vh is 0.95 of the network's",
+    ],
+    "modulus_and_range": ["   3 m: G_vh = 129.2 MPa +- 4.7 %"],
+}
+
+
+def test_every_example_is_run(source):
+    assert sorted(EXAMPLES) == sorted(path.stem for path in (source / "examples" / "python").glob("*.py"))
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_examples_print_what_they_should(source, name, capsys):
+    runpy.run_path(str(source / "examples" / "python" / f"{name}.py"))
+    printed = capsys.readouterr().out.splitlines()
+    for line in EXAMPLES[name]:
+        assert line in printed

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A modulus of a sand along depth, with its range: rung 3 and what uncertain inputs make of it.
+
+PYTHONPATH=build/python python3 examples/python/modulus_and_range.py
+"""
+
+import granum
+import numpy as np
+
+grain = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
+void_ratio, contacts, rattlers = 0.6, 5.7, 0.02
+
+depth = np.array([1.0, 3.0, 10.0])  # [m]
+unit_weight = granum.bulk_density(grain_density=2650, void_ratio=void_ratio) * 9.81
+stress_v = unit_weight * depth
+
+estimate = granum.relaxed(
+    law=grain,
+    radius=0.5e-3,
+    void_ratio=void_ratio,
+    coordination_number=contacts,
+    rattler_fraction=rattlers,
+    stress_v=stress_v,
+    stress_h=0.5 * stress_v,
+)
+assert estimate.relative_error is not None
+for z, modulus, error in zip(depth, estimate.G_vh, estimate.relative_error.G_vh):
+    print(f"{z:4.0f} m: G_vh = {modulus / 1e6:5.1f} MPa +- {100 * error:.1f} %")
+
+uncertain = granum.uncertainty(
+    rung=3,
+    modulus="G_vh",
+    law=grain,
+    radius=0.5e-3,
+    void_ratio=void_ratio,
+    coordination_number=contacts,
+    rattler_fraction=rattlers,
+    stress_v=stress_v[1],
+    stress_h=0.5 * stress_v[1],
+    deviations={"void_ratio": 0.03, "coordination_number": 0.3, "mechanical_coordination_number": 0.3},
+)
+print(f"with uncertain e, C_n and z*: {uncertain.value / 1e6:.1f} +- {uncertain.deviation / 1e6:.1f} MPa")

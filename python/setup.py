@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hands the compiled part of the package to CMake; everything else stands in pyproject.toml."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parent
+
+
+def version():
+    """That of the library."""
+    text = (SOURCE / "CMakeLists.txt").read_text()
+    return re.search(r"project\(granum VERSION ([0-9.]+)", text).group(1)
+
+
+class CMakeBuild(build_ext):
+    """Builds the module by the project's own CMakeLists, for this interpreter."""
+
+    def build_extension(self, ext):
+        module = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
+        tree = pathlib.Path(self.build_temp).resolve()
+        options = {
+            "CMAKE_BUILD_TYPE": "Release",
+            "GRANUM_UNITY_BUILD": "ON",
+            "GRANUM_BUILD_PYTHON": "ON",
+            "GRANUM_BUILD_CLI": "OFF",
+            "GRANUM_BUILD_TESTS": "OFF",
+            "GRANUM_BUILD_EXAMPLES": "OFF",
+            "GRANUM_BUILD_DOCS": "OFF",
+            "GRANUM_PYTHON": sys.executable,
+            "GRANUM_PYTHON_FOLDER": module.parent.parent,
+        }
+        configure = ["cmake", "-S", SOURCE, "-B", tree, "-G", "Ninja"]
+        configure += [f"-D{name}={value}" for name, value in options.items()]
+        subprocess.run(configure, check=True)
+        subprocess.run(["cmake", "--build", tree, "--target", "granum_python"], check=True)
+
+
+setup(
+    version=version(),
+    ext_modules=[Extension("granum._granum", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The types that editors and checkers see are those of the package."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import granum
+
+
+def run(*arguments, cwd):
+    folder = str(pathlib.Path(granum.__file__).resolve().parents[1])
+    environment = {**os.environ, "MYPY_CACHE_DIR": str(cwd / "cache"), "PYTHONPATH": folder}
+    done = subprocess.run(
+        [sys.executable, "-m", *arguments], cwd=cwd, env=environment, capture_output=True, text=True
+    )
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_stubs_are_those_of_the_package(source, tmp_path):
+    allowed = source / "python" / "tests" / "stubtest_allowed.txt"
+    code, said = run("mypy.stubtest", "granum", "--allowlist", str(allowed), cwd=tmp_path)
+    assert code == 0, said
+
+
+def test_the_examples_have_the_right_types(source, tmp_path):
+    examples = sorted((source / "examples" / "python").glob("*.py"))
+    code, said = run("mypy", "--strict", *map(str, examples), cwd=tmp_path)
+    assert code == 0 and f"{len(examples)} source files" in said, said
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text(
+        examples[0].read_text() + "granum.measure(1)\ngranum.sphere(shear_modulus=1e9)\nfound.colour\n"
+    )
+    code, said = run("mypy", "--strict", str(wrong), cwd=tmp_path)
+    assert code == 1 and said.count("error:") == 4, said
