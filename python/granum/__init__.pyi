@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Types of the package. SI everywhere; what each name means stands in its documentation.
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, Optional, Union
 
@@ -16,6 +16,7 @@ from ._errors import Stopped as Stopped
 __all__ = [
     "AnisotropyEstimate",
     "Band",
+    "Compression",
     "ContactMeans",
     "ContactStress",
     "Contacts",
@@ -47,20 +48,28 @@ __all__ = [
     "Network",
     "NotConverged",
     "Packing",
+    "PathPoint",
     "PlaneWaves",
     "PowerLaw",
+    "ProbeResult",
     "RoseBin",
     "Rung",
     "RungAssessment",
+    "Shearing",
     "Sizes",
+    "Specimen",
+    "State",
     "Stopped",
+    "Study",
     "SymmetryDistances",
     "ThomsenParameters",
     "Uncertainty",
+    "Verdict",
     "answer",
     "bulk_density",
     "cement_at_contacts",
     "cement_in_surface_layer",
+    "compress",
     "cone",
     "digby",
     "engineering_moduli",
@@ -92,13 +101,16 @@ __all__ = [
     "pair_radius",
     "plane_waves",
     "power_law",
+    "probe",
     "read",
     "relaxed",
     "rose",
     "rotate",
     "rungs",
     "sample_normals",
+    "shear",
     "soft_sand",
+    "specimen",
     "sphere",
     "stiff_sand",
     "symmetry_distances",
@@ -110,6 +122,7 @@ __all__ = [
     "uniform_strain_moduli",
     "uniform_stress",
     "uniform_stress_kinematic",
+    "verify",
     "__version__",
 ]
 __version__: str
@@ -143,6 +156,10 @@ class Band:
     def mean(self) -> float: ...
     @property
     def median(self) -> float: ...
+
+class Compression:
+    def __iter__(self) -> Iterator[State]: ...
+    def __next__(self) -> State: ...
 
 class ContactMeans:
     def __init__(
@@ -626,6 +643,26 @@ class Packing:
     def __copy__(self) -> Packing: ...
     def __deepcopy__(self, arg0: object) -> Packing: ...
 
+class PathPoint:
+    @property
+    def axial_strain(self) -> float: ...
+    @property
+    def eta(self) -> float: ...
+    @property
+    def mean_stress(self) -> float: ...
+    @property
+    def packing(self) -> Packing: ...
+    @property
+    def specimen(self) -> Specimen: ...
+    @property
+    def step(self) -> int: ...
+    @property
+    def stress_h(self) -> float: ...
+    @property
+    def stress_v(self) -> float: ...
+    @property
+    def volumetric_strain(self) -> float: ...
+
 class PlaneWaves:
     @property
     def polarisation(self) -> NDArray[np.float64]: ...
@@ -654,6 +691,20 @@ class PowerLaw:
     @property
     def stiffness_exponent(self) -> float: ...
     def times(self, factor: float) -> PowerLaw: ...
+
+class ProbeResult:
+    @property
+    def amplitude(self) -> float: ...
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def opening(self) -> float: ...
+    @property
+    def shear_modulus(self) -> float: ...
+    @property
+    def steps(self) -> int: ...
+    @property
+    def unbalanced_force_ratio(self) -> float: ...
 
 class RoseBin:
     @property
@@ -705,6 +756,10 @@ class RungAssessment:
     @property
     def verdict(self) -> str: ...
 
+class Shearing:
+    def __iter__(self) -> Iterator[PathPoint]: ...
+    def __next__(self) -> PathPoint: ...
+
 class Sizes:
     @property
     def contacts(self) -> ContactMeans: ...
@@ -716,6 +771,38 @@ class Sizes:
     def largest(self) -> float: ...
     @property
     def smallest(self) -> float: ...
+
+class Specimen:
+    def __eq__(self, arg0: object) -> bool: ...
+    def __len__(self) -> int: ...
+    @property
+    def packing(self) -> Packing: ...
+    @property
+    def void_ratio(self) -> float: ...
+
+class State:
+    @property
+    def packing(self) -> Packing: ...
+    @property
+    def pressure(self) -> float: ...
+    @property
+    def specimen(self) -> Specimen: ...
+    @property
+    def steps(self) -> int: ...
+    @property
+    def stress(self) -> NDArray[np.float64]: ...
+    @property
+    def unbalanced_force_ratio(self) -> float: ...
+
+class Study:
+    @property
+    def exponents(self) -> dict[str, Any]: ...
+    @property
+    def failures(self) -> list[str]: ...
+    @property
+    def states(self) -> dict[str, Any]: ...
+    @property
+    def verdicts(self) -> list[Verdict]: ...
 
 class SymmetryDistances:
     @property
@@ -750,6 +837,14 @@ class Uncertainty:
     def shares(self) -> dict[str, float]: ...
     @property
     def value(self) -> float: ...
+
+class Verdict:
+    @property
+    def claim(self) -> str: ...
+    @property
+    def holds(self) -> bool: ...
+    @property
+    def measured(self) -> str: ...
 
 def answer(
     *,
@@ -791,6 +886,7 @@ def cement_in_surface_layer(
     cement_saturation: ArrayLike,
     strict: bool = False,
 ) -> IsotropicModuli: ...
+def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
 def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> PowerLaw: ...
 def digby(
     *,
@@ -952,6 +1048,13 @@ def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLi
 def power_law(
     *, shear_modulus: float, poisson_ratio: float, alpha: float, profile_constant: float
 ) -> PowerLaw: ...
+def probe(
+    specimen: Specimen,
+    *,
+    mode: Literal["hh", "hv", "vh"],
+    amplitude: Optional[float] = None,
+    sliding: bool = False,
+) -> ProbeResult: ...
 def read(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
 ) -> Packing: ...
@@ -975,6 +1078,16 @@ def rose(normals: ArrayLike, *, anisotropy: float, bins: int) -> list[RoseBin]: 
 def rotate(stiffness: ArrayLike, *, rotation: ArrayLike) -> NDArray[np.float64]: ...
 def rungs() -> list[Rung]: ...
 def sample_normals(*, anisotropy: float, count: int, seed: int) -> NDArray[np.float64]: ...
+def shear(
+    specimen: Specimen,
+    *,
+    path: str,
+    mean_stress: float,
+    eta_step: Optional[float] = None,
+    strain_step: Optional[float] = None,
+    largest_strain: Optional[float] = None,
+    inertial_number: Optional[float] = None,
+) -> Shearing: ...
 def soft_sand(
     *,
     shear_modulus: ArrayLike,
@@ -986,6 +1099,20 @@ def soft_sand(
     strict: bool = False,
     porosity: ArrayLike,
 ) -> IsotropicModuli: ...
+def specimen(
+    *,
+    law: PowerLaw,
+    radius: float,
+    friction_coefficient: float,
+    kind: Literal["dense", "loose"],
+    grains: Optional[int] = None,
+    seed: Optional[int] = None,
+    first_pressure: Optional[float] = None,
+    tangential_ratio: Optional[float] = None,
+    density: Optional[float] = None,
+    sizes: Optional[Distribution] = None,
+    wall_friction: Optional[float] = None,
+) -> Specimen: ...
 def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> PowerLaw: ...
 def stiff_sand(
     *,
@@ -1099,3 +1226,8 @@ def uniform_stress_kinematic(
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
 ) -> Estimate: ...
+def verify(
+    scene: Union[None, Mapping[str, Any], _Path] = None,
+    *,
+    progress: Union[None, Literal["tqdm"], Callable[[float, str], object]] = None,
+) -> Study: ...

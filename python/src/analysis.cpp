@@ -327,8 +327,7 @@ py::object measure(const Arguments& a) {
     else
       frame = studies::measure_frame(*packing, given, wanted);
   }
-  if (PyErr_Occurred() != nullptr)
-    throw py::error_already_set();
+  throw_if_signalled();
   return py::cast(std::move(frame));
 }
 

@@ -19,5 +19,7 @@ void bind_rock_physics(py::module_& module);
 void bind_packing(py::module_& module);
 void bind_io(py::module_& module);
 void bind_analysis(py::module_& module);
+void bind_triaxial(py::module_& module);
+void bind_studies(py::module_& module);
 
 } // namespace granum::python

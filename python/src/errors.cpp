@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "errors.hpp"
 
+#include <chrono>
+
 #include <granum/core/error.hpp>
 
 #include "bindings.hpp"
@@ -76,10 +78,21 @@ void set_python_error(std::exception_ptr error) noexcept {
 }
 
 StopRequest stop_on_signal() {
-  return [] {
+  using Clock = std::chrono::steady_clock;
+  const auto pause = std::chrono::milliseconds(50); // asking for the lock may take another thread's turn
+  return [pause, next = Clock::now(), stopped = false]() mutable {
+    if (stopped || Clock::now() < next)
+      return stopped;
     const py::gil_scoped_acquire lock;
-    return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+    stopped = PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+    next = Clock::now() + pause;
+    return stopped;
   };
+}
+
+void throw_if_signalled() {
+  if (PyErr_Occurred() != nullptr)
+    throw py::error_already_set();
 }
 
 void bind_errors(py::module_&) {

@@ -17,4 +17,7 @@ void set_python_error(std::exception_ptr error) noexcept;
 /// work then throws Stopped, which becomes the exception of the signal.
 [[nodiscard]] StopRequest stop_on_signal();
 
+/// Raises what the signal that ended some work has raised; for work that returns early instead of throwing.
+void throw_if_signalled();
+
 } // namespace granum::python

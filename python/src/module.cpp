@@ -22,4 +22,6 @@ PYBIND11_MODULE(_granum, module) {
   bind_packing(module);
   bind_io(module);
   bind_analysis(module);
+  bind_triaxial(module);
+  bind_studies(module);
 }

@@ -124,8 +124,8 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
   }
   out.scalar = false;
   out.shape = columns.shape();
-  out.rows.resize(columns.rows(), refused);
   const py::gil_scoped_release unlocked;
+  out.rows.resize(columns.rows(), refused);
   columns.for_each([&](std::size_t row, const double* numbers) {
     try {
       out.rows[row] = answer(numbers, notes);

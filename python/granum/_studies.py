@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies: scenes, and what is found in them."""
+
+from __future__ import annotations
+
+import importlib
+import numbers
+import os
+
+from ._granum import _text_in_si, _verify
+
+
+def _text(name, value, numbers_in_si):
+    """A value of a key as the text that --set takes."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0):
+        return ",".join(_text(name, item, numbers_in_si) for item in value)
+    if isinstance(value, numbers.Integral) and not isinstance(value, bool):
+        integer = int(value)
+        return _text_in_si(name, integer) if numbers_in_si and abs(integer) < 2**53 else str(integer)
+    if isinstance(value, numbers.Real) and not isinstance(value, bool):
+        return _text_in_si(name, float(value)) if numbers_in_si else repr(float(value))
+    raise TypeError(f"{name} is a text, a number, or a list of them, not {value!r}")
+
+
+def _settings(table, numbers_in_si, prefix=""):
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _settings(value, numbers_in_si, f"{prefix}{key}.")
+        else:
+            yield prefix + key, _text(prefix + key, value, numbers_in_si)
+
+
+def _scene(scene):
+    """Name and text of all keys of a scene."""
+    if scene is None:
+        return []
+    if isinstance(scene, dict):
+        return list(_settings(scene, numbers_in_si=True))
+    toml = importlib.import_module("tomllib")  # of Python 3.11; a dict does without
+    with open(os.fspath(scene), "rb") as file:
+        return list(_settings(toml.load(file), numbers_in_si=False))
+
+
+class _Bar:
+    """A bar of tqdm, as far as a study has come."""
+
+    def __init__(self, tqdm):
+        self.bar = tqdm(total=100, unit="%", leave=False)
+
+    def __call__(self, done, what):
+        self.bar.set_description(what)
+        self.bar.update(100 * done - self.bar.n)
+
+
+def verify(scene=None, *, progress=None):
+    """Closed form, contact network and DEM probe side by side: what the command granum verify runs.
+
+    Same scene, same bits, on any number of threads. Ctrl-C stops within a second; the KeyboardInterrupt then has
+    what is finished as its attribute study.
+
+    Parameters
+    ----------
+    scene : dict or path_like, optional
+        Sections and keys of a scene, {"study": {"grains": 300}} or {"study.grains": 300}: numbers in SI, or texts
+        with units, "0.5mm". Or the path of a scene file, TOML. Without it the paper's six specimens.
+    progress : callable or "tqdm", optional
+        Called as progress(done, what) now and then, with the share of the work that is done.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    InvalidArgument
+        For a scene that no study can have, or a key that would be ignored.
+    """
+    if progress != "tqdm":
+        return _verify(_scene(scene), progress)
+    bar = _Bar(importlib.import_module("tqdm.auto").tqdm)
+    try:
+        return _verify(_scene(scene), bar)
+    finally:
+        bar.bar.close()

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <mutex>
+
+#include <granum/core/number.hpp>
+
+#include "bindings.hpp"
+#include "errors.hpp"
+#include "rows.hpp"
+#include "studies/scene/scene_keys.hpp"
+#include "studies/verify/findings.hpp"
+#include "studies/verify/study.hpp"
+#include "studies/verify/tables.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using studies::Scene;
+using studies::SceneKey;
+
+// ---- scenes
+
+/// A name of a key and its text, as --set takes them.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// The scene of a study; a key that verify would ignore is refused unless it stands at its default.
+Scene scene_of(const Settings& settings) {
+  Scene scene;
+  std::vector<const SceneKey*> given;
+  for (const auto& [name, text] : settings) {
+    const SceneKey& key = studies::scene_key(name);
+    Scene alone;
+    key.set(alone, text);
+    if (key.get(alone) == key.get(Scene{}) && !key.taken_by(studies::SceneCommand::verify))
+      continue;
+    if (!key.taken_by(studies::SceneCommand::verify))
+      throw InvalidArgument("key '" + key.name + "' would be ignored by verify");
+    key.set(scene, text);
+    if (key.get(alone) != key.get(Scene{}))
+      given.push_back(&key);
+  }
+  studies::require_valid(scene);
+  for (const SceneKey* key : given)
+    if (const std::string missing = key->missing(scene); !missing.empty())
+      throw InvalidArgument("key '" + key->name + "' has no effect without " + missing);
+  return scene;
+}
+
+/// A number in SI as the text of a key.
+std::string text_in_si(const std::string& name, double value) {
+  return exact_text(value) + std::string(si_symbol(studies::scene_key(name).dimension));
+}
+
+// ---- running
+
+/// What a study has come to.
+struct Study {
+  Scene scene;
+  std::vector<studies::SpecimenResult> specimens;
+};
+
+/// Runs a study beside this thread, which meanwhile hears Ctrl-C and tells the progress.
+class Run {
+ public:
+  Run(const Scene& scene, py::object progress) : scene_(scene), progress_(std::move(progress)) {}
+
+  std::vector<studies::SpecimenResult> result() {
+    std::future<std::vector<studies::SpecimenResult>> work;
+    {
+      const py::gil_scoped_release unlocked;
+      work = std::async(std::launch::async, [this] {
+        return studies::run_study(
+            scene_, {.report = [this](const studies::Progress& p) { note(p); }, .stop = &stop_});
+      });
+    }
+    while (!finished(work))
+      listen();
+    listen(); // what was noted last
+    return work.get();
+  }
+
+ private:
+  static bool finished(const std::future<std::vector<studies::SpecimenResult>>& work) {
+    const py::gil_scoped_release unlocked;
+    return work.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready;
+  }
+  void note(const studies::Progress& progress) {
+    const std::scoped_lock lock(mutex_);
+    latest_ = progress;
+  }
+  /// What the interpreter wants to raise is raised by the caller, when the study has ended.
+  void listen() {
+    if (stop_)
+      return;
+    std::optional<studies::Progress> latest;
+    {
+      const std::scoped_lock lock(mutex_);
+      latest.swap(latest_);
+    }
+    if (PyErr_CheckSignals() != 0) {
+      stop_ = true;
+      return;
+    }
+    if (!latest || progress_.is_none())
+      return;
+    try {
+      progress_(latest->done, latest->what);
+    } catch (py::error_already_set& error) {
+      error.restore();
+      stop_ = true;
+    }
+  }
+
+  const Scene& scene_;
+  py::object progress_;
+  std::atomic<bool> stop_ = false;
+  std::mutex mutex_;
+  std::optional<studies::Progress> latest_;
+};
+
+/// A pending exception of the interpreter takes along what is finished.
+[[noreturn]] void raise_with(Study study) {
+  py::error_already_set error; // takes the pending one
+  error.value().attr("study") = py::cast(std::move(study));
+  throw error;
+}
+
+Study verify(const Settings& settings, const py::object& progress) {
+  Study study{scene_of(settings), {}};
+  study.specimens = Run(study.scene, progress).result();
+  if (PyErr_Occurred() != nullptr)
+    raise_with(std::move(study));
+  return study;
+}
+
+// ---- tables
+
+/// Columns of all states: texts as lists, numbers as arrays, NaN where a state has none.
+py::dict states(const Study& study) {
+  py::dict out;
+  py::list contact, density, seed;
+  std::vector<const studies::CompressedState*> rows;
+  for (const studies::SpecimenResult& specimen : study.specimens)
+    for (const studies::CompressedState& state : specimen.states) {
+      contact.append(std::string(contact::name(specimen.contact)));
+      density.append(std::string(studies::name(specimen.density)));
+      seed.append(specimen.seed);
+      rows.push_back(&state);
+    }
+  out["contact"] = contact;
+  out["density"] = density;
+  out["seed"] = seed;
+  for (const auto& column : studies::state_columns()) {
+    if (column.heading.empty() || column.text)
+      continue;
+    py::array_t<double> numbers(static_cast<py::ssize_t>(rows.size()));
+    double* to = numbers.mutable_data();
+    for (const studies::CompressedState* state : rows)
+      *to++ = column.of(*state).value_or(std::numeric_limits<double>::quiet_NaN());
+    out[py::str(column.heading)] = numbers;
+  }
+  return out;
+}
+
+py::dict exponents_table(const Study& study) {
+  using studies::ExponentRow;
+  const std::vector<ExponentRow> rows = studies::exponents(study.scene, study.specimens);
+  static constexpr std::pair<const char*, std::optional<Measured> ExponentRow::*> routes[] = {
+      {"closed_form", &ExponentRow::closed_form},
+      {"network", &ExponentRow::network},
+      {"network_with_void_ratio_function", &ExponentRow::network_void},
+      {"probe", &ExponentRow::probe}};
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto numbers = [&](const auto& of) {
+    py::array_t<double> out(static_cast<py::ssize_t>(rows.size()));
+    std::transform(rows.begin(), rows.end(), out.mutable_data(), of);
+    return out;
+  };
+  py::dict out;
+  py::list contact, density;
+  for (const ExponentRow& row : rows) {
+    contact.append(std::string(contact::name(row.contact)));
+    density.append(std::string(studies::name(row.density)));
+  }
+  out["contact"] = contact;
+  out["density"] = density;
+  out["contact_law"] = numbers([](const ExponentRow& row) { return row.contact_law; });
+  for (const auto& [name, route] : routes) {
+    out[name] = numbers([=, r = route](const ExponentRow& row) { return (row.*r) ? (row.*r)->value : nan; });
+    out[py::str(std::string(name) + "_error")] =
+        numbers([=, r = route](const ExponentRow& row) { return (row.*r) ? (row.*r)->standard_error : nan; });
+  }
+  out["paper"] = numbers([=](const ExponentRow& row) { return row.paper.value_or(nan); });
+  return out;
+}
+
+std::vector<std::string> failures(const Study& study) {
+  std::vector<std::string> out;
+  for (const studies::SpecimenResult& specimen : study.specimens)
+    if (!specimen.failure.empty())
+      out.push_back(std::string(contact::name(specimen.contact)) + ", " +
+                    std::string(studies::name(specimen.density)) + ", seed " + std::to_string(specimen.seed) +
+                    ": " + specimen.failure);
+  return out;
+}
+
+} // namespace
+
+void bind_studies(py::module_& module) {
+  py::class_<studies::Verdict>(module, "Verdict", "A claim, and whether the study bears it out.")
+      .def_readonly("claim", &studies::Verdict::claim)
+      .def_readonly("holds", &studies::Verdict::holds)
+      .def_readonly("measured", &studies::Verdict::measured)
+      .def("__repr__", [](const studies::Verdict& v) {
+        return std::string(v.holds ? "<holds: " : "<does not hold: ") + v.claim + ": " + v.measured + ">";
+      });
+  py::class_<Study>(module, "Study", "Closed form, network and probe side by side: what verify found.")
+      .def_property_readonly(
+          "states", &states,
+          "All states, a dict of columns with units in their names, as states.csv has them.")
+      .def_property_readonly("exponents", &exponents_table, "s of G ~ p^s by every route, a dict of columns.")
+      .def_property_readonly(
+          "verdicts", [](const Study& study) { return studies::verdicts(study.scene, study.specimens); },
+          "What the study says of each claim for which it has the data.")
+      .def_property_readonly("failures", &failures,
+                             "Of specimens that failed or were stopped; empty if all ran.")
+      .def("__str__", [](const Study& study) {
+        return studies::states_table(study.specimens) + "\n" +
+               studies::exponents_table(studies::exponents(study.scene, study.specimens)) + "\n" +
+               studies::verdicts_table(studies::verdicts(study.scene, study.specimens));
+      });
+  module.def("_verify", &verify, py::arg("settings"), py::arg("progress"));
+  module.def("_text_in_si", &text_in_si, py::arg("name"), py::arg("value"));
+}
+
+} // namespace granum::python

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <numeric>
+
+#include <granum/stress/shear_path.hpp>
+#include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "errors.hpp"
+#include "keywords.hpp"
+#include "packing.hpp"
+
+namespace granum::python {
+
+namespace {
+
+/// A specimen of the simulation and the material of its grains.
+struct Specimen {
+  dem::Specimen state;
+  dem::Material material;
+
+  [[nodiscard]] SharedPacking packing() const {
+    Packing out{.assembly = dem::contact_network(state, material), .id = {}, .time = {}, .notes = {}};
+    out.id.resize(out.assembly.grain_count());
+    std::iota(out.id.begin(), out.id.end(), 0L);
+    const bool periodic = !state.walls.has_value();
+    out.periodic = {periodic, periodic, periodic};
+    return std::make_shared<Packing>(std::move(out));
+  }
+};
+
+// ---- preparation
+
+/// Places of the keywords of specimen().
+namespace recipe_keyword {
+enum : std::size_t {
+  law,
+  radius,
+  friction,
+  kind,
+  grains,
+  seed,
+  first_pressure,
+  tangential_ratio,
+  density,
+  sizes,
+  wall_friction,
+};
+} // namespace recipe_keyword
+
+triaxial::Density density_of(const std::string& name) {
+  if (name == "dense")
+    return triaxial::Density::dense;
+  if (name == "loose")
+    return triaxial::Density::loose;
+  throw InvalidArgument("kind is dense or loose, not " + name);
+}
+
+triaxial::SpecimenRecipe recipe_of(const Arguments& a) {
+  const auto& law = a[recipe_keyword::law].cast<const contact::PowerLaw&>();
+  dem::Material material{
+      .law = law, .friction_coefficient = number_of("friction_coefficient", a[recipe_keyword::friction])};
+  material.tangential_ratio = a.given(recipe_keyword::tangential_ratio)
+                                  ? number_of("tangential_ratio", a[recipe_keyword::tangential_ratio])
+                                  : contact::mindlin_stiffness_ratio(law.grain().poisson_ratio);
+  if (a.given(recipe_keyword::density))
+    material.density = number_of("density", a[recipe_keyword::density]);
+  triaxial::SpecimenRecipe recipe{.material = material,
+                                  .radius = number_of("radius", a[recipe_keyword::radius])};
+  if (a.given(recipe_keyword::grains))
+    recipe.grains = a[recipe_keyword::grains].cast<std::size_t>();
+  if (a.given(recipe_keyword::seed))
+    recipe.seed = a[recipe_keyword::seed].cast<std::uint64_t>();
+  if (a.given(recipe_keyword::first_pressure))
+    recipe.first_pressure = number_of("first_pressure", a[recipe_keyword::first_pressure]);
+  if (a.given(recipe_keyword::sizes))
+    recipe.sizes = a[recipe_keyword::sizes].cast<sizes::Distribution>();
+  if (a.given(recipe_keyword::wall_friction))
+    recipe.wall_friction = number_of("wall_friction", a[recipe_keyword::wall_friction]);
+  return recipe;
+}
+
+py::object specimen(const Arguments& a) {
+  const triaxial::SpecimenRecipe recipe = recipe_of(a);
+  const triaxial::Density kind = density_of(a[recipe_keyword::kind].cast<std::string>());
+  const StopRequest stop = stop_on_signal();
+  Specimen out{.state = {}, .material = recipe.material};
+  {
+    const py::gil_scoped_release unlocked;
+    const triaxial::Preparation prepared = triaxial::frictionless_specimen(recipe, stop);
+    out.state = triaxial::start_of_compression(prepared.state, kind, recipe, stop);
+  }
+  throw_if_signalled();
+  return py::cast(std::move(out));
+}
+
+// ---- compression
+
+/// One state of a path, at rest.
+struct State {
+  double pressure = 0; ///< asked for [Pa]
+  Specimen specimen;
+  dem::QuasistaticReport report;
+};
+
+/// A path of isotropic compression, one state after the other.
+class Compression {
+ public:
+  Compression(Specimen start, std::vector<double> pressures)
+      : at_(std::move(start)), pressures_(std::move(pressures)) {}
+
+  State next() {
+    if (next_ == pressures_.size())
+      throw py::stop_iteration();
+    dem::QuasistaticOptions options = triaxial::compression_options();
+    options.stop_requested = stop_on_signal();
+    State out{
+        .pressure = pressures_[next_], .specimen = {.state = {}, .material = at_.material}, .report = {}};
+    bool came = false;
+    {
+      const py::gil_scoped_release unlocked;
+      triaxial::isotropic_path(at_.state, at_.material, {out.pressure}, options,
+                               [&](const triaxial::Snapshot& snapshot) {
+                                 out.specimen.state = snapshot.state;
+                                 out.report = snapshot.report;
+                                 return came = snapshot.report.converged();
+                               });
+    }
+    throw_if_signalled();
+    if (!came)
+      throw NotConverged("the specimen did not come to rest under " + std::to_string(out.pressure) + " Pa");
+    at_ = out.specimen;
+    ++next_;
+    return out;
+  }
+
+ private:
+  Specimen at_;
+  std::vector<double> pressures_;
+  std::size_t next_ = 0;
+};
+
+void bind_compression(py::module_& module) {
+  py::class_<State>(module, "State", "One state of a path of compression, at rest.")
+      .def_readonly("pressure", &State::pressure, "That was asked for [Pa].")
+      .def_readonly("specimen", &State::specimen, "To go on with.")
+      .def_property_readonly(
+          "packing", [](const State& s) { return s.specimen.packing(); },
+          "Grains and contacts, with k_n and k_t.")
+      .def_property_readonly(
+          "stress", [](const State& s) { return array_of(s.report.stress()); },
+          "Contact stress [Pa], (3, 3).")
+      .def_property_readonly(
+          "steps", [](const State& s) { return s.report.steps; }, "Of the simulation.")
+      .def_property_readonly(
+          "unbalanced_force_ratio", [](const State& s) { return s.report.unbalanced_force_ratio; },
+          "Mean residual force over mean contact force [1].");
+  py::class_<Compression>(module, "Compression", "A path of isotropic compression: an iterator of State.")
+      .def("__iter__", [](const py::object& self) { return self; })
+      .def("__next__", &Compression::next);
+  define(module, {"compress",
+                  {{"specimen"}, {"pressures"}},
+                  [](const Arguments& a) {
+                    return py::cast(Compression(a[0].cast<const Specimen&>(), list_of("pressures", a[1])));
+                  },
+                  R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
+
+What is finished is kept where Ctrl-C ends the path, and another path may begin at the specimen of any state, with
+the same bits.
+
+Parameters
+----------
+specimen : Specimen
+    As specimen() makes it, or that of a state.
+pressures : (N,) array_like
+    In turn [Pa].
+
+Returns
+-------
+Compression
+    An iterator of State. Raises NotConverged where a state does not come to rest.
+)",
+                  2});
+}
+
+// ---- probes
+
+triaxial::ShearMode mode_of(const std::string& name) {
+  using triaxial::ShearMode;
+  static constexpr std::pair<const char*, ShearMode> all[] = {
+      {"hh", ShearMode::hh}, {"hv", ShearMode::hv}, {"vh", ShearMode::vh}};
+  for (const auto& [known, mode] : all)
+    if (name == known)
+      return mode;
+  throw InvalidArgument("mode is hh, hv or vh, not " + name);
+}
+
+py::object probe(const Arguments& a) {
+  const Specimen& specimen = a[0].cast<const Specimen&>();
+  const triaxial::ShearMode mode = mode_of(a[1].cast<std::string>());
+  triaxial::ProbeOptions options;
+  if (a.given(2))
+    options.amplitude = number_of("amplitude", a[2]);
+  options.sliding = a.flag(3);
+  options.stop_requested = stop_on_signal();
+  triaxial::ProbeResult result;
+  {
+    const py::gil_scoped_release unlocked;
+    const triaxial::FrozenState frozen = triaxial::freeze_in_place(
+        specimen.state, specimen.material, triaxial::usual_force_tolerance, options.stop_requested);
+    if (!is_stopped(options.stop_requested))
+      result = triaxial::probe(frozen.state(), specimen.material, mode, options);
+  }
+  throw_if_signalled();
+  return py::cast(std::move(result));
+}
+
+void bind_probe(py::module_& module) {
+  using triaxial::ProbeResult;
+  py::class_<ProbeResult>(module, "ProbeResult", "A small cycle of shear of a specimen at rest.")
+      .def_readonly("converged", &ProbeResult::converged)
+      .def_readonly("amplitude", &ProbeResult::amplitude, "Shear strain [1].")
+      .def_readonly("steps", &ProbeResult::steps)
+      .def_readonly("unbalanced_force_ratio", &ProbeResult::unbalanced_force_ratio,
+                    "Largest after any leg [1].")
+      .def_property_readonly("shear_modulus", &ProbeResult::shear_modulus, "[Pa]. Raises NotConverged.")
+      .def_property_readonly("opening", &ProbeResult::opening,
+                             "Stress left after the cycle over its swing [1]. Raises NotConverged.");
+  define(module, {"probe",
+                  {{"specimen"}, {"mode"}, {"amplitude", "None"}, {"sliding", "False"}},
+                  &probe,
+                  R"(Shears a specimen by a little and back, frozen at rest: rung 5.
+
+Parameters
+----------
+specimen : Specimen
+    At rest, that of a state.
+mode : {"hh", "hv", "vh"}
+    hh: layers stacked along x move along y; hv: along z; vh: layers stacked along z move along x.
+amplitude : float, optional
+    Shear strain [1]; without it chosen from the mean overlap.
+sliding : bool
+    Contacts may slide; else the response of the frozen network.
+
+Returns
+-------
+ProbeResult
+)",
+                  1});
+}
+
+// ---- shear paths
+
+stress::ShearPath path_of(std::string name) {
+  for (char& letter : name)
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  for (const stress::ShearPath path : stress::all_shear_paths)
+    if (name == stress::name(path))
+      return path;
+  throw InvalidArgument("path is one of TXC, RTXC, RTXE, TXE, not " + name);
+}
+
+/// A triaxial test under way, one snapshot after the other.
+class Shearing {
+ public:
+  Shearing(const Specimen& start, const triaxial::ShearOptions& options)
+      : material_(start.material), test_(start.state, start.material, options) {}
+
+  /// Where the test stands at a snapshot.
+  struct Point {
+    triaxial::PathPoint point;
+    Specimen specimen;
+  };
+
+  Point next() {
+    if (finished_)
+      throw py::stop_iteration();
+    triaxial::ShearEvent event;
+    {
+      const py::gil_scoped_release unlocked;
+      event = test_.advance();
+    }
+    throw_if_signalled();
+    if (event == triaxial::ShearEvent::unstable)
+      throw NotConverged("the specimen is unstable: a velocity or a stress is no longer finite");
+    finished_ = event == triaxial::ShearEvent::finished;
+    return {test_.now(), {test_.engine().state(), material_}};
+  }
+  [[nodiscard]] const triaxial::PathPoint& peak() const { return test_.peak(); }
+
+ private:
+  dem::Material material_;
+  triaxial::ShearTest test_;
+  bool finished_ = false;
+};
+
+/// Places of the keywords of shear().
+namespace shear_keyword {
+enum : std::size_t { path = 1, mean_stress, eta_step, strain_step, largest_strain, inertial };
+} // namespace shear_keyword
+
+py::object shear(const Arguments& a) {
+  triaxial::ShearOptions options{.path = path_of(a[shear_keyword::path].cast<std::string>()),
+                                 .mean_stress = number_of("mean_stress", a[shear_keyword::mean_stress])};
+  const std::pair<std::size_t, double*> numbers[] = {{shear_keyword::eta_step, &options.eta_step},
+                                                     {shear_keyword::strain_step, &options.strain_step},
+                                                     {shear_keyword::largest_strain, &options.largest_strain},
+                                                     {shear_keyword::inertial, &options.inertial_number}};
+  constexpr const char* names[] = {"eta_step", "strain_step", "largest_strain", "inertial_number"};
+  for (std::size_t k = 0; k < std::size(numbers); ++k)
+    if (a.given(numbers[k].first))
+      *numbers[k].second = number_of(names[k], a[numbers[k].first]);
+  options.stop_requested = stop_on_signal();
+  return py::cast(std::make_unique<Shearing>(a[0].cast<const Specimen&>(), options));
+}
+
+void bind_shear(py::module_& module) {
+  using Point = Shearing::Point;
+  py::class_<Point>(module, "PathPoint",
+                    "Where a triaxial test stands; strains are logarithmic, from its start.")
+      .def_property_readonly(
+          "stress_v", [](const Point& p) { return p.point.stress.v; }, "[Pa]")
+      .def_property_readonly(
+          "stress_h", [](const Point& p) { return p.point.stress.h; }, "[Pa]")
+      .def_property_readonly(
+          "mean_stress", [](const Point& p) { return p.point.stress.mean(); }, "p' [Pa].")
+      .def_property_readonly(
+          "eta", [](const Point& p) { return p.point.stress.ratio(); }, "q/p' [1].")
+      .def_property_readonly(
+          "axial_strain", [](const Point& p) { return p.point.axial_strain; }, "[1]")
+      .def_property_readonly(
+          "volumetric_strain", [](const Point& p) { return p.point.volumetric_strain; }, "[1]")
+      .def_property_readonly(
+          "step", [](const Point& p) { return p.point.step; }, "Of the simulation.")
+      .def_readonly("specimen", &Point::specimen)
+      .def_property_readonly(
+          "packing", [](const Point& p) { return p.specimen.packing(); },
+          "Grains and contacts as they move; k_n and k_t are those of the law.");
+  py::class_<Shearing>(module, "Shearing", "A triaxial test under way: an iterator of PathPoint.")
+      .def("__iter__", [](const py::object& self) { return self; })
+      .def("__next__", &Shearing::next);
+  define(
+      module,
+      {"shear",
+       {{"specimen"},
+        {"path"},
+        {"mean_stress"},
+        {"eta_step", "None"},
+        {"strain_step", "None"},
+        {"largest_strain", "None"},
+        {"inertial_number", "None"}},
+       &shear,
+       R"(Shears a specimen from isotropic stress along a path of triaxial tests, one snapshot after the other.
+
+Parameters
+----------
+specimen : Specimen
+    At rest under mean_stress, that of a state.
+path : {"TXC", "RTXC", "RTXE", "TXE"}
+    Which stress changes, and in which sense.
+mean_stress : float
+    Isotropic stress at the start [Pa].
+eta_step, strain_step : float, optional
+    A snapshot at each first passage of a multiple of this stress ratio [1] and of this axial strain [1].
+largest_strain : float, optional
+    Axial strain at which the test ends [1].
+inertial_number : float, optional
+    Of shearing [1].
+
+Returns
+-------
+Shearing
+    An iterator of PathPoint.
+)",
+       1});
+}
+
+} // namespace
+
+void bind_triaxial(py::module_& module) {
+  py::class_<Specimen>(module, "Specimen", "A specimen of the verifier: grains that a simulation moves.")
+      .def_property_readonly("packing", &Specimen::packing, "Grains and contacts, with k_n and k_t.")
+      .def_property_readonly(
+          "void_ratio", [](const Specimen& s) { return dem::void_ratio(s.state); }, "[1]")
+      .def("__len__", [](const Specimen& s) { return s.state.grain_count(); })
+      .def(
+          "__eq__", [](const Specimen& a, const Specimen& b) { return a.state == b.state; },
+          py::is_operator())
+      .def("__repr__", [](const Specimen& s) {
+        return "<Specimen of " + std::to_string(s.state.grain_count()) + " grains>";
+      });
+  define(module, {"specimen",
+                  {{"law"},
+                   {"radius"},
+                   {"friction_coefficient"},
+                   {"kind"},
+                   {"grains", "None"},
+                   {"seed", "None"},
+                   {"first_pressure", "None"},
+                   {"tangential_ratio", "None"},
+                   {"density", "None"},
+                   {"sizes", "None"},
+                   {"wall_friction", "None"}},
+                  &specimen,
+                  R"(Prepares a specimen of spheres, from which compression with friction starts.
+
+Same arguments, same bits.
+
+Parameters
+----------
+law : PowerLaw
+    Normal contact of two grains of the radius.
+radius : float
+    R > 0 of all grains, or the mean by number of a distribution of sizes [m].
+friction_coefficient : float
+    Between grains [1].
+kind : {"dense", "loose"}
+    dense: without friction until the first pressure is reached; loose: opened just below jamming, and compressed
+    with friction from there.
+grains, seed : int, optional
+    How many, and of which sample.
+first_pressure : float, optional
+    Of the frictionless preparation [Pa].
+tangential_ratio : float, optional
+    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
+density : float, optional
+    Of the grains [kg/m3].
+sizes : Distribution, optional
+    Of the radii; without it all are equal.
+wall_friction : float, optional
+    Six rigid walls of this friction coefficient [1]; without it the cell is periodic.
+
+Returns
+-------
+Specimen
+)"});
+  bind_compression(module);
+  bind_probe(module);
+  bind_shear(module);
+}
+
+} // namespace granum::python

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Specimens, compression, probes, shear, and the study that runs them all."""
+
+import math
+import signal
+import subprocess
+import sys
+import textwrap
+import types
+
+import granum
+import numpy as np
+import pytest
+
+LAW = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
+RECIPE = {
+    "law": LAW,
+    "radius": 0.5e-3,
+    "friction_coefficient": math.tan(math.radians(26.5)),
+    "kind": "dense",
+    "grains": 80,
+}
+
+
+@pytest.fixture(scope="module")
+def states():
+    return list(granum.compress(granum.specimen(**RECIPE), [20e3, 50e3]))
+
+
+def test_a_specimen_bears_the_pressures_in_turn(states):
+    assert [state.pressure for state in states] == [20e3, 50e3]
+    for state in states:
+        np.testing.assert_allclose(np.diag(state.stress), state.pressure, rtol=1e-3)
+        assert state.unbalanced_force_ratio < 1e-5
+    assert states[1].specimen.void_ratio < states[0].specimen.void_ratio
+
+
+def test_a_path_goes_on_from_any_state_with_the_same_bits(states):
+    (again,) = granum.compress(states[0].specimen, [50e3])
+    assert again.specimen == states[1].specimen and again.specimen != states[0].specimen
+    assert granum.specimen(**RECIPE) == granum.specimen(**RECIPE)
+    assert granum.specimen(**{**RECIPE, "seed": 2}) != granum.specimen(**RECIPE)
+
+
+def test_states_are_packings(states):
+    packing = states[1].packing
+    assert len(packing) == 80 and packing.periodic == (True, True, True)
+    assert (packing.contacts.normal_stiffness > 0).all()
+    found = granum.measure(packing, law=LAW)
+    np.testing.assert_allclose(np.diag(found.stress.symmetric), 50e3, rtol=1e-3)
+    assert found.void_ratio == pytest.approx(states[1].specimen.void_ratio, rel=1e-12)
+
+
+def test_a_probe_finds_the_modulus_of_the_network(states):
+    network = granum.measure(states[1].packing, law=LAW).network.relaxed
+    for mode, place in (("hh", 5), ("hv", 4), ("vh", 4)):
+        probe = granum.probe(states[1].specimen, mode=mode)
+        assert probe.converged
+        assert probe.shear_modulus == pytest.approx(network[place, place], rel=0.01)
+
+
+def test_a_shear_path_holds_its_stress(states):
+    points = list(granum.shear(states[1].specimen, path="TXC", mean_stress=50e3, largest_strain=0.004))
+    assert len(points) >= 2
+    for point in points:
+        assert point.stress_h == pytest.approx(50e3, rel=0.05)
+    assert points[-1].axial_strain == pytest.approx(0.004, rel=0.01)
+    assert points[-1].eta > points[0].eta > 0
+    assert len(points[-1].packing) == 80
+
+
+@pytest.mark.parametrize(
+    "name, wrong, said",
+    [
+        ("kind", "medium", "dense or loose"),
+        ("grains", 3, "grains"),
+        ("friction_coefficient", -1, "friction"),
+        ("radius", 0.0, "radius"),
+    ],
+)
+def test_a_specimen_that_cannot_be_is_refused(name, wrong, said):
+    with pytest.raises(granum.InvalidArgument, match=said):
+        granum.specimen(**{**RECIPE, name: wrong})
+
+
+SCENE = {
+    "study": {
+        "contacts": ["sphere"],
+        "densities": ["dense"],
+        "grains": 60,
+        "pressures": [20e3, 40e3, 80e3],
+        "probe_pressures": [40e3],
+    },
+    "grain.radius": "0.4mm",
+}
+
+
+def test_a_study_is_that_of_the_program(run_program, tmp_path):
+    seen = []
+    study = granum.verify(SCENE, progress=lambda done, what: seen.append(done))
+    assert study.failures == [] and "s of G ~ p^s" in str(study)
+    settings = "study.contacts=sphere study.densities=dense study.grains=60 study.pressures=20kPa,40kPa,80kPa"
+    settings += " study.probe_pressures=40kPa grain.radius=0.4mm"
+    said = run_program("verify", *[word for pair in settings.split() for word in ("--set", pair)])
+    exponents = said["exponents"][0]
+    assert study.exponents["network"][0] == exponents["network"]["value"]
+    assert study.exponents["probe"].shape == (1,)
+    states = said["specimens"][0]["states"]
+    assert study.states["seed"] == [1, 1, 1]
+    assert study.states["p_Pa"].tolist() == [20e3, 40e3, 80e3]
+    assert study.states["G_network_Pa"].tolist() == [state["G_network_Pa"] for state in states]
+    assert np.isfinite(study.states["G_hh_probe_Pa"]).tolist() == [False, True, False]
+    assert [v.claim for v in study.verdicts] == [v["claim"] for v in said["verdicts"]]
+    assert seen == sorted(seen) and all(0 <= done <= 1 for done in seen)
+
+
+def test_a_scene_file_is_the_same_scene(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(
+        '[study]\ncontacts = ["sphere"]\ndensities = ["dense"]\ngrains = 60\npressures = ["20kPa", "40kPa", "80kPa"]\n'
+        'probe_pressures = ["40kPa"]\n[grain]\nradius = "0.4mm"\n'
+    )
+    assert granum.verify(path).states["e"].tolist() == granum.verify(SCENE).states["e"].tolist()
+    path.write_text("[grain]\nradius = 0.4\n")
+    with pytest.raises(granum.InvalidArgument, match="grain.radius"):
+        granum.verify(path)
+
+
+@pytest.mark.parametrize(
+    "scene, said",
+    [
+        ({"grain.colour": "red"}, "grain.colour"),
+        ({"study": {"grains": 3}}, "study.grains"),
+        ({"shear.largest_strain": 0.1}, "ignored by verify"),
+        ({"contact.cone_slope": 0.5, "study.contacts": ["sphere"]}, "no effect"),
+    ],
+)
+def test_a_scene_that_cannot_be_is_refused(scene, said):
+    with pytest.raises(granum.InvalidArgument, match=said):
+        granum.verify(scene)
+
+
+def test_an_exception_of_the_progress_ends_the_study():
+    def refuse(done, what):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough") as raised:
+        granum.verify({**SCENE, "study": {**SCENE["study"], "grains": 1000}}, progress=refuse)
+    assert raised.value.study.failures
+
+
+def test_a_bar_of_tqdm_is_filled(monkeypatch):
+    """With a stand-in for tqdm, which is optional."""
+    bars = []
+
+    class Bar:
+        def __init__(self, total, unit, leave):
+            self.n, self.total, self.closed = 0, total, False
+            bars.append(self)
+
+        def set_description(self, text):
+            self.text = text
+
+        def update(self, more):
+            self.n += more
+
+        def close(self):
+            self.closed = True
+
+    stand_in = types.ModuleType("tqdm.auto")
+    stand_in.tqdm = Bar
+    monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm"))
+    monkeypatch.setitem(sys.modules, "tqdm.auto", stand_in)
+    granum.verify({**SCENE, "study": {**SCENE["study"], "grains": 200}}, progress="tqdm")
+    (bar,) = bars
+    assert 0 < bar.n <= bar.total and bar.closed and bar.text
+
+
+INTERRUPTED = {
+    "verify": """
+        try:
+            granum.verify({"study.grains": 2000, "study.seeds": 50}, progress=lambda done, what: print("began", flush=True))
+        except KeyboardInterrupt as stop:
+            print("stopped", len(stop.study.failures))
+        """,
+    "compress": """
+        law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
+        start = granum.specimen(law=law, radius=0.5e-3, friction_coefficient=0.5, kind="dense", grains=200)
+        kept = []
+        try:
+            for state in granum.compress(start, [20e3 * (k + 1) for k in range(100000)]):
+                kept.append(state)
+                print("began", flush=True)
+        except KeyboardInterrupt:
+            print("stopped", len(kept))
+        """,
+}
+
+
+@pytest.mark.parametrize("name", INTERRUPTED)
+def test_ctrl_c_stops_and_keeps_what_is_finished(name):
+    program = "import granum\n" + textwrap.dedent(INTERRUPTED[name])
+    running = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
+    assert running.stdout.readline() == "began\n"
+    running.send_signal(signal.SIGINT)
+    said, _ = running.communicate()  # ctest ends what does not stop
+    word, count = said.splitlines()[-1].split()
+    assert running.returncode == 0 and word == "stopped" and int(count) >= 1
