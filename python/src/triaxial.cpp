@@ -170,8 +170,8 @@ void bind_compression(py::module_& module) {
                   },
                   R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
 
-What is finished is kept where Ctrl-C ends the path, and another path may begin at the specimen of any state, with
-the same bits.
+What is finished is kept where Ctrl-C ends the path, and another path may begin at the specimen of any
+state, with the same bits.
 
 Parameters
 ----------
@@ -355,7 +355,7 @@ void bind_shear(py::module_& module) {
         {"largest_strain", "None"},
         {"inertial_number", "None"}},
        &shear,
-       R"(Shears a specimen from isotropic stress along a path of triaxial tests, one snapshot after the other.
+       R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
 
 Parameters
 ----------
@@ -420,8 +420,8 @@ radius : float
 friction_coefficient : float
     Between grains [1].
 kind : {"dense", "loose"}
-    dense: without friction until the first pressure is reached; loose: opened just below jamming, and compressed
-    with friction from there.
+    dense: without friction until the first pressure is reached; loose: opened just below jamming, and
+    compressed with friction from there.
 grains, seed : int, optional
     How many, and of which sample.
 first_pressure : float, optional
