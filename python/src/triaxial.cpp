@@ -344,18 +344,16 @@ void bind_shear(py::module_& module) {
   py::class_<Shearing>(module, "Shearing", "A triaxial test under way: an iterator of PathPoint.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Shearing::next);
-  define(
-      module,
-      {"shear",
-       {{"specimen"},
-        {"path"},
-        {"mean_stress"},
-        {"eta_step", "None"},
-        {"strain_step", "None"},
-        {"largest_strain", "None"},
-        {"inertial_number", "None"}},
-       &shear,
-       R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
+  define(module, {"shear",
+                  {{"specimen"},
+                   {"path"},
+                   {"mean_stress"},
+                   {"eta_step", "None"},
+                   {"strain_step", "None"},
+                   {"largest_strain", "None"},
+                   {"inertial_number", "None"}},
+                  &shear,
+                  R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
 
 Parameters
 ----------
@@ -377,7 +375,7 @@ Returns
 Shearing
     An iterator of PathPoint.
 )",
-       1});
+                  1});
 }
 
 } // namespace
