@@ -5,13 +5,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <tuple>
 #include <utility>
 
 #include <granum/contact/minerals.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/elastic/wave_speeds.hpp>
@@ -35,6 +33,8 @@ struct KnownContacts {
 ContactCounts of_z_and_C_n(double z, double C_n) {
   return {.mechanical_coordination_number = z, .rattler_fraction = z > 0 ? std::max(0.0, 1 - C_n / z) : 0};
 }
+
+KnownContacts exactly(const ContactCounts& counts) { return {counts, counts, counts, {}}; }
 
 /// z* whose share of rattlers, as packings have it, fits a number: `number_of` grows with z*.
 template <class Function>
@@ -74,6 +74,8 @@ KnownContacts contacts_by_z(double z, const ContactPrior& prior) {
 
 /// C_n is known: more rattlers mean more contacts of the others.
 KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
+  if (C_n == 0)
+    return exactly({.mechanical_coordination_number = 0, .rattler_fraction = 0});
   const auto with = [&](double factor) {
     const double z = contacts_at(
         [&](double at) {
@@ -107,11 +109,9 @@ KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, b
   return {.middle = with(1), .fewer = with(factor), .more = with(1 / factor), .validity = prior.validity};
 }
 
-KnownContacts exactly(const ContactCounts& counts) { return {counts, counts, counts, {}}; }
-
 KnownContacts contacts_of(const PackingQuestion& q) {
-  const auto& [C_n, z, x] =
-      std::tie(q.coordination_number, q.mechanical_coordination_number, q.rattler_fraction);
+  const std::optional<double>&C_n = q.coordination_number, &z = q.mechanical_coordination_number,
+        &x = q.rattler_fraction;
   if (C_n && z && x)
     throw InvalidArgument("coordination_number, mechanical_coordination_number and rattler_fraction say one "
                           "thing too much: give two of them");

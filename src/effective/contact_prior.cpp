@@ -25,8 +25,10 @@ constexpr double least_friction = 0.3, most_friction = 0.5;
 constexpr double loosest_spheres = 0.866, densest_disorder = 0.55;
 constexpr double largest_overlap = 0.01;
 /// How the error of z* grows where no packing of spheres is known: a contact from the loosest of friction
-/// (e_l) to the loosest of all, and the slope of the densest line beyond its dense end [1 a unit of e].
+/// (e_l) to the loosest of all, and the slope of the densest line beyond its dense end [1 a unit of e]; at
+/// most to what the fewest and the most contacts of any packing are away.
 constexpr double error_slope_loose = 7, error_slope_dense = 15;
+constexpr double largest_error_loose = 2, largest_error_dense = 6;
 /// Standard deviation of ln x_0 of unequal grains: from as few as equal ones have to ten times as many.
 constexpr double unequal_rattler_error = 1.5;
 
@@ -204,7 +206,8 @@ ContactPrior contact_prior(const State& state, const Preparation& preparation) {
       .densest = densest.counts,
       .coordination_error = std::hypot(
           preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter,
-          error_slope_loose * beyond.loose + error_slope_dense * beyond.dense),
+          std::min(error_slope_loose * beyond.loose, largest_error_loose) +
+              std::min(error_slope_dense * beyond.dense, largest_error_dense)),
       .rattler_error = unequal(state) ? unequal_rattler_error : kernel::rattler_scatter,
       .relative_overlap = overlap,
       .validity = {}};

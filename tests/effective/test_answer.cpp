@@ -214,6 +214,10 @@ TEST_CASE("answer: near the isostatic point the range reaches 0 and stays finite
   CHECK(none.shear_modulus.low == 0);
   CHECK(none.shear_wave_speed->value == 0);
   CHECK(has(none.validity, "isostatic"));
+  q = beads();
+  q.coordination_number = 0;
+  CHECK(effective::answer(q).mechanical_coordination_number.value == 0);
+  CHECK(effective::answer(q).shear_modulus.high == 0);
 }
 
 TEST_CASE("answer: what is refused") {

@@ -128,6 +128,8 @@ TEST_CASE("contact prior: where no packing of spheres exists it says so, and its
   CHECK(error_at(0.65) < error_at(0.8));
   CHECK(error_at(0.8) < error_at(0.9));
   CHECK(error_at(0.5) < error_at(0.4));
+  CHECK(error_at(50) < 2.1);
+  CHECK(error_at(1e-6) < 6.1);
 }
 
 TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
