@@ -19,7 +19,7 @@ namespace {
 using effective::Modulus;
 using effective::State;
 
-/// Errors of measurements are not taken to be smaller: exact ones of dependent quantities would leave no room.
+/// Errors of measurements are not taken to be smaller: exact ones of dependent quantities leave no room.
 constexpr double smallest_error = 1e-4;
 /// Of the variance that rung 3 states, what packings of one preparation have in common: recipes scatter by
 /// 1.9 %, the packings of one by 2.2 %. [validation/relaxation]
@@ -259,7 +259,7 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
         hardin::solve(problem, theta, model->options_.iteration_limit, "a contact number");
     theta = solution.theta;
     jacobian = slopes(residuals, theta);
-    // GSL compares sums of squares, which near the minimum differ by rounding alone: a last step goes further.
+    // GSL compares sums of squares, which differ by rounding alone near the minimum: a last step goes on.
     const Eigen::VectorXd misfit = residuals(theta), step = least_squares_step(jacobian, misfit);
     const bool arrived = (jacobian * step).squaredNorm() <= negligible_gain * (1 + misfit.squaredNorm());
     if (arrived)

@@ -56,6 +56,21 @@ void note_unexplained(const Measurement& m, const InferenceOptions& options,
                  "; the contacts may be rough or damaged, or the grains softer than was said");
 }
 
+/// What rung 3 remarks on the states, told of the first alone: a table may have thousands.
+void note_states(const Inference& all, std::span<const Measurement> measurements, Validity& validity) {
+  std::size_t noted = 0;
+  for (const Measurement& m : measurements) {
+    const Validity own =
+        effective::answer(effective::rung(effective::RungName::relaxed), all.rung_inputs(m.state)).validity;
+    if (!own.ok() && ++noted == 1)
+      validity.merge(own);
+  }
+  if (noted > 1)
+    validity.add(granum::detail::formatted("remarks of that kind go with %.0f of %.0f measurements",
+                                           static_cast<double>(noted),
+                                           static_cast<double>(measurements.size())));
+}
+
 /// Where the contacts are not those of packings of that void ratio.
 void note_density(const Inference& all, const effective::State& first, Validity& validity) {
   const effective::ContactPrior prior = effective::contact_prior(first);
@@ -114,10 +129,7 @@ InferenceAnswer infer(std::span<const Measurement> measurements, const Inference
   if (!start)
     return answer;
   answer.together = detail::ContactModel::solve(model, *start);
-  for (const Measurement& m : measurements)
-    answer.validity.merge(effective::answer(effective::rung(effective::RungName::relaxed),
-                                            answer.together->rung_inputs(m.state))
-                              .validity);
+  note_states(*answer.together, measurements, answer.validity);
   note_density(*answer.together, measurements.front().state, answer.validity);
   answer.validity.keep_each_once();
   note_contradiction(*answer.together, measurements, answer.validity);
