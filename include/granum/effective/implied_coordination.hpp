@@ -19,7 +19,8 @@ struct ExpectedRattlers {
 /// Rattlers of a packing of z*: the fewer, the more contacts there are and the larger the overlaps.
 /// \param    state   its coordination number is not used
 /// \throws   InvalidArgument as require_valid(State), and unless z* > 0
-/// Accuracy  its scatter; see validation/contact_prior.  Checked by tests/effective/test_implied_coordination.cpp
+/// Accuracy  its scatter; see validation/contact_prior.
+/// Checked by tests/effective/test_implied_coordination.cpp
 [[nodiscard]] ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordination_number);
 
 /// The state with C_n = z* (1 - x_0).

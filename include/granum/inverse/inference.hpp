@@ -44,9 +44,10 @@ enum class Growth {
 
 /// Whose state it is that is asked about.
 enum class Specimen {
-  same,          ///< the one that was measured
-  prepared_alike ///< another of the same grains at the void ratio of the state asked about: as far between the
-                 ///< loosest and the densest that effective::contact_prior knows there
+  same, ///< the one that was measured
+  /// Another of the same grains at the void ratio of the state asked about: as far between the loosest and
+  /// the densest that effective::contact_prior knows there.
+  prepared_alike
 };
 
 struct InferenceOptions {
@@ -139,8 +140,9 @@ struct InferenceAnswer {
 };
 
 /// z* by weighted least squares in ln of the measured values. Unknown besides z* are, each within its error,
-/// the share of rattlers, how z* grows, how much the packing differs from the calibration of rung 3 (the part that packings
-/// of one preparation share; the rest differs from state to state), and the inputs named as uncertain.
+/// the share of rattlers, how z* grows, how much the packing differs from the calibration of rung 3 (the part
+/// that packings of one preparation share; the rest differs from state to state), and the inputs named as
+/// uncertain.
 /// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
 ///           grain density, and for Growth::fitted at one stress; NotConverged if least squares fail
