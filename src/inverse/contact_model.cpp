@@ -9,6 +9,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/elastic/wave_speeds.hpp>
 
 #include "hardin/nonlinear_fit.hpp"
 
@@ -92,10 +93,10 @@ ContactModel::ContactModel(std::span<const Measurement> measurements, const Infe
     const QuantityRow& row = row_of(m.quantity);
     require_positive(row.key, m.value.value, row.speed ? "m/s" : "Pa");
     require_non_negative(std::string(row.key) + " error", m.value.standard_error, row.speed ? "m/s" : "Pa");
-    if (row.speed && !options_.grain_density)
-      throw InvalidArgument("a wave speed tells a modulus only with the density of the grains");
+    require_known_density(row);
     one_stress = one_stress && mean_stress(m.state) == reference_stress_;
   }
+  require_non_negative("pore_density", options_.pore_density, "kg/m3");
   if (options_.grain_density)
     require_positive("grain_density", *options_.grain_density, "kg/m3");
   if (options_.growth == Growth::fitted && one_stress)
@@ -103,13 +104,22 @@ ContactModel::ContactModel(std::span<const Measurement> measurements, const Infe
         "the growth of z* with stress can be fitted to measurements at two stresses or more");
 }
 
+void ContactModel::require_known_density(const QuantityRow& row) const {
+  if (row.speed && !options_.grain_density)
+    throw InvalidArgument("a wave speed tells a modulus only with the density of the grains");
+  if (row.speed && options_.pore_density > 0 && row.modulus != Modulus::G_vh && row.modulus != Modulus::G_hh)
+    throw InvalidArgument(
+        "a compression wave in wet pores is that of the water above all, and tells little of "
+        "the contacts: take the shear wave");
+}
+
 Eigen::Index ContactModel::parameter_count() const {
-  return free_count() + prior_count + static_cast<Eigen::Index>(options_.inputs.size());
+  return free_count() + prior_count + static_cast<Eigen::Index>(options_.inputs.keys.size());
 }
 
 std::string ContactModel::source_of(Eigen::Index prior) const {
   if (prior >= prior_count)
-    return options_.inputs[static_cast<std::size_t>(prior - prior_count)].key;
+    return options_.inputs.keys[static_cast<std::size_t>(prior - prior_count)];
   static constexpr const char* sources[] = {"rattlers", "rung 3", "rung 3", "growth", "another packing"};
   return sources[prior];
 }
@@ -179,17 +189,20 @@ double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_str
 double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
                                Specimen specimen) const {
   const QuantityRow& row = row_of(quantity);
+  require_known_density(row);
   const Eigen::Index priors = free_count();
   const auto [z, rattlers] = contacts(theta, at, specimen);
   State state = effective::with_contacts(at, z, rattlers);
   double density = options_.grain_density.value_or(1);
-  for (std::size_t k = 0; k < options_.inputs.size(); ++k)
-    options_.inputs[k].move(state, density, theta[priors + prior_count + static_cast<Eigen::Index>(k)]);
+  if (const std::size_t count = options_.inputs.keys.size(); count > 0)
+    options_.inputs.move(state, density, {theta.data() + priors + prior_count, count});
   const effective::RelaxedEstimate packing = effective::relaxed(state, z);
   const double value = std::log(effective::modulus(packing.stiffness, row.modulus));
+  const double bulk_density = elastic::bulk_density(
+      {.grain_density = density, .void_ratio = state.void_ratio, .pore_density = options_.pore_density});
   const double shared = std::sqrt(shared_by_preparation) *
                         calibration_of(row, packing).dot(theta.segment<2>(priors + rung_prior).transpose());
-  return shared + (row.speed ? (value - std::log(density / (1 + state.void_ratio))) / 2 : value);
+  return shared + (row.speed ? (value - std::log(bulk_density)) / 2 : value);
 }
 
 Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quantity quantity, const State& at,

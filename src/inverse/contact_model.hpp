@@ -45,6 +45,8 @@ class ContactModel {
                 const Eigen::MatrixXd& jacobian) const;
   [[nodiscard]] effective::ContactCounts first_contacts(const Eigen::VectorXd& theta) const;
   [[nodiscard]] effective::ContactCounts at_stress(const Eigen::VectorXd& theta, double mean_stress) const;
+  /// \throws   InvalidArgument for a speed that the densities do not allow
+  void require_known_density(const QuantityRow& row) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
   [[nodiscard]] Eigen::Index free_count() const { return options_.growth == Growth::fitted ? 2 : 1; }
   [[nodiscard]] std::string source_of(Eigen::Index prior) const;

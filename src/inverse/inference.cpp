@@ -7,6 +7,7 @@
 
 #include <granum/core/number.hpp>
 #include <granum/effective/contact_prior.hpp>
+#include <granum/elastic/wave_speeds.hpp>
 
 #include "contact_model.hpp"
 
@@ -19,10 +20,16 @@ using effective::Explained;
 /// Deviations so large are taken for a contradiction: three of a thousand.
 constexpr double improbable = 0.003;
 
+double bulk_density(const Measurement& m, const InferenceOptions& options) {
+  return elastic::bulk_density({.grain_density = *options.grain_density,
+                                .void_ratio = m.state.void_ratio,
+                                .pore_density = options.pore_density});
+}
+
 double modulus_of(const Measurement& m, const InferenceOptions& options) {
   if (!row_of(m.quantity).speed)
     return m.value.value;
-  return *options.grain_density / (1 + m.state.void_ratio) * m.value.value * m.value.value;
+  return bulk_density(m, options) * m.value.value * m.value.value;
 }
 
 std::string named(const Measurement& m) {
@@ -36,8 +43,7 @@ std::string named(const Measurement& m) {
 std::string bound_text(const Measurement& m, const InferenceOptions& options, double bound) {
   if (!row_of(m.quantity).speed)
     return granum::detail::formatted("%.4g MPa", bound / 1e6);
-  const double density = *options.grain_density / (1 + m.state.void_ratio);
-  return granum::detail::formatted("%.4g m/s", std::sqrt(bound / density));
+  return granum::detail::formatted("%.4g m/s", std::sqrt(bound / bulk_density(m, options)));
 }
 
 void note_unexplained(const Measurement& m, const InferenceOptions& options,

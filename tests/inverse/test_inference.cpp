@@ -56,10 +56,11 @@ InferenceOptions options_with(Growth growth = Growth::fixed) {
   return {.grain_density = density, .growth = growth};
 }
 
-inverse::UncertainInput grain_modulus_within(double relative_error) {
-  return {"grain-shear-modulus", [relative_error](State& state, double&, double deviations) {
+inverse::UncertainInputs grain_modulus_within(double relative_error) {
+  return {{"grain-shear-modulus"},
+          [relative_error](State& state, double&, std::span<const double> deviations) {
             const contact::GrainMaterial grain = state.law.grain();
-            const double moved = grain.shear_modulus * std::exp(relative_error * deviations);
+            const double moved = grain.shear_modulus * std::exp(relative_error * deviations[0]);
             state.law = contact::PowerLaw::sphere({moved, grain.poisson_ratio}, state.radius);
           }};
 }
@@ -270,7 +271,7 @@ TEST_CASE("inference: what measurement and prediction share cancels") {
                              .together->packing(one.state)
                              .mechanical_coordination_number.standard_error;
   const double without = error_at(30e6);
-  options.inputs = {grain_modulus_within(0.1)};
+  options.inputs = grain_modulus_within(0.1);
   // V_s ~ G_g^(1/3): by itself 3.3 % and much of z*, nearly nothing of the prediction.
   const auto answer = infer(std::span(&one, 1), options);
   CHECK(answer.together->packing(one.state).mechanical_coordination_number.standard_error > 1.5 * z_error);
@@ -282,7 +283,7 @@ TEST_CASE("inference: stated errors are those of a sample") {
   // Truth: z* 5.2; everything else scatters as it is said to. A measurement at 3 MPa, a prediction at 30.
   const double z = 5.2, noise = 0.005, grain_error = 0.05, shared = 0.42;
   InferenceOptions options = options_with();
-  options.inputs = {grain_modulus_within(grain_error)};
+  options.inputs = grain_modulus_within(grain_error);
   std::mt19937 generator(7);
   std::normal_distribution<double> normal;
   std::vector<double> found, missed;
@@ -316,7 +317,7 @@ TEST_CASE("inference: stated errors are those of a sample") {
 
 TEST_CASE("inference: shares of the error by leaving its sources out") {
   InferenceOptions options = options_with();
-  options.inputs = {grain_modulus_within(0.05)};
+  options.inputs = grain_modulus_within(0.05);
   const Measurement one = measurement(Quantity::G_vh, beads(3e6), 5.2, 0.03);
   const auto variance = [&](const InferenceOptions& o, const Measurement& m) {
     const double error =
@@ -331,7 +332,7 @@ TEST_CASE("inference: shares of the error by leaving its sources out") {
     if (source == "measurement")
       exact.value.standard_error = 0;
     else if (source == "grain-shear-modulus")
-      fewer.inputs.clear();
+      fewer.inputs = {};
     else
       continue;
     CHECK((all - variance(fewer, exact)) / all == relative(share, 1e-3));
@@ -344,6 +345,24 @@ TEST_CASE("inference: exact measurements of dependent quantities") {
     all.push_back(measurement(q, beads(1e6), 5));
   const auto answer = infer(all, options_with());
   CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value == relative(5.0, 1e-9));
+}
+
+TEST_CASE("inference: water in the pores weighs, and hides the compression wave") {
+  InferenceOptions wet = options_with();
+  wet.pore_density = 998;
+  const double e = 0.61, ratio = (density + e * 998) / density;
+  Measurement one = measurement(Quantity::V_s, beads(1e6), 5.2, 0.01);
+  one.value.value /= std::sqrt(ratio);
+  const auto answer = infer(std::span(&one, 1), wet);
+  CHECK(answer.together->packing(one.state).mechanical_coordination_number.value == relative(5.2, 1e-10));
+  CHECK(answer.together->predict(Quantity::V_s, beads(4e6)).value ==
+        relative(
+            value_of(Quantity::V_s, beads(4e6), 5.2, effective::expected_rattlers(beads(1e6), 5.2).fraction) /
+                std::sqrt(ratio),
+            1e-9));
+  CHECK_THROWS_AS((void)answer.together->predict(Quantity::V_p, one.state), InvalidArgument);
+  const Measurement compression = measurement(Quantity::V_p, beads(1e6), 5.2, 0.01);
+  CHECK_THROWS_AS((void)infer(std::span(&compression, 1), wet), InvalidArgument);
 }
 
 TEST_CASE("inference: refuses what it cannot use") {

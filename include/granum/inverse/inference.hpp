@@ -28,11 +28,13 @@ struct Measurement {
   effective::State state;
 };
 
-/// An input that all measurements share and whose error they share.
-struct UncertainInput {
-  std::string key;
-  /// Moves it by so many standard deviations in a state and in the density of the grains [kg/m3].
-  std::function<void(effective::State& state, double& grain_density, double deviations)> move;
+/// Inputs that all measurements share and whose errors they share.
+struct UncertainInputs {
+  std::vector<std::string> keys; ///< one a number
+  /// Moves all of them at once, each by so many of its standard deviations, in a state and in the density of
+  /// the grains [kg/m3].
+  std::function<void(effective::State& state, double& grain_density, std::span<const double> deviations)>
+      move;
 };
 
 /// How z* follows the mean stress p from state to state of one packing.
@@ -52,10 +54,13 @@ enum class Specimen {
 
 struct InferenceOptions {
   std::optional<double> grain_density = std::nullopt; ///< of the solid; speeds ask for it [kg/m3]
+  /// Of what fills the pores, 0: dry [kg/m3]. In wet ones no compression wave is asked for: it is that of the
+  /// water above all.
+  double pore_density = 0;
   /// At the first measurement, where it is known; else that of effective::expected_rattlers.
   std::optional<double> rattler_fraction = std::nullopt;
   Growth growth = Growth::as_packings;
-  std::vector<UncertainInput> inputs = {};
+  UncertainInputs inputs = {};
   std::size_t iteration_limit = 100;
 };
 
@@ -91,7 +96,8 @@ class Inference {
   [[nodiscard]] InferredPacking packing(const effective::State& at, Specimen specimen = Specimen::same) const;
   /// A quantity at another state of the same packing. What measurement and prediction have in common, as the
   /// error of the grains' modulus or of the preparation, cancels as far as they have it in common.
-  /// \throws   InvalidArgument as relaxed(), and for a speed without grain density
+  /// \throws   InvalidArgument as relaxed(), for a speed without grain density, and for a compression wave in
+  ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
                                  Specimen specimen = Specimen::same) const;
   /// The packing as the table of rungs takes it, to ask any of them.
@@ -145,7 +151,7 @@ struct InferenceAnswer {
 /// uncertain.
 /// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
-///           grain density, and for Growth::fitted at one stress; NotConverged if least squares fail
+///           grain density, for a compression wave in wet pores, and for Growth::fitted at one stress; NotConverged if least squares fail
 /// Accuracy  a modulus computed at z* gives z* back to 1e-10. Errors: to first order
 /// Checked by tests/inverse/test_inference.cpp; own packings: validation/infer
 [[nodiscard]] InferenceAnswer infer(std::span<const Measurement> measurements,

@@ -36,8 +36,6 @@ void add_measured_options(CLI::App& command, InferOptions& o) {
                                                                      : "PRESSURE[+-ERROR]");
   add_number_without_default(command, "--measurement-error", o.measurement_error,
                              "Standard error of measurements that state none, of their value: 2%");
-  add_number_without_default(command, "--grain-density", o.grain_density,
-                             "Of the grains' solid; wave speeds ask for it");
   add_path(command, "--table", o.table,
            "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, G_MPa, ...")
       ->type_name("FILE.csv");
@@ -73,6 +71,8 @@ void add_infer_options(CLI::App& command, InferOptions& o) {
     command.remove_option(command.get_option(number->name));
     number->option = nullptr;
   }
+  add_answer_options(command, o.grains);
+  command.remove_option(command.get_option("--preparation"));
   add_measured_options(command, o);
   add_prediction_options(command, o);
   add_output_options(command, o.output);
@@ -91,8 +91,8 @@ void add_infer_options(CLI::App& command, InferOptions& o) {
 Quantity pictured(const InferOptions& o, const InferCase& question) {
   for (const inverse::QuantityRow& row : inverse::quantities())
     if (o.picture_of == row.key) {
-      if (row.speed && !question.options.grain_density)
-        throw InvalidArgument(fmt::format("--picture-of {} needs --grain-density", row.key));
+      if (!is_told(question, row))
+        throw InvalidArgument(fmt::format("--picture-of {}: no compression wave in wet pores", row.key));
       return row.quantity;
     }
   return question.measurements.front().quantity;

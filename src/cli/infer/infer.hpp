@@ -11,6 +11,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/estimate/answer_options.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/options/packing_options.hpp"
 
@@ -32,7 +33,7 @@ struct InferOptions {
   OutputOptions output;
   std::array<std::string, 7> measured; ///< as given, in the order of measured_options(); empty: not given
   Number measurement_error;            ///< relative, of those that state none
-  Number grain_density{0, Dimension::density};
+  AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
   std::string growth = "packings";
   std::vector<std::string> uncertain;        ///< key=sd
@@ -65,6 +66,9 @@ struct InferCase {
 /// \throws   InvalidArgument
 [[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                                       double relative_error);
+
+/// Whether the quantity can be told: compression waves in wet pores cannot.
+[[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
 /// The void ratio of the measured packing at the stresses to predict for, where no other is asked for.
 void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit);

@@ -20,7 +20,6 @@ using inverse::Measurement;
 
 /// The packing without its contacts, which are what is asked for.
 PackingOptions without_contacts(PackingOptions o) {
-  o.coordination_number.in_table = true; // nobody is to assume one
   o.rattler_fraction.in_table = false;
   return o;
 }
@@ -166,73 +165,81 @@ State state_of(const PackingOptions& o) {
   return resolve_state(o, {any_stress, any_stress});
 }
 
-inverse::UncertainInput uncertain_number(const PackingOptions& packing, const std::string& key,
-                                         std::size_t index, double deviation) {
+/// An uncertain number: its place in shared_numbers, or nothing for the density of the grains.
+struct Uncertain {
+  std::optional<std::size_t> index;
+  double deviation = 0;
+};
+
+/// All of them moved at once: one may belong to the same contact law as another.
+void move_all(const PackingOptions& packing, const std::vector<Uncertain>& uncertain,
+              std::span<const double> deviations, State& state, double& density) {
   const State before = state_of(packing);
-  const auto move = [=](State& state, double&, double deviations) {
-    PackingOptions o = packing;
-    Number& number = *shared_numbers(o)[index];
-    number.value = moved(number.value, deviation, deviations,
-                         number.value > 0 && &number != &o.fabric && &number != &o.grain_poisson_ratio);
-    const State after = state_of(o);
-    state.law = after.law;
-    state.tangential_ratio = after.tangential_ratio;
-    state.radius = after.radius;
-    state.contacts = after.contacts;
-    state.fabric_anisotropy += after.fabric_anisotropy - before.fabric_anisotropy;
-    state.void_ratio *= after.void_ratio / before.void_ratio;
-  };
-  return {key, move};
-}
-
-double deviation_of(const std::string& key, const std::string& text, double value, Dimension dimension) {
-  const bool share = std::string_view(trimmed(text)).ends_with('%');
-  const double number =
-      parse_quantity("--uncertainty " + key, text, share ? Dimension::dimensionless : dimension);
-  return require_non_negative("--uncertainty " + key, share ? number * std::abs(value) : number);
-}
-
-inverse::UncertainInput parse_uncertain(const InferOptions& o, const PackingOptions& packing,
-                                        const std::string& setting) {
-  const std::size_t split = setting.find('=');
-  if (split == std::string::npos)
-    throw InvalidArgument("--uncertainty " + setting + ": write key=sd, as in grain-shear-modulus=5%");
-  const std::string key(trimmed(std::string_view(setting).substr(0, split)));
-  const std::string text = setting.substr(split + 1);
-  std::vector<std::string> known;
-  PackingOptions copy = packing;
-  const std::vector<Number*> shared = shared_numbers(copy);
-  for (std::size_t k = 0; k < shared.size(); ++k) {
-    known.push_back(shared[k]->name.substr(2));
-    if (known.back() == key)
-      return uncertain_number(packing, key, k,
-                              deviation_of(key, text, shared[k]->value, shared[k]->dimension));
-  }
-  if (o.grain_density.given()) {
-    known.emplace_back("grain-density");
-    if (key == known.back()) {
-      const double share =
-          deviation_of(key, text, o.grain_density.value, Dimension::density) / o.grain_density.value;
-      return {key, [share](State&, double& density, double deviations) {
-                density *= std::exp(share * deviations);
-              }};
+  PackingOptions o = packing;
+  for (std::size_t k = 0; k < uncertain.size(); ++k) {
+    const auto& [index, deviation] = uncertain[k];
+    if (!index) {
+      density = moved(density, deviation, deviations[k], true);
+      continue;
     }
+    Number& number = *shared_numbers(o)[*index];
+    const bool positive = number.value > 0 && &number != &o.fabric && &number != &o.grain_poisson_ratio;
+    number.value = moved(number.value, deviation, deviations[k], positive);
   }
-  throw InvalidArgument(
-      fmt::format("--uncertainty {}: not an input that the measurements share, which are {}", key,
-                  fmt::join(known, ", ")));
+  const State after = state_of(o);
+  state.law = after.law;
+  state.tangential_ratio = after.tangential_ratio;
+  state.radius = after.radius;
+  state.contacts = after.contacts;
+  state.fabric_anisotropy += after.fabric_anisotropy - before.fabric_anisotropy;
+  state.void_ratio *= after.void_ratio / before.void_ratio;
 }
 
-std::vector<inverse::UncertainInput> parse_all_uncertain(const InferOptions& o,
-                                                         const PackingOptions& packing) {
-  std::vector<inverse::UncertainInput> all;
-  for (const std::string& setting : o.uncertain) {
-    all.push_back(parse_uncertain(o, packing, setting));
-    for (std::size_t k = 0; k + 1 < all.size(); ++k)
-      if (all[k].key == all.back().key)
-        throw InvalidArgument("--uncertainty " + all.back().key + " is given twice");
+/// \throws   InvalidArgument for a setting that is no input of all measurements, or given twice
+void require_shared(const std::vector<std::string>& settings, const std::vector<std::string>& known) {
+  std::vector<std::string> keys;
+  for (const std::string& setting : settings) {
+    const std::size_t split = setting.find('=');
+    if (split == std::string::npos)
+      throw InvalidArgument("--uncertainty " + setting + ": write key=sd, as in grain-shear-modulus=5%");
+    const std::string key(trimmed(std::string_view(setting).substr(0, split)));
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw InvalidArgument(
+          fmt::format("--uncertainty {}: not an input that the measurements share, which are {}", key,
+                      fmt::join(known, ", ")));
+    if (std::find(keys.begin(), keys.end(), key) != keys.end())
+      throw InvalidArgument("--uncertainty " + key + " is given twice");
+    keys.push_back(key);
   }
-  return all;
+}
+
+/// What is assumed of the grains, with its spread, and what is said to be uncertain.
+inverse::UncertainInputs uncertain_inputs_of(const InferOptions& o, const PackingOptions& packing,
+                                             std::vector<std::string>& assumptions) {
+  PackingOptions copy = packing;
+  std::vector<std::string> known;
+  for (const Number* number : shared_numbers(copy))
+    known.push_back(number->name.substr(2));
+  known.emplace_back("grain-density");
+  require_shared(o.uncertain, known);
+  inverse::UncertainInputs inputs;
+  std::vector<Uncertain> uncertain;
+  for (const Spread& spread : spreads_of(packing, o.grains, o.uncertain)) {
+    const auto found = std::find(known.begin(), known.end(), spread.key);
+    if (found == known.end())
+      continue;
+    if (spread.assumed)
+      assumptions.push_back(fmt::format("taken to be uncertain: {} by {}", spread.key, spread.text));
+    inputs.keys.push_back(spread.key);
+    uncertain.push_back(
+        {.index = static_cast<std::size_t>(found - known.begin()), .deviation = spread.deviation});
+    if (spread.key == known.back())
+      uncertain.back().index.reset();
+  }
+  inputs.move = [packing, uncertain](State& state, double& density, std::span<const double> deviations) {
+    move_all(packing, uncertain, deviations, state, density);
+  };
+  return inputs;
 }
 
 // ---- predictions
@@ -293,24 +300,29 @@ void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
       state.void_ratio = fit.void_ratio_at((state.stress_v + 2 * state.stress_h) / 3);
 }
 
-InferCase infer_case(const InferOptions& o) {
+InferCase infer_case(const InferOptions& given) {
+  constexpr double water_density = 998; // 20 degrees Celsius
+  InferOptions o = given;
+  apply_presets(o.packing, o.grains);
   InferCase question;
-  InferOptions given = o;
-  given.packing.coordination_number.in_table = true; // nobody is to assume one
-  const PackingOptions packing = o.table.empty() ? given.packing : read_table(o, question);
+  const PackingOptions packing = o.table.empty() ? o.packing : read_table(o, question);
   if (o.table.empty())
-    question.measurements = measurements_of_options(given);
+    question.measurements = measurements_of_options(o);
   const State& first = question.measurements.front().state;
-  for (const std::string& note : assumed_inputs(packing, first))
+  for (const std::string& note : assumed_grains(packing, first))
     question.assumptions.push_back(note);
+  if (!o.grains.grain_density.given())
+    question.assumptions.push_back("assumed --grain-density " +
+                                   pretty(o.grains.grain_density.value, Dimension::density));
   question.packing = packing_json(packing, first);
   question.packing.erase("coordination_number");
-  if (o.grain_density.given())
-    question.options.grain_density = o.grain_density.value;
+  question.options = {.grain_density = o.grains.grain_density.value,
+                      .pore_density =
+                          water_density * require_closed("--saturation", o.grains.saturation.value, 0, 1),
+                      .growth = growth_of(o.growth),
+                      .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
   if (o.packing.rattler_fraction.given())
     question.options.rattler_fraction = o.packing.rattler_fraction.value;
-  question.options.growth = growth_of(o.growth);
-  question.options.inputs = parse_all_uncertain(o, packing);
   question.predicted = predicted_states(o, first);
   return question;
 }

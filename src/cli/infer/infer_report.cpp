@@ -23,11 +23,11 @@ double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
 
 Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
 
-/// The quantities that can be told: speeds need the density of the grains.
+/// The quantities that can be told.
 std::vector<const QuantityRow*> told(const InferCase& question) {
   std::vector<const QuantityRow*> rows;
   for (const QuantityRow& row : inverse::quantities())
-    if (!row.speed || question.options.grain_density)
+    if (is_told(question, row))
       rows.push_back(&row);
   return rows;
 }
@@ -74,9 +74,7 @@ std::string head_text(const InferCase& question) {
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}{}\n", pretty(s.radius, Dimension::length),
                       pretty(s.law.grain().shear_modulus, Dimension::pressure),
                       short_text(s.law.grain().poisson_ratio),
-                      question.options.grain_density
-                          ? ", density " + pretty(*question.options.grain_density, Dimension::density)
-                          : "");
+                      ", density " + pretty(*question.options.grain_density, Dimension::density));
   return text;
 }
 
@@ -218,6 +216,11 @@ constexpr std::size_t curve_points = 60;
 
 } // namespace
 
+bool is_told(const InferCase& question, const QuantityRow& row) {
+  const bool compression = row.quantity == inverse::Quantity::V_p || row.quantity == inverse::Quantity::V_p_h;
+  return !compression || question.options.pore_density == 0;
+}
+
 std::string infer_table(const InferCase& question, const InferenceAnswer& answer) {
   std::string text = head_text(question) + measurement_lines(question, answer);
   if (answer.together)
@@ -246,8 +249,8 @@ ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer
   }
   json["measurements"] = measurements_json(question, answer);
   json["inputs"] = question.packing;
-  if (question.options.grain_density)
-    json["inputs"]["grain_density"] = *question.options.grain_density;
+  json["inputs"]["grain_density"] = *question.options.grain_density;
+  json["inputs"]["pore_density"] = question.options.pore_density;
   json["notes"] = question.assumptions;
   return json;
 }
