@@ -151,7 +151,8 @@ struct InferenceAnswer {
 /// uncertain.
 /// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
-///           grain density, for a compression wave in wet pores, and for Growth::fitted at one stress; NotConverged if least squares fail
+///           grain density, for a compression wave in wet pores, and for Growth::fitted at one stress;
+///           NotConverged if least squares fail
 /// Accuracy  a modulus computed at z* gives z* back to 1e-10. Errors: to first order
 /// Checked by tests/inverse/test_inference.cpp; own packings: validation/infer
 [[nodiscard]] InferenceAnswer infer(std::span<const Measurement> measurements,
