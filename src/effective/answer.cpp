@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include <granum/contact/minerals.hpp>
@@ -257,7 +256,8 @@ std::vector<Share> shares_of(const std::vector<Effect>& effects) {
   for (const Effect& e : effects) {
     const double width = squared(e.high[G_vh] - e.low[G_vh]);
     sum += width;
-    const auto same = std::ranges::find(shares, e.input, &Share::input);
+    const auto same =
+        std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.input == e.input; });
     if (same != shares.end())
       same->share += width;
     else
@@ -268,7 +268,8 @@ std::vector<Share> shares_of(const std::vector<Effect>& effects) {
   for (Share& s : shares)
     s.share /= sum;
   std::erase_if(shares, [](const Share& s) { return s.share == 0; });
-  std::ranges::stable_sort(shares, std::ranges::greater(), &Share::share);
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.share > b.share; });
   return shares;
 }
 

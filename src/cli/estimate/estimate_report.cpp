@@ -202,7 +202,8 @@ std::string notes_table(const std::vector<std::string>& of_answer, const std::ve
   std::string text = "\n";
   const auto said = [&](const std::string& note) { // with a spread it may go on
     const std::string begin = note.substr(0, note.find(','));
-    return std::ranges::any_of(of_answer, [&](const std::string& other) { return other.starts_with(begin); });
+    return std::any_of(of_answer.begin(), of_answer.end(),
+                       [&](const std::string& other) { return other.starts_with(begin); });
   };
   for (const std::string& note : of_answer)
     text += "- " + note + "\n";
