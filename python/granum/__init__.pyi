@@ -16,8 +16,11 @@ from ._errors import Stopped as Stopped
 __all__ = [
     "AnisotropyEstimate",
     "Band",
+    "CarriedContacts",
     "Compression",
+    "ContactCounts",
     "ContactMeans",
+    "ContactPrior",
     "ContactStress",
     "Contacts",
     "Counts",
@@ -67,10 +70,12 @@ __all__ = [
     "Verdict",
     "answer",
     "bulk_density",
+    "carried_contacts",
     "cement_at_contacts",
     "cement_in_surface_layer",
     "compress",
     "cone",
+    "contact_prior",
     "digby",
     "engineering_moduli",
     "estimate",
@@ -157,9 +162,27 @@ class Band:
     @property
     def median(self) -> float: ...
 
+class CarriedContacts:
+    @property
+    def coordination_error(self) -> float: ...
+    @property
+    def counts(self) -> ContactCounts: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def void_ratio(self) -> float: ...
+
 class Compression:
     def __iter__(self) -> Iterator[State]: ...
     def __next__(self) -> State: ...
+
+class ContactCounts:
+    @property
+    def coordination_number(self) -> float: ...
+    @property
+    def mechanical_coordination_number(self) -> float: ...
+    @property
+    def rattler_fraction(self) -> float: ...
 
 class ContactMeans:
     def __init__(
@@ -180,6 +203,22 @@ class ContactMeans:
     @property
     def pair_radius(self) -> float: ...
     def with_reference(self, scale: float) -> ContactMeans: ...
+
+class ContactPrior:
+    @property
+    def coordination_error(self) -> float: ...
+    @property
+    def densest(self) -> ContactCounts: ...
+    @property
+    def loosest(self) -> ContactCounts: ...
+    @property
+    def middle(self) -> ContactCounts: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def rattler_error(self) -> float: ...
+    @property
+    def relative_overlap(self) -> float: ...
 
 class ContactStress:
     @property
@@ -864,6 +903,17 @@ def answer(
     rung: _RungName,
 ) -> Estimate: ...
 def bulk_density(*, grain_density: float, void_ratio: float, pore_density: float = ...) -> float: ...
+def carried_contacts(
+    *,
+    law: PowerLaw,
+    radius: float,
+    void_ratio: float,
+    pressure: float,
+    contact_means: Optional[ContactMeans] = None,
+    mechanical_coordination_number: float,
+    rattler_fraction: float,
+    to_pressure: float,
+) -> CarriedContacts: ...
 def cement_at_contacts(
     *,
     shear_modulus: ArrayLike,
@@ -888,6 +938,15 @@ def cement_in_surface_layer(
 ) -> IsotropicModuli: ...
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
 def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> PowerLaw: ...
+def contact_prior(
+    *,
+    law: PowerLaw,
+    radius: float,
+    void_ratio: float,
+    pressure: float,
+    contact_means: Optional[ContactMeans] = None,
+    preparation: Optional[str] = None,
+) -> ContactPrior: ...
 def digby(
     *,
     shear_modulus: ArrayLike,

@@ -18,6 +18,7 @@ PYBIND11_MODULE(_granum, module) {
   bind_elastic(module);
   bind_effective(module);
   bind_sensitivity(module);
+  bind_contact_prior(module);
   bind_rock_physics(module);
   bind_packing(module);
   bind_io(module);

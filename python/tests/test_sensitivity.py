@@ -121,3 +121,35 @@ def test_what_is_not_measured_makes_the_error_larger():
     assert z_uncertain.mechanical_coordination_number.standard_error == 0.2
     alone = {name: value for name, value in STATE.items() if name != "mechanical_coordination_number"}
     assert granum.estimate(tolerance=0.05, **alone).coordination_estimated
+
+
+def test_the_prior_of_contacts_has_its_ends():
+    grains = {"law": LAW, "radius": 0.5e-3, "void_ratio": 0.6, "pressure": 100e3}
+    prior = granum.contact_prior(**grains)
+    z = [c.mechanical_coordination_number for c in (prior.loosest, prior.middle, prior.densest)]
+    assert z[0] < z[1] < z[2]
+    for counts in (prior.loosest, prior.densest):
+        expected = counts.mechanical_coordination_number * (1 - counts.rattler_fraction)
+        assert counts.coordination_number == pytest.approx(expected, rel=1e-15)
+    dense = granum.contact_prior(**grains, preparation="dense")
+    assert dense.middle.mechanical_coordination_number == pytest.approx(z[2], rel=1e-9)
+    with pytest.raises(granum.InvalidArgument, match="quick"):
+        granum.contact_prior(**grains, preparation="quick")
+
+
+def test_contacts_carried_there_and_back_are_the_same():
+    grains = {"law": LAW, "radius": 0.5e-3, "void_ratio": 0.6}
+    up = granum.carried_contacts(
+        **grains, pressure=50e3, mechanical_coordination_number=5.0, rattler_fraction=0.05, to_pressure=500e3
+    )
+    assert up.counts.mechanical_coordination_number > 5.0 and up.void_ratio < 0.6
+    down = granum.carried_contacts(
+        law=LAW,
+        radius=0.5e-3,
+        void_ratio=up.void_ratio,
+        pressure=500e3,
+        mechanical_coordination_number=up.counts.mechanical_coordination_number,
+        rattler_fraction=up.counts.rattler_fraction,
+        to_pressure=50e3,
+    )
+    assert down.counts.mechanical_coordination_number == pytest.approx(5.0, rel=1e-8)

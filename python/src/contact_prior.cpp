@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <granum/effective/contact_prior.hpp>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "keywords.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using effective::ContactCounts;
+using effective::ContactPrior;
+
+/// Law, radius, void ratio, pressure and contact means, in this order.
+effective::State grains_at_rest(const Arguments& a) {
+  const auto& law = a[0].cast<const contact::PowerLaw&>();
+  const double pressure = number_of("pressure", a[3]);
+  effective::State state{.law = law,
+                         .tangential_ratio = contact::mindlin_stiffness_ratio(law.grain().poisson_ratio),
+                         .radius = number_of("radius", a[1]),
+                         .void_ratio = number_of("void_ratio", a[2]),
+                         .stress_v = pressure,
+                         .stress_h = pressure};
+  if (a.given(4))
+    state.contacts = a[4].cast<sizes::ContactMeans>();
+  return state;
+}
+
+const std::vector<Keyword> grains_keywords{
+    {"law"}, {"radius"}, {"void_ratio"}, {"pressure"}, {"contact_means", "None"}};
+
+constexpr const char* grains_parameters = R"(
+Parameters
+----------
+law : PowerLaw
+    Normal contact of two grains.
+radius : float
+    R > 0 of a grain [m].
+void_ratio : float
+    e > 0 [1].
+pressure : float
+    Isotropic stress [Pa].
+contact_means : ContactMeans, optional
+    Of unequal grains; without it those of equal ones.
+)";
+
+std::vector<Keyword> and_keywords(std::vector<Keyword> all, std::initializer_list<Keyword> more) {
+  all.insert(all.end(), more);
+  return all;
+}
+
+py::object contact_prior(const Arguments& a) {
+  const auto preparation =
+      a.given(5) ? effective::preparation_of(a[5].cast<std::string>()) : effective::Preparation{};
+  return py::cast(effective::contact_prior(grains_at_rest(a), preparation));
+}
+
+py::object carried_contacts(const Arguments& a) {
+  const ContactCounts counts{.mechanical_coordination_number =
+                                 number_of("mechanical_coordination_number", a[5]),
+                             .rattler_fraction = number_of("rattler_fraction", a[6])};
+  return py::cast(effective::carried_contacts(grains_at_rest(a), counts, number_of("to_pressure", a[7])));
+}
+
+} // namespace
+
+void bind_contact_prior(py::module_& module) {
+  py::class_<ContactCounts>(module, "ContactCounts",
+                            "Contacts that bear load, and the grains that bear none.")
+      .def_readonly("mechanical_coordination_number", &ContactCounts::mechanical_coordination_number,
+                    "z* [1].")
+      .def_readonly("rattler_fraction", &ContactCounts::rattler_fraction, "x_0 [1].")
+      .def_property_readonly("coordination_number", &ContactCounts::coordination_number,
+                             "C_n, over all grains [1].");
+  py::class_<ContactPrior>(module, "ContactPrior", "How many contacts a packing may have.")
+      .def_readonly("loosest", &ContactPrior::loosest, "The fewest.")
+      .def_readonly("middle", &ContactPrior::middle, "Half way, by z*.")
+      .def_readonly("densest", &ContactPrior::densest, "The most.")
+      .def_readonly("coordination_error", &ContactPrior::coordination_error,
+                    "Standard deviation of z* of packings about each [1].")
+      .def_readonly("rattler_error", &ContactPrior::rattler_error, "That of ln x_0 [1].")
+      .def_readonly("relative_overlap", &ContactPrior::relative_overlap,
+                    "Overlap of the mean force over the diameter [1].")
+      .def_property_readonly("notes", [](const ContactPrior& prior) { return prior.validity.notes; });
+  define(
+      module,
+      {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
+       std::string("How many contacts a packing may have of which only void ratio and stress are known.\n") +
+           grains_parameters + R"(preparation : str, optional
+    "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
+
+Returns
+-------
+ContactPrior
+)"});
+  using effective::CarriedContacts;
+  py::class_<CarriedContacts>(module, "CarriedContacts",
+                              "A packing with known contacts at another mean stress.")
+      .def_readonly("counts", &CarriedContacts::counts)
+      .def_readonly("void_ratio", &CarriedContacts::void_ratio, "[1]")
+      .def_readonly("coordination_error", &CarriedContacts::coordination_error,
+                    "Standard deviation of z* that carrying it adds [1].")
+      .def_property_readonly("notes", [](const CarriedContacts& carried) { return carried.validity.notes; });
+  define(module, {"carried_contacts",
+                  and_keywords(grains_keywords,
+                               {{"mechanical_coordination_number"}, {"rattler_fraction"}, {"to_pressure"}}),
+                  &carried_contacts,
+                  std::string("How z* and rattlers of a packing, known at one pressure, are at another.\n") +
+                      grains_parameters + R"(mechanical_coordination_number : float
+    z* at that pressure [1].
+rattler_fraction : float
+    x_0 there, in [0, 1).
+to_pressure : float
+    To carry them to [Pa].
+
+Returns
+-------
+CarriedContacts
+)"});
+}
+
+} // namespace granum::python
