@@ -14,6 +14,9 @@ set(granum_packing_packages)
 
 set(granum_dem_needs packing)
 set(granum_dem_packages Threads)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+  set(granum_dem_packages) # one thread, without the package
+endif()
 
 set(granum_io_needs packing)
 set(granum_io_packages ZLIB EXPAT)

@@ -145,9 +145,9 @@ void IncompleteFactor<Dof>::assemble(const Backbone& backbone) {
     const auto blocks = link_blocks<Dof>(l);
     add(blocks.diagonal_a, inverse_pivot_[l.a]);
     add(blocks.diagonal_b, inverse_pivot_[l.b]);
-    const auto row = column_.begin() + row_start_[l.b];
-    const auto entry = std::lower_bound(row, column_.begin() + row_start_[l.b + 1], l.a);
-    add(transposed(blocks.coupling_ba), lower_[static_cast<std::size_t>(entry - column_.begin())]);
+    const std::uint32_t* const entry =
+        std::lower_bound(column_.data() + row_start_[l.b], column_.data() + row_start_[l.b + 1], l.a);
+    add(transposed(blocks.coupling_ba), lower_[static_cast<std::size_t>(entry - column_.data())]);
   }
   for (const Link& l : backbone.wall_links)
     add(wall_block<Dof>(l), inverse_pivot_[l.a]);

@@ -63,8 +63,8 @@ class ByteReader {
     const auto count = get<std::uint64_t>();
     if (count > rest_.size() / sizeof(T))
       fail("ends within a list of " + std::to_string(count) + " values");
-    std::vector<T> values(count);
-    take(values.data(), count * sizeof(T));
+    std::vector<T> values(static_cast<std::size_t>(count));
+    take(values.data(), values.size() * sizeof(T));
     return values;
   }
   [[nodiscard]] bool empty() const { return rest_.empty(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "team.hpp"
 
+#if GRANUM_HAS_THREADS
 namespace granum::dem {
 
 namespace {
@@ -76,3 +77,4 @@ void Team::work(std::size_t member) {
 }
 
 } // namespace granum::dem
+#endif

@@ -2,15 +2,21 @@
 // Private to src/dem.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
+
+#if defined(__wasm__)
+#define GRANUM_HAS_THREADS 0
+#else
+#define GRANUM_HAS_THREADS 1
+#include <atomic>
 #include <cstdint>
 #include <thread>
-#include <type_traits>
 #include <vector>
+#endif
 
 namespace granum::dem {
 
+#if GRANUM_HAS_THREADS
 /// Threads that run the same job side by side. They stay alive between jobs: a job in a step of an engine
 /// takes some microseconds, less than starting or waking a thread. Without a job they spin for a while, then
 /// yield the processor, then sleep.
@@ -48,5 +54,22 @@ class Team {
   alignas(64) std::atomic<std::uint32_t> busy_{0};
   std::vector<std::thread> threads_;
 };
+#else
+/// The same where there are no threads: the members' parts of a job are done one after the other.
+class Team {
+ public:
+  explicit Team(std::size_t members) : members_(members) {}
+
+  [[nodiscard]] std::size_t size() const { return members_; }
+  template <class Job>
+  void run(const Job& job) {
+    for (std::size_t member = 0; member < members_; ++member)
+      job(member);
+  }
+
+ private:
+  std::size_t members_;
+};
+#endif
 
 } // namespace granum::dem

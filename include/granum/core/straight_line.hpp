@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <granum/core/measured.hpp>
+
+namespace granum {
+
+/// A point (x, y).
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+/// A straight line through points, each with the same unknown error in y.
+struct StraightLine {
+  double mean_x = 0; ///< the line goes through (mean_x, mean_y)
+  double mean_y = 0;
+  Measured slope; ///< its error by the scatter about the line; 0 through two points
+
+  [[nodiscard]] double operator()(double x) const { return mean_y + slope.value * (x - mean_x); }
+};
+
+/// The line of least squares in y. Of ln G against ln p its slope is the exponent s of G ~ p^s.
+/// \throws   InvalidArgument for fewer than two points, for coordinates that are not finite, or if all x are
+///           the same
+/// Accuracy  1e-13 of the slope where the x spread over more than a hundredth of their size.
+///           Checked by tests/core/test_straight_line.cpp
+[[nodiscard]] StraightLine straight_line(std::span<const Point> points);
+
+} // namespace granum

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/core/straight_line.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <granum/core/error.hpp>
+
+using namespace granum;
+
+TEST_CASE("points on a line give the line, without error") {
+  std::vector<Point> points;
+  for (double x : {-3.0, 0.5, 2.0, 11.0})
+    points.push_back({x, 7 - 0.25 * x});
+  const StraightLine line = straight_line(points);
+  CHECK(line.slope.value == doctest::Approx(-0.25).epsilon(1e-14));
+  CHECK(line.slope.standard_error < 1e-15);
+  CHECK(line(100) == doctest::Approx(-18).epsilon(1e-14));
+}
+
+TEST_CASE("the error of the slope is that of the text books") {
+  // By hand: mean (3, 5.96), sum of squares of x 10, of products 19.5.
+  const std::vector<Point> points{{1, 2.1}, {2, 3.9}, {3, 6.2}, {4, 7.6}, {5, 10.0}};
+  const StraightLine line = straight_line(points);
+  CHECK(line.slope.value == doctest::Approx(1.95).epsilon(1e-14));
+  double rest = 0;
+  for (const Point& point : points)
+    rest += std::pow(point.y - (5.96 + 1.95 * (point.x - 3)), 2);
+  CHECK(line.slope.standard_error == doctest::Approx(std::sqrt(rest / 3 / 10)).epsilon(1e-12));
+}
+
+TEST_CASE("a power law between two pressures has its exponent as slope") {
+  const std::vector<Point> points{{std::log(1e4), std::log(3 * std::cbrt(1e4))},
+                                  {std::log(1e5), std::log(3 * std::cbrt(1e5))}};
+  CHECK(straight_line(points).slope.value == doctest::Approx(1.0 / 3).epsilon(1e-14));
+  CHECK(straight_line(points).slope.standard_error == 0);
+}
+
+TEST_CASE("points that have no line are refused") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const std::vector<Point>& points : {std::vector<Point>{}, std::vector<Point>{{1, 1}},
+                                           std::vector<Point>{{1, 1}, {1, 2}, {1, 3}},
+                                           std::vector<Point>{{1, 1}, {infinite, 2}}})
+    CHECK_THROWS_AS((void)straight_line(points), InvalidArgument);
+}

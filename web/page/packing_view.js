@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A packing by WebGL2: each grain a square on which the fragment shader finds the sphere, each contact a bar as thick as
+// its force. Orthographic; the cell turns about its middle.
+"use strict";
+
+const sphereShaders = [
+  `#version 300 es
+  in vec2 corner; in vec4 grain; in float rattler;
+  uniform mat3 turn; uniform vec3 middle; uniform vec2 scale; uniform float shrink, cut;
+  out vec2 at; out float pale; out float size; out float depth; out float hidden;
+  void main() {
+    vec3 seen = turn * (grain.xyz - middle);
+    size = grain.w * shrink; at = corner; pale = rattler; depth = seen.z;
+    hidden = grain.y > cut ? 1.0 : 0.0;
+    gl_Position = vec4((seen.xy + corner * size) * scale, 0.0, 1.0);
+  }`,
+  `#version 300 es
+  precision highp float;
+  in vec2 at; in float pale; in float size; in float depth; in float hidden;
+  uniform vec3 colour, paleColour; uniform float deep;
+  out vec4 shown;
+  void main() {
+    float r2 = dot(at, at);
+    if (r2 > 1.0 || hidden > 0.5) discard;
+    vec3 normal = vec3(at, sqrt(1.0 - r2));
+    float light = 0.35 + 0.65 * max(0.0, dot(normal, normalize(vec3(-0.4, 0.6, 0.8))));
+    shown = vec4(mix(colour, paleColour, pale) * light, 1.0);
+    gl_FragDepth = 0.5 - 0.5 * (depth + normal.z * size) / deep;
+  }`,
+];
+const barShaders = [
+  `#version 300 es
+  in vec2 corner; in vec3 from, to; in float force;
+  uniform mat3 turn; uniform vec3 middle; uniform vec2 scale; uniform float cut, deep;
+  out float across; out float strong; out float hidden;
+  void main() {
+    vec3 a = turn * (from - middle), b = turn * (to - middle);
+    vec2 along = b.xy - a.xy;
+    vec2 side = normalize(length(along) > 1e-6 ? vec2(-along.y, along.x) : vec2(1.0, 0.0));
+    vec3 seen = mix(a, b, corner.x * 0.5 + 0.5);
+    across = corner.y; strong = force;
+    hidden = max(from.y, to.y) > cut ? 1.0 : 0.0;
+    gl_Position = vec4((seen.xy + side * corner.y * 0.13 * sqrt(force)) * scale, -seen.z / deep, 1.0);
+  }`,
+  `#version 300 es
+  precision highp float;
+  in float across; in float strong; in float hidden;
+  uniform vec3 colour, paleColour;
+  out vec4 shown;
+  void main() {
+    if (hidden > 0.5) discard;
+    shown = vec4(mix(paleColour, colour, clamp(strong / 2.0, 0.15, 1.0)) * (1.0 - 0.5 * across * across), 1.0);
+  }`,
+];
+
+class PackingView {
+  /// Throws where the browser has no WebGL2.
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    if (!this.gl) throw new Error("WebGL2 is not available");
+    this.spheres = this.program(sphereShaders, [["grain", 4], ["rattler", 1]]);
+    this.bars = this.program(barShaders, [["from", 3], ["to", 3], ["force", 1]]);
+    Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, data: null, waiting: false });
+    this.listen();
+  }
+
+  program([vertex, fragment], attributes) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    const array = gl.createVertexArray(), rows = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]), gl.STATIC_DRAW);
+    const corner = gl.getAttribLocation(program, "corner");
+    gl.enableVertexAttribArray(corner);
+    gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 0, 0);
+    gl.bindBuffer(gl.ARRAY_BUFFER, rows);
+    const stride = attributes.reduce((sum, [, count]) => sum + count, 0);
+    let offset = 0;
+    for (const [name, count] of attributes) {
+      const at = gl.getAttribLocation(program, name);
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, count, gl.FLOAT, false, 4 * stride, 4 * offset);
+      gl.vertexAttribDivisor(at, 1);
+      offset += count;
+    }
+    return { program, array, rows, stride, uniform: (name) => gl.getUniformLocation(program, name) };
+  }
+
+  listen() {
+    const canvas = this.canvas;
+    const turned = (dx, dy) => {
+      this.yaw += dx;
+      this.pitch = Math.max(-1.5, Math.min(1.5, this.pitch + dy));
+      this.ask();
+    };
+    const zoomed = (factor) => {
+      this.zoom = Math.max(0.5, Math.min(6, this.zoom * factor));
+      this.ask();
+    };
+    canvas.addEventListener("pointermove", (event) => event.buttons && turned(event.movementX * 0.01, event.movementY * 0.01));
+    canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      zoomed(Math.exp(-event.deltaY * 0.001));
+    }, { passive: false });
+    canvas.addEventListener("keydown", (event) => {
+      const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+      if (turns) turned(...turns);
+      else if (event.key === "+" || event.key === "-") zoomed(event.key === "+" ? 1.15 : 1 / 1.15);
+      else return;
+      event.preventDefault();
+    });
+    new ResizeObserver(() => this.ask()).observe(canvas);
+  }
+
+  show(data) {
+    this.data = data;
+    this.ask();
+  }
+  ask() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    const { gl, canvas, data } = this;
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+    canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (!data || data.grains.length === 0) return;
+    gl.enable(gl.DEPTH_TEST);
+    const middle = Array.from(data.edge, (edge) => edge / 2);
+    const reach = 0.5 * Math.hypot(...data.edge) + 1;
+    const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw), cp = Math.cos(this.pitch), sp = Math.sin(this.pitch);
+    // Axis 3 of the packing points up. Columns of the rotation, one after the other.
+    const turn = [cy, sp * sy, cp * sy, -sy, sp * cy, cp * cy, 0, cp, -sp];
+    const scale = this.zoom / reach;
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    const common = (part) => {
+      gl.useProgram(part.program);
+      gl.bindVertexArray(part.array);
+      gl.uniformMatrix3fv(part.uniform("turn"), false, turn);
+      gl.uniform3fv(part.uniform("middle"), middle);
+      gl.uniform2f(part.uniform("scale"), scale * (canvas.height < canvas.width ? canvas.height / canvas.width : 1), scale * (canvas.width < canvas.height ? canvas.width / canvas.height : 1));
+      gl.uniform1f(part.uniform("cut"), this.slice * data.edge[1]);
+      gl.uniform1f(part.uniform("deep"), reach);
+    };
+    common(this.spheres);
+    gl.uniform1f(this.spheres.uniform("shrink"), this.forces ? 0.22 : 1);
+    gl.uniform3fv(this.spheres.uniform("colour"), this.forces ? [0.55, 0.58, 0.62] : [0.0, 0.55, 0.85]);
+    gl.uniform3fv(this.spheres.uniform("paleColour"), dark ? [0.45, 0.47, 0.5] : [0.85, 0.87, 0.9]);
+    this.instances(this.spheres, data.grains);
+    if (!this.forces) return;
+    common(this.bars);
+    gl.uniform3fv(this.bars.uniform("colour"), dark ? [1, 0.6, 0.3] : [0.8, 0.25, 0]);
+    gl.uniform3fv(this.bars.uniform("paleColour"), dark ? [0.35, 0.3, 0.3] : [0.95, 0.85, 0.75]);
+    this.instances(this.bars, data.contacts);
+  }
+
+  instances(part, rows) {
+    const gl = this.gl;
+    gl.bindBuffer(gl.ARRAY_BUFFER, part.rows);
+    gl.bufferData(gl.ARRAY_BUFFER, rows, gl.DYNAMIC_DRAW);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows.length / part.stride);
+  }
+}

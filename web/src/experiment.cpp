@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's experiment: one specimen, made and then compressed from pressure to pressure, measured at rest.
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/contact/friction.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/straight_line.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "exports.hpp"
+
+extern "C" {
+/// The page shows what the view holds; called some times a second while the experiment runs.
+__attribute__((import_module("page"), import_name("frame"))) void page_frame();
+}
+
+namespace {
+
+using namespace granum;
+
+/// What is seen: grains, and the contacts that press.
+struct View {
+  std::vector<float> grains;   ///< x, y, z, radius, 1 for a rattler; lengths over the mean radius
+  std::vector<float> contacts; ///< x, y, z of one centre, x, y, z of the other, force over the mean force
+  float edge[3]{};             ///< of the cell
+};
+
+struct Experiment {
+  triaxial::SpecimenRecipe recipe;
+  triaxial::Density density = triaxial::Density::dense;
+  dem::Specimen state;
+  View view;
+  std::vector<double> ln_pressure, ln_network, ln_uniform_strain, ln_relaxed;
+};
+
+std::unique_ptr<Experiment> running;
+
+Experiment& experiment() {
+  if (!running)
+    throw Error("the experiment has not begun");
+  return *running;
+}
+
+void look_at(const packing::Assembly& packing, double unit, View& view) {
+  const packing::MechanicalCoordination bearing =
+      packing::mechanical_coordination(packing, packing::ContactKind::frictional);
+  view.grains.clear();
+  const auto add = [unit](std::vector<float>& to, const Vec3& at) {
+    for (int axis = 0; axis < 3; ++axis)
+      to.push_back(static_cast<float>(at[axis] / unit));
+  };
+  for (std::size_t g = 0; g < packing.grain_count(); ++g) {
+    add(view.grains, packing.position[g]);
+    view.grains.push_back(static_cast<float>(packing.radius[g] / unit));
+    view.grains.push_back(bearing.rattler[g] ? 1.0f : 0.0f);
+  }
+  double mean = 0;
+  for (const packing::Contact& contact : packing.contacts)
+    mean += contact.normal_force / static_cast<double>(packing.contacts.size());
+  view.contacts.clear();
+  for (const packing::Contact& contact : packing.contacts) {
+    if (!(contact.normal_force > 0))
+      continue;
+    add(view.contacts, packing.position[contact.i]);
+    add(view.contacts, packing.position[contact.i] + contact.branch);
+    view.contacts.push_back(static_cast<float>(contact.normal_force / mean));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    view.edge[axis] = static_cast<float>(packing.cell(axis, axis) / unit);
+}
+
+/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its worker.
+class Clock {
+ public:
+  template <class Tell>
+  bool tick(const Tell& tell) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ > std::chrono::milliseconds(100)) {
+      tell();
+      last_ = now;
+    }
+    return false;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void draw(Experiment& e, const dem::Specimen& state) {
+  look_at(dem::contact_network(state, e.recipe.material), e.recipe.radius, e.view);
+  page_frame();
+}
+
+/// s of ln modulus against ln p and its error; not a number before the second pressure.
+void add_slope(const Experiment& e, const std::vector<double>& ln_modulus) {
+  Measured slope{effective::State::unset, effective::State::unset};
+  if (ln_modulus.size() > 1) {
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < ln_modulus.size(); ++k)
+      points.push_back({e.ln_pressure[k], ln_modulus[k]});
+    slope = straight_line(points).slope;
+  }
+  web::numbers().push_back(slope.value);
+  web::numbers().push_back(slope.standard_error);
+}
+
+double shear_modulus(const analysis::Measurement& found, effective::RungName name) {
+  const std::optional<effective::RungAnswer> answer = found.closed_form(name);
+  return answer ? answer->stiffness.G_vh() : effective::State::unset;
+}
+
+} // namespace
+
+/// A new experiment in the place of the last. Density: 0 dense, 1 loose. Sigma of the lognormal sizes: 0 for equal
+/// grains. The random numbers follow from the seed.
+GRANUM_EXPORT(experiment_begin)
+void experiment_begin(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+                      double punch_radius, double friction_angle, double loose, double sigma, double grains,
+                      double seed, double first_pressure) {
+  running = std::make_unique<Experiment>(Experiment{
+      .recipe = {.material = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope,
+                                                  punch_radius}),
+                              .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+                              .friction_coefficient =
+                                  contact::Friction::from_angle(friction_angle).coefficient()},
+                 .radius = radius,
+                 .sizes = sizes::Distribution::lognormal(sigma),
+                 .grains = static_cast<std::size_t>(grains),
+                 .seed = static_cast<std::uint64_t>(seed),
+                 .first_pressure = first_pressure},
+      .density = loose != 0 ? triaxial::Density::loose : triaxial::Density::dense});
+  triaxial::require_valid(running->recipe);
+}
+
+/// Makes the specimen: rest without friction at the first pressure and, for a loose one, opened below it.
+GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
+  Experiment& e = experiment();
+  Clock clock;
+  const auto tell = [&clock] { return clock.tick([] { page_frame(); }); };
+  const triaxial::Preparation made = triaxial::frictionless_specimen(e.recipe, tell);
+  e.state = triaxial::start_of_compression(made.state, e.density, e.recipe, tell);
+  draw(e, e.state);
+}
+
+/// Compresses to a pressure [Pa] and measures. Pressure, e, C_n, z*, x_0, mean overlap over the mean diameter, K and G
+/// of the network, its affine G, G by uniform strain and relaxed (closed forms); then s and its error by network, uniform
+/// strain and relaxed over all pressures so far; then 1 where the specimen came to rest.
+GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
+  Experiment& e = experiment();
+  Clock clock;
+  dem::Engine engine(e.state, e.recipe.material);
+  dem::QuasistaticOptions options = triaxial::compression_options();
+  options.stop_requested = [&] { return clock.tick([&] { draw(e, engine.state()); }); };
+  const dem::QuasistaticReport report = dem::equilibrate(engine, {pressure, pressure, pressure}, options);
+  engine.rest();
+  e.state = engine.state();
+  draw(e, e.state);
+
+  const packing::Assembly packing = dem::contact_network(e.state, e.recipe.material);
+  const analysis::Measurement found =
+      analysis::measure(packing, {.law = e.recipe.material.law, .tangential_ratio = e.recipe.material.tangential_ratio},
+                        {.closed_forms = true, .network = network::Options{}});
+  const analysis::Network& network = found.solved_network();
+  const elastic::Isotropic relaxed = network.isotropic_relaxed();
+  double overlap = 0;
+  for (const packing::Contact& contact : packing.contacts)
+    overlap += contact.overlap / static_cast<double>(packing.contacts.size());
+  const double uniform_strain = shear_modulus(found, effective::RungName::isotropic);
+  const double by_rung_3 = shear_modulus(found, effective::RungName::relaxed);
+  e.ln_pressure.push_back(std::log(pressure));
+  e.ln_network.push_back(std::log(relaxed.shear_modulus()));
+  e.ln_uniform_strain.push_back(std::log(uniform_strain));
+  e.ln_relaxed.push_back(std::log(by_rung_3));
+  web::numbers() = {pressure,
+                    found.void_ratio,
+                    found.counts.coordination_number,
+                    found.counts.mechanical.coordination_number,
+                    found.counts.mechanical.rattler_fraction,
+                    overlap / (2 * e.recipe.radius),
+                    relaxed.bulk_modulus(),
+                    relaxed.shear_modulus(),
+                    network.isotropic_affine().shear_modulus(),
+                    uniform_strain,
+                    by_rung_3};
+  add_slope(e, e.ln_network);
+  add_slope(e, e.ln_uniform_strain);
+  add_slope(e, e.ln_relaxed);
+  web::numbers().push_back(report.converged() ? 1 : 0);
+}
+
+GRANUM_EXPORT(view_grains) const float* view_grains() { return experiment().view.grains.data(); }
+GRANUM_EXPORT(view_grain_count) std::size_t view_grain_count() { return experiment().view.grains.size() / 5; }
+GRANUM_EXPORT(view_contacts) const float* view_contacts() { return experiment().view.contacts.data(); }
+GRANUM_EXPORT(view_contact_count) std::size_t view_contact_count() {
+  return experiment().view.contacts.size() / 7;
+}
+GRANUM_EXPORT(view_edge) const float* view_edge() { return experiment().view.edge; }

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact law, fabric and closed forms for the page.
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <granum/core/straight_line.hpp>
+#include <granum/effective/contact_prior.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/fabric/orientation.hpp>
+
+#include "exports.hpp"
+
+namespace {
+
+using namespace granum;
+
+/// Nothing for not a number.
+std::optional<double> given(double number) {
+  return std::isnan(number) ? std::nullopt : std::optional<double>(number);
+}
+
+/// K, G_hh, G_vh, s of G_vh and the relative error of G_vh, or not a number.
+void add_answer(const effective::RungName name, const effective::RungInputs& packing, Validity& validity) {
+  constexpr double none = effective::State::unset;
+  std::vector<double>& row = web::numbers();
+  const effective::Rung& rung = effective::rung(name);
+  if (!effective::has_inputs(packing, rung)) {
+    row.insert(row.end(), 5, none);
+    return;
+  }
+  const effective::RungAnswer answer = effective::answer_with_exponents(rung, packing);
+  validity.merge(answer.validity);
+  row.push_back(answer.stiffness.bulk_modulus());
+  row.push_back(answer.stiffness.G_hh());
+  row.push_back(answer.stiffness.G_vh());
+  row.push_back(answer.exponents ? answer.exponents->sum() : none);
+  row.push_back(answer.relative_error ? answer.relative_error->G_vh : none);
+}
+
+} // namespace
+
+/// alpha, stiffness exponent 1/(1+alpha), k_t/k_n; then overlap, force, k_n and contact radius at `points` equal
+/// steps of the overlap.
+GRANUM_EXPORT(contact_curve)
+void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+                   double punch_radius, double largest_overlap, double points) {
+  const contact::PowerLaw law =
+      web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius});
+  std::vector<double>& row = web::numbers();
+  row = {law.alpha(), law.stiffness_exponent(), contact::mindlin_stiffness_ratio(poisson_ratio)};
+  for (double k = 1; k <= points; ++k) {
+    const double overlap = largest_overlap * (k / points);
+    row.insert(row.end(), {overlap, law.force(overlap), law.stiffness_at_overlap(overlap), law.contact_radius(overlap)});
+  }
+}
+
+/// E(gamma; a) over E(gamma; 0) at `points` equal steps of gamma from 0 to 90 degrees.
+GRANUM_EXPORT(fabric_curve) void fabric_curve(double anisotropy, double points) {
+  std::vector<double>& row = web::numbers();
+  row.clear();
+  for (double k = 0; k <= points; ++k)
+    row.push_back(fabric::density(std::numbers::pi / 2 * (k / points), anisotropy) / fabric::density(0, 0));
+}
+
+/// h of G and of K of z* at that k_t/k_n and stiffness exponent, with their relative errors.
+GRANUM_EXPORT(relaxation)
+void relaxation(double mechanical_coordination_number, double tangential_ratio, double stiffness_exponent) {
+  const effective::Relaxation h =
+      effective::relaxation(mechanical_coordination_number, tangential_ratio, stiffness_exponent);
+  web::numbers() = {h.shear.value, h.shear.relative_error, h.bulk.value, h.bulk.relative_error};
+  web::say(h.validity);
+}
+
+/// K, G_hh, G_vh, s, error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the mean contact
+/// force. A mechanical coordination number that is not a number is not given.
+GRANUM_EXPORT(closed_forms)
+void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+                  double punch_radius, double void_ratio, double coordination_number, double anisotropy,
+                  double stress_v, double stress_h, double mechanical_coordination_number) {
+  const effective::RungInputs packing{
+      .state = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
+                .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+                .radius = radius,
+                .void_ratio = void_ratio,
+                .coordination_number = coordination_number,
+                .fabric_anisotropy = anisotropy,
+                .stress_v = stress_v,
+                .stress_h = stress_h},
+      .mechanical_coordination_number = given(mechanical_coordination_number)};
+  Validity validity;
+  web::numbers().clear();
+  for (const effective::RungName name : {effective::RungName::directional, effective::RungName::uniform_stress,
+                                         effective::RungName::relaxed})
+    add_answer(name, packing, validity);
+  web::numbers().push_back(effective::mean_contact_force(packing.state));
+  validity.keep_each_once();
+  web::say(validity);
+}
+
+/// One packing carried from a pressure where z* and x_0 are known to another, at `points` equal steps of ln p. For each p,
+/// z*, x_0, e, G by uniform strain and relaxed; then s and its error of both.
+GRANUM_EXPORT(carried_path)
+void carried_path(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+                  double punch_radius, double void_ratio, double mechanical_coordination_number,
+                  double rattler_fraction, double from, double to, double points) {
+  effective::State known{
+      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
+      .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+      .radius = radius,
+      .void_ratio = void_ratio,
+      .stress_v = from,
+      .stress_h = from};
+  const effective::ContactCounts counts{mechanical_coordination_number, rattler_fraction};
+  known.coordination_number = counts.coordination_number();
+  std::vector<double>& row = web::numbers();
+  row.clear();
+  std::vector<Point> uniform_strain, relaxed;
+  Validity validity;
+  for (double k = 0; k < points; ++k) {
+    const double pressure = from * std::pow(to / from, k / (points - 1));
+    const effective::CarriedContacts carried = effective::carried_contacts(known, counts, pressure);
+    validity.merge(carried.validity);
+    effective::RungInputs packing{.state = known,
+                                  .mechanical_coordination_number = carried.counts.mechanical_coordination_number};
+    packing.state.void_ratio = carried.void_ratio;
+    packing.state.coordination_number = carried.counts.coordination_number();
+    packing.state.stress_v = packing.state.stress_h = pressure;
+    const double stiff = effective::answer(effective::rung(effective::RungName::isotropic), packing).stiffness.G_vh();
+    const double soft = effective::answer(effective::rung(effective::RungName::relaxed), packing).stiffness.G_vh();
+    row.insert(row.end(), {pressure, carried.counts.mechanical_coordination_number,
+                           carried.counts.rattler_fraction, carried.void_ratio, stiff, soft});
+    uniform_strain.push_back({std::log(pressure), std::log(stiff)});
+    relaxed.push_back({std::log(pressure), std::log(soft)});
+  }
+  for (const std::vector<Point>& of : {uniform_strain, relaxed}) {
+    const Measured slope = straight_line(of).slope;
+    row.insert(row.end(), {slope.value, slope.standard_error});
+  }
+  validity.keep_each_once();
+  web::say(validity);
+}
