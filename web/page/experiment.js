@@ -81,14 +81,15 @@ class ExperimentPanel {
     this.setup = setup;
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);
-    this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures });
-    if (mode === "step") this.worker.postMessage({ what: "step" });
+    this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
+    this.mode = mode;
     this.status.textContent = this.words.preparing;
     this.running(true);
     this.drawStates();
   }
   send(what) {
     this.worker.postMessage({ what });
+    this.mode = what;
     this.paused = what === "pause";
     this.buttons.pause.textContent = this.paused ? this.words.resume : this.words.pause;
   }
@@ -119,7 +120,13 @@ class ExperimentPanel {
     if (!state.atRest) this.notAtRest += ` ${filled(this.words.notAtRest, { p: written(state.pressure / 1e3) })}`;
     this.buttons.csv.disabled = false;
     this.drawStates();
-    if (!data.last) return;
+    if (!data.last) {
+      if (this.mode !== "step") return;
+      this.paused = true;
+      this.buttons.pause.textContent = this.words.resume;
+      this.status.textContent = this.words.paused;
+      return;
+    }
     const first = this.states[0];
     const alphaPart = { cone: 1 / 2, sphere: 1 / 3, flat: 0 }[this.setup.grain.shape];
     this.end(filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(alphaPart), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);

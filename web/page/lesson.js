@@ -52,7 +52,7 @@ const lessonSteps = [
       const line = (shape) => spread(10, 1000, 40).map((p) => [p, form(shape, p).vh / MPa]);
       const low = form(grain.shape, 30), here = form(grain.shape, at.pressure);
       return {
-        values: { factor: written(form(grain.shape, 1000).vh / form(grain.shape, 10).vh), slope: written(here.exponent) },
+        values: { p: written(at.pressure), G: written(here.vh / MPa), factor: written(form(grain.shape, 1000).vh / form(grain.shape, 10).vh), slope: written(here.exponent) },
         chart: {
           x: { label: texts.axis.pressure, min: 10, max: 1000, log: true }, y: { label: texts.axis.G, min: 30, max: 1500, log: true },
           series: shapes.map((shape) => ({ label: texts.shape[shape], faint: shape !== grain.shape, points: line(shape) })),

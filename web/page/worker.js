@@ -12,7 +12,7 @@ const view = (granum) => {
   };
 };
 
-let granum, setup, pressures, next, mode = "run";
+let granum, setup, pressures, next, mode; // run, step or pause
 
 function compressNext() {
   if (next >= pressures.length || mode === "pause") return;
@@ -35,7 +35,7 @@ const guarded = (work) => async (...args) => {
 onmessage = guarded(async ({ data }) => {
   if (data.what === "begin") {
     granum = await Granum.create(data.compiled, (g) => postMessage({ what: "frame", view: view(g) }));
-    ({ setup, pressures } = data);
+    ({ setup, pressures, mode } = data);
     next = 0;
     granum.call("experiment_begin", ...grainNumbers(setup.grain), setup.grain.frictionAngle, setup.loose ? 1 : 0,
       setup.sigma, setup.grains, setup.seed, pressures[0]);

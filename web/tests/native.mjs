@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's module beside the native program, and what both are given.
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import vm from "node:vm";
+import { fileURLToPath } from "node:url";
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+export const pageFile = path.join(root, "web/dist/granum.html");
+export const page = fs.readFileSync(pageFile, "utf8");
+
+/// The program that was built; GRANUM_PROGRAM names another.
+export const program =
+  process.env.GRANUM_PROGRAM ?? ["ci", "release"].map((preset) => path.join(root, "build", preset, "granum")).find((file) => fs.existsSync(file));
+if (!program) throw new Error("no native granum in build/ci or build/release; GRANUM_PROGRAM can name one");
+
+export function granumJson(...args) {
+  return JSON.parse(execFileSync(program, [...args, "--json"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+}
+
+/// The first object of that name, however deep.
+export function found(json, name) {
+  if (json === null || typeof json !== "object") return undefined;
+  if (json[name] !== undefined) return json[name];
+  for (const inner of Object.values(json)) {
+    const there = found(inner, name);
+    if (there !== undefined) return there;
+  }
+  return undefined;
+}
+
+/// The scripts and the module as the page carries them.
+const block = (id) => page.match(new RegExp(`<script id="${id}"[^>]*>([^]*?)</script>`))[1];
+export const texts = JSON.parse(block("texts"));
+const { Granum, grain } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
+  ${page.match(/const defaultGrain = \{[^]*?\};/)[0]}
+  return { Granum, grain: defaultGrain }; })()`);
+export { grain };
+
+export async function startModule(onFrame) {
+  const packed = new Blob([Buffer.from(block("wasm"), "base64")]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return Granum.create(await WebAssembly.compile(await new Response(packed).arrayBuffer()), onFrame);
+}

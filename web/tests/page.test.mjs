@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page in a browser, from a disk.  CHROMIUM names the browser; Debian's is taken otherwise.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { page as pageText, pageFile, texts } from "./native.mjs";
+
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+let browser;
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+});
+after(() => browser?.close());
+
+/// The page, ready. Whatever it says to the console or asks of the network is held against it.
+async function opened(options = {}, hash = "") {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => page.complaints.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => page.complaints.push(`error: ${error.message}`));
+  page.on("request", (request) => /^(file|blob|data):/.test(request.url()) || page.complaints.push(`request: ${request.url()}`));
+  await page.goto(pathToFileURL(pageFile).href + hash);
+  await page.waitForSelector("html[data-ready=yes]");
+  return page;
+}
+const findings = (page) => page.$$eval(".finding", (all) => all.map((one) => one.textContent));
+
+test("one file of at most 1.5 MB", () => assert.ok(pageText.length <= 1.5e6, `${pageText.length} bytes`));
+
+test("six steps say what they find, and sliders change it by keyboard alone", async () => {
+  const page = await opened();
+  const first = await findings(page);
+  assert.equal(first.length, 6);
+  for (const text of first) assert.doesNotMatch(text, /[{}]|NaN|undefined|–/);
+  const sliders = await page.$$('#steps input[type="range"]');
+  assert.ok(sliders.length >= 6);
+  for (const slider of sliders) {
+    const before = (await findings(page)).join("\n");
+    const at = await slider.inputValue();
+    await slider.focus();
+    await page.keyboard.press("ArrowLeft");
+    assert.notEqual(await slider.inputValue(), at);
+    assert.notEqual((await findings(page)).join("\n"), before, `slider ${await slider.getAttribute("id")} changes nothing`);
+  }
+  await page.locator("#step3 input[type=radio]").first().focus();
+  await page.keyboard.press("Space");
+  assert.match((await findings(page))[2], /s = 0\.5\b/);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("the address holds the sliders", async () => {
+  const page = await opened();
+  await page.locator("#step5 input").focus();
+  for (let k = 0; k < 4; ++k) await page.keyboard.press("ArrowRight");
+  const url = page.url(), said = await findings(page);
+  const other = await opened({}, url.slice(url.indexOf("#")));
+  assert.deepEqual(await findings(other), said);
+  assert.notDeepEqual(await findings(await opened()), said);
+  await page.context().close();
+  await other.context().close();
+});
+
+test("hostile addresses do no harm", async () => {
+  const page = await opened({}, "#5z=1e999&4anisotropy=-77&1shape=%3Cscript%3E&xgrains=nonsense&6z10=");
+  for (const text of await findings(page)) assert.doesNotMatch(text, /NaN|undefined|–/);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+for (const [name, options] of Object.entries({
+  "wide and light": {},
+  "wide and dark": { colorScheme: "dark" },
+  "narrow and light": { viewport: { width: 390, height: 800 } },
+  "narrow and dark, reduced motion": { viewport: { width: 390, height: 800 }, colorScheme: "dark", reducedMotion: "reduce" },
+}))
+  test(`no barriers that axe knows, nothing beyond the edge: ${name}`, async () => {
+    const page = await opened(options);
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => axe.run());
+    assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), []);
+    const beyond = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(beyond <= 0, `${beyond} px`);
+    const cut = await page.$$eval("svg", (all) => all.flatMap((svg) => {
+      const box = svg.getBoundingClientRect();
+      return [...svg.querySelectorAll("text")].filter((text) => {
+        const own = text.getBoundingClientRect();
+        return own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1;
+      }).map((text) => text.textContent);
+    }));
+    assert.deepEqual(cut, [], "text outside of its picture");
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+test("an experiment runs to its end, is seen, and is kept", async () => {
+  const page = await opened({}, "#xgrains=200&xdensity=dense");
+  const blank = await page.locator("canvas").screenshot();
+  await page.click("#xstart");
+  await page.waitForFunction(() => document.getElementById("xpause").disabled, null, { timeout: 240000 });
+  const said = await page.textContent("#xstatus");
+  const s = Number(said.match(/s of the network is ([\d.]+)/)[1]);
+  assert.ok(s > 0.3 && s < 0.5, said);
+  assert.equal(await page.locator("#experiment tbody tr").count(), 10);
+  assert.equal(await page.locator("#xchart circle").count(), 10);
+  const grains = await page.locator("canvas").screenshot();
+  assert.ok(!blank.equals(grains), "no grains are drawn");
+  await page.locator("input[name=xshow]").nth(1).check();
+  await page.waitForTimeout(300);
+  const forces = await page.locator("canvas").screenshot();
+  assert.ok(!forces.equals(grains), "no forces are drawn");
+  await page.locator("canvas").focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(300);
+  assert.ok(!forces.equals(await page.locator("canvas").screenshot()), "the picture does not turn");
+  const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xcsv")]);
+  const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
+  assert.equal(rows.length, 11);
+  assert.match(rows[0], /^p_Pa,e,C_n,z_star,/);
+  const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#experiment button", { hasText: texts.save }).click()]);
+  assert.match(fs.readFileSync(await svg.path(), "utf8"), /^<svg[^>]*xmlns=/);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("an experiment goes pressure by pressure, pauses and stops", async () => {
+  const page = await opened({}, "#xgrains=200&xdensity=dense");
+  const rows = () => page.locator("#experiment tbody tr").count();
+  await page.click("#xstep");
+  await page.waitForFunction(() => document.querySelectorAll("#experiment tbody tr").length === 1, null, { timeout: 120000 });
+  await page.waitForTimeout(1500);
+  assert.equal(await rows(), 1, "it went on by itself");
+  await page.click("#xstep");
+  await page.waitForFunction(() => document.querySelectorAll("#experiment tbody tr").length === 2, null, { timeout: 120000 });
+  await page.click("#xstop");
+  assert.equal(await page.textContent("#xstatus"), texts.experiment.stopped);
+  assert.equal(await rows(), 2);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
