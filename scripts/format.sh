@@ -13,7 +13,7 @@ case "${1:-}" in
   exit 2
   ;;
 esac
-mapfile -d '' sources < <(find include src tests examples validation bench python/src \( -name '*.hpp' -o -name '*.cpp' \) -print0)
+mapfile -d '' sources < <(find include src tests examples validation bench python/src web/src \( -name '*.hpp' -o -name '*.cpp' \) -print0)
 clang-format "${action[@]}" "${sources[@]}"
 if [ "${1:-}" = --check ] && LC_ALL=C.UTF-8 grep -nE '^.{111,}' "${sources[@]}"; then
   echo "these lines are longer than 110 characters" >&2

@@ -41,8 +41,8 @@ TEST_CASE("a power law between two pressures has its exponent as slope") {
 
 TEST_CASE("points that have no line are refused") {
   const double infinite = std::numeric_limits<double>::infinity();
-  for (const std::vector<Point>& points : {std::vector<Point>{}, std::vector<Point>{{1, 1}},
-                                           std::vector<Point>{{1, 1}, {1, 2}, {1, 3}},
-                                           std::vector<Point>{{1, 1}, {infinite, 2}}})
+  for (const std::vector<Point>& points :
+       {std::vector<Point>{}, std::vector<Point>{{1, 1}}, std::vector<Point>{{1, 1}, {1, 2}, {1, 3}},
+        std::vector<Point>{{1, 1}, {infinite, 2}}})
     CHECK_THROWS_AS((void)straight_line(points), InvalidArgument);
 }

@@ -76,7 +76,8 @@ void look_at(const packing::Assembly& packing, double unit, View& view) {
     view.edge[axis] = static_cast<float>(packing.cell(axis, axis) / unit);
 }
 
-/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its worker.
+/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its
+/// worker.
 class Clock {
  public:
   template <class Tell>
@@ -118,24 +119,24 @@ double shear_modulus(const analysis::Measurement& found, effective::RungName nam
 
 } // namespace
 
-/// A new experiment in the place of the last. Density: 0 dense, 1 loose. Sigma of the lognormal sizes: 0 for equal
-/// grains. The random numbers follow from the seed.
+/// A new experiment in the place of the last. Sigma is that of lognormal sizes, 0 for equal grains. The
+/// random numbers follow from the seed.
 GRANUM_EXPORT(experiment_begin)
-void experiment_begin(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-                      double punch_radius, double friction_angle, double loose, double sigma, double grains,
-                      double seed, double first_pressure) {
-  running = std::make_unique<Experiment>(Experiment{
-      .recipe = {.material = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope,
-                                                  punch_radius}),
-                              .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
-                              .friction_coefficient =
-                                  contact::Friction::from_angle(friction_angle).coefficient()},
-                 .radius = radius,
-                 .sizes = sizes::Distribution::lognormal(sigma),
-                 .grains = static_cast<std::size_t>(grains),
-                 .seed = static_cast<std::uint64_t>(seed),
-                 .first_pressure = first_pressure},
-      .density = loose != 0 ? triaxial::Density::loose : triaxial::Density::dense});
+void experiment_begin(double shape, double shear_modulus, double poisson_ratio, double radius,
+                      double cone_slope, double punch_radius, double friction_angle, double loose,
+                      double sigma, double grains, double seed, double first_pressure) {
+  running = std::make_unique<Experiment>(
+      Experiment{.recipe = {.material = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius,
+                                                             cone_slope, punch_radius}),
+                                         .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+                                         .friction_coefficient =
+                                             contact::Friction::from_angle(friction_angle).coefficient()},
+                            .radius = radius,
+                            .sizes = sizes::Distribution::lognormal(sigma),
+                            .grains = static_cast<std::size_t>(grains),
+                            .seed = static_cast<std::uint64_t>(seed),
+                            .first_pressure = first_pressure},
+                 .density = loose != 0 ? triaxial::Density::loose : triaxial::Density::dense});
   triaxial::require_valid(running->recipe);
 }
 
@@ -149,9 +150,9 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
   draw(e, e.state);
 }
 
-/// Compresses to a pressure [Pa] and measures. Pressure, e, C_n, z*, x_0, mean overlap over the mean diameter, K and G
-/// of the network, its affine G, G by uniform strain and relaxed (closed forms); then s and its error by network, uniform
-/// strain and relaxed over all pressures so far; then 1 where the specimen came to rest.
+/// Compresses to a pressure [Pa] and measures: pressure, e, C_n, z*, x_0, mean overlap over the mean
+/// diameter; K, G and the affine G of the network, G by uniform strain and relaxed (closed forms); s and its
+/// error over all pressures so far by network, uniform strain and relaxed; 1 where the specimen came to rest.
 GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   Experiment& e = experiment();
   Clock clock;
@@ -164,9 +165,9 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   draw(e, e.state);
 
   const packing::Assembly packing = dem::contact_network(e.state, e.recipe.material);
-  const analysis::Measurement found =
-      analysis::measure(packing, {.law = e.recipe.material.law, .tangential_ratio = e.recipe.material.tangential_ratio},
-                        {.closed_forms = true, .network = network::Options{}});
+  const analysis::Measurement found = analysis::measure(
+      packing, {.law = e.recipe.material.law, .tangential_ratio = e.recipe.material.tangential_ratio},
+      {.closed_forms = true, .network = network::Options{}});
   const analysis::Network& network = found.solved_network();
   const elastic::Isotropic relaxed = network.isotropic_relaxed();
   double overlap = 0;

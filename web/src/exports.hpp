@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page's scripts call. Numbers go in as arguments, in SI, and come out in one row of doubles; "not a number"
-// stands for "not given" and "there is none", as a row of numbers has no other word for it.
+// What the page's scripts call. Numbers go in as arguments, in SI, and come out in one row of doubles; "not a
+// number" stands for "not given" and "there is none", as a row of numbers has no other word for it.
 #pragma once
 
 #include <string>

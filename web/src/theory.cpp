@@ -44,8 +44,8 @@ void add_answer(const effective::RungName name, const effective::RungInputs& pac
 
 } // namespace
 
-/// alpha, stiffness exponent 1/(1+alpha), k_t/k_n; then overlap, force, k_n and contact radius at `points` equal
-/// steps of the overlap.
+/// alpha, stiffness exponent 1/(1+alpha), k_t/k_n; then overlap, force, k_n and contact radius at `points`
+/// equal steps of the overlap.
 GRANUM_EXPORT(contact_curve)
 void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
                    double punch_radius, double largest_overlap, double points) {
@@ -55,7 +55,8 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
   row = {law.alpha(), law.stiffness_exponent(), contact::mindlin_stiffness_ratio(poisson_ratio)};
   for (double k = 1; k <= points; ++k) {
     const double overlap = largest_overlap * (k / points);
-    row.insert(row.end(), {overlap, law.force(overlap), law.stiffness_at_overlap(overlap), law.contact_radius(overlap)});
+    row.insert(row.end(),
+               {overlap, law.force(overlap), law.stiffness_at_overlap(overlap), law.contact_radius(overlap)});
   }
 }
 
@@ -76,8 +77,8 @@ void relaxation(double mechanical_coordination_number, double tangential_ratio, 
   web::say(h.validity);
 }
 
-/// K, G_hh, G_vh, s, error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the mean contact
-/// force. A mechanical coordination number that is not a number is not given.
+/// K, G_hh, G_vh, s and error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the
+/// mean contact force. A mechanical coordination number that is not a number is not given.
 GRANUM_EXPORT(closed_forms)
 void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
                   double punch_radius, double void_ratio, double coordination_number, double anisotropy,
@@ -94,16 +95,16 @@ void closed_forms(double shape, double shear_modulus, double poisson_ratio, doub
       .mechanical_coordination_number = given(mechanical_coordination_number)};
   Validity validity;
   web::numbers().clear();
-  for (const effective::RungName name : {effective::RungName::directional, effective::RungName::uniform_stress,
-                                         effective::RungName::relaxed})
+  for (const effective::RungName name :
+       {effective::RungName::directional, effective::RungName::uniform_stress, effective::RungName::relaxed})
     add_answer(name, packing, validity);
   web::numbers().push_back(effective::mean_contact_force(packing.state));
   validity.keep_each_once();
   web::say(validity);
 }
 
-/// One packing carried from a pressure where z* and x_0 are known to another, at `points` equal steps of ln p. For each p,
-/// z*, x_0, e, G by uniform strain and relaxed; then s and its error of both.
+/// One packing carried from a pressure where z* and x_0 are known to another, at `points` equal steps of
+/// ln p: each p, z*, x_0, e, G by uniform strain and relaxed; then s and its error of both.
 GRANUM_EXPORT(carried_path)
 void carried_path(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
                   double punch_radius, double void_ratio, double mechanical_coordination_number,
@@ -125,13 +126,15 @@ void carried_path(double shape, double shear_modulus, double poisson_ratio, doub
     const double pressure = from * std::pow(to / from, k / (points - 1));
     const effective::CarriedContacts carried = effective::carried_contacts(known, counts, pressure);
     validity.merge(carried.validity);
-    effective::RungInputs packing{.state = known,
-                                  .mechanical_coordination_number = carried.counts.mechanical_coordination_number};
+    effective::RungInputs packing{
+        .state = known, .mechanical_coordination_number = carried.counts.mechanical_coordination_number};
     packing.state.void_ratio = carried.void_ratio;
     packing.state.coordination_number = carried.counts.coordination_number();
     packing.state.stress_v = packing.state.stress_h = pressure;
-    const double stiff = effective::answer(effective::rung(effective::RungName::isotropic), packing).stiffness.G_vh();
-    const double soft = effective::answer(effective::rung(effective::RungName::relaxed), packing).stiffness.G_vh();
+    const double stiff =
+        effective::answer(effective::rung(effective::RungName::isotropic), packing).stiffness.G_vh();
+    const double soft =
+        effective::answer(effective::rung(effective::RungName::relaxed), packing).stiffness.G_vh();
     row.insert(row.end(), {pressure, carried.counts.mechanical_coordination_number,
                            carried.counts.rattler_fraction, carried.void_ratio, stiff, soft});
     uniform_strain.push_back({std::log(pressure), std::log(stiff)});

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds the page, and tests it: its numbers against the native program of build/ci or build/release, its parts in a browser.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+cmake --workflow --preset web
+cd web/tests
+[ -e node_modules/.package-lock.json ] && cmp -s package-lock.json node_modules/granum-lock.json || {
+  npm ci --no-audit --no-fund
+  cp package-lock.json node_modules/granum-lock.json
+}
+node --test
