@@ -5,7 +5,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { found, grain, granumJson, startModule } from "./native.mjs";
+import { answerOf, commandOf, found, grain, granumJson, startModule } from "./native.mjs";
 
 const close = (a, b, relative, what) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${what}: ${a} is not ${b}`);
 
@@ -38,6 +38,20 @@ test("closed forms equal the native ones to 1e-12", async () => {
       close(forms[ours].bulk, form.K, 1e-12, `${shape} ${theirs} K`);
       assert.ok(Math.abs(forms[ours].exponent - form.s) < 1e-9, `${shape} ${theirs} s`);
     }
+  }
+});
+
+test("the calculator's answers equal the native ones to 1e-12, by the command that it shows", async () => {
+  const granum = await startModule();
+  const base = { voidRatio: 0.62, pressure: 2.5e5, grainModulus: 26e9, poissonRatio: 0.22, radius: 3e-4, density: 2480, saturation: 0, z: NaN, preparation: "unknown" };
+  for (const change of [{}, { preparation: "dense" }, { preparation: "loose", saturation: 1 }, { z: 5.1 }, { voidRatio: 0.9 }]) {
+    const known = { ...base, ...change };
+    const ours = answerOf(granum, known);
+    const native = granumJson(...commandOf(known).split(" ").slice(1)).answer;
+    const names = ["shear_modulus", "bulk_modulus", "young_modulus", "poisson_ratio", "shear_wave_speed", "compression_wave_speed"];
+    names.forEach((name, k) => {
+      for (const part of ["value", "low", "high"]) close(ours.rows[k][part], native[name][part], 1e-12, `${JSON.stringify(change)} ${name} ${part}`);
+    });
   }
 });
 

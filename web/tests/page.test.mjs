@@ -68,6 +68,24 @@ test("the address holds the sliders", async () => {
   await other.context().close();
 });
 
+test("the calculator answers as one types, and says what is wrong", async () => {
+  const page = await opened();
+  const answer = () => page.textContent("#answer");
+  const before = await answer();
+  assert.match(before, /shear modulus G/);
+  assert.doesNotMatch(before, /NaN|undefined/);
+  await page.fill("#cvoidRatio", "0.7");
+  assert.notEqual(await answer(), before);
+  assert.match(await answer(), /granum estimate --void-ratio 0\.7 /);
+  await page.fill("#cpoissonRatio", "0.7");
+  assert.match(await answer(), /grain_poisson_ratio = 0\.7/);
+  await page.fill("#cpoissonRatio", "0.2");
+  await page.selectOption("#cpreparation", "loose");
+  assert.match(await answer(), /--preparation loose/);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
 test("hostile addresses do no harm", async () => {
   const page = await opened({}, "#5z=1e999&4anisotropy=-77&1shape=%3Cscript%3E&xgrains=nonsense&6z10=");
   for (const text of await findings(page)) assert.doesNotMatch(text, /NaN|undefined|–/);
