@@ -29,8 +29,8 @@ void add(const std::optional<effective::Range>& range) {
 
 } // namespace
 
-/// Value, low and high of G, K, E, nu, V_s, V_p and z*; then the shares of the range, whose names are the first
-/// words. A mechanical coordination number that is not a number is not given; saturation is a share.
+/// Value, low and high of G, K, E, nu, V_s, V_p and z*; then the shares of the range, whose names are the
+/// first words. A mechanical coordination number that is not a number is not given; saturation is a share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
             double punch_radius, double void_ratio, double pressure, double preparation,
@@ -50,9 +50,9 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
   const effective::PackingAnswer found = effective::answer(question);
   web::numbers().clear();
   for (const std::optional<effective::Range>& range :
-       {std::optional(found.shear_modulus), std::optional(found.bulk_modulus), std::optional(found.young_modulus),
-        std::optional(found.poisson_ratio), found.shear_wave_speed, found.compression_wave_speed,
-        std::optional(found.mechanical_coordination_number)})
+       {std::optional(found.shear_modulus), std::optional(found.bulk_modulus),
+        std::optional(found.young_modulus), std::optional(found.poisson_ratio), found.shear_wave_speed,
+        found.compression_wave_speed, std::optional(found.mechanical_coordination_number)})
     add(range);
   web::say(found.validity);
   std::string names;
