@@ -37,7 +37,7 @@ struct Coordination {
   bool estimated;
 };
 
-Coordination coordination(const KnownPacking& packing) {
+Coordination coordination_of(const KnownPacking& packing) {
   const auto& z = packing.mechanical_coordination_number;
   const auto& rattlers = packing.rattler_fraction;
   if (z && rattlers)
@@ -332,7 +332,7 @@ LadderEstimate estimate(const KnownPacking& packing, double tolerance) {
     require_non_negative("fabric_standard_error", *packing.fabric_standard_error);
   const State& state = packing.state;
   const RungAnswer directional = effective::answer(rung(RungName::directional), {.state = state});
-  const Coordination z = coordination(packing);
+  const Coordination z = coordination_of(packing);
   LadderEstimate answer{.tolerance = tolerance,
                         .mechanical_coordination_number = z.z,
                         .coordination_estimated = z.estimated,
