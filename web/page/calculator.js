@@ -23,7 +23,7 @@ function answerOf(granum, known) {
 /// What one types to get the same elsewhere.
 function commandOf(known) {
   const words = ["granum estimate", `--void-ratio ${known.voidRatio}`, `--pressure ${known.pressure}Pa`, `--grain-shear-modulus ${known.grainModulus}Pa`,
-    `--grain-poisson-ratio ${known.poissonRatio}`, `--radius ${known.radius}m`, `--grain-density ${known.density}kg/m3`];
+    `--grain-poisson-ratio ${known.poissonRatio}`, `--radius ${known.radius}m`, `--grain-density ${known.density}kg/m3`, "--fabric 0"];
   if (known.saturation > 0) words.push(`--saturation ${known.saturation}`);
   if (known.preparation !== "unknown") words.push(`--preparation ${known.preparation}`);
   if (Number.isFinite(known.z)) words.push(`--mechanical-coordination-number ${known.z}`);
@@ -39,7 +39,7 @@ function addCalculator(granum, texts) {
       const { rows, shares, notes } = answerOf(granum, known);
       const scale = [1e6, 1e6, 1e6, 1, 1, 1, 1];
       result.replaceChildren(
-        element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": texts.parts.calculator }, element("table", {},
+        element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": words.quantity }, element("table", {},
           element("thead", {}, element("tr", {}, ...[words.quantity, words.value, words.range].map((name) => element("th", { scope: "col" }, name)))),
           element("tbody", {}, ...rows.map((row, k) => element("tr", {}, element("th", { scope: "row" }, words.rows[k]),
             element("td", { class: "answer" }, written(row.value / scale[k])),
