@@ -22,8 +22,9 @@ function answerOf(granum, known) {
 
 /// What one types to get the same elsewhere.
 function commandOf(known) {
-  const words = ["granum estimate", `--void-ratio ${known.voidRatio}`, `--pressure ${known.pressure}Pa`, `--grain-shear-modulus ${known.grainModulus}Pa`,
-    `--grain-poisson-ratio ${known.poissonRatio}`, `--radius ${known.radius}m`, `--grain-density ${known.density}kg/m3`, "--fabric 0"];
+  const units = (value, unit) => Number((value / unit).toPrecision(13));
+  const words = ["granum estimate", `--void-ratio ${known.voidRatio}`, `--pressure ${units(known.pressure, 1e3)}kPa`,
+    `--grain-shear-modulus ${units(known.grainModulus, 1e9)}GPa`, `--grain-poisson-ratio ${known.poissonRatio}`, `--radius ${units(known.radius, 1e-3)}mm`, `--grain-density ${known.density}kg/m3`, "--fabric 0"];
   if (known.saturation > 0) words.push(`--saturation ${known.saturation}`);
   if (known.preparation !== "unknown") words.push(`--preparation ${known.preparation}`);
   if (Number.isFinite(known.z)) words.push(`--mechanical-coordination-number ${known.z}`);
@@ -44,7 +45,7 @@ function addCalculator(granum, texts) {
           element("tbody", {}, ...rows.map((row, k) => element("tr", {}, element("th", { scope: "row" }, words.rows[k]),
             element("td", { class: "answer" }, written(row.value / scale[k])),
             element("td", {}, `${written(row.low / scale[k])} – ${written(row.high / scale[k])}`)))))),
-        element("p", {}, `${words.why}: ${shares.map((s) => `${s.input} ${Math.round(100 * s.share)} %`).join(", ")}.`),
+        element("p", {}, `${words.why}: ${shares.filter((s) => s.share >= 0.005).map((s) => `${s.input} ${Math.round(100 * s.share)} %`).join(", ")}.`),
         ...(notes.length ? [element("p", { class: "remarks" }, `${words.notes}: ${notes.join("; ")}.`)] : []),
         element("p", {}, `${words.same}:`), element("pre", { tabindex: 0 }, commandOf(known)));
     } catch (error) {
