@@ -42,6 +42,8 @@ void add(const std::string& name, const dem::Specimen& start, double friction, s
         }
         const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
         run.counters["ns_per_grain_step"] = time.count() / (steps * grains);
+        run.counters["ns_per_contact_step"] =
+            time.count() / (steps * static_cast<double>(engine.figures().contacts));
         run.counters["contacts_per_grain"] = static_cast<double>(engine.figures().contacts) / grains;
         run.counters["sliding_share"] =
             static_cast<double>(engine.figures().sliding) / static_cast<double>(engine.figures().contacts);
@@ -63,6 +65,10 @@ int main(int argc, char** argv) {
   add("friction/10000", medium, 0.5);
   add("friction/10000/threads:2", medium, 0.5, 2);
   add("frictionless/10000", medium, 0);
+  const dem::Specimen unequal =
+      bench::repeated(bench::thousand_grains({}, sizes::Distribution::lognormal(0.35)), 5, 2, 1);
+  add("friction, unequal/10000", unequal, 0.5);
+  add("frictionless, unequal/10000", unequal, 0);
   add("smooth walls/1000", bench::thousand_grains(0), 0.5);
   add("friction/100000", bench::repeated(thousand, 5, 5, 4), 0.5);
   benchmark::RunSpecifiedBenchmarks();

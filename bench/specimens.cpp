@@ -2,6 +2,7 @@
 #include "specimens.hpp"
 
 #include <cstdint>
+#include <utility>
 
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
@@ -15,9 +16,9 @@ dem::Material material(double friction) {
           .friction_coefficient = friction};
 }
 
-dem::Specimen thousand_grains(std::optional<double> wall_friction) {
+dem::Specimen thousand_grains(std::optional<double> wall_friction, sizes::Distribution sizes) {
   const triaxial::SpecimenRecipe recipe{
-      .material = material(0.5), .radius = radius, .wall_friction = wall_friction};
+      .material = material(0.5), .radius = radius, .sizes = std::move(sizes), .wall_friction = wall_friction};
   dem::Engine engine(triaxial::frictionless_specimen(recipe).state, recipe.material);
   (void)dem::equilibrate(engine, {pressure, pressure, pressure}, triaxial::compression_options());
   dem::Specimen state = engine.state();
@@ -36,8 +37,11 @@ dem::Specimen side_by_side(const dem::Specimen& one, std::size_t nx, std::size_t
   for (std::size_t x = 0; x < nx; ++x)
     for (std::size_t y = 0; y < ny; ++y)
       for (std::size_t z = 0; z < nz; ++z)
-        for (const Vec3& at : one.position)
-          all.position.push_back(at + one.cell * steps(x, y, z));
+        for (std::size_t g = 0; g < one.grain_count(); ++g) {
+          all.position.push_back(one.position[g] + one.cell * steps(x, y, z));
+          if (!one.size.empty())
+            all.size.push_back(one.size[g]);
+        }
   all.velocity.assign(all.position.size(), Vec3{});
   all.angular_velocity.assign(all.position.size(), Vec3{});
   return all;

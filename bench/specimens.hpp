@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <granum/dem/specimen.hpp>
+#include <granum/sizes/distribution.hpp>
 
 /// Packings that the engine is measured on.
 namespace granum::bench {
@@ -17,8 +18,9 @@ inline constexpr contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_r
 [[nodiscard]] dem::Material material(double friction);
 
 /// A dense specimen of 1,000 grains at that pressure, without histories; between walls of that friction
-/// coefficient [1], or periodic.
-[[nodiscard]] dem::Specimen thousand_grains(std::optional<double> wall_friction = {});
+/// coefficient [1], or periodic; of those sizes about `radius`.
+[[nodiscard]] dem::Specimen thousand_grains(std::optional<double> wall_friction = {},
+                                            sizes::Distribution sizes = sizes::Distribution::equal());
 
 /// A periodic specimen so many times along each axis, at rest and without histories.
 [[nodiscard]] dem::Specimen side_by_side(const dem::Specimen& one, std::size_t nx, std::size_t ny,
