@@ -8,7 +8,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/sources_page.cmake")
 
 file(REMOVE_RECURSE "${OUTPUT}/pages" "${OUTPUT}/html" "${OUTPUT}/warnings.txt")
 file(GLOB pages RELATIVE "${ROOT}" "${ROOT}/docs/*.md" "${ROOT}/validation/*/README.md" "${ROOT}/README.md"
-  "${ROOT}/CHANGELOG.md" "${ROOT}/bench/README.md" "${ROOT}/bench/results/*.md" "${ROOT}/bench/peers/README.md"
+  "${ROOT}/CHANGELOG.md" "${ROOT}/bench/README.md" "${ROOT}/bench/results/*.md" "${ROOT}/bench/*/README.md"
   "${ROOT}/tests/peer/README.md")
 copy_pages("${ROOT}" "${OUTPUT}/pages" "${OUTPUT}/html" ${pages})
 write_sources_page("${ROOT}/validation/references.bib" "${OUTPUT}/pages/sources.md")
