@@ -7,8 +7,9 @@ const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overl
   "s", "sError", "sUniform", "sUniformError", "sRelaxed", "sRelaxedError", "atRest"];
 
 class ExperimentPanel {
-  constructor(compiled, texts) {
-    this.compiled = compiled;
+  constructor(granum, texts) {
+    this.granum = granum; // for the contact law; the packing is the worker's
+    this.compiled = granum.compiled;
     this.texts = texts;
     this.words = texts.experiment;
     this.states = [];
@@ -79,6 +80,7 @@ class ExperimentPanel {
     this.states = [];
     this.notAtRest = "";
     this.setup = setup;
+    this.contactExponent = this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent;
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
@@ -128,8 +130,7 @@ class ExperimentPanel {
       return;
     }
     const first = this.states[0];
-    const alphaPart = { cone: 1 / 2, sphere: 1 / 3, flat: 0 }[this.setup.grain.shape];
-    this.end(filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(alphaPart), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);
+    this.end(filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(this.contactExponent), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);
   }
 
   drawStates() {
@@ -144,6 +145,7 @@ class ExperimentPanel {
         { label: legend.uniformStrain, points: line("uniformStrain") },
         { label: legend.relaxed, dash: true, points: line("relaxed") },
         { label: legend.network, points: line("network"), line: false, dots: true },
+        { label: legend.contact, dash: true, faint: true, points: this.states.map((s) => [s.pressure / 1e3, (this.states[0].network / 1e6) * (s.pressure / this.states[0].pressure) ** this.contactExponent]) },
       ],
     });
     const cell = (value) => element("td", {}, written(value, 4));
@@ -159,6 +161,6 @@ class ExperimentPanel {
   }
 }
 
-function addExperiment(compiled, texts) {
-  return new ExperimentPanel(compiled, texts);
+function addExperiment(granum, texts) {
+  return new ExperimentPanel(granum, texts);
 }

@@ -31,7 +31,7 @@ async function start() {
   document.getElementById("footer").textContent = filled(texts.footer, { version: granum.call("version").notes[0] });
   addLesson(granum, texts);
   addCalculator(granum, texts);
-  addExperiment(compiled, texts);
+  addExperiment(granum, texts);
   addTeachersNotes(texts);
   document.documentElement.dataset.ready = "yes";
 }

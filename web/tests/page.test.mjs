@@ -128,6 +128,7 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
   assert.ok(s > 0.3 && s < 0.5, said);
   assert.equal(await page.locator("#experiment tbody tr").count(), 10);
   assert.equal(await page.locator("#xchart circle").count(), 10);
+  assert.equal(await page.locator("#xchart polyline").count(), 3, "uniform strain, relaxed, slope of the contact");
   const grains = await page.locator("canvas").screenshot();
   assert.ok(!blank.equals(grains), "no grains are drawn");
   await page.locator("input[name=xshow]").nth(1).check();
