@@ -19,8 +19,6 @@ namespace granum::effective {
 
 namespace {
 
-constexpr double water_density = 998; // [kg/m3], 20 degrees Celsius
-
 // ---- contacts
 
 /// The contacts of a question: the best guess, and those one step to each side.
@@ -172,7 +170,7 @@ Quantities quantities_of(const PackingQuestion& q, const ContactCounts& counts,
     return all;
   const double rho = elastic::bulk_density({.grain_density = *q.grain_density,
                                             .void_ratio = q.state.void_ratio,
-                                            .pore_density = q.saturation * water_density});
+                                            .pore_density = q.saturation * elastic::water_density});
   const elastic::TransverselyIsotropic undrained =
       q.saturation > 0
           ? elastic::saturated(c, {.grain_bulk_modulus = contact::bulk_modulus(q.state.law.grain()),

@@ -17,6 +17,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/contact_prior.hpp>
 
+#include "../claims.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
 
@@ -235,19 +236,6 @@ bool compare_published(const std::vector<Published>& states) {
 }
 
 // ---- check ----
-
-/// Claims that do not hold, named as they are found.
-class Claims {
- public:
-  void require(bool holds, const std::string& claim) {
-    std::printf("%s  %s\n", holds ? "ok    " : "FAILED", claim.c_str());
-    failed_ += !holds;
-  }
-  [[nodiscard]] int failed() const { return failed_; }
-
- private:
-  int failed_ = 0;
-};
 
 template <std::size_t n>
 bool same(const std::array<double, n>& fitted, const std::array<double, n>& recorded) {

@@ -19,6 +19,7 @@
 
 #include <granum/plot/chart.hpp>
 
+#include "../claims.hpp"
 #include "table.hpp"
 
 namespace {
@@ -185,18 +186,6 @@ plot::Chart chart(const std::vector<Row>& rows) {
 }
 
 // ---- the questions ----
-
-class Claims {
- public:
-  void require(bool holds, const std::string& what) {
-    std::printf("%s  %s\n", holds ? "holds " : "FAILS ", what.c_str());
-    all_ = all_ && holds;
-  }
-  [[nodiscard]] bool all() const { return all_; }
-
- private:
-  bool all_ = true;
-};
 
 /// Errors over the stated ones.
 struct Coverage {
@@ -380,7 +369,7 @@ int run(int argc, char** argv) {
   check_table(claims, rows);
   check_calibration_packings(claims, argv[3]);
   check_readme(claims, rows, argv[4]);
-  return claims.all() ? 0 : 1;
+  return claims.failed() == 0 ? 0 : 1;
 }
 
 } // namespace

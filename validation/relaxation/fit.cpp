@@ -14,6 +14,7 @@
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/hardin/fit.hpp>
 
+#include "../claims.hpp"
 #include "calibration.hpp"
 #include "coverage.hpp"
 
@@ -329,19 +330,6 @@ ExponentErrors compare_exponents(const std::vector<Packing>& packings) {
 }
 
 // ---- check ----
-
-/// Claims that do not hold, named as they are found.
-class Claims {
- public:
-  void require(bool holds, const std::string& claim) {
-    std::printf("%s  %s\n", holds ? "ok    " : "FAILED", claim.c_str());
-    failed_ += !holds;
-  }
-  [[nodiscard]] int failed() const { return failed_; }
-
- private:
-  int failed_ = 0;
-};
 
 template <std::size_t n>
 bool same(const std::array<double, n>& fitted, const std::array<double, n>& recorded) {

@@ -27,7 +27,6 @@ async function start() {
   }
   const compiled = await unpacked(document.getElementById("wasm").textContent);
   const granum = await Granum.create(compiled);
-  granum.call("version");
   document.getElementById("footer").textContent = filled(texts.footer, { version: granum.call("version").notes[0] });
   addLesson(granum, texts);
   addCalculator(granum, texts);

@@ -58,6 +58,7 @@ class Granum {
   /// Calls an exported function: {numbers, notes}. Throws a GranumError with granum's own message.
   call(name, ...args) {
     try {
+      this.exports.forget();
       this.exports[name](...args);
     } catch (error) {
       // Compiled modules of this size start at once only in a worker; elsewhere the next call waits for it.

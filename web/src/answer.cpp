@@ -48,7 +48,6 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
   if (!std::isnan(mechanical_coordination_number))
     question.mechanical_coordination_number = mechanical_coordination_number;
   const effective::PackingAnswer found = effective::answer(question);
-  web::numbers().clear();
   for (const std::optional<effective::Range>& range :
        {std::optional(found.shear_modulus), std::optional(found.bulk_modulus),
         std::optional(found.young_modulus), std::optional(found.poisson_ratio), found.shear_wave_speed,

@@ -42,4 +42,9 @@ GRANUM_EXPORT(numbers_address) const double* numbers_address() { return web::num
 GRANUM_EXPORT(numbers_count) std::size_t numbers_count() { return web::numbers().size(); }
 GRANUM_EXPORT(words_address) const char* words_address() { return web::words().data(); }
 GRANUM_EXPORT(words_count) std::size_t words_count() { return web::words().size(); }
+/// Before a call, which may have no words or no numbers to say.
+GRANUM_EXPORT(forget) void forget() {
+  web::numbers().clear();
+  web::words().clear();
+}
 GRANUM_EXPORT(version) void version() { web::words() = std::string(granum::version()); }

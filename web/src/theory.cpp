@@ -63,7 +63,6 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
 /// E(gamma; a) over E(gamma; 0) at `points` equal steps of gamma from 0 to 90 degrees.
 GRANUM_EXPORT(fabric_curve) void fabric_curve(double anisotropy, double points) {
   std::vector<double>& row = web::numbers();
-  row.clear();
   for (double k = 0; k <= points; ++k)
     row.push_back(fabric::density(std::numbers::pi / 2 * (k / points), anisotropy) / fabric::density(0, 0));
 }
@@ -94,7 +93,6 @@ void closed_forms(double shape, double shear_modulus, double poisson_ratio, doub
                 .stress_h = stress_h},
       .mechanical_coordination_number = given(mechanical_coordination_number)};
   Validity validity;
-  web::numbers().clear();
   for (const effective::RungName name :
        {effective::RungName::directional, effective::RungName::uniform_stress, effective::RungName::relaxed})
     add_answer(name, packing, validity);
@@ -119,7 +117,6 @@ void carried_path(double shape, double shear_modulus, double poisson_ratio, doub
   const effective::ContactCounts counts{mechanical_coordination_number, rattler_fraction};
   known.coordination_number = counts.coordination_number();
   std::vector<double>& row = web::numbers();
-  row.clear();
   std::vector<Point> uniform_strain, relaxed;
   Validity validity;
   for (double k = 0; k < points; ++k) {

@@ -6,6 +6,9 @@
 /// Water in the pores: what it adds to stiffness and mass.
 namespace granum::elastic {
 
+/// Of water of 20 degrees Celsius [kg/m3].                                                   [Mavko2009]
+inline constexpr double water_density = 998;
+
 /// What Gassmann's relation needs to know of grains and pores.
 struct SaturatedPores {
   double grain_bulk_modulus = 0; ///< K_s of the grains' solid [Pa], > 0

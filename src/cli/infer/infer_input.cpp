@@ -6,6 +6,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/elastic/saturation.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "cli/options/packing_rows.hpp"
@@ -301,7 +302,6 @@ void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
 }
 
 InferCase infer_case(const InferOptions& given) {
-  constexpr double water_density = 998; // 20 degrees Celsius
   InferOptions o = given;
   apply_presets(o.packing, o.grains);
   InferCase question;
@@ -317,8 +317,8 @@ InferCase infer_case(const InferOptions& given) {
   question.packing = packing_json(packing, first);
   question.packing.erase("coordination_number");
   question.options = {.grain_density = o.grains.grain_density.value,
-                      .pore_density =
-                          water_density * require_closed("--saturation", o.grains.saturation.value, 0, 1),
+                      .pore_density = elastic::water_density *
+                                      require_closed("--saturation", o.grains.saturation.value, 0, 1),
                       .growth = growth_of(o.growth),
                       .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
   if (o.packing.rattler_fraction.given())
