@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "analyse_parts.hpp"
 #include "analyse_stiffness.hpp"
 
 namespace granum::cli {
@@ -13,34 +14,44 @@ using FrameColumns = io::Columns<FrameAnswer>;
 /// Rung 3 in the list of a frame's rungs.
 std::string relaxed_column() { return effective::rung(effective::RungName::relaxed).column; }
 
-/// The number of a part of the measurement; nothing for frames without this part.
-template <class Part, class Of>
-auto part(std::optional<Part> analysis::Measurement::*member, Of of) {
-  return [member, of](const FrameAnswer& f) -> std::optional<double> {
-    const std::optional<Part>& value = f.measured.packing.*member;
-    if (!value)
-      return std::nullopt;
-    return of(*value);
+/// Adds the columns of a part of the measurement. `part_of` finds it in a frame, and gives null where there is none.
+template <class Part, class PartOf>
+void add_part(FrameColumns& to, const io::Columns<Part>& columns, PartOf part_of) {
+  for (const io::Column<Part>& column : columns) {
+    to.emplace_back(column.heading, "",
+                    [part_of, of = column.of](const FrameAnswer& frame) -> std::optional<double> {
+                      const Part* part = part_of(frame);
+                      return part == nullptr ? std::nullopt : of(*part);
+                    });
+    to.back().shown = column.shown;
+  }
+}
+
+/// Where a frame has a part that not every measurement has.
+template <class Part>
+auto optional_part(std::optional<Part> analysis::Measurement::*member) {
+  return [member](const FrameAnswer& frame) -> const Part* {
+    const std::optional<Part>& part = frame.measured.packing.*member;
+    return part ? &*part : nullptr;
   };
 }
 
-/// What is counted on the contacts; nothing where they are not known.
-template <class Of>
-auto counted(Of of) {
-  return [of](const FrameAnswer& f) -> std::optional<double> {
-    if (!f.measured.contacts_known)
-      return std::nullopt;
-    return of(f.measured.packing.counts);
-  };
+const analysis::Counts* counts(const FrameAnswer& frame) { return &frame.measured.packing.counts; }
+const analysis::Counts* counts_of_contacts(const FrameAnswer& frame) {
+  return frame.measured.contacts_known ? counts(frame) : nullptr;
+}
+
+std::optional<double> pressure_by_code(const FrameAnswer& frame) {
+  if (!frame.code_stress)
+    return std::nullopt;
+  const PrintedStress& s = *frame.code_stress;
+  return (s[0] + s[1] + s[2]) / 3;
 }
 
 FrameColumns state_columns() {
-  using analysis::Counts;
-  using analysis::Fabric;
-  using analysis::Forces;
   using analysis::Measurement;
   using io::ShownColumn;
-  return {
+  FrameColumns columns = {
       {"frame", "", [](const FrameAnswer& f) { return number(f.number); },
        ShownColumn{.heading = "frame", .width = 6, .digits = 10, .ahead = true}},
       {"step", "", [](const FrameAnswer& f) { return static_cast<double>(f.measured.step); },
@@ -48,89 +59,53 @@ FrameColumns state_columns() {
       {"time_s", "", [](const FrameAnswer& f) { return f.measured.time; }},
       {"e", "", [](const FrameAnswer& f) { return f.measured.packing.void_ratio; },
        ShownColumn{"e", 9, 4, true}},
-      {"C_n", "", counted([](const Counts& c) { return c.coordination_number; }),
-       ShownColumn{"C_n", 9, 4, true, 1, "-"}},
-      {"z_star", "", counted([](const Counts& c) { return c.mechanical.coordination_number; }),
-       ShownColumn{"z*", 9, 4, true, 1, "-"}},
-      {"rattler_fraction", "", counted([](const Counts& c) { return c.mechanical.rattler_fraction; })},
-      {"grains_without_contact", "", counted([](const Counts& c) { return number(c.without_contact); })},
-      {"wall_contacts", "",
-       [](const FrameAnswer& f) { return number(f.measured.packing.counts.wall_contacts); }},
-      {"a", "", part(&Measurement::fabric, [](const Fabric& x) { return x.by_moment.anisotropy; }),
-       ShownColumn{"a", 10, 4, true, 1, "-"}},
-      {"a_error", "", part(&Measurement::fabric, [](const Fabric& x) { return x.by_moment.standard_error; })},
-      {"sigma_v_Pa", "",
-       part(&Measurement::stress, [](const packing::ContactStress& x) { return x.symmetric(2, 2); })},
-      {"sigma_h_Pa", "",
-       part(&Measurement::stress,
-            [](const packing::ContactStress& x) { return (x.symmetric(0, 0) + x.symmetric(1, 1)) / 2; })},
-      {"p_Pa", "", part(&Measurement::stress, [](const packing::ContactStress& x) { return x.mean(); }),
-       ShownColumn{"p [kPa]", 11, 5, false, 1e3, "-", true}},
-      {"p_by_code_Pa", "",
-       [](const FrameAnswer& f) -> std::optional<double> {
-         if (!f.code_stress)
-           return std::nullopt;
-         const PrintedStress& s = *f.code_stress;
-         return (s[0] + s[1] + s[2]) / 3;
-       }},
-      {"f_n_mean_N", "", part(&Measurement::forces, [](const Forces& x) { return x.distribution.mean; })},
-      {"Z_2", "", part(&Measurement::forces, [](const Forces& x) { return x.Z_2; })},
-      {"sliding_fraction", "",
-       [](const FrameAnswer& f) {
-         const std::optional<Forces>& forces = f.measured.packing.forces;
-         return forces ? forces->sliding_fraction : std::nullopt;
-       }},
-      {"unbalanced_force_ratio", "",
-       part(&Measurement::forces,
-            [](const Forces& x) -> std::optional<double> {
-              if (!x.unbalance)
-                return std::nullopt;
-              return x.unbalance->force_ratio;
-            })},
   };
+  add_part(columns, contact_count_columns(), counts_of_contacts);
+  add_part(columns, grain_count_columns(), counts);
+  add_part(columns, fabric_columns(), optional_part(&Measurement::fabric));
+  add_part(columns, stress_columns(), optional_part(&Measurement::stress));
+  columns.emplace_back("p_by_code_Pa", "", pressure_by_code);
+  add_part(columns, force_columns(), optional_part(&Measurement::forces));
+  return columns;
 }
 
-void add_stress_columns(FrameColumns& to) {
-  for (std::size_t k = 0; k < std::size(stress_names); ++k)
-    to.emplace_back(
-        std::string("stress_") + stress_names[k] + "_Pa", "",
-        part(&analysis::Measurement::stress, [k](const packing::ContactStress& x) { return printed(x)[k]; }));
-}
-
-/// A modulus of the k-th rung of a frame.
-auto modulus(std::size_t k, double Moduli::*of) {
-  return [k, of](const FrameAnswer& f) -> std::optional<double> {
-    if (k >= f.rungs.size() || !f.rungs[k].moduli)
-      return std::nullopt;
-    return (*f.rungs[k].moduli).*of;
+/// A number of the k-th rung of a frame.
+auto moduli_of_rung(std::size_t k) {
+  return [k](const FrameAnswer& f) -> const Moduli* {
+    return k < f.rungs.size() && f.rungs[k].moduli ? &*f.rungs[k].moduli : nullptr;
   };
 }
 
 void add_rung_columns(FrameColumns& to, const std::vector<RungResult>& rungs) {
   constexpr double MPa = 1e6;
   for (std::size_t k = 0; k < rungs.size(); ++k) {
-    const std::string end = "_" + rungs[k].name + "_Pa";
-    to.emplace_back("K" + end, "", modulus(k, &Moduli::K));
-    to.emplace_back("G" + end, "", modulus(k, &Moduli::G));
-    if (rungs[k].name == relaxed_column())
-      to.back().shown = io::ShownColumn{"G rung 3 [MPa]", 15, 4, false, MPa, "-"};
-    if (rungs[k].name == network_name)
-      to.back().shown = io::ShownColumn{"G network", 15, 4, false, MPa, "-"};
-    to.emplace_back("G_hh" + end, "", modulus(k, &Moduli::G_hh));
-    to.emplace_back("G_vh" + end, "", modulus(k, &Moduli::G_vh));
+    io::Columns<Moduli> columns = modulus_columns();
+    for (io::Column<Moduli>& column : columns) {
+      if (column.heading == "G" && rungs[k].name == relaxed_column())
+        column.shown = io::ShownColumn{"G rung 3 [MPa]", 15, 4, false, MPa, "-"};
+      if (column.heading == "G" && rungs[k].name == network_name)
+        column.shown = io::ShownColumn{"G network", 15, 4, false, MPa, "-"};
+      if (!column.heading.empty())
+        column.heading += "_" + rungs[k].name + "_Pa";
+    }
+    add_part(to, columns, moduli_of_rung(k));
   }
 }
 
 /// What is read off both matrices of the network, "relaxed_E_1_Pa" and so on.
 void add_matrix_columns(FrameColumns& to, const FrameAnswer& first) {
   const std::vector<NamedMatrix> matrices = network_matrices(first);
-  for (std::size_t k = 0; k < matrices.size(); ++k)
-    for (const io::Column<analysis::NetworkMatrix>& column : matrix_columns())
-      to.emplace_back(std::string(matrices[k].name) + "_" + column.heading, "",
-                      [k, of = column.of](const FrameAnswer& frame) -> std::optional<double> {
-                        const std::vector<NamedMatrix> its = network_matrices(frame);
-                        return k < its.size() ? of(*its[k].matrix) : std::nullopt;
-                      });
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    io::Columns<analysis::NetworkMatrix> columns = matrix_columns();
+    for (io::Column<analysis::NetworkMatrix>& column : columns) {
+      column.heading = std::string(matrices[k].name) + "_" + column.heading;
+      column.shown.reset();
+    }
+    add_part(to, columns, [k](const FrameAnswer& frame) -> const analysis::NetworkMatrix* {
+      const std::vector<NamedMatrix> its = network_matrices(frame);
+      return k < its.size() ? its[k].matrix : nullptr;
+    });
+  }
 }
 
 /// G of the network over that of rung 3.
@@ -148,7 +123,6 @@ std::optional<double> network_over_relaxed(const FrameAnswer& frame) {
 
 io::Columns<FrameAnswer> frame_columns(const AnalyseAnswer& answer) {
   FrameColumns columns = state_columns();
-  add_stress_columns(columns);
   add_rung_columns(columns, answer.frames.front().rungs);
   add_matrix_columns(columns, answer.frames.front());
   columns.emplace_back("", "", network_over_relaxed, io::ShownColumn{"ratio", 9, 3, true, 1, "-"});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyse_parts.hpp"
 #include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/options/size_options.hpp"
 
 namespace granum::cli {
@@ -21,25 +23,13 @@ ordered_json json_of(const Mat3& m) {
   return rows;
 }
 
-ordered_json json_of(const analysis::Counts& c) {
-  return {{"grains", c.grains},
-          {"contacts", c.contacts},
-          {"wall_contacts", c.wall_contacts},
-          {"grains_without_contact", c.without_contact},
-          {"rattlers", c.mechanical.rattler_count},
-          {"rattler_fraction", c.mechanical.rattler_fraction},
-          {"coordination_number", c.coordination_number},
-          {"mechanical_coordination_number", c.mechanical.coordination_number},
-          {"touching_coordination_number", c.touching_coordination_number},
-          {"coordination_number_with_walls", c.coordination_number_with_walls}};
-}
-
-/// Of grains whose contacts nobody knows.
-ordered_json unknown_counts(const analysis::Counts& c) {
-  ordered_json json = json_of(c);
-  for (auto& [key, value] : json.items())
-    if (key != "grains" && key != "wall_contacts")
-      value = nullptr;
+/// Null where the contacts are not known.
+ordered_json json_of(const analysis::Counts& counts, bool contacts_known) {
+  ordered_json json = members(grain_count_columns(), counts);
+  for (const io::Column<analysis::Counts>& column : contact_count_columns())
+    json[column.key] = nullptr;
+  if (contacts_known)
+    put_members(json, contact_count_columns(), counts);
   return json;
 }
 
@@ -50,12 +40,8 @@ ordered_json json_of(const fabric::ChiSquareTest& test) {
 }
 
 ordered_json json_of(const analysis::Fabric& f) {
-  ordered_json json = {{"tensor", json_of(f.tensor)},
-                       {"anisotropy", f.by_moment.anisotropy},
-                       {"anisotropy_standard_error", f.by_moment.standard_error}};
-  if (f.by_likelihood)
-    json.update({{"most_likely_anisotropy", f.by_likelihood->anisotropy},
-                 {"most_likely_anisotropy_standard_error", f.by_likelihood->standard_error}});
+  ordered_json json = {{"tensor", json_of(f.tensor)}};
+  put_members(json, fabric_columns(), f);
   if (f.isotropy)
     json["isotropy"] = {{"z_score", f.isotropy->z_score}, {"p_value", f.isotropy->p_value}};
   if (f.density)
@@ -66,12 +52,8 @@ ordered_json json_of(const analysis::Fabric& f) {
 }
 
 ordered_json json_of(const FrameAnswer& frame, const packing::ContactStress& stress) {
-  ordered_json json;
+  ordered_json json = members(stress_columns(), stress);
   const PrintedStress by_contacts = printed(stress);
-  for (std::size_t k = 0; k < by_contacts.size(); ++k)
-    json["by_contacts"][stress_names[k]] = by_contacts[k];
-  json["mean"] = stress.mean();
-  json["asymmetry"] = stress.asymmetry;
   if (frame.code_stress)
     for (std::size_t k = 0; k < by_contacts.size(); ++k) {
       const double code = (*frame.code_stress)[k];
@@ -83,30 +65,12 @@ ordered_json json_of(const FrameAnswer& frame, const packing::ContactStress& str
 }
 
 ordered_json json_of(const analysis::Forces& f) {
-  const packing::ForceDistribution& d = f.distribution;
-  ordered_json json = {{"pressing", d.pressing},
-                       {"in_tension", d.in_tension},
-                       {"unloaded", d.unloaded},
-                       {"mean_normal_force", d.mean},
-                       {"largest_normal_force", d.largest},
-                       {"Z_2", f.Z_2},
-                       {"Z_5_3", f.Z_5_3},
-                       {"mean_tangential_over_normal", or_null(f.mean_tangential_over_normal)},
-                       {"friction_coefficient", nullptr},
-                       {"sliding_fraction", or_null(f.sliding_fraction)},
-                       {"unbalanced_force_ratio", nullptr},
-                       {"unbalanced_moment_ratio", nullptr}};
-  if (f.unbalance) {
-    json["unbalanced_force_ratio"] = f.unbalance->force_ratio;
-    json["unbalanced_moment_ratio"] = f.unbalance->moment_ratio;
-  }
+  ordered_json json = members(force_columns(), f, Absent::null);
   if (f.weight) {
     const Vec3& w = f.weight->per_volume;
     json["weight_per_solid_volume"] = {w.x, w.y, w.z};
     json["unbalanced_over_weight"] = f.weight->left_over;
   }
-  if (f.friction)
-    json["friction_coefficient"] = f.friction->coefficient;
   return json;
 }
 
@@ -127,15 +91,10 @@ ordered_json json_of(const analysis::LawCheck& check) {
           {"worst_misfit", check.worst_misfit}};
 }
 
-ordered_json json_of(const Moduli& m) {
-  return {{"K", m.K},     {"G", m.G},     {"G_hh", m.G_hh}, {"G_vh", m.G_vh},
-          {"C11", m.C11}, {"C33", m.C33}, {"C12", m.C12},   {"C13", m.C13}};
-}
-
 ordered_json json_of(const RungResult& rung, const Moduli* network) {
   if (!rung.moduli)
     return {{"error", rung.error}};
-  ordered_json json = json_of(*rung.moduli);
+  ordered_json json = members(modulus_columns(), *rung.moduli);
   if (rung.relative_error)
     json["relative_error"] = {{"K", rung.relative_error->bulk_modulus},
                               {"G_hh", rung.relative_error->G_hh},
@@ -194,7 +153,7 @@ ordered_json json_of(const FrameAnswer& frame) {
           {{"smallest", a.sizes.smallest}, {"largest", a.sizes.largest}, {"equivalent", a.sizes.equivalent}}},
          {"gradation", cli::json_of(a.sizes.gradation)},
          {"contact_means", frame.measured.contacts_known ? cli::json_of(a.sizes.contacts) : ordered_json()},
-         {"counts", frame.measured.contacts_known ? json_of(a.counts) : unknown_counts(a.counts)}});
+         {"counts", json_of(a.counts, frame.measured.contacts_known)}});
   if (frame.window && a.interior)
     json["window"] = window_json(*frame.window, *a.interior);
   if (a.fabric)

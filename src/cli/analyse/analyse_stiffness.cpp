@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 
+#include "cli/frame/json_members.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -139,9 +141,7 @@ nlohmann::ordered_json matrix_json(const NetworkMatrix& matrix) {
       entries.push_back(matrix.stiffness.matrix(row, column));
     json["C"].push_back(std::move(entries));
   }
-  for (const io::Column<NetworkMatrix>& column : matrix_columns())
-    if (const std::optional<double> value = column.of(matrix))
-      json[nlohmann::ordered_json::json_pointer("/" + column.key)] = *value;
+  put_members(json, matrix_columns(), matrix);
   if (!matrix.waves)
     json["wave_speeds"] = nullptr;
   return json;

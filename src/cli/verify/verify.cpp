@@ -13,6 +13,7 @@
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/scene_file.hpp"
@@ -37,21 +38,6 @@ ordered_json exponent_json(const std::optional<Measured>& exponent) {
   if (!exponent)
     return nullptr;
   return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
-}
-
-ordered_json state_json(const studies::CompressedState& state) {
-  ordered_json json;
-  for (const auto& column : studies::state_columns()) {
-    const std::optional<double> number = column.of(state);
-    if (column.key.empty() || !number)
-      continue;
-    ordered_json& cell = json[ordered_json::json_pointer("/" + column.key)];
-    if (column.kind == io::ColumnKind::count)
-      cell = static_cast<std::uint64_t>(*number);
-    else
-      cell = *number;
-  }
-  return json;
 }
 
 struct Outcome {
@@ -104,7 +90,7 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
                           {"failure", specimen.failure},
                           {"states", ordered_json::array()}};
     for (const studies::CompressedState& state : specimen.states)
-      entry["states"].push_back(state_json(state));
+      entry["states"].push_back(members(studies::state_columns(), state));
     json["specimens"].push_back(entry);
   }
   return json;
