@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 #include <granum/core/version.hpp>
 
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/messages.hpp"
 
 namespace granum::cli {
@@ -24,6 +26,25 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_trade(program),   add_verify(program)};
 }
 
+namespace {
+
+/// The words behind the name of the program, units joined to their numbers.
+std::vector<std::string> words_for_parser(const CLI::App& program, int argc, char** argv) {
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty())
+    return words;
+  const auto commands =
+      program.get_subcommands([&](const CLI::App* app) { return app->get_name() == words[0]; });
+  if (commands.empty())
+    return words;
+  std::vector<std::string> joined{words[0]};
+  for (std::string& word : words_of(read_arguments(*commands[0], {words.begin() + 1, words.end()})))
+    joined.push_back(std::move(word));
+  return joined;
+}
+
+} // namespace
+
 ExitCode parse_and_run(int argc, char** argv) {
   CLI::App program(
       "How stiff is this packing of grains, how does that depend on stress, and how far can you trust "
@@ -37,7 +58,9 @@ ExitCode parse_and_run(int argc, char** argv) {
       "100kPa, 0.5mm, 30GPa, 26.5deg.");
   const std::vector<Command> commands = add_commands(program);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> words = words_for_parser(program, argc, argv);
+    std::reverse(words.begin(), words.end()); // as the parser takes them
+    program.parse(std::move(words));
   } catch (const CLI::Success& request) { // --help, --version
     program.exit(request);
     return std::cout.flush() ? ExitCode::ok : fail(ExitCode::file, "standard output: cannot be written");

@@ -17,30 +17,92 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
+constexpr double foot = 0.3048, inch = 0.0254, pound = 0.45359237;
+constexpr double pound_force = pound * standard_gravity;
+
+/// A row of the table of units.
+struct Row {
+  Unit unit;
+  bool offered = true; ///< hints and tables use it
+};
+constexpr bool understood = false; ///< read as well, but not offered
+
 /// Every unit. The first of a dimension is SI, or nothing for a pure number; those that hints and tables use
 /// come in order of size.
-constexpr Unit units[] = {
-    {"", Dimension::dimensionless, 1},   {"%", Dimension::dimensionless, 1e-2},
-    {"Pa", Dimension::pressure, 1},      {"kPa", Dimension::pressure, 1e3},
-    {"MPa", Dimension::pressure, 1e6},   {"GPa", Dimension::pressure, 1e9},
-    {"m", Dimension::length, 1},         {"nm", Dimension::length, 1e-9},
-    {"um", Dimension::length, 1e-6},     {"mm", Dimension::length, 1e-3},
-    {"cm", Dimension::length, 1e-2},     {"rad", Dimension::angle, 1},
-    {"deg", Dimension::angle, degree},   {"kg/m3", Dimension::density, 1},
-    {"kg/m^3", Dimension::density, 1},   {"g/cm3", Dimension::density, 1e3},
-    {"g/cm^3", Dimension::density, 1e3}, {"s", Dimension::time, 1},
-    {"ns", Dimension::time, 1e-9},       {"us", Dimension::time, 1e-6},
-    {"ms", Dimension::time, 1e-3},       {"N", Dimension::force, 1},
-    {"nN", Dimension::force, 1e-9},      {"uN", Dimension::force, 1e-6},
-    {"mN", Dimension::force, 1e-3},      {"kN", Dimension::force, 1e3},
-    {"MN", Dimension::force, 1e6},       {"m/s", Dimension::speed, 1},
-    {"km/s", Dimension::speed, 1e3},
+constexpr Row rows[] = {
+    {{"", Dimension::dimensionless, 1}},
+    {{"%", Dimension::dimensionless, 1e-2}},
+    {{"Pa", Dimension::pressure, 1}},
+    {{"kPa", Dimension::pressure, 1e3}},
+    {{"MPa", Dimension::pressure, 1e6}},
+    {{"GPa", Dimension::pressure, 1e9}},
+    {{"hPa", Dimension::pressure, 1e2}, understood},
+    {{"N/m2", Dimension::pressure, 1}, understood},
+    {{"kN/m2", Dimension::pressure, 1e3}, understood},
+    {{"MN/m2", Dimension::pressure, 1e6}, understood},
+    {{"N/mm2", Dimension::pressure, 1e6}, understood},
+    {{"kN/mm2", Dimension::pressure, 1e9}, understood},
+    {{"mbar", Dimension::pressure, 1e2}, understood},
+    {{"bar", Dimension::pressure, 1e5}, understood},
+    {{"kbar", Dimension::pressure, 1e8}, understood},
+    {{"kgf/cm2", Dimension::pressure, standard_gravity * 1e4}, understood},
+    {{"kg/cm2", Dimension::pressure, standard_gravity * 1e4}, understood},
+    {{"tf/m2", Dimension::pressure, standard_gravity * 1e3}, understood},
+    {{"t/m2", Dimension::pressure, standard_gravity * 1e3}, understood},
+    {{"psf", Dimension::pressure, pound_force / (foot * foot)}, understood},
+    {{"ksf", Dimension::pressure, 1e3 * pound_force / (foot * foot)}, understood},
+    {{"tsf", Dimension::pressure, 2e3 * pound_force / (foot * foot)}, understood}, // short tons
+    {{"psi", Dimension::pressure, pound_force / (inch * inch)}, understood},
+    {{"ksi", Dimension::pressure, 1e3 * pound_force / (inch * inch)}, understood},
+    {{"m", Dimension::length, 1}},
+    {{"nm", Dimension::length, 1e-9}},
+    {{"um", Dimension::length, 1e-6}},
+    {{"mm", Dimension::length, 1e-3}},
+    {{"cm", Dimension::length, 1e-2}},
+    {{"\u00b5m", Dimension::length, 1e-6}, understood}, // micro sign
+    {{"\u03bcm", Dimension::length, 1e-6}, understood}, // Greek mu
+    {{"in", Dimension::length, inch}, understood},
+    {{"ft", Dimension::length, foot}, understood},
+    {{"rad", Dimension::angle, 1}},
+    {{"deg", Dimension::angle, degree}},
+    {{"\u00b0", Dimension::angle, degree}, understood},
+    {{"kg/m3", Dimension::density, 1}},
+    {{"g/cm3", Dimension::density, 1e3}},
+    {{"t/m3", Dimension::density, 1e3}},
+    {{"Mg/m3", Dimension::density, 1e3}, understood},
+    {{"g/cc", Dimension::density, 1e3}, understood},
+    {{"g/ml", Dimension::density, 1e3}, understood},
+    {{"lb/ft3", Dimension::density, pound / (foot * foot * foot)}, understood},
+    {{"pcf", Dimension::density, pound / (foot * foot * foot)}, understood},
+    {{"N/m3", Dimension::unit_weight, 1}},
+    {{"kN/m3", Dimension::unit_weight, 1e3}},
+    {{"MN/m3", Dimension::unit_weight, 1e6}, understood},
+    {{"lbf/ft3", Dimension::unit_weight, pound_force / (foot * foot * foot)}, understood},
+    {{"s", Dimension::time, 1}},
+    {{"ns", Dimension::time, 1e-9}},
+    {{"us", Dimension::time, 1e-6}},
+    {{"ms", Dimension::time, 1e-3}},
+    {{"\u00b5s", Dimension::time, 1e-6}, understood},
+    {{"N", Dimension::force, 1}},
+    {{"nN", Dimension::force, 1e-9}},
+    {{"uN", Dimension::force, 1e-6}},
+    {{"mN", Dimension::force, 1e-3}},
+    {{"kN", Dimension::force, 1e3}},
+    {{"MN", Dimension::force, 1e6}},
+    {{"lbf", Dimension::force, pound_force}, understood},
+    {{"m/s", Dimension::speed, 1}},
+    {{"km/s", Dimension::speed, 1e3}},
+    {{"mm/s", Dimension::speed, 1e-3}, understood},
+    {{"cm/s", Dimension::speed, 1e-2}, understood},
+    {{"ft/s", Dimension::speed, foot}, understood},
 };
 
+/// The units of a dimension that are offered.
 std::vector<Unit> units_of(Dimension dimension) {
   std::vector<Unit> found;
-  std::copy_if(std::begin(units), std::end(units), std::back_inserter(found),
-               [&](const Unit& unit) { return unit.dimension == dimension; });
+  for (const Row& row : rows)
+    if (row.offered && row.unit.dimension == dimension)
+      found.push_back(row.unit);
   return found;
 }
 
@@ -59,20 +121,94 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// "m^3" and "m\u00b3" as "m3".
+std::string plain_powers(std::string_view symbol) {
+  std::string plain(symbol);
+  for (const auto& [written, meant] :
+       {std::pair("^", ""), std::pair("\u00b2", "2"), std::pair("\u00b3", "3")})
+    for (std::size_t at = plain.find(written); at != std::string::npos; at = plain.find(written))
+      plain.replace(at, std::string_view(written).size(), meant);
+  return plain;
+}
+
+/// The unit that is meant by a symbol of wrong case, if that is clear, or merely likely.
+std::optional<Unit> unit_but_for_case(std::string_view symbol, bool likely) {
+  std::optional<Unit> found;
+  for (const Row& row : rows) {
+    const std::string_view right = row.unit.symbol;
+    if (right.empty() || !same_but_for_case(right, symbol))
+      continue;
+    const bool other_prefix = (right[0] == 'm' || right[0] == 'M') && right.substr(1) == symbol.substr(1);
+    if (found || (other_prefix && !likely))
+      return std::nullopt;
+    found = row.unit;
+  }
+  return found;
+}
+
 std::string near_symbol(std::string_view symbol, Dimension dimension) {
-  for (const Unit& unit : units_of(dimension))
-    if (same_but_for_case(unit.symbol, symbol))
-      return "did you mean " + std::string(unit.symbol) + "?";
-  const std::string known = choices(dimension, "");
-  return "known for " + std::string(description(dimension)) + ": " + known;
+  const auto near = unit_but_for_case(symbol, true);
+  if (near && near->dimension == dimension)
+    return "did you mean " + std::string(near->symbol) + "?";
+  return "known for " + std::string(description(dimension)) + ": " + choices(dimension, "");
+}
+
+/// What a number with a comma was meant to be: "0.6" for "0,6", "1.500kPa or 1500kPa" for "1,500kPa".
+std::string without_comma(std::string_view text) {
+  std::string decimal(text), thousands(text);
+  std::replace(decimal.begin(), decimal.end(), ',', '.');
+  std::erase(thousands, ',');
+  const std::string_view behind = text.substr(text.find(',') + 1);
+  if (behind.find(',') != std::string_view::npos)
+    return thousands;
+  const std::size_t digits = std::min(behind.find_first_not_of("0123456789"), behind.size());
+  return digits == 3 ? decimal + " or " + thousands : decimal;
+}
+
+bool has_decimal_comma(std::string_view rest) {
+  return rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1]));
+}
+
+/// What a value of one dimension is to be multiplied by to stand for another; nothing if it cannot.
+std::optional<double> factor_between(Dimension from, Dimension to) {
+  if (from == to)
+    return 1;
+  if (from == Dimension::density && to == Dimension::unit_weight)
+    return standard_gravity;
+  if (from == Dimension::unit_weight && to == Dimension::density)
+    return 1 / standard_gravity;
+  return std::nullopt;
+}
+
+/// The unit that the heading of a column names behind the quantity, "" for none; nothing if the heading is
+/// that of something else.
+std::optional<std::string_view> symbol_in_heading(std::string_view heading, std::string_view quantity) {
+  if (!heading.starts_with(quantity))
+    return std::nullopt;
+  std::string_view suffix = heading.substr(quantity.size());
+  if (trimmed(suffix).empty())
+    return "";
+  const bool joined = suffix[0] == '_';
+  const bool apart = suffix[0] == ' ';
+  suffix = trimmed(joined ? suffix.substr(1) : suffix);
+  const bool bracketed = suffix.size() > 2 && ((suffix.front() == '(' && suffix.back() == ')') ||
+                                               (suffix.front() == '[' && suffix.back() == ']'));
+  if (bracketed)
+    suffix = trimmed(suffix.substr(1, suffix.size() - 2));
+  if (bracketed && suffix == "-")
+    return "";
+  const bool unit = (joined || apart || bracketed) && !suffix.empty() && find_unit(suffix);
+  return unit ? std::optional(suffix) : std::nullopt;
 }
 
 } // namespace
 
 std::optional<Unit> find_unit(std::string_view symbol) {
-  const auto found = std::find_if(std::begin(units), std::end(units),
-                                  [&](const Unit& unit) { return unit.symbol == symbol; });
-  return found == std::end(units) ? std::nullopt : std::optional<Unit>(*found);
+  const std::string plain = plain_powers(symbol);
+  for (const Row& row : rows)
+    if (row.unit.symbol == plain)
+      return row.unit;
+  return unit_but_for_case(plain, false);
 }
 
 std::string_view si_symbol(Dimension dimension) { return units_of(dimension).front().symbol; }
@@ -89,6 +225,8 @@ std::string_view description(Dimension dimension) {
     return "an angle";
   case Dimension::density:
     return "a density";
+  case Dimension::unit_weight:
+    return "a unit weight";
   case Dimension::time:
     return "a time";
   case Dimension::force:
@@ -107,6 +245,8 @@ double parse_quantity(std::string_view name, std::string_view text, Dimension di
     throw InvalidArgument(said + " is not " + std::string(description(dimension)) +
                           ": it must begin with a finite number");
   const std::string_view symbol = trimmed(number->rest);
+  if (has_decimal_comma(symbol))
+    throw InvalidArgument(said + " has a comma in its number: write " + without_comma(content));
   const auto unit = find_unit(symbol);
   if (!unit)
     throw InvalidArgument(said + " has the unknown unit '" + std::string(symbol) + "'; " +
@@ -114,31 +254,30 @@ double parse_quantity(std::string_view name, std::string_view text, Dimension di
   if (symbol.empty() && dimension != Dimension::dimensionless)
     throw InvalidArgument(std::string(name) + " = " + std::string(content) + " has no unit; write " +
                           choices(dimension, content));
-  if (unit->dimension != dimension)
+  const auto factor = factor_between(unit->dimension, dimension);
+  if (!factor)
     throw InvalidArgument(said + " must be " + std::string(description(dimension)) + ", not " +
                           std::string(description(unit->dimension)));
-  const double value = unit->factor * number->value;
+  const double value = *factor * unit->factor * number->value;
   if (!std::isfinite(value))
     throw InvalidArgument(said + " is too large");
   return value;
 }
 
 bool is_column_of(std::string_view heading, std::string_view quantity) {
-  if (!heading.starts_with(quantity))
-    return false;
-  const std::string_view suffix = heading.substr(quantity.size());
-  return suffix.empty() || (suffix[0] == '_' && suffix.size() > 1 && find_unit(suffix.substr(1)));
+  return symbol_in_heading(heading, quantity).has_value();
 }
 
 double column_factor(std::string_view heading, std::string_view quantity, Dimension dimension) {
-  const std::string_view suffix = heading.substr(quantity.size());
-  const auto unit = find_unit(suffix.empty() ? suffix : suffix.substr(1));
-  if (unit && unit->dimension == dimension)
-    return unit->factor;
+  const std::string_view symbol = symbol_in_heading(heading, quantity).value_or("");
+  const auto unit = find_unit(symbol);
+  const auto factor = unit ? factor_between(unit->dimension, dimension) : std::nullopt;
+  if (factor)
+    return *factor * unit->factor;
   const std::string said = "column '" + std::string(heading) + "'";
   if (dimension == Dimension::dimensionless)
     throw InvalidArgument(said + " must be a pure number, without unit");
-  throw InvalidArgument(said + (suffix.empty() ? " has no unit" : " has the unit of something else") +
+  throw InvalidArgument(said + (symbol.empty() ? " has no unit" : " has the unit of something else") +
                         "; name it " + choices(dimension, std::string(quantity) + "_"));
 }
 
@@ -149,7 +288,7 @@ std::string pretty(double value, Dimension dimension) {
     return short_text(value / degree) + " deg";
   std::vector<Unit> steps = units_of(dimension);
   std::erase_if(steps, [](const Unit& unit) {
-    return unit.symbol == "cm" || unit.symbol == "km/s" || unit.symbol.starts_with("g/");
+    return unit.symbol == "cm" || unit.symbol == "km/s" || unit.symbol == "g/cm3" || unit.symbol == "t/m3";
   });
   std::sort(steps.begin(), steps.end(), [](const Unit& a, const Unit& b) { return a.factor < b.factor; });
   // the largest unit in which the rounded value is not below 1, so that 999.96 kPa becomes 1 MPa

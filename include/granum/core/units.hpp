@@ -15,10 +15,14 @@ enum class Dimension {
   length,        ///< [m]
   angle,         ///< [rad]
   density,       ///< [kg/m^3]
+  unit_weight,   ///< weight per volume [N/m^3]
   time,          ///< [s]
   force,         ///< [N]
   speed,         ///< [m/s]
 };
+
+/// Weight of a mass, where a density stands for a unit weight or the other way round [m/s^2].
+inline constexpr double standard_gravity = 9.80665;
 
 /// A unit that programs and files may use: value in SI = factor * value in this unit.
 struct Unit {
@@ -27,7 +31,8 @@ struct Unit {
   double factor = 1;
 };
 
-/// The unit written `symbol`, exactly (kPa, not kpa); nothing if unknown.
+/// The unit written `symbol`; nothing if unknown. Large and small letters do not matter (kpa is kPa) where one
+/// unit alone is written so, and where more than the prefix m or M differs: mPa is no MPa, mn none of mN, MN.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view symbol);
 /// The SI unit that values of a dimension are returned in; "" for a pure number.
 [[nodiscard]] std::string_view si_symbol(Dimension dimension);
@@ -35,13 +40,14 @@ struct Unit {
 [[nodiscard]] std::string_view description(Dimension dimension);
 
 /// The SI value of a number with its unit: "100kPa", "0.5 mm", "26.5deg", "2650kg/m3"; a pure number has none
-/// or %.
+/// or %. A density and a unit weight stand for each other, by standard gravity.
 /// \param    name  what the user knows the argument by; every error names it
 /// \throws   InvalidArgument for a number without unit where one is needed, an unknown unit, one of another
-///           dimension, text that is no number, NaN, infinity or overflow
+///           dimension, a decimal comma, text that is no number, NaN, infinity or overflow
 [[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);
 
-/// Whether a column heading is `quantity` alone or `quantity` with a unit, as p and p_kPa are for p.
+/// Whether a column heading is `quantity` alone or `quantity` with a unit, as p, p_kPa, "p (kPa)", "p [kPa]"
+/// and "p kPa" are for p; "e (-)" and "e [-]" are pure numbers.
 [[nodiscard]] bool is_column_of(std::string_view heading, std::string_view quantity);
 /// The factor to SI that the heading of a column states: 1e3 for sigma_v_kPa.
 /// Assumes   is_column_of(heading, quantity)

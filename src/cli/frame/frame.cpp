@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame.hpp"
 
-#include <cctype>
 #include <cstdio>
 
 #include <unistd.h>
@@ -13,20 +12,12 @@
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "command_line.hpp"
 #include "messages.hpp"
 
 namespace granum::cli {
 
 namespace {
-
-/// "a pressure" as "PRESSURE", for help.
-std::string type_name(Dimension dimension) {
-  const std::string_view words = description(dimension);
-  std::string name(words.substr(words.find(' ') + 1));
-  for (char& c : name)
-    c = c == ' ' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
 
 void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)

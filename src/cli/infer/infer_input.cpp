@@ -284,9 +284,12 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
     const std::size_t split = text.find(sign);
     if (split == std::string::npos)
       continue;
-    const double value = parse_quantity(name, text.substr(0, split), dimension);
     const std::string error = text.substr(split + sign.size());
     const bool share = std::string_view(trimmed(error)).ends_with('%');
+    std::string number = text.substr(0, split);
+    if (const auto size = leading_number(trimmed(error)); size && !share && parse_number(number))
+      number += size->rest; // of 280+-5m/s both are speeds
+    const double value = parse_quantity(name, number, dimension);
     const double size = parse_quantity(name + " error", error, share ? Dimension::dimensionless : dimension);
     return {value, require_non_negative(name + " error", share ? size * std::abs(value) : size,
                                         std::string(si_symbol(dimension)))};
