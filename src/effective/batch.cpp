@@ -51,8 +51,9 @@ struct Work {
   Block z;
 };
 
-/// A rule works a block out in passes: argument() of every row into x (and more), 0 for a row without forces,
-/// then passes that make roots of it, and root() of every row, to be multiplied by `factor`.
+/// A rule computes the stiffness of a block in three passes: argument() writes each row's argument of the
+/// root to x (0 for a row without forces), the second takes the roots, and root() reads each row's root,
+/// which is then multiplied by `factor`.
 struct SphereRule {
   double factor; ///< c 2^-60
   GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {

@@ -20,16 +20,17 @@ namespace {
 
 /// Friction coefficients of smooth minerals.
 constexpr double least_friction = 0.3, most_friction = 0.5;
-/// The loosest and the densest that are said to exist: packings of equal spheres with any friction
-/// [SongWangMakse2008], and disordered ones.
+/// Void ratios of the loosest packing of equal spheres that theory allows at any friction
+/// [SongWangMakse2008], and of the densest disordered one.
 constexpr double loosest_spheres = 0.866, densest_disorder = 0.55;
 constexpr double largest_overlap = 0.01;
-/// How the error of z* grows where no packing of spheres is known: a contact from the loosest of friction
-/// (e_l) to the loosest of all, and the slope of the densest line beyond its dense end [1 a unit of e]; at
-/// most to what the fewest and the most contacts of any packing are away.
+/// Growth of the error of z* per unit of e, beyond the void ratios where packings of spheres are known. Loose
+/// side: one contact between e_l and the loosest packing that theory allows. Dense side: the slope of the
+/// densest line. The error stops growing at the distance to the fewest, or the most, contacts of any packing.
 constexpr double error_slope_loose = 7, error_slope_dense = 15;
 constexpr double largest_error_loose = 2, largest_error_dense = 6;
-/// Standard deviation of ln x_0 of unequal grains: from as few as equal ones have to ten times as many.
+/// Standard deviation of ln x_0 of unequal grains, which have between one and ten times as many rattlers as
+/// equal ones.
 constexpr double unequal_rattler_error = 1.5;
 
 double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }

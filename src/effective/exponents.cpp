@@ -12,7 +12,7 @@ namespace granum::effective {
 
 namespace kernel {
 
-// Only stresses move: straight away.
+// Derivatives by the two stresses only: two a node, carried through the whole integral.
 AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
                                             const Dual<stress_seeds>& exponent) {
   if (exponent.value() == 0)

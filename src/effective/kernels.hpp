@@ -149,7 +149,8 @@ NormalLoads<T> static_loads(const T& a, const T& stress_v, const T& stress_h) {
   return {.horizontal = stress_h * (scale / (5 - 3 * a)), .vertical = stress_v * (scale / (5 + a))};
 }
 
-/// k_n of the force area x load; forces too small to be held are lifted into the range of numbers first.
+/// k_n at the force area x load. A force too small to have all its digits is multiplied by 2^600 first,
+/// and the stiffness scaled back.
 double contact_stiffness(const contact::PowerLaw& law, double area, double load);
 
 /// x^exponent for x within some decades of 1, where this spends 2 ulp and is faster than pow.

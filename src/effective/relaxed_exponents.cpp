@@ -28,8 +28,9 @@ Vector2d pressure_slopes(const State& s) {
   return Vector2d(s.stress_v, 2 * s.stress_h) / (3 * mean_stress(s));
 }
 
-/// Constants of uniform_strain(state) with their slopes. At frozen contacts those of the stress; and all of
-/// them are (C_n/(1+e))^(1-b) times what only the stresses decide.
+/// Constants of uniform_strain(state) with their slopes by the stresses. Each constant is
+/// (C_n/(1+e))^(1-b) times a function of the stresses, so its slope is that at frozen contacts plus that
+/// of the factor.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
   const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
   const double per_pressure = (1 - s.law.stiffness_exponent()) *

@@ -201,7 +201,7 @@ void PackingBuilder::add(const PairRow& row) {
   entries_.push_back({contact, {turn, row.line}});
 }
 
-/// Takes the rows of one pair, by their numbers, in as one contact.
+/// Makes one contact of all rows of a pair; `group` holds the numbers of these rows.
 void PackingBuilder::merge(std::span<const std::uint32_t> group) {
   const Entry& front = entries_[group.front()];
   const packing::Contact& first = front.contact;

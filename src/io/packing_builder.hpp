@@ -64,8 +64,9 @@ class PackingBuilder {
 
   /// \throws   FileError unless the volume is finite and positive
   void set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line);
-  /// Takes the grains in the order of their ids. Without a cell before: the smallest upright box, and a note.
-  /// \throws   FileError for no grains, a radius or position that is none, an id that stands there twice
+  /// Takes the grains, in the order of their ids. If no cell was set before: the smallest upright box,
+  /// and a note.
+  /// \throws   FileError for no grains, an invalid radius or position, an id that occurs twice
   void set_grains(std::vector<GrainRow> rows);
 
   /// Index of the grain of an id.
@@ -85,23 +86,23 @@ class PackingBuilder {
   ///           radii)
   void require_agreement(const PairRow& row) const;
 
-  /// Takes a contact in; a row without overlap and force is a neighbour and left out.
+  /// Adds a contact. A row without overlap and without force is a neighbour that does not touch: left out.
   /// \throws   FileError for a grain in contact with itself, centres that coincide, numbers beyond all range
   void add(const PairRow& row);
-  /// Takes a contact with a wall in, everything from the grain a to the wall.
-  /// \throws   FileError for a wall number that is none, a branch of no length, numbers beyond all range
+  /// Adds a contact with a wall; all vectors point from the grain a to the wall.
+  /// \throws   FileError for an invalid wall number, a branch of no length, numbers beyond all range
   void add_wall(const PairRow& row, long wall);
   void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
   void note_digits(const DigitWatch& coordinates, std::string_view what);
   /// Makes room for so many rows of contacts.
   void expect_contacts(std::size_t rows) { entries_.reserve(rows); }
-  /// Every pair is to stand there twice, once from each side.
+  /// Tells the builder that the files hold every pair twice, once from each side.
   void expect_both_sides() { both_sides_ = true; }
-  /// The files hold no forces: no row is a neighbour without contact.
+  /// Tells the builder that the files hold no forces: then a row without force is a contact all the same.
   void expect_no_forces() { forces_known_ = false; }
 
   /// The packing with its contacts sorted, each pair once.
-  /// \throws   FileError for a pair that stands there twice with different values
+  /// \throws   FileError for a pair that occurs twice with different values
   [[nodiscard]] ImportedPacking finish(long step, std::optional<double> time);
 
   [[noreturn]] void fail_contact(std::size_t line, const std::string& what) const;

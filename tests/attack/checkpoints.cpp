@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checkpoints of two small experiments, which differ in their seed: damaged, swapped in pairs, or in the place of their
-// namesake in the other experiment. Each time the experiment must refuse the folder with FileError that names a wrong
-// file, and read it again once the folder is mended.
-//   attack_checkpoints <damages> <swaps> <seed> <scratch folder>
+// Checkpoints of two small experiments, which differ in their seed: damaged, swapped in pairs, or in the
+//   place of their namesake in the other experiment. Each time the experiment must refuse the folder with
+//   FileError that names a wrong file, and read it again once the folder is mended. attack_checkpoints
+//   <damages> <swaps> <seed> <scratch folder>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -143,7 +143,7 @@ std::size_t unseen_damages(const Folder& experiment, std::uint64_t damages, std:
   return unseen;
 }
 
-/// How many swaps were not seen: of two files of one experiment, and of one file with its namesake in the other.
+/// How many swaps were not seen: of two files of an experiment, or of a file and its namesake in the other.
 std::size_t unseen_swaps(const Folder& a, const Folder& b, std::uint64_t swaps, std::mt19937_64& random) {
   std::size_t unseen = 0;
   for (std::uint64_t k = 0; k < swaps; ++k) {

@@ -41,7 +41,7 @@ struct Preparation {
 /// Checked by tests/effective/test_contact_prior.cpp
 [[nodiscard]] Preparation preparation_of(std::string_view text);
 
-/// What a packing may have.
+/// The contacts that a packing may have.
 struct ContactPrior {
   ContactCounts loosest; ///< the fewest contacts
   ContactCounts middle;  ///< half way, by z*
@@ -80,7 +80,7 @@ struct ContactPrior {
 ///           Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior
 [[nodiscard]] double typical_rattler_fraction(double mechanical_coordination_number, double relative_overlap);
 
-/// A packing whose contacts are known at one mean stress, at another.
+/// Contacts carried from the mean stress at which they are known to another.
 struct CarriedContacts {
   ContactCounts counts;
   double void_ratio = 0;         ///< overlaps change it [1]

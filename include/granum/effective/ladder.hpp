@@ -82,11 +82,11 @@ struct LadderEstimate {
 /// the smallest error. A looser tolerance never takes a dearer rung.
 ///
 /// The stated error of rung 3 is its standard error, with what the standard errors of z* and of a make of it
-/// in quadrature. Rungs 0 to 2 follow the mean strain, which rung 3 tells how much too stiff that is: theirs
-/// is |X/X_3 - 1| of a modulus X plus the standard error of X_3, times X/X_3. So some two thirds of packings
-/// lie within the stated error of rung 3, and 19 of 20 within twice of it; small ones, of some hundred
-/// grains, scatter more. Where rattlers were not counted
-/// z* is estimated_mechanical_coordination_number; a fabric that was not measured has a standard error of
+/// in quadrature. Rungs 0 to 2 follow the mean strain and are too stiff, by as much as rung 3 tells: their
+/// stated error is |X/X_3 - 1| of a modulus X plus the standard error of X_3, times X/X_3. So some two
+/// thirds of packings lie within the stated error of rung 3, and 19 of 20 within twice of it; small ones,
+/// of some hundred grains, scatter more. Where rattlers were not counted z* is
+/// estimated_mechanical_coordination_number; a fabric that was not measured has a standard error of
 /// hypot(0.012, 0.2 ln(stress_v/stress_h)), the rms of granum's specimens, which were made without a
 /// preferred direction. Where the modulus is exactly zero (no contacts, or no stress on contacts that
 /// need it) rung 0 is exact.

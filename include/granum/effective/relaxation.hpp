@@ -5,7 +5,7 @@
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
-/// Rung 3: what uniform strain (rungs 0 to 2) makes too much of because grains do not follow the mean
+/// Rung 3: by what factor uniform strain (rungs 0 to 2) is too stiff, because grains do not follow the mean
 /// strain. Calibrated on contact networks of granum's own specimens; validation/relaxation holds the data,
 /// the fit and the errors.
 namespace granum::effective {

@@ -14,7 +14,7 @@ using FrameColumns = io::Columns<FrameAnswer>;
 /// Rung 3 in the list of a frame's rungs.
 std::string relaxed_column() { return effective::rung(effective::RungName::relaxed).column; }
 
-/// Adds the columns of a part of the measurement. `part_of` finds it in a frame, and gives null where there is none.
+/// Adds the columns of a part of the measurement. `part_of` finds it in a frame; null where there is none.
 template <class Part, class PartOf>
 void add_part(FrameColumns& to, const io::Columns<Part>& columns, PartOf part_of) {
   for (const io::Column<Part>& column : columns) {

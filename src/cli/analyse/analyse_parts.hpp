@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a measurement as lists of columns: JSON has all of their numbers, the table of frames those with a
-// heading.
+// The parts of a measurement as lists of columns: JSON has all of their numbers, the table of frames those
+// with a heading.
 #pragma once
 
 #include "analyse.hpp"

@@ -45,7 +45,8 @@ double log_stiffness_by_shape(const contact::PowerLaw& law, double log_force) {
          (1 - b) * log_coefficient_by_shape(law);
 }
 
-// By way of the four numbers that the nodes see, so that each node carries four derivatives.
+// The integrand depends on four numbers alone. Nodes carry derivatives by these four; the chain rule
+// follows after the integral.
 AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
                                          const Dual<all_seeds>& exponent) {
   using Node = Dual<4>;

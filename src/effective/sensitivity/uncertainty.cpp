@@ -29,7 +29,7 @@ constexpr const char* input_names[input_count] = {"mean_stress",
 
 constexpr std::size_t index(Input input) { return static_cast<std::size_t>(input); }
 
-/// Every input at its value, with its deviation, moving itself alone.
+/// One uncertain number for each input: its value, its deviation, and that no other input moves with it.
 std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviations& deviations) {
   const auto& grain = s.law.grain();
   const double values[input_count] = {(s.stress_v + 2 * s.stress_h) / 3,

@@ -101,7 +101,8 @@ ImportedPacking build(const PackingArrays& arrays) {
   return builder.finish(0, std::nullopt);
 }
 
-/// What the builder says of a line of a file, of an element of an array.
+/// The message of the builder, which names a line of a file, with the name of an array's element in its
+/// place.
 InvalidArgument in_arrays(const FileError& error) {
   const bool numbered = error.line() > 0;
   const std::string place = error.path() + (numbered ? ":" + std::to_string(error.line()) : "") + ": ";

@@ -9,8 +9,8 @@ namespace granum::io {
 
 namespace {
 
-/// c_name and k of a column c_name[k]; k = 1 for c_name; nothing for another prefix or brackets that are
-/// none.
+/// c_name and k of a column c_name[k]; k = 1 for c_name; nothing for another prefix or malformed
+/// brackets.
 struct Indexed {
   std::string name;
   std::size_t index;

@@ -71,7 +71,7 @@ void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
   }
 }
 
-/// Takes a row in as numbers.
+/// Appends a row, as numbers.
 void add_unnamed(UnnamedTable& table, const TextRow& row, std::size_t line) {
   const std::size_t from = table.numbers.size();
   table.numbers.resize(from + table.columns.size());

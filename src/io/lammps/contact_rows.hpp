@@ -37,7 +37,7 @@ struct LocalFrame {
 /// \throws   FileError as DumpFile::next, contact_layout, or for text where a number should be
 [[nodiscard]] std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map);
 
-/// Takes the contacts of a frame in, and notes what they were taken for; the rows are empty afterwards.
+/// Adds the contacts of a frame to the packing, with a note on what they were taken for. Empties the rows.
 /// \throws   FileError as layout_by_values and PackingBuilder::add
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units);
 

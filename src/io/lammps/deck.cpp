@@ -76,7 +76,7 @@ std::string list_of(const std::vector<double>& values) {
   return text;
 }
 
-/// Names of isotropic states, "100kPa"; none where there are none, which a list of LAMMPS cannot say.
+/// Names of isotropic states, "100kPa"; the word "none" for an empty list, which LAMMPS cannot express.
 std::string names_of(const std::vector<double>& pressures) {
   std::string text;
   for (const double pressure : pressures)
@@ -94,7 +94,7 @@ std::string sizes_text(double smallest, double largest) {
 
 using Numbers = std::map<std::string, std::string, std::less<>>;
 
-/// A test that no deck has been asked for is there with its numbers, under the name none.
+/// Where no triaxial test was asked for, the deck still holds the numbers of one, under the name "none".
 void add_path(Numbers& numbers, const LammpsExperiment& e) {
   const LammpsPath path = e.path.value_or(LammpsPath{.name = "none"});
   numbers.insert({{"path", path.name},

@@ -105,7 +105,7 @@ void DumpFile::read_units() {
     source_.fail("units " + shown(style) + " have no values in SI here; expected si, cgs, micro or nano");
 }
 
-/// A number that a file states must not cost more memory than its rows would.
+/// Memory is reserved for at most so many rows: the number that a file states may be false.
 constexpr std::size_t most_room = 1'000'000;
 
 std::size_t DumpFile::read_table(const DumpFrame& frame, const TableSink& sink) {

@@ -37,7 +37,7 @@ struct DumpFrame {
   std::optional<DumpBox> box; ///< in the dump's unit
 };
 
-/// Who takes the table of a frame in.
+/// Receives the rows of a frame as they are read.
 struct TableSink {
   /// \param    rows  to make room for: those that the frame states, a million at most; 0 if it states none
   std::function<void(const std::vector<std::string>& columns, std::size_t rows)> heading;
@@ -50,7 +50,7 @@ class DumpFile {
  public:
   explicit DumpFile(TextSource source) : source_(std::move(source)) {}
 
-  /// The next frame, its table handed to the sink row by row; nothing at the end of the file.
+  /// The next frame; the sink receives its rows one by one. Nothing at the end of the file.
   /// \throws   FileError for what is no dump, a frame cut off, or a table of another number of rows than
   ///           stated
   [[nodiscard]] std::optional<DumpFrame> next(const TableSink& sink);

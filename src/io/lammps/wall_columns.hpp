@@ -29,7 +29,7 @@ struct WallRow {
 void read_walls(const TextRow& row, long id, std::size_t line, const std::vector<ColumnGroup>& walls,
                 std::vector<WallRow>& out);
 
-/// Takes the contacts of the fixes in whose rows the grains bear out: the radius is the grain's, the point
+/// Adds the contacts of those fixes whose rows agree with the grains: the radius is the grain's, the point
 /// lies within it and the mark is 1 or its id. Columns of other fixes are passed over.
 /// \throws   FileError as PackingBuilder::add_wall
 void join_walls(PackingBuilder& builder, const std::vector<WallRow>& rows, const DumpUnits& units);

@@ -43,7 +43,7 @@ std::optional<std::size_t> counted(const std::string& text) {
   return static_cast<std::size_t>(*number);
 }
 
-/// What stands in one of the sections that hold arrays of use.
+/// Whether the arrays of this section are read.
 bool holds_arrays(std::string_view element) {
   return element == "Points" || element == "PointData" || element == "CellData" || element == "Lines" ||
          element == "FieldData";

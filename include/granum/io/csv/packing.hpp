@@ -36,8 +36,8 @@ struct ContactTable {
   std::vector<std::size_t> line;       ///< of the file
 };
 
-/// \throws   FileError with path and line for what is no such table, numbers that are none, a normal of
-///           length 0, one coordinate of a vector without the others
+/// \throws   FileError with path and line for text that is not such a table, fields that are not numbers,
+///           a normal of length 0, one coordinate of a vector without the others
 [[nodiscard]] ContactTable read_contact_csv(TextSource source);
 
 /// The box of a packing that a table does not tell.

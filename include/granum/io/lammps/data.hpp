@@ -13,8 +13,8 @@ namespace granum::io {
 /// step is the one that the first line names. Not in such a file, and so noted: contacts, which faces are
 /// periodic (all are taken so), units, contact law.
 /// \throws   FileError with path and line for text that is no data file, another atom style, a box or count
-///           that is missing, rows too few or too many, numbers that are none, ids twice, a diameter that is
-///           not positive
+///           that is missing, rows too few or too many, fields that are not numbers, repeated ids, a
+///           diameter that is not positive
 /// Checked by tests/io/lammps/test_data.cpp
 [[nodiscard]] ImportedPacking read_lammps_data(TextSource source);
 

@@ -42,11 +42,11 @@ class LammpsDump {
   ~LammpsDump();
 
   /// The next state that stands in all files; nothing at their end.
-  /// \throws   FileError with path and line for text that is no such dump, numbers that are none, a frame cut
-  ///           off, a row of other length than the heading, ids that are missing or stand there twice, a
-  ///           radius that is not positive, a grain in contact with itself, one pair with two forces, files
-  ///           of different states, columns that no layout or several fit, time steps that go back, and for
-  ///           files without one time step in common
+  /// \throws   FileError with path and line for text that is not such a dump, fields that are not
+  ///           numbers, a frame cut off, a row of other length than the heading, ids that are missing or
+  ///           occur twice, a radius that is not positive, a grain in contact with itself, one pair with
+  ///           two forces, files of different states, columns that no layout or several fit, time steps
+  ///           that go back, and for files without one time step in common
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// Frames passed over so far because the other file has none of that time step.

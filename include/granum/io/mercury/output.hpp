@@ -14,7 +14,7 @@ namespace granum::io {
 /// equal time (to six digits) belong together.
 ///
 /// A row of .fstat holds the force on the first grain, normal pointing from the second to the first; each
-/// pair stands there twice, and the two rows must be mirror images. Rows that the code leaves out (fixed
+/// pair occurs twice, and the two rows must be mirror images. Rows that the code leaves out (fixed
 /// grains, ghosts behind periodic faces) make a pair one-sided, which is noted. A second index below 0 is a
 /// wall; its normal points from the grain to the wall, as the code prints it,
 /// and is turned if the contact point says otherwise. `step` counts the frames of the .data file from 0.
@@ -29,10 +29,10 @@ class MercuryOutput {
   ~MercuryOutput();
 
   /// The next state that stands in all files; nothing at their end.
-  /// \throws   FileError with path and line for text that is no such output, frames cut off, numbers that are
-  ///           none, a radius that is not positive, an unknown grain, a grain in contact with itself, two
-  ///           rows of a pair that are no mirror images, a normal that is no unit vector or does not fit the
-  ///           positions, and for files without one time in common
+  /// \throws   FileError with path and line for text that is no such output, frames cut off, fields that are
+  ///           not numbers, a radius that is not positive, an unknown grain, a grain in contact with
+  ///           itself, two rows of a pair that are no mirror images, a normal that is no unit vector or
+  ///           does not fit the positions, and for files without one time in common
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// Frames passed over so far because the other file has none of that time.

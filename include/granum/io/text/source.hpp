@@ -43,7 +43,7 @@ class TextSource {
   /// look at what a file holds. To be called before anything is read.
   void keep_from_start();
   /// Before the first line again, from behind keep_from_start().
-  /// \throws   FileError if the file does not let itself be read anew
+  /// \throws   FileError if the file cannot be read a second time
   void back_to_start();
   /// What is read from here on is not kept.
   void stop_keeping() { keeping_ = false; }

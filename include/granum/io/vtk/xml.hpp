@@ -19,7 +19,7 @@ namespace granum::io {
 /// precision, which YADE writes, are good for the geometry, not for overlaps.
 /// \throws   FileError with path and line for what is no such file or no XML; more than one piece; arrays
 ///           that are missing, too short or too long, damaged, compressed otherwise; a radius that is not
-///           positive, an id that is no integer or stands there twice
+///           positive, an id that is not an integer or occurs twice
 ///
 /// And contacts, where there are any, lines of two points each, of either kind:
 ///   granum   cell data "grains", the two ids; "wall", at least 0 for a contact of the first of them with

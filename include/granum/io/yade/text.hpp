@@ -15,7 +15,7 @@ namespace granum::io {
 ///                                 spheres shift them
 /// Without a cell the smallest upright box stands for it, with a note.
 /// \throws   FileError with path and line for text that is none of these, rows of other length than the
-///           heading, numbers that are none, ids twice, a radius that is not positive, no grains
+///           heading, fields that are not numbers, repeated ids, a radius that is not positive, no grains
 ///
 /// And its contacts, where there are any: rows under "# id1 id2 ..." as the script writes them to
 /// <name>.contacts. normal points from id1 to id2, the forces are those on id2; the line of centres is (R1

@@ -11,8 +11,8 @@ namespace granum::io {
 /// The grains of a legacy VTK file in text form as YADE's VTKExporter.exportSpheres writes it: POINTS, and
 /// the point data "radius". Six digits: good for the geometry, not for overlaps; grains are numbered in their
 /// order.
-/// \throws   FileError with path and line for text that is no such file, numbers that are none or too few, no
-///           radii, a radius that is not positive
+/// \throws   FileError with path and line for text that is no such file, fields that are not numbers or
+///           too few, no radii, a radius that is not positive
 ///
 /// And the contacts, where there are any, of VTKExporter.exportInteractions: two points a contact, which
 /// are matched with the centres of the spheres by their digits, LINES, and the cell data "fn" and "ft"
