@@ -16,6 +16,13 @@ double water_and_air_bulk_modulus(double saturation) {
   return 1 / (saturation / water + (1 - saturation) / air);
 }
 
+double saturation_of_bulk_density(double bulk_density, double grain_density, double void_ratio) {
+  const double rho = require_positive("bulk_density", bulk_density, "kg/m3");
+  const double rho_s = require_positive("grain_density", grain_density, "kg/m3");
+  const double e = require_positive("void_ratio", void_ratio);
+  return ((1 + e) * rho - rho_s) / (e * water_density);
+}
+
 TransverselyIsotropic saturated(const TransverselyIsotropic& c, const SaturatedPores& pores) {
   const double K_s = require_positive("grain_bulk_modulus", pores.grain_bulk_modulus, "Pa");
   const double K_f = require_positive("fluid_bulk_modulus", pores.fluid_bulk_modulus, "Pa");

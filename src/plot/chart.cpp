@@ -56,6 +56,9 @@ class Look {
       attributes.emplace_back("stroke-dasharray", dash);
     return attributes;
   }
+  [[nodiscard]] SvgAttributes surface() const {
+    return {{"class", "area"}, {"fill", colour()}, {"fill-opacity", "0.18"}};
+  }
   [[nodiscard]] SvgAttributes filling() const {
     if (tone_ == Tone::hollow)
       return {{"fill", "white"}, {"stroke", colour()}, {"stroke-width", "1.5"}};
@@ -134,25 +137,21 @@ class Picture {
       : chart_(chart), drawn_(drawn(chart)), x_(chart.x.scale, values(chart.x.scale, false)),
         y_(chart.y.scale, values(chart.y.scale, true)) {}
 
-  [[nodiscard]] std::string text() const {
-    const std::string width = svg_number(left + chart_.width + right());
-    const std::string height = svg_number(top + chart_.height + bottom + legend_height());
-    std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-                      width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
-                      "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" + svg_number(font_size) +
-                      "\">\n";
-    svg += svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
-    svg += svg_text("title",
-                    {{"x", svg_number(left + chart_.width / 2)},
-                     {"y", svg_number(top - 18)},
-                     {"text-anchor", "middle"},
-                     {"font-size", "16"}},
-                    svg_escaped(chart_.title));
+  [[nodiscard]] double width() const { return left + chart_.width + right(); }
+  [[nodiscard]] double height() const { return top + chart_.height + bottom + legend_height(); }
+
+  /// Title, axes, curves and legend.
+  [[nodiscard]] std::string content() const {
+    std::string svg = svg_text("title",
+                               {{"x", svg_number(left + chart_.width / 2)},
+                                {"y", svg_number(top - 18)},
+                                {"text-anchor", "middle"},
+                                {"font-size", "16"}},
+                               svg_escaped(chart_.title));
     svg += x_axis() + y_axis() + frame();
     for (std::size_t k = 0; k < drawn_.size(); ++k)
       svg += curve(k);
-    return svg + legend() + "</svg>\n";
+    return svg + legend();
   }
 
  private:
@@ -177,8 +176,14 @@ class Picture {
     return found;
   }
 
-  [[nodiscard]] double at_x(double x) const { return left + chart_.width * x_.fraction(x); }
-  [[nodiscard]] double at_y(double y) const { return top + chart_.height * (1 - y_.fraction(y)); }
+  [[nodiscard]] double at_x(double x) const {
+    const double share = x_.fraction(x);
+    return left + chart_.width * (chart_.x.reversed ? 1 - share : share);
+  }
+  [[nodiscard]] double at_y(double y) const {
+    const double share = y_.fraction(y);
+    return top + chart_.height * (chart_.y.reversed ? share : 1 - share);
+  }
   [[nodiscard]] Point place(const Point& p) const { return {at_x(p.x), at_y(p.y)}; }
 
   [[nodiscard]] std::string x_axis() const {
@@ -247,8 +252,9 @@ class Picture {
     const auto end = [this](double y, double edge) {
       return AxisRange::drawable(chart_.y.scale, y) ? at_y(y) : edge;
     };
-    const double high = end(p.y + error, top);
-    const double low = end(p.y - error, top + chart_.height);
+    const double upper = top, lower = top + chart_.height;
+    const double high = end(p.y + error, chart_.y.reversed ? lower : upper);
+    const double low = end(p.y - error, chart_.y.reversed ? upper : lower);
     return svg_element(
         "path", {{"class", "error"},
                  {"d", "M" + pair({x - cap, high}) + "H" + svg_number(x + cap) + "M" + pair({x, high}) + "V" +
@@ -269,6 +275,8 @@ class Picture {
       if (series.errors[k] > 0)
         bars += error_bar(series.points[k], series.errors[k], look.marker_size());
     }
+    if (mark == Mark::area)
+      return svg_group({{"class", "series"}}, path.empty() ? "" : surface(look, path + "Z"));
     std::string svg;
     if (mark != Mark::marker && !path.empty()) {
       SvgAttributes attributes = look.stroke();
@@ -279,6 +287,12 @@ class Picture {
     if (mark != Mark::line)
       svg += svg_group(look.filling(), dots);
     return svg_group(look.group(), svg);
+  }
+
+  [[nodiscard]] static std::string surface(const Look& look, const std::string& path) {
+    SvgAttributes attributes = look.surface();
+    attributes.emplace_back("d", path);
+    return svg_element("path", attributes);
   }
 
   [[nodiscard]] std::string legend() const {
@@ -294,12 +308,14 @@ class Picture {
     const Series& series = chart_.series[k];
     const Look look(series, k);
     std::string svg;
-    if (series.mark != Mark::marker) {
+    if (series.mark == Mark::area)
+      svg += surface(look, "M" + pair({at.x, at.y - 6}) + "h34v12h-34Z");
+    if (series.mark == Mark::line || series.mark == Mark::both) {
       SvgAttributes attributes = look.stroke();
       attributes.emplace_back("d", "M" + pair(at) + "H" + svg_number(at.x + 34));
       svg += svg_element("path", attributes);
     }
-    if (series.mark != Mark::line)
+    if (series.mark == Mark::marker || series.mark == Mark::both)
       svg += svg_group(look.filling(), marker(look, {at.x + 17, at.y}));
     return svg + svg_text("legend", {{"x", svg_number(at.x + legend_sample)}, {"y", svg_number(at.y + 5)}},
                           svg_escaped(series.name));
@@ -368,9 +384,28 @@ void require_valid(const Chart& chart) {
                             std::to_string(series.y_error.size()) + " errors of y");
 }
 
-std::string svg(const Chart& chart) {
-  require_valid(chart);
-  return Picture(chart).text();
+std::string svg(const Chart& chart) { return svg(std::span(&chart, 1)); }
+
+std::string svg(std::span<const Chart> charts) {
+  if (charts.empty())
+    throw InvalidArgument("a picture needs a chart");
+  double width = 0, height = 0;
+  std::string content;
+  for (const Chart& chart : charts) {
+    require_valid(chart);
+    const Picture picture(chart);
+    const std::string shift = "translate(" + svg_number(width) + " 0)";
+    content += charts.size() == 1 ? picture.content() : svg_group({{"transform", shift}}, picture.content());
+    width += picture.width();
+    height = std::max(height, picture.height());
+  }
+  const std::string w = svg_number(width), h = svg_number(height);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
+         "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" + svg_number(font_size) + "\">\n" +
+         svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}}) + content +
+         "</svg>\n";
 }
 
 } // namespace granum::plot

@@ -56,6 +56,8 @@ const char* style(const Series& series) {
     return "lines";
   case Mark::marker:
     return "points";
+  case Mark::area:
+    return "filledcurves closed fillstyle transparent solid 0.18 noborder";
   case Mark::both:
     break;
   }
@@ -66,6 +68,8 @@ std::string axis(const char* letter, const Axis& axis) {
   std::string text = "set " + std::string(letter) + "label " + quoted(axis.title) + "\n";
   if (axis.scale == Scale::logarithmic)
     text += "set logscale " + std::string(letter) + "\n";
+  if (axis.reversed)
+    text += "set " + std::string(letter) + "range [*:*] reverse\n";
   return text;
 }
 

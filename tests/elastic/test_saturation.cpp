@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/wave_speeds.hpp>
 
 using namespace granum;
 using namespace granum::elastic;
@@ -70,4 +71,17 @@ TEST_CASE("saturation: air rules the mixture but for the last per cent") {
   SaturatedPores none = sand;
   none.void_ratio = 0;
   CHECK_THROWS_AS((void)saturated({}, none), InvalidArgument);
+}
+
+TEST_CASE("saturation: the share of water that a mass tells is the one that it has") {
+  for (const double e : {0.45, 0.7, 1.1})
+    for (const double share : {0.0, 0.3, 1.0, 1.2}) {
+      const double rho =
+          bulk_density({.grain_density = 2650, .void_ratio = e, .pore_density = share * water_density});
+      CHECK(std::abs(saturation_of_bulk_density(rho, 2650, e) - share) < 1e-13);
+    }
+  CHECK(saturation_of_bulk_density(1000, 2650, 0.7) < 0);
+  CHECK_THROWS_AS((void)saturation_of_bulk_density(0, 2650, 0.7), InvalidArgument);
+  CHECK_THROWS_AS((void)saturation_of_bulk_density(1800, -1, 0.7), InvalidArgument);
+  CHECK_THROWS_AS((void)saturation_of_bulk_density(1800, 2650, 0), InvalidArgument);
 }

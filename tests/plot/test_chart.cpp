@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -341,4 +342,93 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
   CHECK(places.front().first < places.back().first);
   chart.height = 0;
   CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+}
+
+namespace {
+
+/// Corners of the first path of a class.
+std::vector<std::pair<double, double>> corners(const std::string& svg, const std::string& path_class) {
+  const std::size_t at = svg.find("<path class=\"" + path_class + "\"");
+  REQUIRE(at != std::string::npos);
+  const std::size_t from = svg.find(" d=\"", at) + 4;
+  std::string path = svg.substr(from, svg.find('"', from) - from);
+  std::vector<std::pair<double, double>> found;
+  std::string_view rest = path;
+  while (rest.size() > 1) {
+    const auto x = leading_number(rest.substr(1));
+    const auto y = leading_number(x.value().rest.substr(1));
+    found.emplace_back(x->value, y.value().value);
+    rest = y->rest;
+  }
+  return found;
+}
+
+} // namespace
+
+TEST_CASE("a reversed axis puts its smallest number on top, or right, and mirrors everything") {
+  Chart chart = chart_of({1, 4}, {0, 10});
+  chart.series[0].mark = Mark::area;
+  const auto up = corners(svg(chart), "area");
+  chart.y.reversed = true;
+  const auto down = corners(svg(chart), "area");
+  CHECK(up[0].second > up[1].second);
+  CHECK(down[0].second < down[1].second);
+  CHECK(std::abs(up[0].second - down[1].second) < 0.02); // two decimals are written
+  CHECK(up[0].first == down[0].first);
+  chart.x.reversed = true;
+  const auto left = corners(svg(chart), "area");
+  CHECK(std::abs(left[0].first - down[1].first) < 0.02);
+  CHECK(left[0].second == down[0].second);
+  CHECK(gnuplot_script(chart, "a.csv", {{.x = "x", .y = "y"}}, "a.svg").find("set yrange [*:*] reverse") !=
+        std::string::npos);
+}
+
+TEST_CASE("an error bar on a reversed axis reaches the edge on the side of its end") {
+  Chart chart = chart_of({1, 2}, {1, 10}, Scale::logarithmic);
+  chart.series[0].y_error = {2, 1}; // down to -1, which has no logarithm
+  chart.y.reversed = true;
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  const auto end = [](const std::string& text) { // of the first bar
+    const std::size_t bar = text.find("class=\"error\"");
+    return leading_number(std::string_view(text).substr(text.find('V', bar) + 1)).value().value;
+  };
+  const double upper_edge = 48, lower_edge = upper_edge + chart.height;
+  CHECK(end(picture) == upper_edge);
+  chart.y.reversed = false;
+  CHECK(end(svg(chart)) == lower_edge);
+}
+
+TEST_CASE("an area is a closed surface without markers or outline, also in the legend") {
+  Chart chart = chart_of({1, 2, 3}, {1, 3, 2});
+  chart.series[0].mark = Mark::area;
+  chart.series[0].name = "range";
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(count(picture, "<path class=\"area\"") == 2);
+  CHECK(count(picture, "<circle") == 0);
+  CHECK(count(picture, "stroke-width") == 0);
+  CHECK(count(picture, "Z\"") == 2);
+  CHECK(gnuplot_script(chart, "a.csv", {{.x = "x", .y = "y"}}, "a.svg").find("filledcurves closed") !=
+        std::string::npos);
+}
+
+TEST_CASE("charts side by side are as wide as all of them, as high as the highest") {
+  Chart one = chart_of({1, 2}, {1, 2}), two = chart_of({1, 2}, {5, 6});
+  one.title = "one";
+  two.title = "two";
+  two.height = 500;
+  const Chart both[] = {one, two};
+  const std::string picture = svg(both);
+  CHECK(well_formed(picture));
+  CHECK(texts(picture, "title") == std::vector<std::string>{"one", "two"});
+  const auto attribute = [](const std::string& text, const std::string& name) {
+    return leading_number(std::string_view(text).substr(text.find(" " + name + "=\"") + name.size() + 3))
+        .value()
+        .value;
+  };
+  CHECK(attribute(picture, "width") == attribute(svg(one), "width") + attribute(svg(two), "width"));
+  CHECK(attribute(picture, "height") == attribute(svg(two), "height"));
+  CHECK(svg(std::span(both, 1)) == svg(one));
+  CHECK_THROWS_AS((void)svg(std::span<const Chart>()), InvalidArgument);
 }

@@ -24,6 +24,16 @@ struct SaturatedPores {
 /// Accuracy  2 ulp.  Checked by tests/elastic/test_saturation.cpp
 [[nodiscard]] double water_and_air_bulk_modulus(double saturation);
 
+/// Share of the pores that must be water for a packing to have that mass,
+/// S = ((1+e) rho - rho_s)/(e rho_w).
+/// \param    bulk_density    rho of grains and water together, > 0 [kg/m3]
+/// \param    grain_density   rho_s of the grains' solid, > 0 [kg/m3]
+/// \param    void_ratio      e > 0 [1]
+/// \return   outside of [0, 1] where no such packing has that mass
+/// \throws   InvalidArgument outside of these ranges
+/// Accuracy  8 ulp of rho_s/(e rho_w).  Checked by tests/elastic/test_saturation.cpp
+[[nodiscard]] double saturation_of_bulk_density(double bulk_density, double grain_density, double void_ratio);
+
 /// Undrained stiffness of a skeleton whose pores are filled: C_ij + a_i a_j M for the normal components,
 /// a_i = 1 - (C_i1 + C_i2 + C_i3)/(3 K_s), 1/M = (1 - K/K_s - n)/K_s + n/K_f with n = e/(1+e) and K the mean
 /// of all normal components. Shear moduli stay. Isotropic: K_sat of the usual equation.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,16 @@ enum class Scale { linear, logarithmic };
 struct Axis {
   std::string title; ///< with its unit: "p' [kPa]"
   Scale scale = Scale::linear;
-  double unit = 1; ///< > 0, what the numbers are divided by: 1e3 for Pa shown in kPa
+  double unit = 1;       ///< > 0, what the numbers are divided by: 1e3 for Pa shown in kPa
+  bool reversed = false; ///< the smallest number right, or on top: depth grows downwards
 };
 
-enum class Mark { line, marker, both };
+enum class Mark {
+  line,
+  marker,
+  both,
+  area ///< the points are corners of a surface, which is filled pale and without an outline
+};
 
 enum class Tone {
   full,
@@ -56,6 +63,10 @@ struct Chart {
 /// \throws   InvalidArgument if a series has other numbers of x, y and (unless empty) y_error, or a unit,
 ///           the width or the height is not positive
 [[nodiscard]] std::string svg(const Chart& chart);
+
+/// Several charts in one SVG file, side by side from the left.
+/// \throws   InvalidArgument as above, or without a chart
+[[nodiscard]] std::string svg(std::span<const Chart> charts);
 
 /// Where the numbers of a series stand: columns of a CSV file, by their whole headings.
 struct CsvColumns {
