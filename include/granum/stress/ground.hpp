@@ -9,9 +9,6 @@
 /// Checked by tests/stress/test_ground.cpp
 namespace granum::stress {
 
-/// Acceleration of free fall, by convention [m/s2].
-inline constexpr double standard_gravity = 9.80665;
-
 /// Level ground of two weights, above and below the water table, and what lies on it.
 struct Ground {
   double unit_weight = 0;           ///< above the water table, with the water it holds, >= 0 [N/m3]

@@ -261,8 +261,8 @@ ordered_json sands_json(const AnswerCase& c) {
   return json;
 }
 
-std::string answer_table(const AnswerCase& c) {
-  return moduli_text(c) + shares_text(c.answer) + preparation_remark(c) + sands_text(c);
-}
+std::string range_text(const AnswerCase& c) { return shares_text(c.answer) + preparation_remark(c); }
+
+std::string answer_table(const AnswerCase& c) { return moduli_text(c) + range_text(c) + sands_text(c); }
 
 } // namespace granum::cli

@@ -38,6 +38,8 @@ struct AnswerCase {
 [[nodiscard]] nlohmann::ordered_json answer_json(const AnswerCase& answer);
 /// The array "measured_sands", SI.
 [[nodiscard]] nlohmann::ordered_json sands_json(const AnswerCase& answer);
+/// What makes the range of G, and how it narrows.
+[[nodiscard]] std::string range_text(const AnswerCase& answer);
 [[nodiscard]] std::string answer_table(const AnswerCase& answer);
 
 } // namespace granum::cli

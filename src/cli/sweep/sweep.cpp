@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sweep.hpp"
+#include "depth.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -54,7 +54,7 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
           add_number_without_default(command, "--eta", o.eta, "q/p' at the end; negative for rtxe and txe"),
           add_number_without_default(command, "--friction-angle", o.friction_angle,
                                      "End at failure of a material of this angle, instead of --eta"),
-          command.add_option("--points", o.points, "States on the path, both ends included")
+          command.add_option("--points", o.points, "States on the path, or depths, both ends included")
               ->check(CLI::Range(2, 1000000))
               ->capture_default_str(),
           command
@@ -63,29 +63,71 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
               ->check(CLI::IsMember({"log", "linear"}))};
 }
 
+void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth, CLI::Option* table) {
+  CLI::Option* picture =
+      add_path(
+          command, "--picture", o.picture,
+          "Draw the path, with a gnuplot script beside it that draws --out; or stresses and answers over "
+          "depth")
+          ->type_name("FILE.svg")
+          ->excludes("--json")
+          ->excludes(table);
+  command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
+      ->check(CLI::IsMember(names_of(swept_quantities(), &SweptQuantity::name)))
+      ->needs(picture)
+      ->excludes(depth);
+}
+
 void add_sweep_options(CLI::App& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
-  command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names_of(effective::closed_forms(), &Rung::key)))
-      ->default_str("all, 3 if z* is an option");
+  add_answer_options(command, o.answer);
+  CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
+                           ->delimiter(',')
+                           ->check(CLI::IsMember(names_of(effective::closed_forms(), &Rung::key)))
+                           ->default_str("all, 3 if z* is an option");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =
       command.add_option("--table", o.table, "States from the rows of this CSV file")->type_name("FILE.csv");
-  for (CLI::Option* option : path_options)
+  add_ground_options(command, o.ground);
+  CLI::Option* depth = command.get_option("--depth");
+  for (CLI::Option* option : path_options) {
     table->excludes(option);
+    if (option->get_name() != "--points")
+      depth->excludes(option);
+  }
+  depth->excludes(table)->excludes(rungs);
+  command
+      .add_option_function<std::string>(
+          "--columns", [&o](const std::string& text) { o.all_columns = text == "all"; },
+          "Of the answer in CSV: G, V_s, V_p and z* with their ranges, or all moduli and speeds")
+      ->check(CLI::IsMember({"usual", "all"}))
+      ->default_str("usual");
   add_output_options(command, o.output);
-  CLI::Option* picture = command
-                             .add_option("--picture", o.picture,
-                                         "Draw the path; with a gnuplot script beside it that draws --out")
-                             ->type_name("FILE.svg")
-                             ->needs("--out")
-                             ->excludes("--json")
-                             ->excludes(table);
-  command.add_option("--picture-of", o.picture_of, "What the picture shows")
-      ->check(CLI::IsMember(names_of(swept_quantities(), &SweptQuantity::name)))
-      ->capture_default_str()
-      ->needs(picture);
+  add_picture_options(command, o, depth, table);
+}
+
+/// What only the answer of a depth or a row takes.
+void require_no_answer_options(const SweepOptions& o) {
+  if (o.answer.preparation != effective::Preparation{})
+    throw InvalidArgument("--preparation goes with --depth or --table: a path keeps its contacts");
+  for (const Number* number : {&o.answer.saturation, &o.answer.grain_density})
+    refuse(*number, "goes with --depth or --table: a path tells moduli alone");
+  if (o.all_columns)
+    throw InvalidArgument("--columns goes with --depth or --table; a path has those of --rungs");
+}
+
+ExitCode run(SweepOptions o) {
+  const bool by_path = o.table.empty() && o.ground.depth.empty();
+  if (by_path)
+    require_no_answer_options(o);
+  if (o.ground.depth.empty())
+    for (const Number* number : numbers(o.ground))
+      refuse(*number, "goes with --depth");
+  apply_presets(o.packing, o.answer);
+  if (!o.ground.depth.empty())
+    return sweep_depth(o);
+  const Rungs rungs = chosen_rungs(o);
+  return by_path ? sweep_path(o, rungs) : sweep_table(o, rungs);
 }
 
 } // namespace
@@ -93,13 +135,10 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
 Command add_sweep(CLI::App& program) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* command = program.add_subcommand(
-      "sweep", "Closed-form stiffness along a stress path, or for each row of a table: CSV");
+      "sweep", "Stiffness over depth, along a stress path, or for each row of a table: CSV and picture");
   add_sweep_options(*command, *options);
   command->footer(rungs_help());
-  return {command, [options] {
-            const Rungs rungs = chosen_rungs(*options);
-            return options->table.empty() ? sweep_path(*options, rungs) : sweep_table(*options, rungs);
-          }};
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace granum::cli

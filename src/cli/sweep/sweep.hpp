@@ -10,17 +10,33 @@
 #include <granum/core/units.hpp>
 #include <granum/core/validity.hpp>
 #include <granum/effective/rungs.hpp>
+#include <granum/elastic/saturation.hpp>
 #include <granum/io/csv/table.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/estimate/answer_options.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/options/packing_options.hpp"
 
 /// What granum sweep works out, state by state, and how it leaves the program.
 namespace granum::cli {
 
+/// Level ground, for a sweep over depth.
+struct GroundOptions {
+  std::string depth; ///< "0m..30m"; empty for another sweep
+  Number unit_weight{0, Dimension::unit_weight};
+  Number saturated_unit_weight{0, Dimension::unit_weight};
+  Number water_table{0, Dimension::length};
+  Number water_unit_weight{elastic::water_density * standard_gravity, Dimension::unit_weight};
+  Number earth_pressure_at_rest{0.5};
+  Number surcharge{0, Dimension::pressure};
+};
+
 struct SweepOptions {
   PackingOptions packing;
+  AnswerOptions answer;
+  GroundOptions ground;
+  bool all_columns = false;
   OutputOptions output;
   std::vector<std::string> rungs; ///< keys
   std::string path = "iso";
@@ -29,10 +45,10 @@ struct SweepOptions {
   Number eta;
   Number friction_angle{0, Dimension::angle};
   std::size_t points = 25;
-  std::string spacing; ///< empty: log on the isotropic path, linear elsewhere
-  std::string table;   ///< file; empty for a path
-  std::string picture; ///< file; empty for none
-  std::string picture_of = "G_hv";
+  std::string spacing;    ///< empty: log on the isotropic path, linear elsewhere
+  std::string table;      ///< file; empty for a path
+  std::string picture;    ///< file; empty for none
+  std::string picture_of; ///< empty: by default
 };
 
 using effective::Rung;
@@ -101,5 +117,15 @@ void require_free(const OutputOptions& output, const std::vector<std::string>& f
 ExitCode sweep_table(const SweepOptions& options, const Rungs& rungs);
 /// Sweeps a stress path.
 ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
+/// Goes down into the ground.
+ExitCode sweep_depth(const SweepOptions& options);
+
+/// n values from first to last, both to the bit.
+[[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
+
+/// \throws   InvalidArgument with that reason if the number is given
+void refuse(const Number& number, const std::string& reason);
+/// \throws   InvalidArgument if the picture's name does not end in .svg
+void require_svg(const std::string& picture);
 
 } // namespace granum::cli

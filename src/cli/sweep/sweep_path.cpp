@@ -37,22 +37,6 @@ struct Path {
   std::vector<PathPoint> points;
 };
 
-/// n values from first to last, both to the bit.
-std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
-    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
-  }
-  values.back() = last;
-  return values;
-}
-
-void refuse(const Number& number, const std::string& reason) {
-  if (number.given())
-    throw InvalidArgument(number.name + " " + reason);
-}
-
 Path isotropic_path(const SweepOptions& o) {
   refuse(o.eta, "goes with --path txc, rtxc, rtxe and txe, not with iso");
   refuse(o.friction_angle, "goes with --path txc, rtxc, rtxe and txe, not with iso");
@@ -201,6 +185,10 @@ plot::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuan
   return chart;
 }
 
+const SweptQuantity& pictured(const SweepOptions& o) {
+  return swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of);
+}
+
 fs::path script_beside(const fs::path& picture) { return fs::path(picture).replace_extension(".gp"); }
 
 /// The script runs in its own folder, and leaves the picture that is there as it is.
@@ -209,14 +197,13 @@ std::string script_of(const plot::Chart& chart, const PathSweep& sweep, const Ru
   const fs::path picture = o.picture;
   std::vector<plot::CsvColumns> columns;
   for (const Rung* rung : rungs)
-    columns.push_back(
-        {.x = sweep.path.isotropic ? "p_Pa" : "eta", .y = heading(swept_quantity(o.picture_of), *rung)});
+    columns.push_back({.x = sweep.path.isotropic ? "p_Pa" : "eta", .y = heading(pictured(o), *rung)});
   const fs::path csv = fs::absolute(o.output.out).lexically_proximate(fs::absolute(picture).parent_path());
   return plot::gnuplot_script(chart, csv.string(), columns, picture.stem().string() + "_gnuplot.svg");
 }
 
 void write_picture(const PathSweep& sweep, const Rungs& rungs, const SweepOptions& o) {
-  const plot::Chart chart = chart_of(sweep, rungs, swept_quantity(o.picture_of));
+  const plot::Chart chart = chart_of(sweep, rungs, pictured(o));
   const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
   io::write_file(o.picture, plot::svg(chart), existing);
   io::write_file(script_beside(o.picture), script_of(chart, sweep, rungs, o), existing);
@@ -224,10 +211,21 @@ void write_picture(const PathSweep& sweep, const Rungs& rungs, const SweepOption
 
 } // namespace
 
+std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
+    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
+  }
+  values.back() = last;
+  return values;
+}
+
 ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   if (!o.picture.empty()) {
-    if (fs::path(o.picture).extension() != ".svg")
-      throw InvalidArgument("--picture = '" + o.picture + "' must end in .svg");
+    require_svg(o.picture);
+    if (o.output.out.empty())
+      throw InvalidArgument("--picture requires --out: the script beside it draws that file");
     require_free(o.output, {o.output.out, o.picture, script_beside(o.picture).string()});
   }
   const PathSweep sweep = solve(o, rungs);

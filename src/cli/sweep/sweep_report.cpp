@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -165,6 +166,16 @@ ordered_json sweep_json_head(const ordered_json& inputs, const Rungs& rungs) {
   for (const Rung* rung : rungs)
     json["rungs"][rung->column] = rung->description;
   return json;
+}
+
+void refuse(const Number& number, const std::string& reason) {
+  if (number.given())
+    throw InvalidArgument(number.name + " " + reason);
+}
+
+void require_svg(const std::string& picture) {
+  if (std::filesystem::path(picture).extension() != ".svg")
+    throw InvalidArgument("--picture = '" + picture + "' must end in .svg");
 }
 
 void require_free(const OutputOptions& output, const std::vector<std::string>& files) {

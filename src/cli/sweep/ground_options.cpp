@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/elastic/wave_speeds.hpp>
+
+#include "depth.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+/// Of a unit weight, what void ratio and density of the grains may contradict it by, unsaid.
+constexpr double unit_weight_tolerance = 0.02;
+
+std::vector<double> depths_of(const SweepOptions& o) {
+  const std::string& text = o.ground.depth;
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos)
+    throw InvalidArgument(fmt::format("--depth = '{}' must be two depths, such as 0m..30m", text));
+  const double first = parse_quantity("--depth", text.substr(0, dots), Dimension::length);
+  const double last = parse_quantity("--depth", text.substr(dots + 2), Dimension::length);
+  require_non_negative("--depth", first, "m");
+  if (!(last > first))
+    throw InvalidArgument(fmt::format("--depth = '{}' must end below its beginning", text));
+  return spread(first, last, o.points, false);
+}
+
+/// The mass of the packing by its void ratio.
+struct PackingMass {
+  double grain_density, void_ratio;
+
+  [[nodiscard]] double unit_weight(double saturation) const {
+    return standard_gravity * elastic::bulk_density({.grain_density = grain_density,
+                                                     .void_ratio = void_ratio,
+                                                     .pore_density = saturation * elastic::water_density});
+  }
+  [[nodiscard]] double saturation(double unit_weight) const {
+    return elastic::saturation_of_bulk_density(unit_weight / standard_gravity, grain_density, void_ratio);
+  }
+};
+
+std::string weight(double value) { return pretty(value, Dimension::unit_weight); }
+
+/// \param    expected   unit weight of the pores as they are taken to be
+void note_contradiction(const Number& given, double expected, const char* pores, const PackingMass& mass,
+                        Validity& validity) {
+  if (std::abs(given.value - expected) <= unit_weight_tolerance * expected)
+    return;
+  validity.add(
+      fmt::format("{} {} contradicts void ratio {} and grains of {}, which weigh {} with {}: stresses "
+                  "take the first, wave speeds the second",
+                  given.name, weight(given.value), short_text(mass.void_ratio),
+                  pretty(mass.grain_density, Dimension::density), weight(expected), pores));
+}
+
+/// Weight and water above the water table: the one follows from the other.
+void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
+  const Number &given = o.ground.unit_weight, &share = o.answer.saturation;
+  const double told = require_closed("--saturation", share.value, 0, 1);
+  if (!given.given()) {
+    c.saturation = told;
+    c.ground.unit_weight = mass.unit_weight(told);
+    c.assumptions.push_back(
+        fmt::format("unit weight of {}: grains of {} at this void ratio, {} % of the pores "
+                    "water; --unit-weight tells another",
+                    weight(c.ground.unit_weight), pretty(mass.grain_density, Dimension::density),
+                    short_text(100 * told, 3)));
+    return;
+  }
+  c.ground.unit_weight = require_positive(given.name, given.value, "N/m3");
+  if (share.given()) {
+    c.saturation = told;
+    note_contradiction(given, mass.unit_weight(told), "this saturation", mass, c.validity);
+    return;
+  }
+  const double implied = mass.saturation(given.value);
+  c.saturation = std::min(std::max(implied, 0.0), 1.0);
+  note_contradiction(given, mass.unit_weight(c.saturation),
+                     implied > 1 ? "all pores full" : "all pores empty", mass, c.validity);
+  c.assumptions.push_back(fmt::format("{} % of the pores above the water table are water, as the unit weight "
+                                      "tells; --saturation tells another",
+                                      short_text(100 * c.saturation, 3)));
+}
+
+void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
+  const GroundOptions& g = o.ground;
+  if (!g.water_table.given()) {
+    refuse(g.saturated_unit_weight, "goes with --water-table, below which it holds");
+    refuse(g.water_unit_weight, "goes with --water-table");
+    return;
+  }
+  c.ground.water_table = g.water_table.value;
+  const double full = mass.unit_weight(1);
+  if (g.saturated_unit_weight.given()) {
+    c.ground.saturated_unit_weight = g.saturated_unit_weight.value;
+    note_contradiction(g.saturated_unit_weight, full, "all pores full", mass, c.validity);
+    return;
+  }
+  c.ground.saturated_unit_weight = full;
+  c.assumptions.push_back(fmt::format("saturated unit weight of {}: grains of {} at this void ratio with all "
+                                      "pores full; --saturated-unit-weight tells another",
+                                      weight(full), pretty(mass.grain_density, Dimension::density)));
+}
+
+} // namespace
+
+void add_ground_options(CLI::App& command, GroundOptions& o) {
+  command.add_option("--depth", o.depth, "Go down into level ground, between two depths: 0m..30m")
+      ->type_name("FROM..TO");
+  add_number_without_default(command, "--unit-weight", o.unit_weight,
+                             "Of the ground above the water table, with the water it holds; by default of "
+                             "grains and void ratio");
+  add_number_without_default(command, "--saturated-unit-weight", o.saturated_unit_weight,
+                             "Of the ground below the water table; by default of grains and void ratio");
+  add_number_without_default(command, "--water-table", o.water_table,
+                             "Depth of the water table; negative for water above the ground; without it dry");
+  add_number(command, "--k0", o.earth_pressure_at_rest,
+             "K_0, horizontal over vertical effective stress in the ground");
+  add_number(command, "--surcharge", o.surcharge, "Pressure on the surface of the ground");
+  add_number(command, "--water-unit-weight", o.water_unit_weight, "Of the water in the ground");
+}
+
+std::vector<const Number*> numbers(const GroundOptions& o) {
+  return {&o.unit_weight,       &o.saturated_unit_weight,  &o.water_table,
+          &o.water_unit_weight, &o.earth_pressure_at_rest, &o.surcharge};
+}
+
+GroundCase resolve_ground(const SweepOptions& o) {
+  GroundCase c{.ground = {}, .depths = depths_of(o), .assumptions = {}, .validity = {}};
+  constexpr double any_stress = 1e5; // the density does not depend on it
+  const PackingMass mass{.grain_density =
+                             require_positive("--grain-density", o.answer.grain_density.value, "kg/m3"),
+                         .void_ratio = resolve_state(o.packing, {any_stress, any_stress}).void_ratio};
+  const Number& k0 = o.ground.earth_pressure_at_rest;
+  c.ground.earth_pressure_at_rest = require_positive(k0.name, k0.value);
+  c.ground.surcharge = require_non_negative(o.ground.surcharge.name, o.ground.surcharge.value, "Pa");
+  c.ground.water_unit_weight =
+      require_positive(o.ground.water_unit_weight.name, o.ground.water_unit_weight.value, "N/m3");
+  resolve_moist_ground(o, mass, c);
+  resolve_wet_ground(o, mass, c);
+  if (!k0.given())
+    c.assumptions.push_back(fmt::format("assumed --k0 {}", short_text(k0.value)));
+  return c;
+}
+
+} // namespace granum::cli
