@@ -18,7 +18,8 @@ granum_cli_test("estimate: uniform stress has the same K" EXIT 0 JSON "uniform_s
 foreach(pressure 0Pa 100kPa)
   foreach(expectation "K=^157008520\\.6169" "G_vh=^224055402\\.3938" "s=^0(\\.0)?$")
     granum_cli_test("estimate: flat punch at ${pressure} ${expectation}" EXIT 0 JSON "uniform_strain/${expectation}"
-      ARGS estimate --contact flat --punch-radius 5.7um --void-ratio 0.558 --pressure ${pressure} --json)
+      ARGS estimate --contact flat --punch-radius 5.7um --coordination-number 5.73 --void-ratio 0.558
+        --pressure ${pressure} --json)
   endforeach()
 endforeach()
 
@@ -35,7 +36,7 @@ set(far_fabric STDERR "beyond what the relaxation of anisotropic packings was co
 foreach(expectation "C11=^3314886660\\.8442" "C33=^5269819819\\.8037" "E_v=^5264800774\\.0791"
     "E_h=^3312112348\\.5494")
   granum_cli_test("estimate: fabric ${expectation}" EXIT 0 ${far_fabric} JSON "uniform_strain/${expectation}"
-    ARGS estimate --contact flat --punch-radius 50um --void-ratio 0.558 --fabric 0.5 --tangential-ratio 0.9
+    ARGS estimate --contact flat --punch-radius 50um --coordination-number 5.73 --void-ratio 0.558 --fabric 0.5 --tangential-ratio 0.9
       --pressure 100kPa --json)
 endforeach()
 
@@ -96,7 +97,7 @@ granum_cli_test("estimate: nothing assumed" EXIT 0 JSON "notes=^\\[\\]$"
 granum_cli_test("estimate: inputs are SI" EXIT 0 JSON "inputs/stress_h=^100000(\\.0)?$"
   ARGS estimate --contact sphere --coordination-number 5.73 ${complete})
 foreach(note "--contact sphere" "--grain-shear-modulus 30 GPa" "--grain-poisson-ratio 0\\.15" "--radius 500 um"
-    "--tangential-ratio 0\\.9189" "--fabric 0" "--coordination-number 5\\.73, a dense packing")
+    "--tangential-ratio 0\\.9189" "--fabric 0")
   granum_cli_test("estimate: assumed ${note}, JSON" EXIT 0 JSON "notes=assumed ${note}"
     ARGS estimate --void-ratio 0.6 --pressure 100kPa --json)
   granum_cli_test("estimate: assumed ${note}, table" EXIT 0 STDOUT "- assumed ${note}"
@@ -108,20 +109,18 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
   ARGS estimate --contact flat --coordination-number 5.73 ${complete})
 granum_cli_test("estimate: assumed punch is noted" EXIT 0 JSON "notes=assumed --punch-radius 5\\.7 um"
   ARGS estimate --contact flat --coordination-number 5.73 ${complete})
-# (3.5/5.73)^(alpha/(1+alpha))
-foreach(loose "cone=0\\.78" "sphere=0\\.72" "flat=0\\.61")
-  string(REPLACE "=" ";" loose "${loose}")
-  list(GET loose 0 shape)
-  list(GET loose 1 share)
-  granum_cli_test("estimate: loose packing of ${shape}" EXIT 0 JSON "notes=at most ${share} of these moduli"
-    ARGS estimate --contact ${shape} ${complete})
-endforeach()
+# Where contacts are not given, bounds and rungs take those of the answer: with rattlers alone the relaxed rung is the answer.
+granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
+  STDOUT "\n  G +152\\.1 MPa .*at C_n = 5\\.324, z\\* = 5\\.433\n.*G_vh = C44 [^\n]* 152\\.1 MPa \\+- .*contacts of the answer, C_n = 5\\.32 of"
+  ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
+granum_cli_test("estimate: bounds have the contacts of the answer" EXIT 0 STDOUT "at C_n = 4\\.9[0-9]*\n.*contacts of the answer, C_n = 4\\.9[0-9]* of 4\\.[0-9]+ to 5\\.[0-9]+; --coordination-number"
+  ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa)
 granum_cli_test("estimate: table" EXIT 0
   STDOUT "K +208 MPa +208 MPa.*s = m . n +0\\.3333 +0\\.3333.*Both overestimate.*0\\.7 of it if dense"
-  ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa)
+  ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --coordination-number 5.73)
 granum_cli_test("estimate: table of a profile" EXIT 0 STDOUT "profile 180 r\\^1\\.5 \\(SI\\)"
   ARGS estimate --contact power-law --alpha 1.5 --profile-constant 180 --void-ratio 0.6 --pressure 100kPa)
-granum_cli_test("estimate: assumptions are not outside validity" EXIT 0 JSON "uniform_strain/K=^20"
+granum_cli_test("estimate: assumptions are not outside validity" EXIT 0 JSON "uniform_strain/K=^18[0-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --strict --json)
 granum_cli_test("estimate: a validity note fails under --strict" EXIT 4 JSON "notes=coordination number exceeds 12"
   STDERR "^granum: error: coordination number exceeds 12[^\n]*\ngranum: error: z\\* is 13"
@@ -229,7 +228,7 @@ granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 JSON "ladder/ru
   ARGS estimate ${dense} --tolerance 5% --json)
 granum_cli_test("estimate: no error of an assumed C_n" EXIT 4 STDOUT "met only if the assumed C_n is right"
   STDERR "--coordination-number was assumed"
-  ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 5% --strict)
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict)
 granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
 granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
@@ -254,9 +253,10 @@ granum_cli_test("estimate: warnings of the ladder stand in the JSON" EXIT 0 STDE
 set(dense estimate --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
 foreach(equal lognormal:0 bidisperse:1 uniform:2:2)
   granum_cli_test("estimate: --sizes ${equal} is equal grains" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3"
-    ARGS ${dense} --sizes ${equal} --json)
+    ARGS ${dense} --coordination-number 5.73 --sizes ${equal} --json)
 endforeach()
-granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3" ARGS ${dense} --json)
+granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3"
+  ARGS ${dense} --coordination-number 5.73 --json)
 granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\.35.*C_u = 1\\.704.*<l\\^2>"
   STDERR "contacts of unequal grains" ARGS ${dense} --sizes lognormal:0.35)
 granum_cli_test("estimate: a sieve curve" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)

@@ -52,7 +52,7 @@ granum_cli_test("estimate --uncertainty: two stresses" EXIT 0
   --uncertainty stress-h=1%)
 
 # A modulus proportional to G_g: 5 % of it, and 0.9945 deviations around it, up to 1.5/sqrt(4096) of one.
-set(linear estimate --contact flat --void-ratio 0.6 --pressure 100kPa --uncertainty grain-shear-modulus=5%)
+set(linear estimate --contact flat --void-ratio 0.6 --pressure 100kPa --coordination-number 5.73 --uncertainty grain-shear-modulus=5%)
 granum_cli_test("estimate --uncertainty: linear, first order" EXIT 0
   STDOUT "K +152\\.9 MPa +\\+- 7\\.644 MPa +14[45]\\.[0-9]* MPa +15[23].* +16[01].* +grain-shear-modulus 100 %"
   ARGS ${linear})

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <granum/core/number.hpp>
 
 #include "answer_options.hpp"
 #include "answer_report.hpp"
@@ -34,8 +35,6 @@ EstimateCase resolve(const PackingOptions& o) {
   EstimateCase question{.subject = {state, resolve_mechanical_coordination_number(o)},
                         .packing = packing_json(o, state),
                         .assumptions = assumed_inputs(o, state)};
-  for (const std::string& note : loose_packing_remark(o, state))
-    question.assumptions.push_back(note);
   if (state.stress_v == 0 && state.stress_h == 0)
     question.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
   if (state.coordination_number == 0)
@@ -65,19 +64,26 @@ std::vector<std::string> of_packing(std::vector<std::string> settings) {
   return settings;
 }
 
-/// Of z* alone the rungs take the C_n that the answer found to belong to it, not that of a dense packing.
-void take_contacts(PackingOptions& packing, const effective::PackingAnswer& answer) {
-  if (!packing.mechanical_coordination_number.given() || packing.coordination_number.given())
-    return;
+/// What the rungs assume of contacts, where they are not given, is what the answer found: one packing, one
+/// number of contacts.
+std::vector<std::string> take_contacts(PackingOptions& packing, const effective::PackingAnswer& answer) {
+  if (packing.coordination_number.given())
+    return {};
   packing.coordination_number.value = answer.coordination_number.value;
-  packing.coordination_number.preset = true;
+  packing.coordination_number.preset = packing.mechanical_coordination_number.given(); // z* tells C_n
+  return {fmt::format("bounds and rungs take the contacts of the answer, C_n = {} of {} to {}; "
+                      "--coordination-number tells others",
+                      short_text(answer.coordination_number.value, 3),
+                      short_text(answer.coordination_number.low, 3),
+                      short_text(answer.coordination_number.high, 3))};
 }
 
 ExitCode run(Options options) {
   apply_presets(options.packing, options.answer);
   const AnswerCase answer = solve_answer(options.packing, options.answer, options.uncertain);
-  take_contacts(options.packing, answer.answer);
-  const EstimateCase question = resolve(options.packing);
+  const std::vector<std::string> contacts = take_contacts(options.packing, answer.answer);
+  EstimateCase question = resolve(options.packing);
+  question.assumptions.insert(question.assumptions.end(), contacts.begin(), contacts.end());
   EstimateAnswer rungs = solve(question.subject);
   const std::vector<std::string> uncertain = of_packing(options.uncertain);
   std::optional<UncertaintyAnswer> uncertainty;

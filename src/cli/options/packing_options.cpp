@@ -240,21 +240,20 @@ std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& st
     notes.emplace_back(
         "assumed that no grain rattles: rattlers are small, and the more there are, the larger are the "
         "grains that touch; --rattler-fraction or z* tell");
-  if (!o.coordination_number.given())
-    notes.push_back(fmt::format("assumed --coordination-number {}, a dense packing (spheres of Chung et al. "
-                                "2014, Table 2, void ratio 0.558){}",
-                                short_text(state.coordination_number),
-                                o.sizes ? "; that of unequal grains is smaller, as small ones rattle" : ""));
   return notes;
 }
 
-std::vector<std::string> loose_packing_remark(const PackingOptions& o, const State& state) {
+std::vector<std::string> assumed_coordination(const PackingOptions& o, const State& state) {
   if (o.coordination_number.given())
     return {};
   // A modulus goes as C_n k_n(f) with f ~ 1/C_n.
   const double loose =
       std::pow(loose_coordination_number / state.coordination_number, 1 - state.law.stiffness_exponent());
-  return {fmt::format("prepared loosely, the same void ratio can go with a coordination number of {} "
+  return {fmt::format("assumed --coordination-number {}, a dense packing (spheres of Chung et al. "
+                      "2014, Table 2, void ratio 0.558){}",
+                      short_text(state.coordination_number),
+                      o.sizes ? "; that of unequal grains is smaller, as small ones rattle" : ""),
+          fmt::format("prepared loosely, the same void ratio can go with a coordination number of {} "
                       "and at most {} of these moduli",
                       loose_coordination_number, short_text(loose, 2))};
 }

@@ -97,11 +97,11 @@ void add_law_options(CLI::App& command, PackingOptions& options, const std::stri
 /// What was not given of shape, grains and fabric, one sentence each.
 [[nodiscard]] std::vector<std::string> assumed_grains(const PackingOptions& options,
                                                       const effective::State& state);
-/// The same with what was not given of the contacts.
+/// The same, and that rattlers of unequal grains were not given.
 [[nodiscard]] std::vector<std::string> assumed_inputs(const PackingOptions& options,
                                                       const effective::State& state);
-/// How much less a loosely prepared packing may have, if the coordination number was assumed.
-[[nodiscard]] std::vector<std::string> loose_packing_remark(const PackingOptions& options,
+/// That the coordination number was not given, and how much less a loosely prepared packing may have.
+[[nodiscard]] std::vector<std::string> assumed_coordination(const PackingOptions& options,
                                                             const effective::State& state);
 
 /// Contact, grains and packing in SI, without the stress.

@@ -116,7 +116,7 @@ PathSweep solve(const SweepOptions& o, const Rungs& rungs) {
                   .tally = {}};
   sweep.inputs = packing_json(o.packing, sweep.packing);
   sweep.remarks = assumed_inputs(o.packing, sweep.packing);
-  for (const std::string& remark : loose_packing_remark(o.packing, sweep.packing))
+  for (const std::string& remark : assumed_coordination(o.packing, sweep.packing))
     sweep.remarks.push_back(remark);
   for (const PathPoint& point : path.points) {
     effective::RungInputs packing{sweep.packing, resolve_mechanical_coordination_number(o.packing)};

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 std::vector<std::string> remarks_on(const PackingOptions& packing, const effective::State& state) {
   std::vector<std::string> remarks = assumed_inputs(packing, state);
   if (!packing.contact_in_table)
-    for (const std::string& remark : loose_packing_remark(packing, state))
+    for (const std::string& remark : assumed_coordination(packing, state))
       remarks.push_back(remark);
   return remarks;
 }
