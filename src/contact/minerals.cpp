@@ -4,9 +4,11 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
 
 namespace granum::contact {
 
@@ -31,13 +33,13 @@ constexpr std::array<Mineral, 6> table{{
 std::span<const Mineral> minerals() { return table; }
 
 const Mineral& mineral(std::string_view key) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Mineral& m : table) {
     if (key == m.key)
       return m;
-    known += (known.empty() ? "" : ", ") + std::string(m.key);
+    known.emplace_back(m.key);
   }
-  throw InvalidArgument("grain '" + std::string(key) + "' is unknown; known are " + known);
+  throw InvalidArgument(unknown_word("grain", key, known));
 }
 
 double bulk_modulus(const GrainMaterial& grain) {

@@ -165,6 +165,19 @@ std::string without_comma(std::string_view text) {
   return digits == 3 ? decimal + " or " + thousands : decimal;
 }
 
+/// "0.6,0.7", "50kPa,100kPa", "10kPa..1MPa": a list or a range, and no number with a comma in it.
+bool has_several_values(std::string_view text) {
+  if (text.find("..") != std::string_view::npos || text.find(';') != std::string_view::npos)
+    return true;
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos)
+    return false;
+  const auto first = leading_number(text.substr(0, comma));
+  const auto second = leading_number(trimmed(text.substr(comma + 1)));
+  const bool fraction = text.substr(0, comma).find('.') != std::string_view::npos;
+  return first && second && (fraction || !first->rest.empty() || text[comma + 1] == ' ');
+}
+
 bool has_decimal_comma(std::string_view rest) {
   return rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1]));
 }
@@ -245,6 +258,8 @@ double parse_quantity(std::string_view name, std::string_view text, Dimension di
     throw InvalidArgument(said + " is not " + std::string(description(dimension)) +
                           ": it must begin with a finite number");
   const std::string_view symbol = trimmed(number->rest);
+  if (has_several_values(content))
+    throw InvalidArgument(said + " holds several values, where one is expected");
   if (has_decimal_comma(symbol))
     throw InvalidArgument(said + " has a comma in its number: write " + without_comma(content));
   const auto unit = find_unit(symbol);

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 
@@ -178,8 +180,8 @@ Preparation preparation_of(std::string_view text) {
     return {.kind = Preparation::Kind::loose};
   constexpr std::string_view friction = "friction:";
   if (!text.starts_with(friction))
-    throw InvalidArgument("preparation '" + std::string(text) +
-                          "' is unknown; known are dense, loose and friction:0.3");
+    throw InvalidArgument(
+        unknown_word("preparation", text, std::vector<std::string>{"dense", "loose", "friction:0.3"}));
   const double coefficient =
       parse_quantity("friction_coefficient", text.substr(friction.size()), Dimension::dimensionless);
   return {.kind = Preparation::Kind::friction,

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
 
 namespace granum::hardin {
 
@@ -61,13 +63,13 @@ const std::array<KnownSand, 6> table{{
 std::span<const KnownSand> known_sands() { return table; }
 
 const KnownSand& known_sand(std::string_view key) {
-  std::string known;
+  std::vector<std::string> known;
   for (const KnownSand& sand : table) {
     if (key == sand.key)
       return sand;
-    known += (known.empty() ? "" : ", ") + std::string(sand.key);
+    known.emplace_back(sand.key);
   }
-  throw InvalidArgument("sand '" + std::string(key) + "' is unknown; known are " + known);
+  throw InvalidArgument(unknown_word("sand", key, known));
 }
 
 double void_ratio_of_relative_density(double relative_density, double least, double largest) {

@@ -200,7 +200,7 @@ granum_cli_test("estimate: below the isostatic point" EXIT 0 STDERR "z\\* = 3.5 
   JSON "relaxed/G_vh=^0\\.0$" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --json)
 granum_cli_test("estimate: z* given twice" EXIT 2 STDERR "say the same: give one"
   ARGS estimate ${dense} --mechanical-coordination-number 6 --rattler-fraction 0.02)
-granum_cli_test("estimate: rattlers in per cent" EXIT 2 STDERR "rattler_fraction = 2 is outside"
+granum_cli_test("estimate: rattlers in per cent" EXIT 2 STDERR "--rattler-fraction = 2 is outside .0, 1.; write 2% for per cent"
   ARGS estimate ${dense} --rattler-fraction 2)
 
 # --tolerance: the cheapest rung whose stated error fits; exit code 4 under --strict if none does. Dense spheres: rung 3

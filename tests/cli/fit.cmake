@@ -56,3 +56,28 @@ granum_cli_test("fit: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: e
   ARGS fit isotropic.csv --sum-only --out isotropic.csv)
 granum_cli_test("fit: output to a file" EXIT 0 ARGS fit isotropic.csv --sum-only --json --force
   --out "${CMAKE_CURRENT_BINARY_DIR}/fit result.json")
+
+# Tables as people write them: one mean stress, a modulus by its usual name, units in brackets.
+granum_cli_test("fit: p and G_max with units in brackets" EXIT 0
+  STDOUT "G_max = C p_a f\\(e\\) \\(p/p_a\\)\\^s.*  s +0\\.3490.*1/\\(1\\+alpha\\) +0\\.5000 .*cone.*1/\\(1\\+alpha\\) +0\\.3333 .*sphere.*alpha +1\\.87 "
+  ARGS fit isotropic_by_hand.csv)
+foreach(expectation "s=^0\\.3(49$|490000|489999)" "alpha=^1\\.8653" "one_over_one_plus_alpha/sphere=^0\\.33333333"
+    "inputs/stress_j_column=^p$" "inputs/sum_only=^(ON|true)$" "m=^$")
+  granum_cli_test("fit: p and G_max, json ${expectation}" EXIT 0 JSON "${expectation}" ARGS fit isotropic_by_hand.csv --json)
+endforeach()
+granum_cli_test("fit: a column by its whole heading" EXIT 0 STDOUT "  s +0\\.3490"
+  ARGS fit isotropic_by_hand.csv --modulus-column "G_max [MPa]" --stress-i-column "p (kPa)" --stress-j-column p --sum-only)
+granum_cli_test("fit: the modulus that is there names its directions" EXIT 0 STDOUT "G_hv = .*m +0\\.2730 .*exponent of sigma_h"
+  ARGS fit hv_dense_cone.csv)
+granum_cli_test("fit: s above one half is not that of contacts of one number" EXIT 0
+  STDOUT "s = m \\+ n +0\\.5100 .*s above 0\\.5: contacts form" ARGS fit hv_dense_cone.csv)
+granum_cli_test("fit: no void ratio" EXIT 3 STDERR "expected a column 'e' of the void ratio; .*--void-ratio-function none does without"
+  ARGS fit beads_speeds.csv --modulus-column p)
+granum_cli_test("fit: m and n that cannot be told apart name --sum-only" EXIT 2 STDERR "or add rows of another stress ratio\\. --sum-only fits s\n"
+  ARGS fit isotropic.csv)
+granum_cli_test("fit: picture of another kind" EXIT 2 STDERR "--picture = 'a\\.png' must end in \\.svg"
+  ARGS fit isotropic_by_hand.csv --picture a.png)
+add_test(NAME "cli: fit: picture" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/fit picture"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_fit_picture.cmake")
+set_tests_properties("cli: fit: picture" PROPERTIES LABELS cli)

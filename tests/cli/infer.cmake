@@ -65,7 +65,7 @@ granum_infer_refuses("a speed without unit" "--shear-wave-speed = 200 has no uni
 granum_infer_refuses("an error without unit" "--shear-modulus error = 5 has no unit" ${packing} --shear-modulus 100MPa+-5)
 granum_infer_refuses("a negative error" "--shear-modulus error = -5000000 Pa" ${packing} --shear-modulus 100MPa+--5MPa)
 granum_infer_refuses("a negative modulus" "G = -100000000 Pa is outside" ${packing} --shear-modulus -100MPa)
-granum_infer_refuses("contacts that are asked for" "The following arguments were not expected: 5 --coordination-number"
+granum_infer_refuses("contacts that are asked for" "granum infer has no option --coordination-number; --coordination-number is for granum estimate"
   ${packing} --shear-modulus 100MPa --coordination-number 5)
 granum_infer_refuses("no stress" "stress = 0 Pa is outside" --void-ratio 0.6 --pressure 0kPa --shear-modulus 100MPa)
 granum_infer_refuses("growth of one measurement" "the growth of z\\* with stress can be fitted to measurements at two stresses"

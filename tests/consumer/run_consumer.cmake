@@ -55,4 +55,11 @@ refused(granum "component io needs EXPAT, which is not found" -DCMAKE_DISABLE_FI
 
 if(EXISTS "${BUILD}/granum")
   run("${prefix}/bin/granum" --version)
+  foreach(file man/man1/granum.1 man/man1/granum-estimate.1 bash-completion/completions/granum zsh/site-functions/_granum
+      doc/granum/copyright doc/granum/examples/scene.toml doc/granum/examples/data/yade_packing.grains.gz)
+    if(NOT EXISTS "${prefix}/share/${file}")
+      message(FATAL_ERROR "share/${file} is not installed")
+    endif()
+  endforeach()
+  run("${prefix}/bin/granum" plan --scene "${prefix}/share/doc/granum/examples/scene.toml")
 endif()

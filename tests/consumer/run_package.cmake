@@ -29,7 +29,9 @@ file(TOUCH "${root}/var/lib/dpkg/status" "${root}/var/lib/dpkg/available")
 set(dpkg dpkg "--root=${root}" "--log=${SCRATCH}/log" --force-not-root --force-depends --force-bad-path)
 run(${dpkg} --install "${package}")
 foreach(file bin/granum share/doc/granum/copyright share/doc/granum/examples/scene.toml share/granum/yade/granum_export.py
-    include/granum/core/error.hpp)
+    include/granum/core/error.hpp share/doc/granum/examples/01_quick_modulus.cpp
+    share/doc/granum/examples/data/lammps_loose_p50.atoms.gz share/man/man1/granum.1 share/man/man1/granum-estimate.1
+    share/man/man1/granum-export-lammps.1 share/bash-completion/completions/granum share/zsh/site-functions/_granum)
   if(NOT EXISTS "${root}/usr/${file}")
     message(FATAL_ERROR "usr/${file} is not in the package")
   endif()

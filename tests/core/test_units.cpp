@@ -107,6 +107,14 @@ TEST_CASE("a decimal comma gets a hint") {
         "--x = '1,000,000Pa' has a comma in its number: write 1000000Pa");
 }
 
+TEST_CASE("a list or a range in place of a number is named") {
+  for (const char* text : {"0.6,0.7", "50kPa,100kPa", "50, 100", "10kPa..1MPa", "1;2"}) {
+    CAPTURE(text);
+    CHECK(refusal(text, Dimension::pressure) ==
+          "--x = '" + std::string(text) + "' holds several values, where one is expected");
+  }
+}
+
 TEST_CASE("a bare number for a dimensional input is refused with a hint") {
   CHECK(refusal("100", Dimension::pressure) == "--x = 100 has no unit; write 100Pa, 100kPa, 100MPa, 100GPa");
   CHECK(refusal("26.5", Dimension::angle) == "--x = 26.5 has no unit; write 26.5rad, 26.5deg");

@@ -31,8 +31,9 @@ struct Unit {
   double factor = 1;
 };
 
-/// The unit written `symbol`; nothing if unknown. Large and small letters do not matter (kpa is kPa) where one
-/// unit alone is written so, and where more than the prefix m or M differs: mPa is no MPa, mn none of mN, MN.
+/// The unit written `symbol`; nothing if unknown. Large and small letters do not matter (kpa is kPa) where
+/// one unit alone is written so, and where more than the prefix m or M differs: mPa is no MPa, mn none of mN,
+/// MN.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view symbol);
 /// The SI unit that values of a dimension are returned in; "" for a pure number.
 [[nodiscard]] std::string_view si_symbol(Dimension dimension);

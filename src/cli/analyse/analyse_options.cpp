@@ -12,6 +12,7 @@
 #include <granum/core/number.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 
 namespace granum::cli {
 
@@ -256,7 +257,7 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       .add_option("--stiffness-from", o.stiffness_from,
                   "What k_n of the network is taken from; by default the overlaps, unless rounded; "
                   "force-over-overlap: 1.5 f/d, Hertz without a material")
-      ->check(CLI::IsMember({"overlap", "force", "force-over-overlap"}));
+      ->transform(one_of({"overlap", "force", "force-over-overlap"}));
   command
       .add_option("--material", o.materials,
                   "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once "
@@ -283,6 +284,11 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
   command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
   command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
       ->needs(out);
+  in_group(command, grains_group, {"--grain-density", "--friction-angle", "--material"});
+  in_group(command, law_group, {"--tangential-ratio"});
+  in_group(command, "Files", {"--frames", "--column-map", "--box", "--stress"});
+  in_group(command, "What is measured", {"--window", "--depth", "--no-network", "--stiffness-from"});
+  in_group(command, output_group, {"--json", "--strict", "--out", "--force", "--paraview"});
 }
 
 } // namespace granum::cli

@@ -8,6 +8,10 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+#include "cli/frame/command_line.hpp"
+#include "cli/frame/help.hpp"
+#include "cli/options/likely_mistakes.hpp"
+
 #include "uncertainty.hpp"
 
 namespace granum::cli {
@@ -45,9 +49,9 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
                           "--least-void-ratio and --largest-void-ratio",
                           o.sand->name)
             : "--relative-density needs --least-void-ratio and --largest-void-ratio, or --sand");
-  set_unless_given(packing.void_ratio,
-                   hardin::void_ratio_of_relative_density(o.relative_density.value, o.least_void_ratio.value,
-                                                          o.largest_void_ratio.value));
+  set_unless_given(packing.void_ratio, hardin::void_ratio_of_relative_density(
+                                           require_share(o.relative_density, 1.2), o.least_void_ratio.value,
+                                           o.largest_void_ratio.value));
 }
 
 std::optional<double> if_given(const Number& number) {
@@ -104,18 +108,21 @@ effective::PackingQuestion moved_as_far_as_possible(const PackingOptions& packin
 void add_answer_options(CLI::App& command, AnswerOptions& o) {
   command
       .add_option_function<std::string>(
-          "--preparation", [&o](const std::string& text) { o.preparation = effective::preparation_of(text); },
+          "--preparation",
+          [&o](const std::string& text) {
+            o.preparation = effective::preparation_of(in_small_letters(text));
+          },
           "How the grains came together, as it decides their contacts: dense, loose (friction 0.3 to 0.5), "
           "friction:0.3")
       ->type_name("dense|loose|friction:NUMBER");
   command
       .add_option_function<std::string>(
-          "--grain", [&o](const std::string& text) { o.mineral = &contact::mineral(text); },
+          "--grain", [&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
           "Solid of the grains: sets G_g, nu_g and density where they are not given")
       ->type_name(keys_of(contact::minerals()));
   command
       .add_option_function<std::string>(
-          "--sand", [&o](const std::string& text) { o.sand = &hardin::known_sand(text); },
+          "--sand", [&o](const std::string& text) { o.sand = &hardin::known_sand(in_small_letters(text)); },
           "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far as a "
           "source says")
       ->type_name(keys_of(hardin::known_sands()));
@@ -128,6 +135,10 @@ void add_answer_options(CLI::App& command, AnswerOptions& o) {
   add_number(command, "--grain-density", o.grain_density, "rho_s of the grains' solid, for wave speeds");
   add_number(command, "--saturation", o.saturation,
              "Share of the pores that is water: V_p of 100% by Gassmann, below that air makes them soft");
+  in_group(command, state_group,
+           {"--relative-density", "--least-void-ratio", "--largest-void-ratio", "--saturation"});
+  in_group(command, grains_group, {"--grain", "--sand", "--grain-density"});
+  in_group(command, contacts_group, {"--preparation"});
 }
 
 void apply_presets(PackingOptions& packing, AnswerOptions& o) {
@@ -153,6 +164,7 @@ void apply_presets(PackingOptions& packing, AnswerOptions& o) {
 }
 
 effective::PackingQuestion question_of(const PackingOptions& packing, const AnswerOptions& o) {
+  require_density_or_stress(packing);
   (void)resolve_mechanical_coordination_number(packing); // refuses z* and rattlers together
   return {.state = resolve_state(packing, resolve_stresses(packing)),
           .preparation = o.preparation,
@@ -160,7 +172,7 @@ effective::PackingQuestion question_of(const PackingOptions& packing, const Answ
           .mechanical_coordination_number = if_given(packing.mechanical_coordination_number),
           .rattler_fraction = if_given(packing.rattler_fraction),
           .grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3"),
-          .saturation = require_closed("--saturation", o.saturation.value, 0, 1)};
+          .saturation = require_share(o.saturation)};
 }
 
 std::vector<Spread> spreads_of(const PackingOptions& given, const AnswerOptions& given_options,

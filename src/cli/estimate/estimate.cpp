@@ -10,6 +10,8 @@
 #include "answer_options.hpp"
 #include "answer_report.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/packing_options.hpp"
 #include "ladder_report.hpp"
 #include "uncertainty.hpp"
@@ -97,7 +99,9 @@ ExitCode run(Options options) {
   table +=
       notes_table(answer.assumptions, options.bounds ? question.assumptions : std::vector<std::string>{});
   ordered_json json = estimate_json(question, rungs, answer);
-  Validity validity = rungs.validity;
+  Validity validity = likely_mistakes(options.packing, question.subject.state);
+  validity.merge(likely_mistakes(options.answer.grain_density));
+  validity.merge(rungs.validity);
   validity.merge(answer.answer.validity);
   validity.keep_each_once();
   if (uncertainty) {
@@ -138,7 +142,12 @@ Command add_estimate(CLI::App& program) {
   add_number_without_default(*command, "--tolerance", options->tolerance,
                              "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
   add_uncertainty_option(*command, options->uncertain);
+  in_group(*command, "More results", {"--bounds", "--tolerance", "--uncertainty"});
   add_output_options(*command, options->output);
+  command->footer("Examples:\n"
+                  "  granum estimate --void-ratio 0.6 --pressure 100kPa\n"
+                  "  granum estimate --sand ottawa --relative-density 60% --pressure 100kPa\n"
+                  "  granum estimate --void-ratio 0.7 --stress-v 200kPa --stress-h 100kPa");
   return {command, [options] { return run(*options); }};
 }
 

@@ -12,6 +12,7 @@
 #include <granum/triaxial/scatter.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 
@@ -162,13 +163,13 @@ Command add_export(CLI::App& program) {
       ->add_option("--start", options->start,
                    "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
                    "do not touch, for packings too large for one machine")
-      ->check(CLI::IsMember({"packed", "scattered"}))
+      ->transform(one_of({"packed", "scattered"}))
       ->capture_default_str();
   lammps
       ->add_option(
           "--path", options->path,
           "Triaxial test after the isotropic path, from its last pressure; its states are probed too")
-      ->transform(CLI::IsMember({"none", "txc", "rtxc", "rtxe", "txe"}, CLI::ignore_case))
+      ->transform(one_of({"none", "txc", "rtxc", "rtxe", "txe"}))
       ->capture_default_str();
   lammps->add_option("--eta-step", options->eta_step, "q/p between two states of --path")
       ->capture_default_str();

@@ -67,13 +67,23 @@ class Reader {
       typed.joined = true;
       typed.word = name;
       typed.values.push_back(word.substr(name.size() + 1));
-    } else if (typed.option != nullptr && typed.option->get_items_expected_max() > 0 &&
-               next_ < words_.size()) {
-      typed.values.push_back(words_[next_++]);
+    } else if (typed.option != nullptr) {
+      take_values(*typed.option, typed.values);
     }
     if (typed.option != nullptr && takes_units(*typed.option) && !typed.values.empty())
       join_unit(*typed.option, typed.values.back());
     return typed;
+  }
+
+  /// A value may begin with a hyphen where it is no option that the command knows.
+  void take_values(const CLI::Option& option, std::vector<std::string>& values) {
+    const bool many = option.get_items_expected_max() > 1 && option.get_allow_extra_args();
+    while (next_ < words_.size() && option.get_items_expected_max() > 0 && (values.empty() || many)) {
+      const std::string name = option_name(words_[next_]);
+      if (!name.empty() && (!values.empty() || command_.get_option_no_throw(name) != nullptr))
+        return;
+      values.push_back(words_[next_++]);
+    }
   }
 
   void join_unit(const CLI::Option& option, std::string& value) {
@@ -119,6 +129,12 @@ std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments) {
       words.insert(words.end(), argument.values.begin(), argument.values.end());
   }
   return words;
+}
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
 std::string type_name(Dimension dimension) {

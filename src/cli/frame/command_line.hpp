@@ -30,6 +30,8 @@ struct TypedArgument {
 /// The words for the parser.
 [[nodiscard]] std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments);
 
+[[nodiscard]] std::string in_small_letters(std::string text);
+
 /// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.
 [[nodiscard]] std::string type_name(Dimension dimension);
 /// What an option's number is, as its type name tells; nothing for other options.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <unistd.h>
@@ -8,11 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
 #include <granum/core/utf8.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 
 #include "command_line.hpp"
+#include "help.hpp"
 #include "messages.hpp"
 
 namespace granum::cli {
@@ -39,6 +42,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
                    "Fail (exit code 4) if the result lies outside a formula's validity");
   auto* out = add_path(command, "--out", options.out, "Write the result to this file")->type_name("FILE");
   command.add_flag("--force", options.force, "Let --out replace an existing file")->needs(out);
+  in_group(command, output_group, {"--json", "--strict", "--out", "--force"});
 }
 
 CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
@@ -67,6 +71,32 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
     target = text;
   };
   return command.add_option_function<std::string>(name, take, help);
+}
+
+CLI::Option* add_picture(CLI::App& command, std::string& target, const std::string& help) {
+  CLI::Option* force = command.get_option("--force");
+  force->remove_needs(command.get_option("--out"));
+  force->description("Let --out and --picture replace existing files");
+  return add_path(command, "--picture", target, help)->type_name("FILE.svg")->group(output_group);
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& others) {
+  std::string list;
+  for (const std::string& word : words)
+    list += (list.empty() ? "" : ",") + word;
+  const auto take = [words, others, list](std::string& text) -> std::string {
+    const std::vector<std::string> near = near_misses(text, words);
+    if (near.size() == 1 && slips_between(in_small_letters(text), in_small_letters(near[0])) == 0) {
+      text = near[0];
+      return {};
+    }
+    std::string question = did_you_mean(text, words);
+    for (const auto& [other, word] : others)
+      if (in_small_letters(text) == other)
+        question = "; did you mean " + word + "?";
+    return text + " not in {" + list + "}" + question;
+  };
+  return CLI::Validator(take, "{" + list + "}");
 }
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {

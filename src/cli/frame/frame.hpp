@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <granum/core/units.hpp>
 #include <granum/core/validity.hpp>
@@ -16,6 +18,7 @@
 namespace CLI {
 class App;
 class Option;
+class Validator;
 } // namespace CLI
 
 /// What the subcommands share: exit codes, options that all of them take, and the way results leave the
@@ -49,6 +52,7 @@ Command add_export(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_infer(CLI::App& program);
 Command add_plan(CLI::App& program);
+Command add_reference(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_sweep(CLI::App& program);
 Command add_trade(CLI::App& program);
@@ -77,6 +81,17 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optio
 /// refused: `target` stays empty where the option is not given.
 CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,
                       const std::string& help);
+
+/// --picture, to which --force speaks as well.
+/// Assumes   the command has the options for output
+CLI::Option* add_picture(CLI::App& command, std::string& target, const std::string& help);
+
+/// Other words for a choice, and the choice: "hertz" for sphere.
+using OtherWords = std::vector<std::pair<std::string, std::string>>;
+
+/// For transform() of an option that takes one of a few words, in large or small letters; what is near to one
+/// of them is asked back.
+CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& others = {});
 
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);

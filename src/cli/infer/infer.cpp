@@ -9,7 +9,9 @@
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
+#include "cli/options/likely_mistakes.hpp"
 
 namespace granum::cli {
 
@@ -39,6 +41,9 @@ void add_measured_options(CLI::App& command, InferOptions& o) {
   add_path(command, "--table", o.table,
            "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, G_MPa, ...")
       ->type_name("FILE.csv");
+  in_group(command, "Measured",
+           {"--shear-modulus", "--shear-modulus-hh", "--bulk-modulus", "--vs", "--shear-wave-speed-hh",
+            "--vp", "--compression-wave-speed-h", "--measurement-error", "--table"});
 }
 
 void add_prediction_options(CLI::App& command, InferOptions& o) {
@@ -46,7 +51,7 @@ void add_prediction_options(CLI::App& command, InferOptions& o) {
       .add_option(
           "--growth", o.growth,
           "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the measurements")
-      ->check(CLI::IsMember({"packings", "fixed", "fitted"}))
+      ->transform(one_of({"packings", "fixed", "fitted"}))
       ->capture_default_str();
   command
       .add_option("--predict-pressure", o.predict_pressure,
@@ -63,9 +68,13 @@ void add_prediction_options(CLI::App& command, InferOptions& o) {
                   "grain-shear-modulus=5%, void-ratio=0.01")
       ->type_name("KEY=SD")
       ->allow_extra_args(false);
+  in_group(
+      command, "Predicted",
+      {"--growth", "--predict-pressure", "--predict-stress-ratio", "--predict-void-ratio", "--uncertainty"});
 }
 
 void add_infer_options(CLI::App& command, InferOptions& o) {
+  add_measured_options(command, o);
   add_packing_options(command, o.packing);
   for (Number* number : {&o.packing.coordination_number, &o.packing.mechanical_coordination_number}) {
     command.remove_option(command.get_option(number->name));
@@ -73,19 +82,22 @@ void add_infer_options(CLI::App& command, InferOptions& o) {
   }
   add_answer_options(command, o.grains);
   command.remove_option(command.get_option("--preparation"));
-  add_measured_options(command, o);
   add_prediction_options(command, o);
   add_output_options(command, o.output);
-  auto* picture =
-      add_path(command, "--picture", o.picture, "Draw data, fit and prediction over the mean stress")
-          ->type_name("FILE.svg");
+  CLI::Option* picture =
+      add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
   std::vector<std::string> keys;
   for (const inverse::QuantityRow& row : inverse::quantities())
     keys.emplace_back(row.key);
   command
       .add_option("--picture-of", o.picture_of, "What the picture shows; by default what was measured first")
-      ->check(CLI::IsMember(keys))
+      ->transform(one_of(keys))
       ->needs(picture);
+  in_group(command, output_group, {"--picture-of"});
+  command.footer("Examples:\n"
+                 "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
+                 "    --predict-pressure 50kPa,400kPa\n"
+                 "  granum infer --table speeds.csv --void-ratio 0.6");
 }
 
 Quantity pictured(const InferOptions& o, const InferCase& question) {
@@ -113,9 +125,12 @@ ExitCode run(const InferOptions& o) {
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
   if (answer.together)
     fill_in_void_ratios(question, *answer.together);
+  Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
+  validity.merge(likely_mistakes(o.grains.grain_density));
+  validity.merge(answer.validity);
   const bool csv = !o.output.out.empty() && !o.output.json;
   const ExitCode code = deliver(o.output, csv ? infer_csv(question, answer) : infer_table(question, answer),
-                                infer_json(question, answer), answer.validity);
+                                infer_json(question, answer), validity);
   if (!answer.together) {
     say("error", "nothing measured can be explained by contacts between these grains");
     return code == ExitCode::ok ? ExitCode::fell_short : code;

@@ -62,7 +62,8 @@ struct InferCase {
 /// \throws   InvalidArgument or FileError for options and tables that cannot be understood
 [[nodiscard]] InferCase infer_case(const InferOptions& options);
 
-/// A number with its error, "587m/s+-5m/s", "587+-5m/s" or "587m/s+-1%"; without one, a relative error that stands in.
+/// A number with its error, "587m/s+-5m/s", "587+-5m/s" or "587m/s+-1%"; without one, a relative error that
+/// stands in.
 /// \throws   InvalidArgument
 [[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                                       double relative_error);

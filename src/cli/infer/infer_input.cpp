@@ -9,6 +9,7 @@
 #include <granum/elastic/saturation.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/packing_rows.hpp"
 #include "infer.hpp"
 
@@ -320,8 +321,7 @@ InferCase infer_case(const InferOptions& given) {
   question.packing = packing_json(packing, first);
   question.packing.erase("coordination_number");
   question.options = {.grain_density = o.grains.grain_density.value,
-                      .pore_density = elastic::water_density *
-                                      require_closed("--saturation", o.grains.saturation.value, 0, 1),
+                      .pore_density = elastic::water_density * require_share(o.grains.saturation),
                       .growth = growth_of(o.growth),
                       .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
   if (o.packing.rattler_fraction.given())

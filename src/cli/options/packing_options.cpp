@@ -11,6 +11,8 @@
 #include <granum/effective/relaxation.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
+#include "likely_mistakes.hpp"
 #include "size_options.hpp"
 
 namespace granum::cli {
@@ -52,7 +54,7 @@ contact::PowerLaw resolve_law(const PackingOptions& o) {
 namespace {
 
 /// A share of the volume, 0 < value < 1; numbers in per cent are the usual slip.
-double require_share(const Number& number) {
+double require_open_share(const Number& number) {
   const double value = number.value;
   if (!(value > 0 && value < 1))
     throw InvalidArgument(number.name, value, "",
@@ -68,11 +70,11 @@ double resolve_void_ratio(const PackingOptions& o) {
                                       "--solid-fraction",
                                       times_given == 0 ? "missing" : "given more than once"));
   if (o.porosity.given()) {
-    const double porosity = require_share(o.porosity);
+    const double porosity = require_open_share(o.porosity);
     return porosity / (1 - porosity);
   }
   if (o.solid_fraction.given()) {
-    const double solid_fraction = require_share(o.solid_fraction);
+    const double solid_fraction = require_open_share(o.solid_fraction);
     return (1 - solid_fraction) / solid_fraction;
   }
   return o.void_ratio.value;
@@ -84,19 +86,30 @@ void add_law_options(CLI::App& command, PackingOptions& o, const std::string& na
   std::vector<std::string> known;
   for (const contact::Shape shape : contact::all_shapes)
     known.emplace_back(contact::name(shape));
+  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
+  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
   o.contact_option = command
                          .add_option_function<std::string>(
                              name, [&o](const std::string& text) { o.contact = *contact::find_shape(text); },
                              "Shape of the grains near their contacts")
-                         ->check(CLI::IsMember(known))
+                         ->transform(one_of(known, {{"hertz", "sphere"},
+                                                    {"hertzian", "sphere"},
+                                                    {"mindlin", "sphere"},
+                                                    {"hertz-mindlin", "sphere"},
+                                                    {"spherical", "sphere"},
+                                                    {"conical", "cone"},
+                                                    {"rough", "cone or power-law"},
+                                                    {"linear", "flat"},
+                                                    {"punch", "flat"}}))
                          ->default_str(std::string(contact::name(o.contact)));
   add_number(command, "--slope", o.slope, "Cone: A_1, tangent of the flank angle");
   add_number(command, "--punch-radius", o.punch_radius, "Flat: radius of the contact");
   add_number_without_default(command, "--alpha", o.alpha, "Power-law: alpha >= 1 of the profile A r^alpha");
   add_number_without_default(command, "--profile-constant", o.profile_constant,
                              "Power-law: A in SI, m^(1-alpha), without unit");
-  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
-  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
+  in_group(command, grains_group, {"--grain-shear-modulus", "--grain-poisson-ratio"});
+  in_group(command, law_group, {"--slope", "--punch-radius", "--alpha", "--profile-constant"});
+  command.get_option(name.substr(0, name.find(',')))->group(law_group);
 }
 
 bool Number::given() const { return in_table || preset || (option != nullptr && option->count() > 0); }
@@ -138,15 +151,16 @@ std::vector<Number*> numbers(PackingOptions& o) {
 }
 
 void add_packing_options(CLI::App& command, PackingOptions& o) {
-  add_law_options(command, o);
-  add_size_options(command, o);
-  add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
-                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
   add_number_without_default(command, "--void-ratio", o.void_ratio, "Volume of voids over that of grains");
   add_number_without_default(command, "--porosity", o.porosity,
                              "Share of voids in the volume, instead of --void-ratio");
   add_number_without_default(command, "--solid-fraction", o.solid_fraction,
                              "Share of grains in the volume, instead of --void-ratio");
+  add_number_without_default(command, "--pressure", o.pressure, "Isotropic stress");
+  add_number_without_default(command, "--stress-v", o.stress_v, "Vertical stress, with --stress-h");
+  add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
+  in_group(command, state_group,
+           {"--void-ratio", "--porosity", "--solid-fraction", "--pressure", "--stress-v", "--stress-h"});
   add_number(command, "--coordination-number", o.coordination_number,
              "C_n = 2 N_c/N, contacts per grain over all grains");
   add_number_without_default(command, "--mechanical-coordination-number", o.mechanical_coordination_number,
@@ -154,16 +168,30 @@ void add_packing_options(CLI::App& command, PackingOptions& o) {
   add_number_without_default(command, "--rattler-fraction", o.rattler_fraction,
                              "Share of grains that carry no force, instead of z* = C_n/(1 - share)");
   add_number(command, "--fabric", o.fabric, "a, anisotropy of the contact normals; > 0: more are vertical");
-  add_number_without_default(command, "--pressure", o.pressure, "Isotropic stress");
-  add_number_without_default(command, "--stress-v", o.stress_v, "Vertical stress, with --stress-h");
-  add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
+  in_group(command, contacts_group,
+           {"--coordination-number", "--mechanical-coordination-number", "--rattler-fraction", "--fabric"});
+  add_law_options(command, o);
+  add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
+                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
+  in_group(command, law_group, {"--tangential-ratio"});
+  add_size_options(command, o);
+}
+
+void require_density_or_stress(const PackingOptions& o) {
+  const bool density = o.void_ratio.given() || o.porosity.given() || o.solid_fraction.given();
+  const bool stress = o.pressure.given() || o.stress_v.given() || o.stress_h.given();
+  if (!density && !stress)
+    throw InvalidArgument(
+        "density and stress are missing: give --void-ratio, --porosity or --solid-fraction, "
+        "and --pressure, or --stress-v and --stress-h");
 }
 
 stress::AxialStress resolve_stresses(const PackingOptions& o) {
   if (o.pressure.given()) {
     if (o.stress_v.given() || o.stress_h.given())
       throw InvalidArgument("--pressure sets both stresses: leave out --stress-v and --stress-h");
-    require_non_negative("--pressure", o.pressure.value, "Pa");
+    if (o.pressure.value < 0)
+      throw InvalidArgument("--pressure", o.pressure.value, "Pa", "[0, inf): compression is positive");
     return {o.pressure.value, o.pressure.value};
   }
   if (!o.stress_v.given() && !o.stress_h.given())
@@ -199,7 +227,8 @@ std::optional<double> resolve_mechanical_coordination_number(const PackingOption
     return require_non_negative(o.mechanical_coordination_number.name,
                                 o.mechanical_coordination_number.value);
   if (o.rattler_fraction.given())
-    return effective::mechanical_coordination_number(o.coordination_number.value, o.rattler_fraction.value);
+    return effective::mechanical_coordination_number(o.coordination_number.value,
+                                                     require_share(o.rattler_fraction));
   return std::nullopt;
 }
 

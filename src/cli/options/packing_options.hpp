@@ -20,6 +20,13 @@ class Option;
 /// The options that describe a packing and its stress, for every command that works out closed forms.
 namespace granum::cli {
 
+/// Groups of options in help.
+inline constexpr const char* state_group = "Density and stress";
+inline constexpr const char* grains_group = "Grains";
+inline constexpr const char* contacts_group = "Contacts";
+inline constexpr const char* sizes_group = "Sizes of the grains";
+inline constexpr const char* law_group = "Shape of the contacts";
+
 /// A number of the command line or of a table: its value in SI, by default until it is given.
 struct Number {
   double value = 0;
@@ -80,6 +87,9 @@ void add_law_options(CLI::App& command, PackingOptions& options, const std::stri
 /// The contact law that the options describe, of two grains, of unequal ones of the mean pair.
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] contact::PowerLaw resolve_law(const PackingOptions& options);
+
+/// \throws   InvalidArgument that names both where neither density nor stress is given
+void require_density_or_stress(const PackingOptions& options);
 
 /// The stresses that the options give.
 /// \throws   InvalidArgument if they are missing or given more than once

@@ -12,6 +12,7 @@
 #include <granum/sizes/distribution_text.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 
 namespace granum::cli {
 
@@ -51,6 +52,7 @@ void add_size_options(CLI::App& command, PackingOptions& o) {
           },
           "C_u = d60/d10 of grains that are lognormal by mass")
       ->type_name("NUMBER");
+  in_group(command, sizes_group, {"--radius", "--d50", "--sizes", "--sieve", "--uniformity"});
 }
 
 double resolve_radius(const PackingOptions& o) {

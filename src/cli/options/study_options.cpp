@@ -5,6 +5,7 @@
 #include <granum/core/error.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 #include "scene_file.hpp"
 
 namespace granum::cli {
@@ -32,6 +33,7 @@ void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneComma
   add_count(app, "--grains", options.grains, "Grains of a specimen");
   add_count(app, "--seeds", options.seeds, "Specimens of each kind");
   add_count(app, "--threads", options.threads, "Specimens side by side; the results do not depend on it");
+  in_group(app, "Scene", {"--scene", "--set", "--grains", "--seeds", "--threads"});
   app.footer(key_help(command));
 }
 
@@ -45,6 +47,7 @@ void add_result_options(CLI::App& app, ResultOptions& options, const std::string
   app.add_flag("--json", options.json, json_help);
   app.add_flag("--force", options.force, "Let --out replace " + replaced);
   app.add_flag("--quiet", options.quiet, "No progress line on a terminal");
+  in_group(app, output_group, {"--out", "--json", "--force", "--quiet"});
 }
 
 studies::Scene resolve(const StudyOptions& options, studies::SceneCommand command,

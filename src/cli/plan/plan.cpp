@@ -9,6 +9,7 @@
 #include <granum/triaxial/specimen.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 
@@ -103,6 +104,7 @@ Command add_plan(CLI::App& program) {
   add_study_options(*command, options->study, studies::SceneCommand::plan);
   add_quantity(*command, "--error", options->error, Dimension::dimensionless,
                "Wanted error of G, from which grains and inertial number follow: --error 2%");
+  in_group(*command, "Plan", {"--error"});
   add_output_options(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

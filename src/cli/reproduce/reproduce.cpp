@@ -14,6 +14,7 @@
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
@@ -141,6 +142,7 @@ Command add_reproduce(CLI::App& program) {
            "Go on with the run of this folder from its last checkpoints, to the same bits; "
            "a finished run writes its tables and pictures again")
       ->type_name("DIR");
+  in_group(*command, "Run", {"--paper", "--resume"});
   add_result_options(*command, options->results,
                      "Folder for the results; by default a new granum-reproduce-N",
                      "Print the manifest as one JSON object, SI units", "existing results and checkpoints");

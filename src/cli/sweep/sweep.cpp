@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 
+#include "cli/frame/help.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -47,7 +49,7 @@ std::vector<std::string> names_of(std::span<const Item> items, const char* Item:
 
 std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
   return {command.add_option("--path", o.path, "Stress path; all but iso start isotropic and go to --eta")
-              ->check(CLI::IsMember({"iso", "txc", "rtxc", "rtxe", "txe"}))
+              ->transform(one_of({"iso", "txc", "rtxc", "rtxe", "txe"}))
               ->capture_default_str(),
           add_number_without_default(command, "--from", o.from, "Mean stress at the start"),
           add_number_without_default(command, "--to", o.to, "Mean stress at the end, iso"),
@@ -60,7 +62,7 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
           command
               .add_option("--spacing", o.spacing,
                           "Of the states, in p' or eta; by default log for iso, linear for others")
-              ->check(CLI::IsMember({"log", "linear"}))};
+              ->transform(one_of({"log", "linear"}))};
 }
 
 void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth, CLI::Option* table) {
@@ -73,7 +75,7 @@ void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth,
           ->excludes("--json")
           ->excludes(table);
   command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
-      ->check(CLI::IsMember(names_of(swept_quantities(), &SweptQuantity::name)))
+      ->transform(one_of(names_of(swept_quantities(), &SweptQuantity::name)))
       ->needs(picture)
       ->excludes(depth);
 }
@@ -83,7 +85,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   add_answer_options(command, o.answer);
   CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
                            ->delimiter(',')
-                           ->check(CLI::IsMember(names_of(effective::closed_forms(), &Rung::key)))
+                           ->transform(one_of(names_of(effective::closed_forms(), &Rung::key)))
                            ->default_str("all, 3 if z* is an option");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =
@@ -100,10 +102,20 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
       .add_option_function<std::string>(
           "--columns", [&o](const std::string& text) { o.all_columns = text == "all"; },
           "Of the answer in CSV: G, V_s, V_p and z* with their ranges, or all moduli and speeds")
-      ->check(CLI::IsMember({"usual", "all"}))
+      ->transform(one_of({"usual", "all"}))
       ->default_str("usual");
   add_output_options(command, o.output);
   add_picture_options(command, o, depth, table);
+}
+
+void group_sweep_options(CLI::App& command) {
+  in_group(command, "Path",
+           {"--path", "--from", "--to", "--eta", "--friction-angle", "--spacing", "--points"});
+  in_group(command, "Ground",
+           {"--depth", "--unit-weight", "--saturated-unit-weight", "--water-table", "--k0", "--surcharge",
+            "--water-unit-weight"});
+  in_group(command, "Table and columns", {"--table", "--columns", "--rungs"});
+  in_group(command, output_group, {"--picture", "--picture-of"});
 }
 
 /// What only the answer of a depth or a row takes.
@@ -137,6 +149,7 @@ Command add_sweep(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "sweep", "Stiffness over depth, along a stress path, or for each row of a table: CSV and picture");
   add_sweep_options(*command, *options);
+  group_sweep_options(*command);
   command->footer(rungs_help());
   return {command, [options] { return run(*options); }};
 }

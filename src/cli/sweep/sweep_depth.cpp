@@ -6,6 +6,7 @@
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "cli/options/likely_mistakes.hpp"
 #include "depth.hpp"
 
 namespace granum::cli {
@@ -92,8 +93,10 @@ void draw(const SweepOptions& o, DepthSweep sweep) {
 }
 
 /// What formulas say of single depths, each once, and how often.
-Validity validity_of(const DepthSweep& sweep) {
-  Validity validity = sweep.ground.validity;
+Validity validity_of(const SweepOptions& o, const DepthSweep& sweep) {
+  Validity validity = likely_mistakes(o.packing, sweep.answers.back().answer.question.state);
+  validity.merge(likely_mistakes(o.answer.grain_density));
+  validity.merge(sweep.ground.validity);
   Tally tally;
   for (const DepthAnswer& at : sweep.answers)
     tally.count({.answers = {}, .notes = at.answer.answer.validity.notes, .error = ""},
@@ -112,7 +115,7 @@ ExitCode sweep_depth(const SweepOptions& o) {
   const bool csv = !o.output.out.empty() && !o.output.json;
   const ExitCode code =
       deliver(o.output, csv ? depth_csv(sweep, o.all_columns) : depth_table(sweep),
-              o.output.json ? depth_json(sweep) : nlohmann::ordered_json(), validity_of(sweep));
+              o.output.json ? depth_json(sweep) : nlohmann::ordered_json(), validity_of(o, sweep));
   if (!o.picture.empty())
     draw(o, sweep);
   return code;

@@ -12,6 +12,7 @@
 #include <granum/plot/chart.hpp>
 #include <granum/stress/shear_path.hpp>
 
+#include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -229,9 +230,10 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     require_free(o.output, {o.output.out, o.picture, script_beside(o.picture).string()});
   }
   const PathSweep sweep = solve(o, rungs);
-  const ExitCode code =
-      deliver(o.output, o.output.json ? "" : csv_of(sweep, rungs),
-              o.output.json ? json_of(sweep, rungs) : ordered_json(), sweep.tally.validity());
+  Validity validity = likely_mistakes(o.packing, sweep.packing);
+  validity.merge(sweep.tally.validity());
+  const ExitCode code = deliver(o.output, o.output.json ? "" : csv_of(sweep, rungs),
+                                o.output.json ? json_of(sweep, rungs) : ordered_json(), validity);
   if (!o.picture.empty())
     write_picture(sweep, rungs, o);
   return sweep.tally.conclude(code);

@@ -13,6 +13,7 @@
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/help.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/study_options.hpp"
@@ -133,6 +134,7 @@ Command add_trade(CLI::App& program) {
   command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
   add_quantity(*command, "--budget", options->budget, Dimension::time,
                "As far up in grains as this wall time allows: --budget 600s");
+  in_group(*command, "Extent", {"--quick", "--full", "--budget"});
   add_result_options(*command, options->results, "Folder for results; by default a new granum-trade-N");
   return {command, [options] { return run(*options); }};
 }

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
 #include <granum/core/number.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
@@ -157,13 +158,13 @@ SceneKey pressures(const Head& head, Member member, const KeyRange& range) {
 /// A choice among named values.
 template <class Value>
 Value named(const std::string& key, const std::string& text, const std::vector<Value>& known) {
-  std::string all;
+  std::vector<std::string> all;
   for (const Value value : known) {
     if (name(value) == text)
       return value;
-    all += (all.empty() ? "" : ", ") + std::string(name(value));
+    all.emplace_back(name(value));
   }
-  throw InvalidArgument(key + ": '" + text + "' is unknown; known are " + all);
+  throw InvalidArgument(unknown_word(key + ":", text, all));
 }
 
 template <class Value, class Member>
@@ -189,7 +190,7 @@ SceneKey boundary_key(const Head& head) {
   SceneKey key = key_of(head);
   key.set = [name = key.name](Scene& scene, const std::string& text) {
     if (text != "periodic" && text != "walls")
-      throw InvalidArgument(name + ": '" + text + "' is unknown; known are periodic, walls");
+      throw InvalidArgument(unknown_word(name + ":", text, std::vector<std::string>{"periodic", "walls"}));
     scene.specimen.walls = text == "walls";
   };
   key.get = [](const Scene& scene) {
@@ -424,13 +425,13 @@ std::span<const SceneKey> scene_keys() {
 }
 
 const SceneKey& scene_key(const std::string& name) {
-  std::string all;
+  std::vector<std::string> all;
   for (const SceneKey& key : scene_keys()) {
     if (key.name == name)
       return key;
-    all += (all.empty() ? "" : ", ") + key.name;
+    all.push_back(key.name);
   }
-  throw InvalidArgument("key '" + name + "' is unknown; known are " + all);
+  throw InvalidArgument(unknown_word("key", name, all));
 }
 
 void require_in_range(const SceneKey& key, const Scene& scene) {

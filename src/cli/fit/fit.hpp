@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <granum/hardin/fit.hpp>
+#include <granum/plot/chart.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/frame/frame.hpp"
+
+/// What granum fit reads, and how it puts the fitted law into words.
+namespace granum::cli {
+
+/// Columns by the name of their quantity, without unit; empty: the usual names are looked for.
+struct FitQuestion {
+  std::string file;
+  std::string modulus_column;
+  std::string stress_i_column;
+  std::string stress_j_column;
+  std::string void_ratio_column;
+  std::string void_ratio_function = "hardin-richart-round";
+  std::string weights = "relative";
+  double atmospheric_pressure = 100e3; ///< [Pa]
+  bool sum_only = false;
+  std::string picture;
+  OutputOptions output;
+};
+
+/// Reads the rows, and fills in which columns hold them. A file with one mean stress, p, allows s alone.
+/// \throws   FileError for what cannot be read, a missing column, or a row that no fit can take
+[[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question,
+                                                             hardin::VoidRatioFunction function);
+
+[[nodiscard]] nlohmann::ordered_json fit_json(const FitQuestion& question, const hardin::FitReport& report);
+[[nodiscard]] std::string fit_table(const FitQuestion& question, const hardin::FitReport& report);
+/// G/f(e) of the rows against the stress that the law takes, the law, and the slopes of cones and spheres.
+[[nodiscard]] plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
+                                    const std::vector<hardin::MeasuredModulus>& rows);
+
+} // namespace granum::cli

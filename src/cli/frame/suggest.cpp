@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "suggest.hpp"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <granum/core/error.hpp>
+#include <granum/core/near_miss.hpp>
+#include <granum/core/number.hpp>
+
+#include "help.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// What people call an input, without hyphens and in small letters unless they tell: the options that it may
+/// be, of which a command has some.
+struct Symbol {
+  std::vector<std::string> names;
+  std::vector<std::string> options;
+  std::string remark = {};
+};
+
+const std::vector<Symbol>& symbols() {
+  static const std::vector<Symbol> table = {
+      {{"e", "e0", "voidratio"}, {"--void-ratio"}},
+      {{"n", "phi"}, {"--porosity", "--friction-angle"}},
+      {{"packingfraction", "volumefraction", "solidsfraction", "nu_s"}, {"--solid-fraction"}},
+      {{"p",
+        "p0",
+        "pc",
+        "p'",
+        "pm",
+        "sigma",
+        "sigma0",
+        "sigma3",
+        "sigmac",
+        "s3",
+        "stress",
+        "confiningpressure",
+        "confiningstress",
+        "confinement",
+        "confining",
+        "meanstress",
+        "meaneffectivestress",
+        "effectivestress",
+        "cellpressure",
+        "isotropicstress"},
+       {"--from", "--pressure"}},
+      {{"nu", "nug", "v", "poisson", "poissonratio", "poissonsratio"}, {"--grain-poisson-ratio"}},
+      {{"Gs", "gs"},
+       {"--grain-density", "--grain-shear-modulus"},
+       "a specific gravity of 2.65 is the density 2.65g/cm3"},
+      {{"specificgravity", "rhos", "rhog", "soliddensity"}, {"--grain-density"}},
+      {{"rho", "rhod", "density", "drydensity", "bulkdensity"},
+       {"--grain-density", "--void-ratio"},
+       "of the solid rho_s; with the dry density of the packing e = rho_s/rho_d - 1"},
+      {{"gamma", "gammad", "gammasat", "bulkunitweight"}, {"--unit-weight", "--grain-density"}},
+      {{"G", "g", "Gg", "gg", "mug", "modulus", "grainmodulus", "shearmodulus"}, {"--grain-shear-modulus"}},
+      {{"E", "Eg", "Es", "youngmodulus", "youngsmodulus", "grainyoungmodulus"},
+       {"--grain-shear-modulus"},
+       "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"},
+      {{"G0", "g0", "Gmax", "gmax"}, {"--shear-modulus"}},
+      {{"K", "k", "bulk"}, {"--bulk-modulus"}},
+      {{"v_s", "Vs", "shearwave"}, {"--vs"}},
+      {{"v_p", "Vp", "pwave"}, {"--vp"}},
+      {{"d", "D", "diameter", "grainsize", "particlesize", "graindiameter", "meandiameter", "meansize"},
+       {"--d50", "--radius"}},
+      {{"r", "R", "grainradius", "particleradius"}, {"--radius"}},
+      {{"cu", "uniformitycoefficient", "gradation"}, {"--uniformity"}},
+      {{"psd", "gsd", "sievecurve", "sizedistribution"}, {"--sieve", "--sizes"}},
+      {{"z", "cn", "nc", "coordination", "contacts", "contactnumber"},
+       {"--depth", "--mechanical-coordination-number", "--coordination-number"}},
+      {{"zstar", "z*", "zm"}, {"--mechanical-coordination-number"}},
+      {{"rattlers", "floaters"}, {"--rattler-fraction"}},
+      {{"k0", "ko"}, {"--k0", "--predict-stress-ratio", "--stress-h"}, "sigma_h = K_0 sigma_v"},
+      {{"stressratio"}, {"--predict-stress-ratio", "--eta"}},
+      {{"q"}, {"--eta"}},
+      {{"dr", "id", "rd", "densityindex"}, {"--relative-density"}},
+      {{"emin"}, {"--least-void-ratio"}},
+      {{"emax"}, {"--largest-void-ratio"}},
+      {{"s", "sr"}, {"--saturation"}},
+      {{"sigmav", "sigma1", "sigmaz", "sigmaa", "sv", "s1", "verticalstress", "axialstress"}, {"--stress-v"}},
+      {{"sigmah", "sigmar", "sh", "horizontalstress", "radialstress"}, {"--stress-h"}},
+      {{"mu", "friction", "frictioncoefficient"}, {"--friction-angle", "--preparation"}},
+      {{"a", "anisotropy"}, {"--fabric"}},
+      {{"shape", "law", "model", "contactlaw", "contactmodel"}, {"--contact"}},
+      {{"mineral", "material", "solid"}, {"--grain", "--material"}},
+      {{"gwt", "waterlevel", "groundwater"}, {"--water-table"}},
+      {{"pa", "patm", "pref", "referencepressure"}, {"--atmospheric-pressure"}},
+      {{"o", "output", "outfile"}, {"--out"}},
+      {{"f", "overwrite"}, {"--force"}},
+      {{"plot", "figure", "svg", "chart", "graph"}, {"--picture"}},
+      {{"csv", "file", "input", "data"}, {"--table"}},
+      {{"config", "c"}, {"--scene"}},
+      {{"particles", "ngrains", "numberofgrains"}, {"--grains"}},
+      {{"j", "jobs", "nthreads", "cores"}, {"--threads"}},
+      {{"verbose", "silent", "quiet"}, {"--quiet"}},
+      {{"v", "version"}, {"--version"}},
+  };
+  return table;
+}
+
+/// Other programs' and other people's words for the commands.
+const std::vector<Symbol>& other_command_names() {
+  static const std::vector<Symbol> table = {
+      {{"analyze", "analysis", "read", "import", "postprocess"}, {"analyse"}},
+      {{"calc", "calculate", "compute", "modulus", "stiffness", "gmax"}, {"estimate"}},
+      {{"inverse", "invert", "calibrate"}, {"infer"}},
+      {{"profile", "depth", "path", "table", "plot"}, {"sweep"}},
+      {{"regress", "hardin"}, {"fit"}},
+      {{"run", "simulate", "dem", "check"}, {"verify"}},
+      {{"lammps", "write"}, {"export"}},
+  };
+  return table;
+}
+
+/// "--Void_Ratio" as "VoidRatio".
+std::string bare(std::string_view word) {
+  std::string text(word);
+  std::erase_if(text, [](char c) { return c == '-' || c == '_'; });
+  return text;
+}
+
+const Symbol* find_symbol(const std::vector<Symbol>& table, const std::string& name) {
+  for (const std::string& wanted : {name, in_small_letters(name)})
+    for (const Symbol& symbol : table)
+      if (std::find(symbol.names.begin(), symbol.names.end(), wanted) != symbol.names.end())
+        return &symbol;
+  return nullptr;
+}
+
+/// Without their hyphens.
+Names long_options(const CLI::App& command) {
+  Names names;
+  for (const CLI::Option* option : command.get_options())
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  return names;
+}
+
+std::vector<const CLI::App*> commands_within(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+/// All that take options.
+std::vector<const CLI::App*> all_commands(const CLI::App& program) {
+  std::vector<const CLI::App*> found;
+  for (const CLI::App* command : commands_within(program)) {
+    const std::vector<const CLI::App*> inner = commands_within(*command);
+    found.insert(found.end(), inner.begin(), inner.end());
+    if (inner.empty())
+      found.push_back(command);
+  }
+  return found;
+}
+
+Names those_of(const CLI::App& command, const Names& wanted) {
+  Names known;
+  for (const std::string& name : wanted)
+    if (command.get_option_no_throw(name) != nullptr)
+      known.push_back(name);
+  return known;
+}
+
+/// The commands that take one of the options, the first of which they take.
+std::string of_other_commands(const CLI::App& program, const Names& wanted) {
+  for (const std::string& name : wanted) {
+    Names takers;
+    for (const CLI::App* command : all_commands(program))
+      if (command->get_option_no_throw(name) != nullptr)
+        takers.push_back(full_name(*command));
+    if (!takers.empty())
+      return fmt::format("{} is for {}", name, fmt::join(takers, ", "));
+  }
+  return {};
+}
+
+/// What an option was meant to be, as the end of a sentence; empty if nobody knows.
+std::string meant_option(const CLI::App& program, const CLI::App& command, const std::string& typed) {
+  const Symbol* symbol = find_symbol(symbols(), bare(typed));
+  if (symbol != nullptr)
+    if (const Names known = those_of(command, symbol->options); !known.empty())
+      return fmt::format("; did you mean {}?{}", fmt::join(known, " or "),
+                         symbol->remark.empty() ? "" : " (" + symbol->remark + ")");
+  const std::string exactly = of_other_commands(program, {typed});
+  if (!exactly.empty())
+    return "; " + exactly;
+  const Names near = near_misses(typed.substr(typed.find_first_not_of('-')), long_options(command));
+  if (!near.empty() && near.size() <= 3)
+    return fmt::format("; did you mean --{}?", fmt::join(near, " or --"));
+  const std::string elsewhere =
+      symbol != nullptr ? of_other_commands(program, symbol->options) : std::string();
+  return elsewhere.empty() ? fmt::format("; {} --help lists what there is", full_name(command))
+                           : "; " + elsewhere;
+}
+
+/// A word that begins with a dash of a text processor, with hyphens instead; empty for other words.
+std::string with_hyphens(const std::string& word) {
+  constexpr std::string_view dashes[] = {"-", "\u2010", "\u2011", "\u2013", "\u2014", "\u2212"};
+  std::string_view rest = word;
+  for (auto dash = std::begin(dashes); dash != std::end(dashes);)
+    if (rest.starts_with(*dash)) {
+      rest.remove_prefix(dash->size());
+      dash = std::begin(dashes);
+    } else
+      ++dash;
+  return rest.size() == word.size() || word[0] == '-' ? std::string() : "--" + std::string(rest);
+}
+
+std::string stray_word(const CLI::App& program, const CLI::App& command, const std::string& word) {
+  const std::string said = fmt::format("{} does not know what '{}' is", full_name(command), word);
+  if (const std::string mended = with_hyphens(word); !mended.empty())
+    return fmt::format("'{}' begins with a dash, not with hyphens: write {}", word, mended);
+  const std::string key = word.substr(0, word.find('='));
+  if (key.size() < word.size()) {
+    const std::string option = "--" + key;
+    if (command.get_option_no_throw(option) != nullptr)
+      return fmt::format("{}: write {} {}", said, option, word.substr(key.size() + 1));
+    return said + meant_option(program, command, option);
+  }
+  if (command.get_option_no_throw("--" + word) != nullptr)
+    return fmt::format("{}: write --{}", said, word);
+  return said + ": the name of an option stands before each value, as in --out FILE";
+}
+
+bool looks_like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word != "--" && !leading_number(word);
+}
+
+/// What is wrong with an option that the command knows; empty if nothing is.
+std::string fault_of_value(const TypedArgument& typed) {
+  const CLI::Option& option = *typed.option;
+  if (option.get_items_expected_min() > 0 && typed.values.empty())
+    return typed.word + " has no value";
+  const auto dimension = dimension_of(option);
+  if (!dimension || option.get_type_name() != type_name(*dimension) || option.get_items_expected_max() > 1)
+    return {};
+  try {
+    (void)parse_quantity(typed.word, typed.values.front(), *dimension);
+  } catch (const InvalidArgument& error) {
+    const std::string what = error.what();
+    const bool several = what.find("several values") != std::string::npos;
+    return several ? what + "; granum sweep takes a path or a table of states" : what;
+  }
+  return {};
+}
+
+} // namespace
+
+std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& command,
+                                   const std::vector<TypedArgument>& arguments) {
+  const bool positionals =
+      !command.get_options([](const CLI::Option* o) { return o->get_positional(); }).empty();
+  std::vector<std::string> faults;
+  bool of_unknown = false; // the word before is an option that nobody knows: this one may be its value
+  for (const TypedArgument& typed : arguments) {
+    std::string fault;
+    const bool unknown = typed.option == nullptr && looks_like_option(typed.word);
+    if (typed.option != nullptr)
+      fault = fault_of_value(typed);
+    else if (unknown)
+      fault = fmt::format("{} has no option {}{}", full_name(command), typed.word,
+                          meant_option(program, command, typed.word));
+    else if (!positionals && !of_unknown)
+      fault = stray_word(program, command, typed.word);
+    if (!fault.empty())
+      faults.push_back(fault);
+    of_unknown = unknown || (of_unknown && typed.option == nullptr);
+  }
+  return faults;
+}
+
+std::string unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
+  const std::string& word = words.front();
+  Names names;
+  for (const CLI::App* command : commands_within(program))
+    names.push_back(command->get_name());
+  if (looks_like_option(word)) {
+    const std::string takers = of_other_commands(program, {word.substr(0, word.find('='))});
+    return fmt::format("the first word is the command, one of {}{}", fmt::join(names, ", "),
+                       takers.empty() ? "" : "; " + takers);
+  }
+  const std::string said = fmt::format("there is no command '{}'", word);
+  const Symbol* symbol = find_symbol(other_command_names(), word);
+  if (symbol != nullptr && std::find(names.begin(), names.end(), symbol->options.front()) != names.end())
+    return fmt::format("{}; did you mean {}?", said, symbol->options.front());
+  const std::string near = did_you_mean(word, names);
+  return said + (near.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : near);
+}
+
+} // namespace granum::cli

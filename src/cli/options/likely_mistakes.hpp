@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <granum/core/validity.hpp>
+#include <granum/effective/state.hpp>
+
+#include "packing_options.hpp"
+
+/// Inputs that are possible, but more likely a slip of unit or symbol: warnings that name the slip.
+/// Checked by tests/cli/people.cmake
+namespace granum::cli {
+
+/// Of what was given alone, in the order of the options: the void ratio, z*, stress, size and modulus of the
+/// grains.
+/// \throws   InvalidArgument as effective::contact_prior
+[[nodiscard]] Validity likely_mistakes(const PackingOptions& options, const effective::State& state);
+
+/// The same of the density of the grains' solid.
+[[nodiscard]] Validity likely_mistakes(const Number& grain_density);
+
+/// A share of 0 to `most` [1]; one in per cent without its sign gets a hint.
+/// \throws   InvalidArgument
+double require_share(const Number& number, double most = 1);
+
+} // namespace granum::cli

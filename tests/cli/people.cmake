@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What people type who have not read the documents: engineers, users of DEM codes, teachers. Each line either does what was
+# meant, or the message names the right option, unit or command.
+#
+# granum_new_user(<what was meant> <command line> <exit code> <what the output must hold, a regex>). Where something is refused
+# or doubted the regex is that of standard error.
+set(new_user_folder "${CMAKE_CURRENT_SOURCE_DIR}/data")
+function(granum_new_user meant line exit expected)
+  separate_arguments(words UNIX_COMMAND "${line}")
+  add_test(NAME "cli: a new user types: ${line} (${meant})" WORKING_DIRECTORY "${new_user_folder}"
+    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DEXIT=${exit}" "-DEXPECTED=${expected}"
+      -P "${PROJECT_SOURCE_DIR}/tests/cli/check_new_user.cmake" -- ${words})
+  set_tests_properties("cli: a new user types: ${line} (${meant})" PROPERTIES LABELS cli)
+endfunction()
+
+set(at "--void-ratio 0.6 --pressure 100kPa")
+
+# ---- units and numbers
+granum_new_user("a unit as a word of its own" "estimate --void-ratio 0.6 --pressure 100 kPa" 0 "sigma_v = 100 kPa")
+granum_new_user("kN/m2" "estimate --void-ratio=0.6 --pressure=100kN/m2" 0 "sigma_v = 100 kPa")
+granum_new_user("American units" "estimate --void-ratio 0.6 --pressure 14.5 psi" 0 "sigma_v = 99\\.97 kPa")
+granum_new_user("small letters" "estimate --void-ratio 0.6 --pressure 100kpa" 0 "sigma_v = 100 kPa")
+granum_new_user("a unit forgotten" "estimate --void-ratio 0.6 --pressure 100" 2 "--pressure = 100 has no unit; write 100Pa, 100kPa")
+granum_new_user("a decimal comma" "estimate --void-ratio 0,6 --pressure 100kPa" 2 "--void-ratio = '0,6'[^\n]* write 0\\.6")
+granum_new_user("per cent" "estimate --void-ratio 60% --pressure 100kPa" 0 "e = 0\\.6,")
+granum_new_user("per cent without the sign" "estimate --void-ratio 60 --pressure 100kPa" 0 "per cent, 60%, or a porosity, --porosity 60%")
+granum_new_user("the same, strictly" "estimate --void-ratio 60 --pressure 100kPa --strict" 4 "per cent, 60%")
+granum_new_user("a porosity in per cent" "estimate --porosity 38 --pressure 100kPa" 2 "write 38% for per cent")
+granum_new_user("a relative density in per cent" "estimate --sand toyoura --relative-density 60 --pressure 98kPa" 2 "write 60% for per cent")
+granum_new_user("compression is negative in codes" "estimate --void-ratio 0.6 --pressure -100kPa" 2 "compression is positive")
+granum_new_user("a size without unit" "estimate --d50 0.2 ${at}" 2 "--d50 = 0\\.2 has no unit; write [^\n]*0\\.2mm")
+granum_new_user("mm taken for m" "estimate --radius 0.5m ${at}" 0 "--radius 500 mm: [^\n]*was 500 um meant")
+granum_new_user("GPa taken for kPa" "estimate --grain-shear-modulus 44kPa ${at}" 0 "44 kPa: [^\n]*was 44 GPa meant")
+granum_new_user("GPa forgotten" "estimate --grain-shear-modulus 44Pa ${at}" 0 "44 Pa: [^\n]*was 44 GPa meant")
+granum_new_user("g/cm3 taken for kg/m3" "estimate --grain-density 2.65kg/m3 ${at}" 0 "was 2650 kg/m3 meant")
+granum_new_user("kPa taken for Pa" "estimate --void-ratio 0.6 --pressure 50Pa" 0 "--pressure 50 Pa[^\n]*was 50 kPa meant")
+granum_new_user("more contacts than there are" "estimate --void-ratio 0.8 --pressure 100kPa --mechanical-coordination-number 7" 0
+  "no packing of equal spheres of void ratio 0\\.8 has so many contacts")
+
+granum_new_user("several pressures" "estimate --void-ratio 0.6 --pressure 50kPa,100kPa" 2 "several values[^\n]*granum sweep")
+granum_new_user("a range" "estimate --void-ratio 0.6 --pressure 10kPa..1MPa" 2 "several values[^\n]*granum sweep")
+granum_new_user("several void ratios" "estimate --void-ratio 0.6,0.7 --pressure 100kPa" 2 "several values")
+
+# ---- symbols and near words
+granum_new_user("symbols" "estimate --e 0.6 --p 100kPa" 2 "no option --e; did you mean --void-ratio.*no option --p; did you mean --pressure")
+granum_new_user("the same in another order" "estimate --p 100kPa --e 0.6" 2 "no option --p; did you mean --pressure.*no option --e; did you mean --void-ratio")
+granum_new_user("one hyphen" "estimate -e 0.6 -p 100kPa" 2 "--void-ratio.*--pressure")
+granum_new_user("porosity by its symbol" "estimate --n 0.38 --pressure 100kPa" 2 "--n; did you mean --porosity")
+granum_new_user("Poisson's ratio" "estimate --nu 0.2 ${at}" 2 "--nu; did you mean --grain-poisson-ratio")
+granum_new_user("specific gravity" "estimate --Gs 2.65 ${at}" 2 "--Gs; did you mean --grain-density .*specific gravity of 2\\.65 is the density 2\\.65g/cm3")
+granum_new_user("shear modulus of the grains" "estimate --G 44GPa ${at}" 2 "--G; did you mean --grain-shear-modulus")
+granum_new_user("D50" "estimate --D50 0.2mm ${at}" 2 "--D50; did you mean --d50")
+granum_new_user("coordination number" "estimate --z 5.5 ${at}" 2 "--z; did you mean [^\n]*--mechanical-coordination-number")
+granum_new_user("relative density" "estimate --sand toyoura --Dr 60% --pressure 98kPa" 2 "--Dr; did you mean --relative-density")
+granum_new_user("a dry density" "estimate --density 1.6g/cm3 --pressure 100kPa" 2 "--grain-density or --void-ratio.*e = rho_s/rho_d - 1")
+granum_new_user("what nobody has" "estimate --temperature 20 ${at}" 2 "no option --temperature; granum estimate --help lists")
+granum_new_user("confining pressure" "estimate --void-ratio 0.6 --confining-pressure 1bar" 2 "did you mean --pressure")
+granum_new_user("underscores" "estimate --void_ratio 0.6 --pressure 100kPa" 2 "did you mean --void-ratio")
+granum_new_user("a slip of the fingers" "estimate --void-ratoi 0.6 --presure 100kPa" 2 "--void-ratio.*--pressure")
+granum_new_user("an option cut off" "estimate --void 0.6 --pressure 100kPa" 2 "did you mean --void-ratio")
+granum_new_user("earth pressure at rest" "estimate --void-ratio 0.6 --stress-v 200kPa --K0 0.5" 2 "--K0; [^\n]*(--stress-h|granum sweep)")
+granum_new_user("a shear wave to estimate" "estimate --vs 280m/s ${at}" 2 "--vs is for granum infer")
+granum_new_user("a measured G_max" "infer --void-ratio 0.6 --pressure 100kPa --Gmax 120MPa" 2 "--Gmax; did you mean --shear-modulus")
+granum_new_user("V_s" "infer --void-ratio 0.6 --pressure 100 kPa --Vs 280 m/s" 2 "--Vs; did you mean --vs")
+granum_new_user("an equation" "estimate void-ratio=0.6 pressure=100kPa" 2 "write --void-ratio 0\\.6.*write --pressure 100kPa")
+granum_new_user("values alone" "estimate 0.6 100kPa" 2 "'0\\.6' is: the name of an option stands before each value")
+granum_new_user("a dash of a text processor" "estimate –void-ratio 0.6 --pressure 100kPa" 2 "write --void-ratio")
+granum_new_user("a value forgotten" "estimate --void-ratio --pressure 100kPa" 2 "--void-ratio has no value")
+granum_new_user("several mistakes, each named in the order typed" "estimate --pressure 100 --e 0.6 --radius 1,5mm" 2
+  "--pressure = 100 has no unit.*no option --e.*--radius = '1,5mm'[^\n]* write 1\\.5mm")
+granum_new_user("output to a file" "estimate ${at} -o result.json" 2 "no option -o; did you mean --out")
+
+# ---- choices
+granum_new_user("Hertz" "estimate --contact hertz ${at}" 2 "hertz not in {cone,sphere,flat,power-law}; did you mean sphere")
+granum_new_user("large letters" "estimate --contact Sphere ${at}" 0 "contact   sphere")
+granum_new_user("a sand's name as it is written" "estimate --sand Toyoura --void-ratio 0.7 --pressure 98kPa" 0 "G_g = 44 GPa")
+granum_new_user("a sand misspelt" "estimate --sand toyora --void-ratio 0.7 --pressure 98kPa" 2 "sand 'toyora' is unknown; did you mean toyoura")
+granum_new_user("a sand with the word sand" "estimate --sand 'Toyoura sand' --void-ratio 0.7 --pressure 98kPa" 2 "did you mean toyoura")
+granum_new_user("a mineral misspelt" "estimate --grain quarz ${at}" 2 "did you mean quartz")
+granum_new_user("a preparation cut off" "estimate --preparation dens ${at}" 2 "did you mean dense")
+
+# ---- what is missing
+granum_new_user("nothing but the command" "estimate" 2 "density and stress are missing: give --void-ratio,[^\n]*--pressure")
+granum_new_user("no stress" "estimate --void-ratio 0.6" 2 "the stress is missing: give --pressure")
+granum_new_user("one stress" "estimate --void-ratio 0.6 --stress-v 200kPa" 2 "--stress-h is missing")
+granum_new_user("no command" "${at}" 2 "the first word is the command.*--void-ratio is for granum estimate")
+
+# ---- commands
+granum_new_user("a slip" "fitt data.csv" 2 "no command 'fitt'; did you mean fit")
+granum_new_user("American spelling" "analyze dump.lammps" 2 "did you mean analyse")
+granum_new_user("help as a command" "help estimate" 0 "Usage: granum estimate")
+granum_new_user("a stiffness" "calculate ${at}" 2 "did you mean estimate")
+granum_new_user("a profile" "profile --depth 0m..30m" 2 "did you mean sweep")
+granum_new_user("DEM" "simulate" 2 "did you mean verify")
+granum_new_user("an unknown code" "export yade" 2 "no command 'yade'; there are lammps")
+
+# ---- scenes
+granum_new_user("a key without its section" "plan --set radius=0.4mm" 2 "key 'radius' is unknown; did you mean grain\\.radius")
+granum_new_user("a plural" "plan --set study.contacts=spheres" 2 "'spheres' is unknown; did you mean sphere")
+granum_new_user("particles" "plan --particles 500" 2 "--particles; did you mean --grains")
+granum_new_user("a number of grains with a comma" "plan --set study.grains=2,000" 2 "write 2\\.000 or 2000")
+
+# ---- tables
+granum_new_user("an isotropic path to fit" "fit isotropic.csv" 2 "--sum-only")
+granum_new_user("p and G with units in brackets" "fit isotropic_by_hand.csv" 0 "s +0\\.3490")
+granum_new_user("a column with its unit" "fit isotropic_by_hand.csv --modulus-column 'G_max [MPa]'" 0 "s +0\\.3490")
+granum_new_user("a file that is not there" "fit moduli.csv" 3 "moduli\\.csv: cannot be read: No such file")
+
+granum_cli_test("people: a likely slip stands in the JSON" EXIT 0 STDERR "warning: --void-ratio 60: is it per cent"
+  JSON "warnings/0=^--void-ratio 60: is it per cent, 60%" ARGS estimate --void-ratio 60 --pressure 100kPa --json)
+granum_cli_test("people: of infer too, strictly" EXIT 4 STDERR "error: --grain-shear-modulus 44 kPa: softer than rubber; was 44 GPa meant"
+  JSON "command=infer" ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 0.3m/s --grain-shear-modulus 44kPa --strict --json)
+granum_cli_test("people: of a path" EXIT 0 STDERR "warning: --radius 500 mm: grains so large are no sand; was 500 um meant" STDOUT "p_Pa"
+  ARGS sweep --void-ratio 0.6 --radius 0.5m --from 10kPa --to 100kPa --points 2)
+granum_cli_test("people: over depth" EXIT 0 STDERR "warning: --d50 200 mm: [^\n]*was 200 um meant" STDOUT "sigma_v"
+  ARGS sweep --void-ratio 0.6 --d50 0.2m --depth 1m..2m --points 2)

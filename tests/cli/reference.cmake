@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Manual pages and completion, which the build lets the program make of its own options.
+if(TARGET granum_reference)
+  set(reference "${PROJECT_BINARY_DIR}/reference")
+  find_program(GRANUM_GROFF groff)
+  find_program(GRANUM_MANDOC mandoc)
+  find_program(GRANUM_BASH bash)
+  find_program(GRANUM_ZSH zsh)
+  add_test(NAME "cli: manual pages hold every option and have no fault"
+    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DPAGES=${reference}/man1" "-DGROFF=${GRANUM_GROFF}"
+      "-DMANDOC=${GRANUM_MANDOC}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_manual.cmake")
+  set_tests_properties("cli: manual pages hold every option and have no fault" PROPERTIES LABELS cli)
+  if(GRANUM_BASH)
+    add_test(NAME "cli: completion in bash" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+      COMMAND "${GRANUM_BASH}" "${CMAKE_CURRENT_SOURCE_DIR}/check_completion.sh" "$<TARGET_FILE:granum_cli>" "${reference}/bash/granum")
+    set_tests_properties("cli: completion in bash" PROPERTIES LABELS cli)
+  endif()
+  if(GRANUM_ZSH)
+    add_test(NAME "cli: completion in zsh is read" COMMAND "${GRANUM_ZSH}" -n "${reference}/zsh/_granum")
+    set_tests_properties("cli: completion in zsh is read" PROPERTIES LABELS cli)
+  endif()
+endif()

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/core/near_miss.hpp>
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace granum;
+
+TEST_CASE("slips are counted, whichever word comes first") {
+  const struct {
+    const char* a;
+    const char* b;
+    std::size_t slips;
+  } all[] = {{"", "", 0},
+             {"", "abc", 3},
+             {"pressure", "pressure", 0},
+             {"pressur", "pressure", 1},   // missing
+             {"pressuree", "pressure", 1}, // too many
+             {"prezsure", "pressure", 1},  // wrong
+             {"perssure", "pressure", 1},  // the wrong way round
+             {"kitten", "sitting", 3},
+             {"ca", "abc", 3}}; // neighbours that changed places are not touched again
+  for (const auto& [a, b, slips] : all) {
+    CAPTURE(a);
+    CAPTURE(b);
+    CHECK(slips_between(a, b) == slips);
+    CHECK(slips_between(b, a) == slips);
+  }
+}
+
+TEST_CASE("the word that was meant is found, and none where none is near") {
+  const std::vector<std::string> options{"void-ratio", "stress-v", "stress-h", "d50", "fabric", "from"};
+  using Words = std::vector<std::string>;
+  CHECK(near_misses("Void_Ratio", options) == Words{"void-ratio"});
+  CHECK(near_misses("void", options) == Words{"void-ratio"});
+  CHECK(near_misses("viod-ratoi", options) == Words{"void-ratio"});
+  CHECK(near_misses("stress", options) == Words{"stress-v", "stress-h"});
+  CHECK(near_misses("fabric tensor", options) == Words{"fabric"});
+  CHECK(near_misses("ratio", options) == Words{"void-ratio"});
+  CHECK(near_misses("D50", options) == Words{"d50"});
+  CHECK(near_misses("d5", options) == Words{"d50"});
+  CHECK(near_misses("form", options) == Words{"from"});
+  CHECK(near_misses("temperature", options).empty());
+  CHECK(near_misses("", options).empty());
+}
+
+TEST_CASE("the question lists up to three words") {
+  const std::vector<std::string> words{"rung1", "rung2", "rung3", "rung4", "sphere", "cone", "bone", "tone"};
+  CHECK(did_you_mean("sphre", words) == "; did you mean sphere?");
+  CHECK(did_you_mean("xone", words) == "; did you mean cone, bone or tone?");
+  CHECK(did_you_mean("rung", words).empty());
+  CHECK(did_you_mean("flat", words).empty());
+  CHECK(unknown_word("contact", "sphere2", words) == "contact 'sphere2' is unknown; did you mean sphere?");
+  CHECK(unknown_word("contact", "flat", std::vector<std::string>{"cone", "punch"}) ==
+        "contact 'flat' is unknown; known are cone, punch");
+}
