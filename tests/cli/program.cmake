@@ -2,6 +2,9 @@
 granum_cli_test("version" EXIT 0 STDOUT "^granum ${PROJECT_VERSION} \\(.+\\)\n$" ARGS --version)
 granum_cli_test("help" EXIT 0 STDOUT "Exit codes: 0 ok" ARGS --help)
 granum_cli_test("help of a subcommand" EXIT 0 STDOUT "atmospheric-pressure PRESSURE" ARGS fit --help)
+add_test(NAME "cli: help in 80 columns and groups"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_help.cmake")
+set_tests_properties("cli: help in 80 columns and groups" PROPERTIES LABELS cli)
 granum_cli_test("no subcommand" EXIT 2 STDERR "^granum: error: .*subcommand" ARGS)
 granum_cli_test("unknown subcommand" EXIT 2 STDERR "^granum: error: .*fitt" ARGS fitt)
 

@@ -8,7 +8,7 @@ foreach(command verify plan)
     granum_cli_test("${command}: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS ${command} ${ARGN})
   endfunction()
   granum_study_refuses("unknown key in a scene" 3
-    "scene_unknown_key\\.toml:3: key 'grain\\.radios' is unknown; known are grain\\.radius, "
+    "scene_unknown_key\\.toml:3: key 'grain\\.radios' is unknown; did you mean grain\\.radius"
     --scene scene_unknown_key.toml)
   granum_study_refuses("pressure without unit in a scene" 3
     "scene_unitless_pressure\\.toml:3: study\\.pressures = 10 has no unit; write 10Pa, 10kPa"

@@ -180,6 +180,8 @@ Command add_export(CLI::App& program) {
       ->required();
   lammps->add_flag("--json", options->json, "Print one JSON object: the scene in SI and the files written");
   lammps->add_flag("--force", options->force, "Replace existing files");
+  in_group(*lammps, "Deck", {"--start", "--path", "--eta-step", "--largest-strain"});
+  in_group(*lammps, output_group, {"--out", "--json", "--force"});
   return {command, [options] { return run(*options); }};
 }
 

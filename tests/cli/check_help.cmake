@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Help of every command: lines of 80 columns, options in groups, those for output last:
+#   cmake -DPROGRAM=... -P check_help.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# The help of a command, whose groups must be these, in this order.
+function(check_help command)
+  separate_arguments(words UNIX_COMMAND "${command}")
+  execute_process(COMMAND "${PROGRAM}" ${words} --help OUTPUT_VARIABLE help RESULT_VARIABLE code ERROR_VARIABLE err)
+  if(NOT code EQUAL 0 OR NOT err STREQUAL "")
+    message(FATAL_ERROR "granum ${command} --help: exit code ${code}\n${err}")
+  endif()
+  string(REGEX REPLACE "[][;]" "_" lines "${help}") # which lists of CMake take for their own
+  string(REPLACE "\n" ";" lines "${lines}")
+  set(groups "")
+  foreach(line IN LISTS lines)
+    string(LENGTH "${line}" length)
+    if(length GREATER 80)
+      message(FATAL_ERROR "granum ${command} --help: a line of ${length} columns: ${line}")
+    endif()
+    if(line MATCHES "^([A-Z][A-Za-z ]*):$")
+      list(APPEND groups "${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  if(NOT groups STREQUAL "${ARGN}")
+    message(FATAL_ERROR "granum ${command} --help: the groups are ${groups}; expected ${ARGN}")
+  endif()
+endfunction()
+
+set(packing "Density and stress" "Contacts" "Grains" "Shape of the contacts" "Sizes of the grains")
+check_help("" "From closed forms" "From the files of a DEM code" "By simulation" "Options" "Output")
+check_help("estimate" ${packing} "More results" "Output" "Examples")
+check_help("infer" "Measured" ${packing} "Predicted" "Output" "Examples")
+check_help("sweep" ${packing} "Table and columns" "Path" "Ground" "Output" "Rungs")
+check_help("fit" "Arguments" "Columns" "Law" "Output" "Examples")
+check_help("analyse" "Arguments" "Grains" "Shape of the contacts" "Files" "What is measured" "Output")
+check_help("verify" "Scene" "Output")
+check_help("plan" "Scene" "Plan" "Output")
+check_help("reproduce" "Scene" "Run" "Output")
+check_help("trade" "Scene" "Extent" "Output")
+check_help("export lammps" "Scene" "Deck" "Output")
