@@ -34,8 +34,8 @@ granum_new_user("GPa taken for kPa" "estimate --grain-shear-modulus 44kPa ${at}"
 granum_new_user("GPa forgotten" "estimate --grain-shear-modulus 44Pa ${at}" 0 "44 Pa: [^\n]*was 44 GPa meant")
 granum_new_user("g/cm3 taken for kg/m3" "estimate --grain-density 2.65kg/m3 ${at}" 0 "was 2650 kg/m3 meant")
 granum_new_user("kPa taken for Pa" "estimate --void-ratio 0.6 --pressure 50Pa" 0 "--pressure 50 Pa[^\n]*was 50 kPa meant")
-granum_new_user("more contacts than there are" "estimate --void-ratio 0.8 --pressure 100kPa --mechanical-coordination-number 7" 0
-  "no packing of equal spheres of void ratio 0\\.8 has so many contacts")
+granum_new_user("more contacts than there are" "estimate --void-ratio 0.9 --pressure 100kPa --mechanical-coordination-number 7" 0
+  "no packing of equal spheres of void ratio 0\\.9 has so many contacts")
 
 granum_new_user("several pressures" "estimate --void-ratio 0.6 --pressure 50kPa,100kPa" 2 "several values[^\n]*granum sweep")
 granum_new_user("a range" "estimate --void-ratio 0.6 --pressure 10kPa..1MPa" 2 "several values[^\n]*granum sweep")
