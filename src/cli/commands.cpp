@@ -123,17 +123,19 @@ ExitCode parse_and_run(int argc, char** argv) {
   program.formatter_fn(
       [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_text(*app); });
   const std::vector<Command> commands = add_commands(program);
+  std::string called = full_name(program);
   try {
     std::vector<std::string> words = with_help_last({argv + std::min(argc, 1), argv + argc});
     if (const std::vector<std::string> faults = prepare(program, words); !faults.empty())
       return fail_with(faults);
+    called = full_name(*named_command(program, words).app);
     std::reverse(words.begin(), words.end()); // as the parser takes them
     program.parse(std::move(words));
   } catch (const CLI::Success& request) { // --help, --version
     program.exit(request);
     return std::cout.flush() ? ExitCode::ok : fail(ExitCode::file, "standard output: cannot be written");
   } catch (const CLI::ParseError& error) {
-    return fail(ExitCode::usage, std::string(error.what()) + "; see granum --help");
+    return fail(ExitCode::usage, std::string(error.what()) + "; see " + called + " --help");
   }
   for (const Command& command : commands)
     if (command.app->parsed())

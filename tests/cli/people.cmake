@@ -61,6 +61,7 @@ granum_new_user("an option cut off" "estimate --void 0.6 --pressure 100kPa" 2 "d
 granum_new_user("earth pressure at rest" "estimate --void-ratio 0.6 --stress-v 200kPa --K0 0.5" 2 "--K0; [^\n]*(--stress-h|granum sweep)")
 granum_new_user("a shear wave to estimate" "estimate --vs 280m/s ${at}" 2 "--vs is for granum infer")
 granum_new_user("a measured G_max" "infer --void-ratio 0.6 --pressure 100kPa --Gmax 120MPa" 2 "--Gmax; did you mean --shear-modulus")
+granum_new_user("G measured" "infer --void-ratio 0.6 --pressure 100kPa --G 120MPa" 2 "--G; did you mean --shear-modulus")
 granum_new_user("V_s" "infer --void-ratio 0.6 --pressure 100 kPa --Vs 280 m/s" 2 "--Vs; did you mean --vs")
 granum_new_user("an equation" "estimate void-ratio=0.6 pressure=100kPa" 2 "write --void-ratio 0\\.6.*write --pressure 100kPa")
 granum_new_user("values alone" "estimate 0.6 100kPa" 2 "'0\\.6' is: the name of an option stands before each value")
@@ -68,6 +69,9 @@ granum_new_user("a dash of a text processor" "estimate –void-ratio 0.6 --press
 granum_new_user("a value forgotten" "estimate --void-ratio --pressure 100kPa" 2 "--void-ratio has no value")
 granum_new_user("several mistakes, each named in the order typed" "estimate --pressure 100 --e 0.6 --radius 1,5mm" 2
   "--pressure = 100 has no unit.*no option --e.*--radius = '1,5mm'[^\n]* write 1\\.5mm")
+granum_new_user("twice" "estimate --pressure 100kPa --void-ratio 0.6 --pressure 200kPa" 2 "--pressure is given twice")
+granum_new_user("per cent of a tolerance" "estimate --tolerance 5 ${at}" 0 "--tolerance 5 is 500 %; was 5% meant")
+granum_new_user("a saturation in per cent" "estimate --saturation 100 ${at}" 2 "write 100% for per cent")
 granum_new_user("output to a file" "estimate ${at} -o result.json" 2 "no option -o; did you mean --out")
 
 # ---- choices
@@ -90,12 +94,16 @@ granum_new_user("a slip" "fitt data.csv" 2 "no command 'fitt'; did you mean fit"
 granum_new_user("American spelling" "analyze dump.lammps" 2 "did you mean analyse")
 granum_new_user("help as a command" "help estimate" 0 "Usage: granum estimate")
 granum_new_user("a stiffness" "calculate ${at}" 2 "did you mean estimate")
+granum_new_user("the version" "--verison" 2 "did you mean --version")
+granum_new_user("depths with their units apart" "sweep --void-ratio 0.6 --depth 1 m .. 2 m --points 2" 0 "sigma_v")
+granum_new_user("the water table" "sweep --void-ratio 0.6 --depth 1m..2m --gwt 2m" 2 "--gwt; did you mean --water-table")
 granum_new_user("a profile" "profile --depth 0m..30m" 2 "did you mean sweep")
 granum_new_user("DEM" "simulate" 2 "did you mean verify")
 granum_new_user("an unknown code" "export yade" 2 "no command 'yade'; there are lammps")
 
 # ---- scenes
 granum_new_user("a key without its section" "plan --set radius=0.4mm" 2 "key 'radius' is unknown; did you mean grain\\.radius")
+granum_new_user("a key as an option" "verify --radius 0.4mm" 2 "no option --radius; did you mean --set grain\\.radius")
 granum_new_user("a plural" "plan --set study.contacts=spheres" 2 "'spheres' is unknown; did you mean sphere")
 granum_new_user("particles" "plan --particles 500" 2 "--particles; did you mean --grains")
 granum_new_user("a number of grains with a comma" "plan --set study.grains=2,000" 2 "write 2\\.000 or 2000")
@@ -104,6 +112,7 @@ granum_new_user("a number of grains with a comma" "plan --set study.grains=2,000
 granum_new_user("an isotropic path to fit" "fit isotropic.csv" 2 "--sum-only")
 granum_new_user("p and G with units in brackets" "fit isotropic_by_hand.csv" 0 "s +0\\.3490")
 granum_new_user("a column with its unit" "fit isotropic_by_hand.csv --modulus-column 'G_max [MPa]'" 0 "s +0\\.3490")
+granum_new_user("no file" "fit" 2 "file is required; see granum fit --help")
 granum_new_user("a file that is not there" "fit moduli.csv" 3 "moduli\\.csv: cannot be read: No such file")
 
 granum_cli_test("people: a likely slip stands in the JSON" EXIT 0 STDERR "warning: --void-ratio 60: is it per cent"

@@ -101,6 +101,9 @@ ExitCode run(Options options) {
   ordered_json json = estimate_json(question, rungs, answer);
   Validity validity = likely_mistakes(options.packing, question.subject.state);
   validity.merge(likely_mistakes(options.answer.grain_density));
+  if (options.tolerance.value > 1)
+    validity.add(fmt::format("--tolerance {0} is {1}; was {0}% meant?", short_text(options.tolerance.value),
+                             percent_text(options.tolerance.value)));
   validity.merge(rungs.validity);
   validity.merge(answer.answer.validity);
   validity.keep_each_once();

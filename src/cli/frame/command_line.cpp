@@ -38,7 +38,8 @@ bool is_error_sign(const std::string& word) { return word == "+-" || word == "+/
 
 /// Whether an option takes numbers with units, in its value or behind a key.
 bool takes_units(const CLI::Option& option) {
-  return dimension_of(option) || option.get_type_name().starts_with("KEY=");
+  const std::string type = option.get_type_name();
+  return dimension_of(option) || type.starts_with("KEY=") || type.find("..") != std::string::npos;
 }
 
 /// Reads one word after the other.
@@ -92,6 +93,8 @@ class Reader {
       const bool unit = awaits_unit(value) && (is_unit(word) || must_be_unit(option, word));
       if (is_error_sign(word) && next_ + 1 < words_.size())
         value += "+-" + words_[++next_];
+      else if (word == ".." && next_ + 1 < words_.size())
+        value += ".." + words_[++next_];
       else if (unit)
         value += word;
       else

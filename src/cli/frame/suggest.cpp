@@ -11,6 +11,7 @@
 #include <granum/core/number.hpp>
 
 #include "help.hpp"
+#include "studies/scene/scene_keys.hpp"
 
 namespace granum::cli {
 
@@ -61,7 +62,8 @@ const std::vector<Symbol>& symbols() {
        {"--grain-density", "--void-ratio"},
        "of the solid rho_s; with the dry density of the packing e = rho_s/rho_d - 1"},
       {{"gamma", "gammad", "gammasat", "bulkunitweight"}, {"--unit-weight", "--grain-density"}},
-      {{"G", "g", "Gg", "gg", "mug", "modulus", "grainmodulus", "shearmodulus"}, {"--grain-shear-modulus"}},
+      {{"G", "g", "Gg", "gg", "mug", "modulus", "grainmodulus", "shearmodulus"},
+       {"--shear-modulus", "--grain-shear-modulus"}},
       {{"E", "Eg", "Es", "youngmodulus", "youngsmodulus", "grainyoungmodulus"},
        {"--grain-shear-modulus"},
        "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"},
@@ -180,6 +182,16 @@ std::string of_other_commands(const CLI::App& program, const Names& wanted) {
   return {};
 }
 
+/// Keys of the scene, for a command that takes one.
+Names near_scene_keys(const CLI::App& command, const std::string& name) {
+  if (command.get_option_no_throw("--set") == nullptr)
+    return {};
+  Names keys;
+  for (const studies::SceneKey& key : studies::scene_keys())
+    keys.push_back(key.name);
+  return near_misses(name, keys);
+}
+
 /// What an option was meant to be, as the end of a sentence; empty if nobody knows.
 std::string meant_option(const CLI::App& program, const CLI::App& command, const std::string& typed) {
   const Symbol* symbol = find_symbol(symbols(), bare(typed));
@@ -187,12 +199,14 @@ std::string meant_option(const CLI::App& program, const CLI::App& command, const
     if (const Names known = those_of(command, symbol->options); !known.empty())
       return fmt::format("; did you mean {}?{}", fmt::join(known, " or "),
                          symbol->remark.empty() ? "" : " (" + symbol->remark + ")");
-  const std::string exactly = of_other_commands(program, {typed});
-  if (!exactly.empty())
-    return "; " + exactly;
-  const Names near = near_misses(typed.substr(typed.find_first_not_of('-')), long_options(command));
+  const std::string name = typed.substr(typed.find_first_not_of('-'));
+  const Names near = near_misses(name, long_options(command));
   if (!near.empty() && near.size() <= 3)
     return fmt::format("; did you mean --{}?", fmt::join(near, " or --"));
+  if (const Names keys = near_scene_keys(command, name); !keys.empty() && keys.size() <= 3)
+    return fmt::format("; did you mean --set {}?", fmt::join(keys, " or --set "));
+  if (const std::string exactly = of_other_commands(program, {typed}); !exactly.empty())
+    return "; " + exactly;
   const std::string elsewhere =
       symbol != nullptr ? of_other_commands(program, symbol->options) : std::string();
   return elsewhere.empty() ? fmt::format("; {} --help lists what there is", full_name(command))
@@ -257,11 +271,15 @@ std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& comm
   const bool positionals =
       !command.get_options([](const CLI::Option* o) { return o->get_positional(); }).empty();
   std::vector<std::string> faults;
+  std::vector<const CLI::Option*> before;
   bool of_unknown = false; // the word before is an option that nobody knows: this one may be its value
   for (const TypedArgument& typed : arguments) {
     std::string fault;
     const bool unknown = typed.option == nullptr && looks_like_option(typed.word);
-    if (typed.option != nullptr)
+    const bool once = typed.option != nullptr && typed.option->get_items_expected_max() == 1;
+    if (once && std::find(before.begin(), before.end(), typed.option) != before.end())
+      fault = typed.word + " is given twice";
+    else if (typed.option != nullptr)
       fault = fault_of_value(typed);
     else if (unknown)
       fault = fmt::format("{} has no option {}{}", full_name(command), typed.word,
@@ -270,6 +288,7 @@ std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& comm
       fault = stray_word(program, command, typed.word);
     if (!fault.empty())
       faults.push_back(fault);
+    before.push_back(typed.option);
     of_unknown = unknown || (of_unknown && typed.option == nullptr);
   }
   return faults;
@@ -281,6 +300,9 @@ std::string unknown_command(const CLI::App& program, const std::vector<std::stri
   for (const CLI::App* command : commands_within(program))
     names.push_back(command->get_name());
   if (looks_like_option(word)) {
+    const Names near = near_misses(word.substr(word.find_first_not_of('-')), long_options(program));
+    if (!near.empty())
+      return fmt::format("{} has no option {}; did you mean --{}?", full_name(program), word, near.front());
     const std::string takers = of_other_commands(program, {word.substr(0, word.find('='))});
     return fmt::format("the first word is the command, one of {}{}", fmt::join(names, ", "),
                        takers.empty() ? "" : "; " + takers);
