@@ -66,6 +66,7 @@ granum_new_user("V_s" "infer --void-ratio 0.6 --pressure 100 kPa --Vs 280 m/s" 2
 granum_new_user("an equation" "estimate void-ratio=0.6 pressure=100kPa" 2 "write --void-ratio 0\\.6.*write --pressure 100kPa")
 granum_new_user("values alone" "estimate 0.6 100kPa" 2 "'0\\.6' is: the name of an option stands before each value")
 granum_new_user("a dash of a text processor" "estimate –void-ratio 0.6 --pressure 100kPa" 2 "write --void-ratio")
+granum_new_user("hyphens alone" "estimate --- 0.6" 2 "no option ---; granum estimate --help")
 granum_new_user("a value forgotten" "estimate --void-ratio --pressure 100kPa" 2 "--void-ratio has no value")
 granum_new_user("several mistakes, each named in the order typed" "estimate --pressure 100 --e 0.6 --radius 1,5mm" 2
   "--pressure = 100 has no unit.*no option --e.*--radius = '1,5mm'[^\n]* write 1\\.5mm")

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/frame/suggest.hpp"
 #include "input.hpp"
 
 using namespace granum;
@@ -23,6 +24,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     argv.push_back(argument.c_str());
   CLI::App program("", "granum");
   const std::vector<cli::Command> commands = cli::add_commands(program);
+  for (const cli::Command& command : commands) // what is asked back, whatever the command
+    for (const std::string& fault :
+         cli::faults_of(program, *command.app, cli::read_arguments(*command.app, arguments)))
+      fuzz::demand(!fault.empty());
+  if (!arguments.empty())
+    fuzz::demand(!cli::unknown_command(program, arguments).empty());
   try {
     program.parse(static_cast<int>(argv.size()), argv.data());
   } catch (const CLI::ParseError& error) {

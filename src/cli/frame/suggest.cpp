@@ -129,6 +129,11 @@ std::string bare(std::string_view word) {
   return text;
 }
 
+/// "--void-ratio" as "void-ratio".
+std::string without_hyphens(const std::string& word) {
+  return word.substr(std::min(word.find_first_not_of('-'), word.size()));
+}
+
 const Symbol* find_symbol(const std::vector<Symbol>& table, const std::string& name) {
   for (const std::string& wanted : {name, in_small_letters(name)})
     for (const Symbol& symbol : table)
@@ -199,7 +204,7 @@ std::string meant_option(const CLI::App& program, const CLI::App& command, const
     if (const Names known = those_of(command, symbol->options); !known.empty())
       return fmt::format("; did you mean {}?{}", fmt::join(known, " or "),
                          symbol->remark.empty() ? "" : " (" + symbol->remark + ")");
-  const std::string name = typed.substr(typed.find_first_not_of('-'));
+  const std::string name = without_hyphens(typed);
   const Names near = near_misses(name, long_options(command));
   if (!near.empty() && near.size() <= 3)
     return fmt::format("; did you mean --{}?", fmt::join(near, " or --"));
@@ -300,7 +305,7 @@ std::string unknown_command(const CLI::App& program, const std::vector<std::stri
   for (const CLI::App* command : commands_within(program))
     names.push_back(command->get_name());
   if (looks_like_option(word)) {
-    const Names near = near_misses(word.substr(word.find_first_not_of('-')), long_options(program));
+    const Names near = near_misses(without_hyphens(word), long_options(program));
     if (!near.empty())
       return fmt::format("{} has no option {}; did you mean --{}?", full_name(program), word, near.front());
     const std::string takers = of_other_commands(program, {word.substr(0, word.find('='))});
