@@ -16,6 +16,43 @@ namespace granum::io {
 
 namespace {
 
+/// The separator of the fields that stands outside of quotes in the first record.
+/// \throws   FileError if commas and semicolons do
+char separator_in(std::string_view text, const std::string& name, std::size_t line) {
+  bool comma = false, semicolon = false, quoted = false;
+  for (const char c : text) {
+    if (c == '\n' && !quoted)
+      break;
+    quoted = quoted != (c == '"');
+    comma = comma || (c == ',' && !quoted);
+    semicolon = semicolon || (c == ';' && !quoted);
+  }
+  if (comma && semicolon)
+    throw FileError(
+        name, line,
+        "commas and semicolons stand between the headings: put quotes around a heading that holds "
+        "one of them");
+  return semicolon ? ';' : ',';
+}
+
+/// "0,65" as "0.65"; any other text as it is.
+void replace_decimal_comma(std::string& field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string::npos || field.find('.') != std::string::npos)
+    return;
+  std::string number = field;
+  number[comma] = '.';
+  if (parse_number(number))
+    field = std::move(number);
+}
+
+/// Whether there are too many fields, and no number with a point among them.
+bool may_hold_decimal_commas(const std::vector<std::string>& fields, std::size_t expected) {
+  return fields.size() > expected && std::none_of(fields.begin(), fields.end(), [](const std::string& field) {
+           return field.find('.') != std::string::npos;
+         });
+}
+
 /// Walks over the text of a file, record by record.
 class Cursor {
  public:
@@ -38,12 +75,15 @@ class Cursor {
     return false;
   }
 
+  /// What separates fields from now on, by the record here.
+  char find_separator() { return separator_ = separator_in(text_, name_, line_); }
+
   /// The fields of the record here, and the cursor after its end.
   std::vector<std::string> record() {
     std::vector<std::string> fields;
     do
       fields.push_back(field());
-    while (next_is(','));
+    while (next_is(separator_));
     ++line_;
     return fields;
   }
@@ -58,13 +98,18 @@ class Cursor {
     return same;
   }
 
+  [[nodiscard]] std::size_t end_of_field() const {
+    const char ends[] = {separator_, '\n'};
+    return std::min(text_.find_first_of(std::string_view(ends, 2)), text_.size());
+  }
+
   std::string field() {
     const std::size_t start = text_.find_first_not_of(" \t");
     if (start != std::string_view::npos && text_[start] == '"') {
       text_.remove_prefix(start + 1);
       return quoted();
     }
-    const std::string_view content = text_.substr(0, text_.find_first_of(",\n"));
+    const std::string_view content = text_.substr(0, end_of_field());
     text_.remove_prefix(content.size());
     return std::string(trimmed(content));
   }
@@ -86,9 +131,11 @@ class Cursor {
       content += '"';
       text_.remove_prefix(1);
     }
-    const std::string_view after = text_.substr(0, text_.find_first_of(",\n"));
+    const std::string_view after = text_.substr(0, end_of_field());
     if (!trimmed(after).empty())
-      throw FileError(name_, line_, "expected a comma after the closing quote");
+      throw FileError(name_, line_,
+                      separator_ == ';' ? "expected a semicolon after the closing quote"
+                                        : "expected a comma after the closing quote");
     text_.remove_prefix(after.size());
     return content;
   }
@@ -96,6 +143,7 @@ class Cursor {
   const std::string& name_;
   std::string_view text_;
   std::size_t line_ = 1;
+  char separator_ = ',';
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -126,6 +174,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   if (!cursor.seek_record())
     throw FileError(name_, 0, "is empty; expected a heading line such as G_MPa,sigma_v_kPa,sigma_h_kPa,e");
   heading_line_ = cursor.line();
+  const bool decimal_commas = cursor.find_separator() == ';';
   headings_ = cursor.record();
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
@@ -137,7 +186,12 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
     if (count != headings_.size())
       throw FileError(name_, line,
                       "expected " + std::to_string(headings_.size()) + " fields (" + joined(headings_) +
-                          "), found " + std::to_string(count));
+                          "), found " + std::to_string(count) +
+                          (!decimal_commas && may_hold_decimal_commas(rows_.back().fields, headings_.size())
+                               ? "; decimal commas ask for semicolons between the fields"
+                               : ""));
+    if (decimal_commas)
+      std::for_each(rows_.back().fields.begin(), rows_.back().fields.end(), replace_decimal_comma);
   }
   if (rows_.empty())
     throw FileError(name_, heading_line_, "there are no rows below the heading line");

@@ -110,3 +110,38 @@ TEST_CASE("the text of a file") {
         "# seed: 1\na,error\n0.5,\n,\"x,y\"\n");
   CHECK_THROWS_AS((void)csv_text({.notes = {}, .headings = {"a"}, .rows = {{1.0, 2.0}}}), InvalidArgument);
 }
+
+TEST_CASE("semicolons separate the fields of spreadsheets that write decimal commas, with mark and CRLF") {
+  const io::CsvTable table("a.csv",
+                           "\xEF\xBB\xBFsample;e;p [kPa]\r\n\"one; two\";0,65;1e2\r\nthree, four;0.7;200\r\n"
+                           "1,2,3;+,5;-1,5e1\r\n");
+  CHECK(table.headings() == std::vector<std::string>{"sample", "e", "p [kPa]"});
+  CHECK(table.numbers("e", Dimension::dimensionless) == std::vector<double>{0.65, 0.7, 0.5});
+  CHECK(table.numbers("p", Dimension::pressure) == std::vector<double>{100e3, 200e3, -15e3});
+  CHECK(table.fields(0)[0] == "one; two");
+  CHECK(table.fields(1)[0] == "three, four");
+  CHECK(table.fields(2)[0] == "1,2,3");
+}
+
+TEST_CASE("numbers of tables with decimal commas are those of the same table with points, to the bit") {
+  const io::CsvTable commas("a.csv", "e;p_kPa\n0,1234567890123456;98,0665\n"),
+      points("b.csv", "e,p_kPa\n0.1234567890123456,98.0665\n");
+  CHECK(commas.numbers("e", Dimension::dimensionless) == points.numbers("e", Dimension::dimensionless));
+  CHECK(commas.numbers("p", Dimension::pressure) == points.numbers("p", Dimension::pressure));
+}
+
+TEST_CASE("commas that could be either are refused with path and line") {
+  CHECK_THROWS_WITH_AS(
+      io::CsvTable("a.csv", "# note\ne,x;p_kPa\n1;2\n"),
+      "a.csv:2: commas and semicolons stand between the headings: put quotes around a heading "
+      "that holds one of them",
+      FileError);
+  CHECK_THROWS_WITH_AS(
+      io::CsvTable("a.csv", "e,p_kPa\n0,65,100,5\n"),
+      "a.csv:2: expected 2 fields (e, p_kPa), found 4; decimal commas ask for semicolons between "
+      "the fields",
+      FileError);
+  CHECK_THROWS_WITH_AS(io::CsvTable("a.csv", "e;p_kPa\n\"1\" 2;3\n"),
+                       "a.csv:2: expected a semicolon after the closing quote", FileError);
+  CHECK(io::CsvTable("a.csv", "\"e, x\";p_kPa\n1;2\n").headings()[0] == "e, x");
+}

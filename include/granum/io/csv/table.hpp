@@ -13,7 +13,8 @@
 #include <granum/core/units.hpp>
 
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
-/// (sigma_v_kPa). Lines that begin with '#' and blank lines are skipped.
+/// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
+/// decimal comma. A byte order mark, lines that begin with '#' and blank lines are skipped.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
@@ -23,17 +24,19 @@ class CsvTable {
   /// Takes the text of a file; `name` stands for the path in errors.
   /// \throws   FileError naming the line: no heading, no rows, a row with another number of fields, an
   /// unclosed quote,
-  ///           two equal headings, bytes that are no text
+  ///           two equal headings, commas and semicolons between them, bytes that are no text
   CsvTable(std::string name, std::string_view text);
 
   /// What stands for the path in errors.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }
+  /// Line of the file on which the headings stand, from 1.
+  [[nodiscard]] std::size_t heading_line() const { return heading_line_; }
   /// Line of the file on which a row begins, from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return rows_.at(row).line; }
 
-  /// The fields of a row as they stand in the file, one for each heading.
+  /// The fields of a row as they stand in the file, one for each heading; a decimal comma is a point.
   [[nodiscard]] const std::vector<std::string>& fields(std::size_t row) const { return rows_.at(row).fields; }
 
   /// Whether a column holds `quantity`, with any unit.
