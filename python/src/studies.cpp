@@ -12,7 +12,7 @@
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "rows.hpp"
-#include "studies/scene/scene_keys.hpp"
+#include "studies/scene/scene_builder.hpp"
 #include "studies/verify/findings.hpp"
 #include "studies/verify/study.hpp"
 #include "studies/verify/tables.hpp"
@@ -22,34 +22,18 @@ namespace granum::python {
 namespace {
 
 using studies::Scene;
-using studies::SceneKey;
 
 // ---- scenes
 
 /// A name of a key and its text, as --set takes them.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// The scene of a study; a key that verify would ignore is refused unless it stands at its default.
+/// The scene of a study.
 Scene scene_of(const Settings& settings) {
-  Scene scene;
-  std::vector<const SceneKey*> given;
-  for (const auto& [name, text] : settings) {
-    const SceneKey& key = studies::scene_key(name);
-    Scene alone;
-    key.set(alone, text);
-    if (key.get(alone) == key.get(Scene{}) && !key.taken_by(studies::SceneCommand::verify))
-      continue;
-    if (!key.taken_by(studies::SceneCommand::verify))
-      throw InvalidArgument("key '" + key.name + "' would be ignored by verify");
-    key.set(scene, text);
-    if (key.get(alone) != key.get(Scene{}))
-      given.push_back(&key);
-  }
-  studies::require_valid(scene);
-  for (const SceneKey* key : given)
-    if (const std::string missing = key->missing(scene); !missing.empty())
-      throw InvalidArgument("key '" + key->name + "' has no effect without " + missing);
-  return scene;
+  studies::SceneBuilder builder(studies::SceneCommand::verify, Scene{});
+  for (const auto& [name, text] : settings)
+    builder.set_listed(name, text);
+  return builder.finished();
 }
 
 /// A number in SI as the text of a key.

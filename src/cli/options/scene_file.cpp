@@ -52,39 +52,7 @@ void each_key(const toml::table& table, const std::string& prefix, const Take& t
   }
 }
 
-std::string ignored_text(const SceneKey& key, SceneCommand command) {
-  std::vector<std::string> takers;
-  for (const SceneCommand taker : key.commands)
-    takers.emplace_back(name(taker));
-  return fmt::format("key '{}' would be ignored by {}; it is for {}", key.name, name(command),
-                     fmt::join(takers, ", "));
-}
-
-std::string without_effect_text(const SceneKey& key, const std::string& missing) {
-  return fmt::format("key '{}' has no effect without {}", key.name, missing);
-}
-
 } // namespace
-
-void SceneInput::take_from_file(const Given& given, const std::string& text) {
-  const SceneKey& key = *given.key;
-  Scene alone;
-  try {
-    key.set(alone, text);
-    require_in_range(key, alone);
-  } catch (const InvalidArgument& error) {
-    throw FileError(given.path, given.line, error.what());
-  }
-  const bool by_default = key.get(alone) == key.get(Scene{});
-  if (!key.taken_by(command_)) {
-    if (!by_default)
-      throw FileError(given.path, given.line, ignored_text(key, command_));
-    return;
-  }
-  key.set(scene_, text);
-  if (!by_default)
-    unused_.push_back(given);
-}
 
 void SceneInput::read_file(const std::string& path) {
   const std::string text = read_scene_text(path);
@@ -95,39 +63,32 @@ void SceneInput::read_file(const std::string& path) {
   } catch (const toml::parse_error& error) {
     throw FileError(path, error.source().begin.line, std::string(error.description()));
   }
+  path_ = path;
   each_key(table, "", [&](const std::string& name, const toml::node& node) {
     const auto line = static_cast<std::size_t>(node.source().begin.line);
-    const SceneKey* key = nullptr;
     try {
-      key = &studies::scene_key(name);
+      (void)studies::scene_key(name); // an unknown key is worse than a value of another kind
+      builder_.set_listed(name, text_of(node, path), line);
     } catch (const InvalidArgument& error) {
       throw FileError(path, line, error.what());
     }
-    take_from_file({key, path, line}, text_of(node, path));
   });
-  std::erase_if(unused_, [this](const Given& given) { return given.key->missing(scene_).empty(); });
+  builder_.end_list();
 }
 
 void SceneInput::set(const std::string& setting) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos)
     throw InvalidArgument("--set " + setting + ": expected key=value");
-  const SceneKey& key = studies::scene_key(std::string(trimmed(setting.substr(0, equals))));
-  if (!key.taken_by(command_))
-    throw InvalidArgument("--set: " + ignored_text(key, command_));
-  key.set(scene_, std::string(trimmed(setting.substr(equals + 1))));
-  typed_.push_back({&key, {}, 0});
+  builder_.set(std::string(trimmed(setting.substr(0, equals))),
+               std::string(trimmed(setting.substr(equals + 1))));
 }
 
-Scene SceneInput::finished() const {
-  studies::require_valid(scene_);
-  for (const Given& given : typed_)
-    if (const std::string missing = given.key->missing(scene_); !missing.empty())
-      throw InvalidArgument("--set: " + without_effect_text(*given.key, missing));
-  for (const Given& given : unused_)
-    if (const std::string missing = given.key->missing(scene_); !missing.empty())
-      throw FileError(given.path, given.line, without_effect_text(*given.key, missing));
-  return scene_;
+Scene SceneInput::finished() {
+  studies::require_valid(builder_.scene());
+  if (const auto idle = builder_.without_effect(); idle && idle->line)
+    throw FileError(path_, *idle->line, idle->message);
+  return builder_.finished();
 }
 
 Scene read_scene(const std::string& path, SceneCommand command) {

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "studies/scene/scene_keys.hpp"
+#include "studies/scene/scene_builder.hpp"
 #include <nlohmann/json.hpp>
 
 namespace granum::cli {
 
-/// A scene put together from defaults, a scene file and --set, for one command. A key that the command would
-/// ignore is refused:
-/// - from --set always;
-/// - from a file unless it stands at its default, so that one file serves all commands.
-/// So is a key that the other keys leave without effect, such as a cone's slope without cones: from --set,
-/// and from a file where that holds with the file alone as well as in the end.
+/// A scene put together from defaults, a scene file and --set, for one command, as studies::SceneBuilder
+/// takes them.
 class SceneInput {
  public:
   SceneInput(studies::SceneCommand command, const studies::Scene& defaults)
-      : command_(command), scene_(defaults) {}
+      : builder_(command, defaults, "--set: ") {}
 
   /// \throws   FileError with path and line for what cannot be read, an unknown key, a value it cannot take,
   ///           or a key that the command would ignore
@@ -28,24 +23,15 @@ class SceneInput {
   void set(const std::string& setting);
 
   /// What is given so far, for options that set a key of their own.
-  [[nodiscard]] studies::Scene& scene() { return scene_; }
+  [[nodiscard]] studies::Scene& scene() { return builder_.scene(); }
 
   /// The scene, checked as a whole.
   /// \throws   InvalidArgument, FileError
-  [[nodiscard]] studies::Scene finished() const;
+  [[nodiscard]] studies::Scene finished();
 
  private:
-  struct Given {
-    const studies::SceneKey* key;
-    std::string path; ///< of the file; empty for --set
-    std::size_t line;
-  };
-  void take_from_file(const Given& given, const std::string& text);
-
-  studies::SceneCommand command_;
-  studies::Scene scene_;
-  std::vector<Given> typed_;  ///< by --set
-  std::vector<Given> unused_; ///< of the file, without effect within it
+  studies::SceneBuilder builder_;
+  std::string path_; ///< of the file
 };
 
 /// The scene that an earlier run of a command has stored, whole: it may hold keys without effect.

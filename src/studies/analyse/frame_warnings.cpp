@@ -17,8 +17,6 @@ namespace {
 
 using io::Finding;
 
-std::string percent(double share) { return short_text(100 * share, 3) + " %"; }
-
 /// What the reader found that ruins a comparison.
 void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   for (const io::ImportNote& note : packing.notes)

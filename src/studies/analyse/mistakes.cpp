@@ -16,8 +16,6 @@ namespace {
 using io::Finding;
 using packing::Contact;
 
-std::string percent(double share) { return short_text(100 * share, 3) + " %"; }
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -139,6 +137,8 @@ void judge_lengths(const io::ImportedPacking& packing, const MeasuredFrame& fram
 }
 
 } // namespace
+
+std::string percent(double share) { return short_text(100 * share, 3) + " %"; }
 
 void judge_mistakes(const io::ImportedPacking& packing, const MeasuredFrame& frame,
                     std::vector<std::string>& out) {

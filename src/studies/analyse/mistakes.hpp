@@ -15,4 +15,7 @@ namespace granum::studies {
 void judge_mistakes(const io::ImportedPacking& packing, const MeasuredFrame& frame,
                     std::vector<std::string>& out);
 
+/// "12.5 %": a share to three digits, in sentences on a frame.
+[[nodiscard]] std::string percent(double share);
+
 } // namespace granum::studies

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/scene/scene_builder.hpp"
+
+#include <functional>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+using namespace granum::studies;
+
+namespace {
+
+std::string refused(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+SceneBuilder builder(SceneCommand command = SceneCommand::verify) { return {command, Scene{}, "--set: "}; }
+
+} // namespace
+
+TEST_CASE("a scene holds its defaults and the keys that were set") {
+  SceneBuilder scene = builder();
+  scene.set("study.grains", "300");
+  scene.set_listed("grain.radius", "0.25mm");
+  CHECK(scene.finished().study.grains == 300);
+  CHECK(scene.finished().grain.radius == 0.25e-3);
+  CHECK(scene.finished().study.seeds == Scene{}.study.seeds);
+}
+
+TEST_CASE("a key that the command would ignore is refused, in a list unless it stands at its default") {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.taken_by(SceneCommand::verify))
+      continue;
+    CAPTURE(key.name);
+    std::string by_default = toml_text(key.get(Scene{}), key.dimension);
+    std::erase_if(by_default, [](char c) { return c == '"' || c == '[' || c == ']'; });
+    SceneBuilder scene = builder();
+    scene.set_listed(key.name, by_default);
+    CHECK_NOTHROW((void)scene.finished());
+    CHECK(refused([&] {
+            scene.set(key.name, by_default);
+          }).starts_with("--set: key '" + key.name + "' would be ignored by verify; it is for "));
+  }
+  SceneBuilder scene = builder();
+  CHECK(refused([&] {
+          scene.set_listed("shear.paths", "TXC");
+        }).starts_with("key 'shear.paths' would be ignored by verify"));
+}
+
+TEST_CASE("a key without effect is refused in the end") {
+  SceneBuilder scene = builder();
+  scene.set_listed("study.contacts", "sphere", 3);
+  scene.set_listed("contact.cone_slope", "0.3", 7);
+  scene.end_list();
+  REQUIRE(scene.without_effect());
+  CHECK(scene.without_effect()->line == 7);
+  CHECK(refused([&] {
+          (void)scene.finished();
+        }).starts_with("key 'contact.cone_slope' has no effect without "));
+  scene.set("study.contacts", "cone,sphere");
+  CHECK_FALSE(scene.without_effect());
+  CHECK(scene.finished().contact.cone_slope == 0.3);
+}
+
+TEST_CASE("what had an effect within its list may lose it to a key that was set by itself") {
+  SceneBuilder scene = builder();
+  scene.set_listed("contact.cone_slope", "0.3", 7);
+  scene.end_list();
+  scene.set("study.contacts", "sphere");
+  CHECK_NOTHROW((void)scene.finished());
+  scene.set("contact.cone_slope", "0.4");
+  CHECK(scene.without_effect()->line == std::nullopt);
+  CHECK(
+      refused([&] { (void)scene.finished(); }).starts_with("--set: key 'contact.cone_slope' has no effect"));
+}
+
+TEST_CASE("a key of a list is refused at once where its value is out of range") {
+  SceneBuilder scene = builder();
+  CHECK(refused([&] { scene.set_listed("grain.radius", "-1mm"); }).starts_with("grain.radius = "));
+  CHECK(refused([&] { scene.set_listed("grain.colour", "red"); }) != "");
+}
