@@ -277,9 +277,25 @@ void require_valid_question(const PackingQuestion& q) {
     require_positive("grain_density", *q.grain_density, "kg/m3");
 }
 
+/// Whether both have the same contacts: all that the prior and the counts depend on is alike.
+bool same_contacts(const PackingQuestion& a, const PackingQuestion& b) {
+  return a.state.law == b.state.law && a.state.radius == b.state.radius &&
+         a.state.void_ratio == b.state.void_ratio && a.state.stress_v == b.state.stress_v &&
+         a.state.stress_h == b.state.stress_h && a.state.contacts == b.state.contacts &&
+         a.preparation == b.preparation && a.coordination_number == b.coordination_number &&
+         a.mechanical_coordination_number == b.mechanical_coordination_number &&
+         a.rattler_fraction == b.rattler_fraction;
+}
+
+/// Whether both have the same stiffness as well.
+bool same_packing(const PackingQuestion& a, const PackingQuestion& b) {
+  return same_contacts(a, b) && a.state.tangential_ratio == b.state.tangential_ratio &&
+         a.state.fabric_anisotropy == b.state.fabric_anisotropy;
+}
+
 } // namespace
 
-PackingAnswer answer(const PackingQuestion& question, std::span<const UncertainInput> uncertain) {
+PackingAnswer answer(const PackingQuestion& question, std::span<const InputSpread> uncertain) {
   require_valid_question(question);
   const KnownContacts contacts = contacts_of(question);
   const RelaxedEstimate estimate = relaxed_at(question, contacts.middle);
@@ -287,11 +303,16 @@ PackingAnswer answer(const PackingQuestion& question, std::span<const UncertainI
   std::vector<Effect> effects = effects_of_calibration(question, contacts.middle, estimate, middle);
   effects.emplace_back("contacts", middle, quantities_at(question, contacts.fewer),
                        quantities_at(question, contacts.more));
-  for (const UncertainInput& input : uncertain) {
+  // What an input leaves alone is not worked out again.
+  const auto moved = [&](const PackingQuestion& q) {
+    const ContactCounts counts = same_contacts(q, question) ? contacts.middle : contacts_of(q).middle;
+    return same_packing(q, question) ? quantities_of(q, counts, estimate.stiffness)
+                                     : quantities_at(q, counts);
+  };
+  for (const InputSpread& input : uncertain) {
     require_valid_question(input.less);
     require_valid_question(input.more);
-    effects.emplace_back(input.name, middle, quantities_at(input.less, contacts_of(input.less).middle),
-                         quantities_at(input.more, contacts_of(input.more).middle));
+    effects.emplace_back(input.name, middle, moved(input.less), moved(input.more));
   }
   const auto range = [&](std::size_t k) { return range_of(k, middle, effects); };
   const auto if_dense = [&](std::size_t k) {

@@ -47,6 +47,44 @@ compare("${sweep}" 0 --contact sphere --void-ratio 0.558 --coordination-number 5
 compare("${sweep}" 1 --contact cone --slope 0.4 --void-ratio 0.558 --coordination-number 5.9 --pressure 100kPa)
 compare("${sweep}" 8 --void-ratio 0.558 --coordination-number 3.5 --fabric -0.2 --stress-v 50kPa --stress-h 80kPa)
 
+# The answer of a row is that of estimate, letter by letter, whether rows share or tell preparation, contacts and sizes.
+function(compare_answer sweep index)
+  run(estimate --json ${ARGN})
+  if(NOT code EQUAL 0)
+    fail("estimate ${ARGN}")
+  endif()
+  foreach(quantity shear_modulus shear_wave_speed compression_wave_speed bulk_modulus poisson_ratio bulk_density
+      mechanical_coordination_number rattler_fraction)
+    foreach(part value low high)
+      string(JSON ours GET "${sweep}" states ${index} answer ${quantity} ${part})
+      string(JSON theirs GET "${out}" answer ${quantity} ${part})
+      if(NOT ours STREQUAL theirs OR ours STREQUAL "")
+        fail("row ${index}: ${quantity} ${part} is '${ours}', estimate says '${theirs}'")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+compare_answer("${sweep}" 0 --contact sphere --void-ratio 0.558 --coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa)
+compare_answer("${sweep}" 3 --contact sphere --void-ratio 0.558 --fabric 0 --pressure 100kPa)
+run(sweep --table sweep_people.csv --grain quartz --json)
+set(sweep "${out}")
+compare_answer("${sweep}" 0 --grain quartz --void-ratio 0.65 --stress-v 100kPa --stress-h 50kPa --preparation dense)
+compare_answer("${sweep}" 1 --grain quartz --void-ratio 0.7 --stress-v 150kPa --stress-h 75kPa
+  --mechanical-coordination-number 5.2)
+compare_answer("${sweep}" 2 --grain quartz --void-ratio 0.6 --stress-v 200kPa --stress-h 100kPa --uniformity 2)
+compare_answer("${sweep}" 4 --grain quartz --void-ratio 0.62 --stress-v 80kPa --stress-h 60kPa --preparation friction:0.3)
+
+# A table can be drawn by itself.
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+run(sweep --table sweep_few.csv --out "${FOLDER}/rows.csv" --picture "${FOLDER}/rows.svg")
+file(READ "${FOLDER}/rows.svg" svg)
+string(REGEX MATCHALL "<circle" circles "${svg}")
+list(LENGTH circles count)
+if(NOT (code EQUAL 0 AND count EQUAL 4 AND svg MATCHES ">p' \\[kPa\\]<" AND svg MATCHES ">range<"))
+  fail("the picture of a table has ${count} circles") # three rows, and its legend
+endif()
+
 # three files, or none
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")

@@ -12,11 +12,11 @@
 
 using namespace granum;
 using namespace granum::test;
+using effective::InputSpread;
 using effective::PackingAnswer;
 using effective::PackingQuestion;
 using effective::Preparation;
 using effective::Range;
-using effective::UncertainInput;
 
 namespace {
 
@@ -155,7 +155,7 @@ TEST_CASE("answer: an uncertain input adds what it moves the answer by, in quadr
   q.mechanical_coordination_number = 5.2;
   q.rattler_fraction = 0.03;
   const Range exact = effective::answer(q).shear_modulus;
-  const UncertainInput modulus{"grain modulus", with_grain(q, 0.8 * 26e9), with_grain(q, 1.25 * 26e9)};
+  const InputSpread modulus{"grain modulus", with_grain(q, 0.8 * 26e9), with_grain(q, 1.25 * 26e9)};
   const PackingAnswer a = effective::answer(q, {&modulus, 1});
   // G ~ G_g^(2/3) at given contacts
   const double rung = std::log(exact.high / exact.value), grain = 2.0 / 3 * std::log(1.25);

@@ -56,7 +56,7 @@ InferenceOptions options_with(Growth growth = Growth::fixed) {
   return {.grain_density = density, .growth = growth};
 }
 
-inverse::UncertainInputs grain_modulus_within(double relative_error) {
+inverse::SharedInputs grain_modulus_within(double relative_error) {
   return {{"grain-shear-modulus"},
           [relative_error](State& state, double&, std::span<const double> deviations) {
             const contact::GrainMaterial grain = state.law.grain();

@@ -12,6 +12,8 @@ namespace granum::contact {
 struct GrainMaterial {
   double shear_modulus = 0; ///< G_g > 0 [Pa]
   double poisson_ratio = 0; ///< -1 < nu_g <= 0.5
+
+  bool operator==(const GrainMaterial&) const = default;
 };
 
 /// Normal force and its derivative at one overlap.
@@ -141,6 +143,9 @@ class PowerLaw {
 
   /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
   [[nodiscard]] NormalKernel kernel() const;
+
+  /// Same profile of same grains.
+  bool operator==(const PowerLaw&) const = default;
 
  private:
   PowerLaw(const GrainMaterial& grain, double alpha, double coefficient);

@@ -28,7 +28,7 @@ struct PackingQuestion {
 };
 
 /// An input that is known to within a standard deviation: the question with one less of it and with one more.
-struct UncertainInput {
+struct InputSpread {
   std::string name;
   PackingQuestion less;
   PackingQuestion more;
@@ -79,6 +79,6 @@ struct PackingAnswer {
 ///           if C_n, z* and x_0 are all given
 /// Accuracy  of the middle as relaxed at its z*. Checked by tests/effective/test_answer.cpp
 [[nodiscard]] PackingAnswer answer(const PackingQuestion& question,
-                                   std::span<const UncertainInput> uncertain = {});
+                                   std::span<const InputSpread> uncertain = {});
 
 } // namespace granum::effective

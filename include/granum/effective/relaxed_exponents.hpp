@@ -46,6 +46,8 @@ struct MeasuredPacking {
 
 /// How z* grows as compression closes gaps: z* = z_0 + A (1 - s b) w^q, w the overlap of the mean force over
 /// the diameter, b of k_n ~ f^b; rattlers become fewer as x_0 = c exp(-k (z* - 4)).
+/// What a recipe alone says of s, without any packing: validation/relaxation sets it beside networks. Of one
+/// packing whose contacts are known at a pressure carried_contacts says more, for every recipe.
 struct ClosingGapLaw {
   double initial = 0;       ///< z_0
   double amplitude = 0;     ///< A

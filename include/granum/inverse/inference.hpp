@@ -29,7 +29,7 @@ struct Measurement {
 };
 
 /// Inputs that all measurements share and whose errors they share.
-struct UncertainInputs {
+struct SharedInputs {
   std::vector<std::string> keys; ///< one a number
   /// Moves all of them at once, each by so many of its standard deviations, in a state and in the density of
   /// the grains [kg/m3].
@@ -60,7 +60,7 @@ struct InferenceOptions {
   /// At the first measurement, where it is known; else that of effective::expected_rattlers.
   std::optional<double> rattler_fraction = std::nullopt;
   Growth growth = Growth::as_packings;
-  UncertainInputs inputs = {};
+  SharedInputs inputs = {};
   std::size_t iteration_limit = 100;
 };
 

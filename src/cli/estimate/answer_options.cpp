@@ -80,13 +80,19 @@ double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, 
                                                  : 0;
 }
 
-/// The question with one number moved; nothing if no packing has it.
-std::optional<effective::PackingQuestion> moved(PackingOptions packing, AnswerOptions options,
-                                                std::size_t index, double step) {
-  Number& number = *movable(packing, options)[index];
-  number.value += step;
+/// The question with one number moved.
+effective::PackingQuestion moved(PackingOptions packing, AnswerOptions options, std::size_t index,
+                                 double step) {
+  movable(packing, options)[index]->value += step;
+  return question_of(packing, options);
+}
+
+/// The same, if it has an answer.
+std::optional<effective::PackingQuestion> moved_if_possible(const PackingOptions& packing,
+                                                            const AnswerOptions& options, std::size_t index,
+                                                            double step) {
   try {
-    effective::PackingQuestion question = question_of(packing, options);
+    effective::PackingQuestion question = moved(packing, options, index, step);
     (void)effective::answer(question);
     return question;
   } catch (const InvalidArgument&) {
@@ -98,7 +104,7 @@ effective::PackingQuestion moved_as_far_as_possible(const PackingOptions& packin
                                                     const AnswerOptions& options, std::size_t index,
                                                     double step) {
   for (int halvings = 0; halvings < 6; ++halvings, step /= 2)
-    if (const auto question = moved(packing, options, index, step))
+    if (const auto question = moved_if_possible(packing, options, index, step))
       return *question;
   return question_of(packing, options);
 }
@@ -198,20 +204,34 @@ std::vector<Spread> spreads_of(const PackingOptions& given, const AnswerOptions&
   return spreads;
 }
 
-std::vector<effective::UncertainInput> uncertain_inputs(const PackingOptions& packing,
-                                                        const AnswerOptions& options,
-                                                        const std::vector<Spread>& spreads) {
+namespace {
+
+template <class Moved>
+std::vector<effective::InputSpread> input_spreads(const PackingOptions& packing, const AnswerOptions& options,
+                                                  const std::vector<Spread>& spreads, const Moved& move) {
   PackingOptions names = packing;
   AnswerOptions option_names = options;
   const std::vector<Number*> all = movable(names, option_names);
-  std::vector<effective::UncertainInput> inputs;
+  std::vector<effective::InputSpread> inputs;
   for (const Spread& spread : spreads)
     for (std::size_t k = 0; k < all.size(); ++k)
       if (key_of(*all[k]) == spread.key)
         inputs.push_back({.name = spread.key,
-                          .less = moved_as_far_as_possible(packing, options, k, -spread.deviation),
-                          .more = moved_as_far_as_possible(packing, options, k, spread.deviation)});
+                          .less = move(packing, options, k, -spread.deviation),
+                          .more = move(packing, options, k, spread.deviation)});
   return inputs;
+}
+
+} // namespace
+
+effective::PackingAnswer answer_with_spreads(const PackingOptions& packing, const AnswerOptions& options,
+                                             const std::vector<Spread>& spreads) {
+  const effective::PackingQuestion question = question_of(packing, options);
+  try { // most packings may have all of them, and each attempt costs as much as an answer
+    return effective::answer(question, input_spreads(packing, options, spreads, moved));
+  } catch (const InvalidArgument&) {
+    return effective::answer(question, input_spreads(packing, options, spreads, moved_as_far_as_possible));
+  }
 }
 
 } // namespace granum::cli

@@ -18,11 +18,11 @@ struct AnswerOptions {
   effective::Preparation preparation;
   const contact::Mineral* mineral = nullptr; ///< of the grains, if it was named
   const hardin::KnownSand* sand = nullptr;   ///< if it was named
-  Number relative_density;
-  Number least_void_ratio;
-  Number largest_void_ratio;
-  Number grain_density{2650, Dimension::density};
-  Number saturation;
+  Number relative_density{0, Dimension::dimensionless, "D_r Dr"};
+  Number least_void_ratio{0, Dimension::dimensionless, "e_min"};
+  Number largest_void_ratio{0, Dimension::dimensionless, "e_max"};
+  Number grain_density{2650, Dimension::density, "rho_s"};
+  Number saturation{0, Dimension::dimensionless, "S_r Sr"};
 };
 
 void add_answer_options(CLI::App& command, AnswerOptions& options);
@@ -50,9 +50,10 @@ struct Spread {
 [[nodiscard]] std::vector<Spread> spreads_of(const PackingOptions& packing, const AnswerOptions& options,
                                              const std::vector<std::string>& settings);
 
-/// The question with each of them less and more. A side that no packing can have is moved less far.
-[[nodiscard]] std::vector<effective::UncertainInput> uncertain_inputs(const PackingOptions& packing,
-                                                                      const AnswerOptions& options,
-                                                                      const std::vector<Spread>& spreads);
+/// The answer with each of them less and more. A side that no packing can have is moved less far.
+/// \throws   InvalidArgument as effective::answer
+[[nodiscard]] effective::PackingAnswer answer_with_spreads(const PackingOptions& packing,
+                                                           const AnswerOptions& options,
+                                                           const std::vector<Spread>& spreads);
 
 } // namespace granum::cli

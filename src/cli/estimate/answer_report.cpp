@@ -184,14 +184,20 @@ std::string sands_text(const AnswerCase& c) {
 
 } // namespace
 
-AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
-                        const std::vector<std::string>& uncertainties) {
+AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& options,
+                       const std::vector<std::string>& uncertainties) {
   AnswerCase c{.question = question_of(packing, options),
                .spreads = spreads_of(packing, options, uncertainties),
                .answer = {},
                .sands = {},
                .assumptions = {}};
-  c.answer = effective::answer(c.question, uncertain_inputs(packing, options, c.spreads));
+  c.answer = answer_with_spreads(packing, options, c.spreads);
+  return c;
+}
+
+AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
+                        const std::vector<std::string>& uncertainties) {
+  AnswerCase c = bare_answer(packing, options, uncertainties);
   const auto& s = c.question.state;
   const std::optional<double> of_sand = options.sand != nullptr ? options.sand->uniformity : std::nullopt;
   c.uniformity =

@@ -29,6 +29,10 @@ struct AnswerCase {
   std::vector<std::string> assumptions; ///< of shape, grains and fabric, with their spreads
 };
 
+/// Works out the answer, without what measured sands say and without assumptions.
+/// \throws   InvalidArgument as effective::answer
+[[nodiscard]] AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& options,
+                                     const std::vector<std::string>& uncertainties = {});
 /// Works out the answer.
 /// \throws   InvalidArgument as effective::answer
 [[nodiscard]] AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,

@@ -68,9 +68,9 @@ std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingR
       MeasuredColumn column{option.quantity, table.column(name, option.dimension()), std::nullopt};
       if (table.has(name + "_error"))
         column.error = table.column(name + "_error", option.dimension());
-      rows.mark_as_read(column.value.index);
+      rows.columns().mark_as_read(column.value.index);
       if (column.error)
-        rows.mark_as_read(column.error->index);
+        rows.columns().mark_as_read(column.error->index);
       found.push_back(column);
     }
   if (found.empty())
@@ -98,7 +98,7 @@ std::vector<std::string> table_remarks(const PackingRows& rows, const PackingOpt
   if (row.coordination_number.in_table || row.mechanical_coordination_number.in_table ||
       row.rattler_fraction.in_table)
     remarks.emplace_back("C_n, z* and rattlers in the table are not used: they are what is asked for");
-  if (const std::vector<std::string> unread = rows.unread(); !unread.empty())
+  if (const std::vector<std::string> unread = rows.columns().unread(); !unread.empty())
     remarks.push_back(fmt::format("columns that are no inputs: {}", fmt::join(unread, ", ")));
   return remarks;
 }
@@ -216,15 +216,15 @@ void require_shared(const std::vector<std::string>& settings, const std::vector<
 }
 
 /// What is assumed of the grains, with its spread, and what is said to be uncertain.
-inverse::UncertainInputs uncertain_inputs_of(const InferOptions& o, const PackingOptions& packing,
-                                             std::vector<std::string>& assumptions) {
+inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOptions& packing,
+                                          std::vector<std::string>& assumptions) {
   PackingOptions copy = packing;
   std::vector<std::string> known;
   for (const Number* number : shared_numbers(copy))
     known.push_back(number->name.substr(2));
   known.emplace_back("grain-density");
   require_shared(o.uncertain, known);
-  inverse::UncertainInputs inputs;
+  inverse::SharedInputs inputs;
   std::vector<Uncertain> uncertain;
   for (const Spread& spread : spreads_of(packing, o.grains, o.uncertain)) {
     const auto found = std::find(known.begin(), known.end(), spread.key);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <granum/contact/shape.hpp>
@@ -31,8 +32,9 @@ inline constexpr const char* law_group = "Shape of the contacts";
 struct Number {
   double value = 0;
   Dimension dimension = Dimension::dimensionless;
-  std::string symbol = {}; ///< what columns of tables may call it besides its option's name
-  std::string name = {};   ///< of the option, "--radius"
+  /// What columns of tables may call it besides its option's name, separated by blanks.
+  std::string_view symbols = {};
+  std::string name = {}; ///< of the option, "--radius"
   const CLI::Option* option = nullptr;
   bool in_table = false; ///< a row of a table gives it
   bool preset = false;   ///< what else was told decides it, as the name of a mineral does
@@ -65,13 +67,13 @@ struct PackingOptions {
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;
   Number solid_fraction;
-  Number coordination_number{5.73, Dimension::dimensionless, "C_n"};
-  Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star"};
+  Number coordination_number{5.73, Dimension::dimensionless, "C_n Cn"};
+  Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star z*"};
   Number rattler_fraction;
   Number fabric{0, Dimension::dimensionless, "a"};
-  Number pressure{0, Dimension::pressure, "p"};
-  Number stress_v{0, Dimension::pressure, "sigma_v"};
-  Number stress_h{0, Dimension::pressure, "sigma_h"};
+  Number pressure{0, Dimension::pressure, "p p'"};
+  Number stress_v{0, Dimension::pressure, "sigma_v sigma'_v \u03c3_v \u03c3'_v"};
+  Number stress_h{0, Dimension::pressure, "sigma_h sigma'_h \u03c3_h \u03c3'_h"};
 
   [[nodiscard]] bool contact_given() const;
 };

@@ -8,45 +8,37 @@
 
 #include <granum/io/csv/table.hpp>
 
+#include "number_columns.hpp"
 #include "packing_options.hpp"
 
 /// Packings that stand in the rows of a table, with the options of a command for what it does not hold.
 namespace granum::cli {
 
-/// The inputs that a table holds, by the names of their options, void_ratio, or by symbol, e; and the packing
-/// of each of its rows.
+/// The inputs that a table holds: numbers, contact, sizes; and the packing of each of its rows.
 class PackingRows {
  public:
-  /// \throws   FileError for an input without its unit or with two; InvalidArgument for one that stands under
-  ///           both of its names, or that an option gives too
+  /// \throws   as NumberColumns::bind
   PackingRows(const io::CsvTable& table, const PackingOptions& options);
   PackingRows(const PackingRows&) = delete; // holds places within itself
   PackingRows& operator=(const PackingRows&) = delete;
 
-  /// The packing of a row.
+  /// The packing of a row; sets the numbers that others have bound, too.
   /// \throws   InvalidArgument
   const PackingOptions& packing(std::size_t row);
 
-  /// Says that a column is read by someone else.
-  void mark_as_read(std::size_t column) { read_.at(column) = true; }
-  /// Headings of the columns that say nothing to this program.
-  [[nodiscard]] std::vector<std::string> unread() const;
+  /// For what else is read of the table.
+  [[nodiscard]] NumberColumns& columns() { return columns_; }
+  [[nodiscard]] const NumberColumns& columns() const { return columns_; }
 
  private:
-  struct Input {
-    Number* number;
-    io::CsvTable::Column column;
-  };
-
-  void bind(Number& number, const io::CsvTable::Column& column);
-  [[nodiscard]] bool always_needed(const Number& number) const;
-  void take(const Input& input, const std::string& field) const;
+  void take_sizes(const std::vector<std::string>& fields);
 
   const io::CsvTable& table_;
   PackingOptions row_;
-  std::vector<Input> inputs_;
-  std::optional<std::size_t> contact_;
-  std::vector<bool> read_;
+  NumberColumns columns_;
+  Number uniformity_;
+  std::optional<std::size_t> contact_, sizes_;
+  bool sizes_in_table_ = false;
 };
 
 } // namespace granum::cli

@@ -14,18 +14,20 @@ namespace granum::cli {
 
 namespace {
 
-/// The rungs that were asked for, or all that the options allow.
+/// The rungs that were asked for, or all that the options allow. A row of a table may have z*.
 Rungs chosen_rungs(const SweepOptions& o) {
-  const bool z_given = o.packing.mechanical_coordination_number.given() || o.packing.rattler_fraction.given();
+  const bool z_given = o.packing.mechanical_coordination_number.given() ||
+                       o.packing.rattler_fraction.given() || !o.table.empty();
+  const bool by_default = o.table.empty() || o.all_columns || o.output.json;
   Rungs rungs;
   for (const Rung& rung : effective::closed_forms()) {
     const bool asked_for = std::find(o.rungs.begin(), o.rungs.end(), rung.key) != o.rungs.end();
     const bool allowed = !rung.needs_coordination || z_given;
-    if (asked_for && !allowed && o.table.empty())
+    if (asked_for && !allowed)
       throw InvalidArgument(fmt::format("--rungs {} needs --mechanical-coordination-number or "
                                         "--rattler-fraction",
                                         rung.key));
-    if (asked_for || (o.rungs.empty() && allowed))
+    if (asked_for || (o.rungs.empty() && allowed && by_default))
       rungs.push_back(&rung);
   }
   return rungs;
@@ -35,8 +37,10 @@ std::string rungs_help() {
   std::string text = "Rungs:\n";
   for (const Rung& rung : effective::closed_forms())
     text += fmt::format("  {:<15} {}; needs {}\n", rung.key, rung.description, rung.needs);
-  return text + "Columns of a table are named like the options, with underscores and the unit: void_ratio,\n"
-                "stress_v_kPa; or by symbol: e, C_n, a, p_kPa, sigma_v_kPa, sigma_h_kPa.";
+  return text +
+         "Columns of a table are named like the options, with their unit: void_ratio, stress_v_kPa,\n"
+         "\"stress v (kPa)\"; or by symbol: e, p_kPa, sigma_v [kPa], C_n, z_star, a, C_u, D_r. Texts are\n"
+         "contact, sizes, preparation, grain, sand. Semicolons between columns allow decimal commas.";
 }
 
 template <class Item>
@@ -69,15 +73,15 @@ void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth,
   CLI::Option* picture =
       add_path(
           command, "--picture", o.picture,
-          "Draw the path, with a gnuplot script beside it that draws --out; or stresses and answers over "
-          "depth")
+          "Draw the path, with a gnuplot script beside it that draws --out; stresses and answers over depth; "
+          "or G of a table's rows")
           ->type_name("FILE.svg")
-          ->excludes("--json")
-          ->excludes(table);
+          ->excludes("--json");
   command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
       ->transform(one_of(names_of(swept_quantities(), &SweptQuantity::name)))
       ->needs(picture)
-      ->excludes(depth);
+      ->excludes(depth)
+      ->excludes(table);
 }
 
 void add_sweep_options(CLI::App& command, SweepOptions& o) {
@@ -86,7 +90,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
                            ->delimiter(',')
                            ->transform(one_of(names_of(effective::closed_forms(), &Rung::key)))
-                           ->default_str("all, 3 if z* is an option");
+                           ->default_str("all, 3 if z* is an option; none in the CSV of a table");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =
       command.add_option("--table", o.table, "States from the rows of this CSV file")->type_name("FILE.csv");
@@ -101,7 +105,8 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   command
       .add_option_function<std::string>(
           "--columns", [&o](const std::string& text) { o.all_columns = text == "all"; },
-          "Of the answer in CSV: G, V_s, V_p and z* with their ranges, or all moduli and speeds")
+          "In CSV: G, V_s, V_p and z* of the answer with their ranges, or all moduli and speeds, and "
+          "every rung of a table")
       ->transform(one_of({"usual", "all"}))
       ->default_str("usual");
   add_output_options(command, o.output);
@@ -135,11 +140,10 @@ ExitCode run(SweepOptions o) {
   if (o.ground.depth.empty())
     for (const Number* number : numbers(o.ground))
       refuse(*number, "goes with --depth");
+  if (!o.table.empty())
+    return sweep_table(o, chosen_rungs(o));
   apply_presets(o.packing, o.answer);
-  if (!o.ground.depth.empty())
-    return sweep_depth(o);
-  const Rungs rungs = chosen_rungs(o);
-  return by_path ? sweep_path(o, rungs) : sweep_table(o, rungs);
+  return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 
 } // namespace

@@ -70,7 +70,9 @@ struct StateResult {
   std::string error;                                         ///< empty: none
 };
 
-[[nodiscard]] StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs);
+/// \param    needed   whether a rung that lacks an input is an error; else it says nothing
+[[nodiscard]] StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs,
+                                   bool needed = true);
 /// Of a state that is none.
 [[nodiscard]] StateResult failed(const std::string& error, const Rungs& rungs);
 
@@ -79,6 +81,10 @@ struct StateResult {
 /// Headings and cells of a result: the rungs' numbers, notes, error.
 [[nodiscard]] std::vector<std::string> result_headings(const Rungs& rungs);
 void append_cells(std::vector<io::CsvCell>& row, const StateResult& result);
+/// Their two parts by themselves.
+[[nodiscard]] std::vector<std::string> rung_headings(const Rungs& rungs);
+void append_rung_cells(std::vector<io::CsvCell>& row, const StateResult& result);
+void append_remark_cells(std::vector<io::CsvCell>& row, const StateResult& result);
 /// Adds rungs, notes and error to the JSON of a state.
 void add_result(nlohmann::ordered_json& json, const StateResult& result, const Rungs& rungs);
 

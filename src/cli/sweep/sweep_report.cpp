@@ -68,10 +68,14 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   return *found;
 }
 
-StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs) {
+StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs, bool needed) {
   StateResult result;
   std::vector<std::string> errors;
   for (const Rung* rung : rungs) {
+    if (!needed && !effective::has_inputs(packing, *rung)) {
+      result.answers.emplace_back(std::nullopt);
+      continue;
+    }
     try {
       result.answers.emplace_back(answer_with_exponents(*rung, packing));
       for (const std::string& note : result.answers.back()->validity.notes)
@@ -96,22 +100,35 @@ std::string heading(const SweptQuantity& quantity, const Rung& rung) {
   return fmt::format("{}_{}{}{}", quantity.name, rung.column, unit.empty() ? "" : "_", unit);
 }
 
-std::vector<std::string> result_headings(const Rungs& rungs) {
+std::vector<std::string> rung_headings(const Rungs& rungs) {
   std::vector<std::string> headings;
   for (const Rung* rung : rungs)
     for (const SweptQuantity& quantity : quantities)
       headings.push_back(heading(quantity, *rung));
+  return headings;
+}
+
+std::vector<std::string> result_headings(const Rungs& rungs) {
+  std::vector<std::string> headings = rung_headings(rungs);
   headings.emplace_back("notes");
   headings.emplace_back("error");
   return headings;
 }
 
-void append_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
+void append_rung_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
   for (const std::optional<effective::RungAnswer>& answer : result.answers)
     for (const SweptQuantity& quantity : quantities)
       row.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
+}
+
+void append_remark_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
   row.emplace_back(joined(result.notes));
   row.emplace_back(result.error);
+}
+
+void append_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
+  append_rung_cells(row, result);
+  append_remark_cells(row, result);
 }
 
 void add_result(ordered_json& json, const StateResult& result, const Rungs& rungs) {
@@ -151,8 +168,9 @@ ExitCode Tally::conclude(ExitCode code) const {
 Notes csv_notes(const ordered_json& inputs, const Rungs& rungs, const std::vector<std::string>& remarks) {
   Notes notes = {{"program", fmt::format("granum {} sweep", version())},
                  {"inputs", json_text(inputs, -1)},
-                 {"signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h"},
-                 {"exponents", "local, of G_hv: m of sigma_h, n of sigma_v, s = m + n"}};
+                 {"signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h"}};
+  if (!rungs.empty())
+    notes.emplace_back("exponents", "local, of G_hv: m of sigma_h, n of sigma_v, s = m + n");
   for (const Rung* rung : rungs)
     notes.emplace_back(rung->column, rung->description);
   for (const std::string& remark : remarks)

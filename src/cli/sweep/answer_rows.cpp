@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "answer_rows.hpp"
+
+#include <granum/core/number.hpp>
+
+namespace granum::cli {
+
+AnswerRows::AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer)
+    : table_(table), packings_(table, packing), answer_(answer) {
+  NumberColumns& columns = packings_.columns();
+  for (Number* number : {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio})
+    columns.bind(*number, EmptyField::not_given);
+  for (Number* number : {&answer_.grain_density, &answer_.saturation})
+    columns.bind(*number, EmptyField::by_default);
+  preparation_ = columns.text("preparation", answer.preparation != effective::Preparation{});
+  grain_ = columns.text("grain", answer.mineral != nullptr);
+  sand_ = columns.text("sand", answer.sand != nullptr);
+}
+
+AnswerRow AnswerRows::row(std::size_t row) {
+  const PackingOptions& packing = packings_.packing(row);
+  const auto& fields = table_.fields(row);
+  const auto text = [&](const std::optional<std::size_t>& column) {
+    return column ? std::string(trimmed(fields[*column])) : std::string();
+  };
+  AnswerRow both{packing, answer_};
+  if (const std::string said = text(preparation_); !said.empty())
+    both.answer.preparation = effective::preparation_of(said);
+  if (const std::string said = text(grain_); !said.empty())
+    both.answer.mineral = &contact::mineral(said);
+  if (const std::string said = text(sand_); !said.empty())
+    both.answer.sand = &hardin::known_sand(said);
+  // A table may hold all three numbers of contacts, which say one thing too much.
+  PackingOptions& p = both.packing;
+  if (p.coordination_number.in_table && p.mechanical_coordination_number.in_table)
+    p.rattler_fraction.in_table = false;
+  apply_presets(p, both.answer);
+  return both;
+}
+
+} // namespace granum::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/estimate/answer_options.hpp"
+#include "cli/options/packing_rows.hpp"
+
+/// Questions that stand in the rows of a table.
+namespace granum::cli {
+
+/// What granum estimate would be asked for a row.
+struct AnswerRow {
+  PackingOptions packing;
+  AnswerOptions answer;
+};
+
+/// The packings of a table, and what else of the answer's options it holds: preparation, grain, sand,
+/// relative density and its limits, density of the grains, saturation.
+class AnswerRows {
+ public:
+  /// \throws   as PackingRows
+  AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer);
+
+  /// A row, with the numbers that grain, sand and relative density decide.
+  /// \throws   InvalidArgument
+  [[nodiscard]] AnswerRow row(std::size_t row);
+  /// Headings of the columns that say nothing to this program.
+  [[nodiscard]] std::vector<std::string> unread() const { return packings_.columns().unread(); }
+
+ private:
+  const io::CsvTable& table_;
+  PackingRows packings_;
+  AnswerOptions answer_;
+  std::optional<std::size_t> preparation_, grain_, sand_;
+};
+
+} // namespace granum::cli
