@@ -2,6 +2,7 @@
 #include <granum/plot/chart.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <granum/core/check.hpp>
@@ -9,149 +10,69 @@
 #include <granum/core/number.hpp>
 #include <granum/plot/svg_text.hpp>
 
-#include "chart_parts.hpp"
+#include "look.hpp"
+#include "picture.hpp"
 #include "ticks.hpp"
 
 namespace granum::plot {
 
 namespace {
 
-constexpr double left = 96;
-constexpr double top = 48;
 constexpr double bottom = 66;
-constexpr double right_without_legend = 28;
-constexpr double font_size = 14;
-constexpr double glyph_width = 0.62 * font_size; // a wide estimate of a letter, for the legend's width
-constexpr double legend_line = 22;
-constexpr double legend_margin = 14; // of one below the plot, and between its names
-constexpr double legend_sample = 42; // line and marker in front of a name
+constexpr double least_right = 28;
+constexpr double power_size = 11;
+constexpr double tick_gap = 8; // least between the labels of an axis
 
-/// Colours that people with colour blindness tell apart, after Okabe and Ito.
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
-constexpr const char* dashes[] = {"", "8 4", "2 3", "10 3 2 3"};
-constexpr std::size_t dash_count = std::size(dashes);
-constexpr std::size_t shape_count = 4;
-
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-std::string pair(const Point& p) { return svg_number(p.x) + "," + svg_number(p.y); }
-
-/// How a series looks.
-class Look {
- public:
-  Look(const Series& series, std::size_t place) : index_(series.style.value_or(place)), tone_(series.tone) {}
-
-  [[nodiscard]] double marker_size() const { return tone_ == Tone::faint ? 2.5 : 4; }
-  [[nodiscard]] const char* colour() const { return tone_ == Tone::grey ? grey : series_colour(index_); }
-  [[nodiscard]] std::size_t shape() const { return index_ % shape_count; }
-
-  [[nodiscard]] SvgAttributes stroke() const {
-    const bool thin = tone_ == Tone::faint || tone_ == Tone::grey;
-    SvgAttributes attributes = {{"fill", "none"}, {"stroke", colour()}, {"stroke-width", thin ? "1.3" : "2"}};
-    const char* dash = dashes[index_ % dash_count];
-    if (*dash != '\0')
-      attributes.emplace_back("stroke-dasharray", dash);
-    return attributes;
-  }
-  [[nodiscard]] SvgAttributes surface() const {
-    return {{"class", "area"}, {"fill", colour()}, {"fill-opacity", "0.18"}};
-  }
-  [[nodiscard]] SvgAttributes filling() const {
-    if (tone_ == Tone::hollow)
-      return {{"fill", "white"}, {"stroke", colour()}, {"stroke-width", "1.5"}};
-    return {{"fill", colour()}};
-  }
-  [[nodiscard]] SvgAttributes group() const {
-    SvgAttributes attributes = {{"class", "series"}};
-    if (tone_ == Tone::faint)
-      attributes.emplace_back("opacity", "0.55");
-    return attributes;
-  }
-
- private:
-  std::size_t index_;
-  Tone tone_;
-};
-
-/// A circle, square, diamond or triangle.
-std::string marker(const Look& look, const Point& p) {
-  const double s = look.marker_size();
-  switch (look.shape()) {
-  case 0:
-    return svg_element("circle", {{"cx", svg_number(p.x)}, {"cy", svg_number(p.y)}, {"r", svg_number(s)}});
-  case 1:
-    return svg_element("rect", {{"x", svg_number(p.x - s)},
-                                {"y", svg_number(p.y - s)},
-                                {"width", svg_number(2 * s)},
-                                {"height", svg_number(2 * s)}});
-  case 2:
-    return svg_element("path",
-                       {{"d", "M" + pair({p.x, p.y - 1.4 * s}) + "L" + pair({p.x + 1.4 * s, p.y}) + "L" +
-                                  pair({p.x, p.y + 1.4 * s}) + "L" + pair({p.x - 1.4 * s, p.y}) + "Z"}});
-  default:
-    return svg_element("path",
-                       {{"d", "M" + pair({p.x, p.y - 1.3 * s}) + "L" + pair({p.x + 1.2 * s, p.y + 0.9 * s}) +
-                                  "L" + pair({p.x - 1.2 * s, p.y + 0.9 * s}) + "Z"}});
-  }
+double label_width(const Tick& tick) {
+  return text_width(tick.mantissa) +
+         (tick.power.empty() ? 0 : text_width("10") + text_width(tick.power, power_size));
 }
 
 std::string label_content(const Tick& tick) {
   if (tick.power.empty())
     return svg_escaped(tick.mantissa);
-  return svg_escaped(tick.mantissa) + "10<tspan dy=\"-5\" font-size=\"10\">" + svg_escaped(tick.power) +
-         "</tspan>";
+  return svg_escaped(tick.mantissa) + "10<tspan dy=\"-5\" font-size=\"" + svg_number(power_size) + "\">" +
+         svg_escaped(tick.power) + "</tspan>";
 }
 
-/// The points of a series that can be drawn, in the units of the axes.
-class DrawnSeries {
- public:
-  DrawnSeries(const Chart& chart, const Series& series) {
-    for (std::size_t k = 0; k < series.x.size(); ++k) {
-      const Point p{series.x[k] / chart.x.unit, series.y[k] / chart.y.unit};
-      if (AxisRange::drawable(chart.x.scale, p.x) && AxisRange::drawable(chart.y.scale, p.y)) {
-        points.push_back(p);
-        joined.push_back(!gap && !joined.empty());
-        const double error = series.y_error.empty() ? 0 : std::abs(series.y_error[k] / chart.y.unit);
-        errors.push_back(std::isfinite(error) ? error : 0);
-        gap = false;
-      } else {
-        gap = true;
-      }
-    }
-  }
-
-  std::vector<Point> points;
-  std::vector<bool> joined; ///< by a line with the point before
-  std::vector<double> errors;
-
- private:
-  bool gap = false;
-};
-
+/// A chart on two straight axes.
 class Picture {
  public:
   explicit Picture(const Chart& chart)
-      : chart_(chart), drawn_(drawn(chart)), x_(chart.x.scale, values(chart.x.scale, false)),
-        y_(chart.y.scale, values(chart.y.scale, true)) {}
+      : chart_(chart), legend_(chart), drawn_(drawn(chart)), x_(chart.x.scale, values(chart.x.scale, false)),
+        y_(chart.y.scale, values(chart.y.scale, true)), x_ticks_(x_.ticks()), y_ticks_(y_.ticks()) {
+    if (chart.x.reversed) // from left to right, and from below upwards
+      std::reverse(x_ticks_.begin(), x_ticks_.end());
+    if (chart.y.reversed)
+      std::reverse(y_ticks_.begin(), y_ticks_.end());
+    for (const Tick& tick : y_ticks_)
+      left_ = std::max(left_, 40 + label_width(tick));
+    for (const Tick& tick : x_ticks_)
+      right_ = std::max(right_, 4 + label_width(tick) / 2);
+    if (!chart.legend_below && legend_.widest() > 0)
+      right_ = 20 + legend_.widest() + 8;
+    for (const SlopeTriangle& triangle : chart.triangles)
+      right_ = std::max(right_, text_width(triangle.text) + 4); // behind the last points, whatever is there
+    title_ = wrapped(chart.title, left_ + chart.width + right_ - 16, title_size);
+    if (!title_.empty())
+      top_ = 27 + title_line * static_cast<double>(title_.size());
+  }
 
-  [[nodiscard]] double width() const { return left + chart_.width + right(); }
-  [[nodiscard]] double height() const { return top + chart_.height + bottom + legend_height(); }
-
-  /// Title, axes, curves and legend.
-  [[nodiscard]] std::string content() const {
-    std::string svg = svg_text("title",
-                               {{"x", svg_number(left + chart_.width / 2)},
-                                {"y", svg_number(top - 18)},
-                                {"text-anchor", "middle"},
-                                {"font-size", "16"}},
-                               svg_escaped(chart_.title));
-    svg += x_axis() + y_axis() + frame();
+  [[nodiscard]] Canvas canvas() const {
+    const double width = left_ + chart_.width + right_;
+    const double foot = top_ + chart_.height + bottom;
+    Canvas out{.width = width, .height = foot, .title = title_, .content = x_axis() + y_axis() + frame()};
     for (std::size_t k = 0; k < drawn_.size(); ++k)
-      svg += curve(k);
-    return svg + legend();
+      out.content += curve(k);
+    out.content += triangles();
+    if (chart_.legend_below) {
+      out.content += legend_.rows({14, foot + 4}, width - 28);
+      out.height += legend_.height(width - 28);
+    } else {
+      out.content += legend_.column({left_ + chart_.width + 20, top_ + 12});
+      out.height = std::max(out.height, top_ + 24 + legend_.height(0));
+    }
+    return out;
   }
 
  private:
@@ -162,71 +83,90 @@ class Picture {
     return all;
   }
 
+  /// The corners of a triangle in the units of the axes: along, then up.
+  [[nodiscard]] std::array<Spot, 3> corners(const SlopeTriangle& t) const {
+    const double x0 = t.x0 / chart_.x.unit, x1 = t.x1 / chart_.x.unit, y0 = t.y0 / chart_.y.unit;
+    return {{{x0, y0}, {x1, y0}, {x1, y0 * std::pow(x1 / x0, t.slope)}}};
+  }
+
   [[nodiscard]] std::vector<double> values(Scale scale, bool vertical) const {
     std::vector<double> found;
+    const auto take = [&](double value) {
+      if (AxisRange::drawable(scale, value))
+        found.push_back(value);
+    };
     for (const DrawnSeries& series : drawn_)
       for (std::size_t k = 0; k < series.points.size(); ++k) {
         const double value = vertical ? series.points[k].y : series.points[k].x;
-        found.push_back(value);
+        take(value);
         if (vertical)
           for (const double end : {value - series.errors[k], value + series.errors[k]})
-            if (AxisRange::drawable(scale, end))
-              found.push_back(end);
+            take(end);
       }
+    for (const SlopeTriangle& triangle : chart_.triangles)
+      for (const Spot& corner : corners(triangle))
+        take(vertical ? corner.y : corner.x);
     return found;
   }
 
   [[nodiscard]] double at_x(double x) const {
     const double share = x_.fraction(x);
-    return left + chart_.width * (chart_.x.reversed ? 1 - share : share);
+    return left_ + chart_.width * (chart_.x.reversed ? 1 - share : share);
   }
   [[nodiscard]] double at_y(double y) const {
     const double share = y_.fraction(y);
-    return top + chart_.height * (chart_.y.reversed ? share : 1 - share);
+    return top_ + chart_.height * (chart_.y.reversed ? share : 1 - share);
   }
-  [[nodiscard]] Point place(const Point& p) const { return {at_x(p.x), at_y(p.y)}; }
+  [[nodiscard]] Spot place(const Spot& p) const { return {at_x(p.x), at_y(p.y)}; }
 
   [[nodiscard]] std::string x_axis() const {
     std::string svg;
-    for (const Tick& tick : x_.ticks()) {
-      const double x = at_x(tick.value);
-      svg += grid_line({x, top}, {x, top + chart_.height}, tick);
+    double free_from = -1e9;
+    const double foot = top_ + chart_.height;
+    for (const Tick& tick : x_ticks_) {
+      const double x = at_x(tick.value), half = label_width(tick) / 2;
+      const bool labelled = tick.labelled() && x - half > free_from;
+      svg += grid_line({x, top_}, {x, foot}, tick) + svg_line({x, foot}, {x, foot + (labelled ? 6 : 3)});
+      if (!labelled)
+        continue;
+      free_from = x + half + tick_gap;
       svg +=
-          svg_line({x, top + chart_.height}, {x, top + chart_.height + (tick.labelled() ? 6 : 3)}, "black");
-      if (tick.labelled())
-        svg += svg_text(
-            "x-label",
-            {{"x", svg_number(x)}, {"y", svg_number(top + chart_.height + 22)}, {"text-anchor", "middle"}},
-            label_content(tick));
+          svg_text("x-label", {{"x", svg_number(x)}, {"y", svg_number(foot + 22)}, {"text-anchor", "middle"}},
+                   label_content(tick));
     }
     return svg + svg_text("x-title",
-                          {{"x", svg_number(left + chart_.width / 2)},
-                           {"y", svg_number(top + chart_.height + 50)},
+                          {{"x", svg_number(left_ + chart_.width / 2)},
+                           {"y", svg_number(foot + 50)},
                            {"text-anchor", "middle"}},
                           svg_escaped(chart_.x.title));
   }
 
   [[nodiscard]] std::string y_axis() const {
     std::string svg;
-    for (const Tick& tick : y_.ticks()) {
+    double free_below = 1e9;
+    for (const Tick& tick : y_ticks_) {
       const double y = at_y(tick.value);
-      svg += grid_line({left, y}, {left + chart_.width, y}, tick);
-      svg += svg_line({left - (tick.labelled() ? 6 : 3), y}, {left, y}, "black");
-      if (tick.labelled())
-        svg += svg_text("y-label",
-                        {{"x", svg_number(left - 10)}, {"y", svg_number(y + 5)}, {"text-anchor", "end"}},
-                        label_content(tick));
+      const bool labelled = tick.labelled() && y < free_below;
+      svg += grid_line({left_, y}, {left_ + chart_.width, y}, tick) +
+             svg_line({left_ - (labelled ? 6 : 3), y}, {left_, y});
+      if (!labelled)
+        continue;
+      free_below = y - font_size - 3;
+      svg += svg_text("y-label",
+                      {{"x", svg_number(left_ - 10)}, {"y", svg_number(y + 5)}, {"text-anchor", "end"}},
+                      label_content(tick));
     }
-    const std::string middle = svg_number(top + chart_.height / 2);
+    const std::string middle = svg_number(top_ + chart_.height / 2);
     return svg + svg_text("y-title",
-                          {{"x", "24"},
+                          {{"x", "20"},
                            {"y", middle},
                            {"text-anchor", "middle"},
-                           {"transform", "rotate(-90 24 " + middle + ")"}},
+                           {"transform", "rotate(-90 20 " + middle + ")"}},
                           svg_escaped(chart_.y.title));
   }
 
-  [[nodiscard]] static std::string svg_line(const Point& from, const Point& to, const char* colour) {
+  [[nodiscard]] static std::string svg_line(const Spot& from, const Spot& to,
+                                            const char* colour = "currentColor") {
     return svg_element("line", {{"x1", svg_number(from.x)},
                                 {"y1", svg_number(from.y)},
                                 {"x2", svg_number(to.x)},
@@ -234,142 +174,140 @@ class Picture {
                                 {"stroke", colour}});
   }
 
-  [[nodiscard]] static std::string grid_line(const Point& from, const Point& to, const Tick& tick) {
-    return tick.labelled() ? svg_line(from, to, "#e3e3e3") : "";
+  [[nodiscard]] static std::string grid_line(const Spot& from, const Spot& to, const Tick& tick) {
+    return tick.labelled() ? svg_grid_line(from, to) : "";
   }
 
+  /// Also tells the page's script what the coordinates of the picture mean.
   [[nodiscard]] std::string frame() const {
-    return svg_element("rect", {{"x", svg_number(left)},
-                                {"y", svg_number(top)},
+    const auto range = [](const Axis& axis, const AxisRange& of) {
+      const std::string low = short_text(of.low(), 12), high = short_text(of.high(), 12);
+      return std::string(axis.scale == Scale::logarithmic ? "log " : "linear ") +
+             (axis.reversed ? high + " " + low : low + " " + high);
+    };
+    return svg_element("rect", {{"class", "frame"},
+                                {"x", svg_number(left_)},
+                                {"y", svg_number(top_)},
                                 {"width", svg_number(chart_.width)},
                                 {"height", svg_number(chart_.height)},
                                 {"fill", "none"},
-                                {"stroke", "black"}});
+                                {"stroke", "currentColor"},
+                                {"data-x", range(chart_.x, x_)},
+                                {"data-y", range(chart_.y, y_)}});
   }
 
-  [[nodiscard]] std::string error_bar(const Point& p, double error, double cap) const {
-    const double x = at_x(p.x);
+  [[nodiscard]] std::string bar(const Spot& p, double error) const {
     const auto end = [this](double y, double edge) {
       return AxisRange::drawable(chart_.y.scale, y) ? at_y(y) : edge;
     };
-    const double upper = top, lower = top + chart_.height;
-    const double high = end(p.y + error, chart_.y.reversed ? lower : upper);
-    const double low = end(p.y - error, chart_.y.reversed ? upper : lower);
-    return svg_element(
-        "path", {{"class", "error"},
-                 {"d", "M" + pair({x - cap, high}) + "H" + svg_number(x + cap) + "M" + pair({x, high}) + "V" +
-                           svg_number(low) + "M" + pair({x - cap, low}) + "H" + svg_number(x + cap)}});
+    const double upper = top_, lower = top_ + chart_.height;
+    return error_bar(at_x(p.x), end(p.y + error, chart_.y.reversed ? lower : upper),
+                     end(p.y - error, chart_.y.reversed ? upper : lower));
   }
 
   [[nodiscard]] std::string curve(std::size_t index) const {
     const DrawnSeries& series = drawn_[index];
     const Mark mark = chart_.series[index].mark;
     const Look look(chart_.series[index], index);
-    std::string path;
-    std::string dots;
-    std::string bars;
+    std::string path, dots, bars;
     for (std::size_t k = 0; k < series.points.size(); ++k) {
-      const Point p = place(series.points[k]);
+      const Spot p = place(series.points[k]);
       path += (series.joined[k] ? "L" : "M") + pair(p);
-      dots += marker(look, p);
+      dots += look.marker(p);
       if (series.errors[k] > 0)
-        bars += error_bar(series.points[k], series.errors[k], look.marker_size());
+        bars += bar(series.points[k], series.errors[k]);
     }
     if (mark == Mark::area)
-      return svg_group({{"class", "series"}}, path.empty() ? "" : surface(look, path + "Z"));
+      return svg_group(look.group(), path.empty() ? "" : surface(path + "Z"));
     std::string svg;
     if (mark != Mark::marker && !path.empty()) {
       SvgAttributes attributes = look.stroke();
       attributes.emplace_back("d", path);
       svg += svg_element("path", attributes);
     }
-    svg += svg_group({{"fill", "none"}, {"stroke", look.colour()}}, bars);
+    svg += svg_group({{"fill", "none"}, {"stroke", "currentColor"}}, bars);
     if (mark != Mark::line)
       svg += svg_group(look.filling(), dots);
     return svg_group(look.group(), svg);
   }
 
-  [[nodiscard]] static std::string surface(const Look& look, const std::string& path) {
-    SvgAttributes attributes = look.surface();
-    attributes.emplace_back("d", path);
-    return svg_element("path", attributes);
+  /// Places of the texts beside the triangles, each a line away from those that it would lie upon.
+  [[nodiscard]] std::vector<Spot> triangle_texts() const {
+    constexpr double line = font_size + 2;
+    std::vector<Spot> out;
+    std::vector<std::size_t> order;
+    for (const SlopeTriangle& triangle : chart_.triangles) {
+      const std::array<Spot, 3> c = corners(triangle);
+      const Spot corner = place(c[1]), end = place(c[2]);
+      order.push_back(out.size());
+      out.push_back({corner.x + 6, (corner.y + end.y) / 2 + 5});
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return out[a].y < out[b].y; });
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      const Spot& above = out[order[k - 1]];
+      Spot& below = out[order[k]];
+      if (std::abs(above.x - below.x) < 1 && below.y - above.y < line) {
+        const double apart = (line - (below.y - above.y)) / 2;
+        out[order[k - 1]].y -= apart;
+        below.y += apart;
+      }
+    }
+    return out;
   }
 
-  [[nodiscard]] std::string legend() const {
-    const std::vector<Point> places = legend_places();
+  [[nodiscard]] std::string triangles() const {
     std::string svg;
-    for (std::size_t k = 0; k < chart_.series.size(); ++k)
-      if (!chart_.series[k].name.empty())
-        svg += legend_entry(k, places[k]);
+    const std::vector<Spot> texts = triangle_texts();
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+      const SlopeTriangle& triangle = chart_.triangles[k];
+      const std::array<Spot, 3> c = corners(triangle);
+      SvgAttributes look{{"fill", "none"}, {"stroke", "currentColor"}, {"stroke-width", "1.3"}};
+      if (triangle.colour)
+        for (auto& attribute : svg_colour(*triangle.colour))
+          look.push_back(std::move(attribute));
+      look.emplace_back("d", "M" + pair(place(c[0])) + "L" + pair(place(c[1])) + "L" + pair(place(c[2])));
+      svg += svg_element("path", look) +
+             svg_text("slope", {{"x", svg_number(texts[k].x)}, {"y", svg_number(texts[k].y)}},
+                      svg_escaped(triangle.text));
+    }
     return svg;
   }
 
-  [[nodiscard]] std::string legend_entry(std::size_t k, const Point& at) const {
-    const Series& series = chart_.series[k];
-    const Look look(series, k);
-    std::string svg;
-    if (series.mark == Mark::area)
-      svg += surface(look, "M" + pair({at.x, at.y - 6}) + "h34v12h-34Z");
-    if (series.mark == Mark::line || series.mark == Mark::both) {
-      SvgAttributes attributes = look.stroke();
-      attributes.emplace_back("d", "M" + pair(at) + "H" + svg_number(at.x + 34));
-      svg += svg_element("path", attributes);
-    }
-    if (series.mark == Mark::marker || series.mark == Mark::both)
-      svg += svg_group(look.filling(), marker(look, {at.x + 17, at.y}));
-    return svg + svg_text("legend", {{"x", svg_number(at.x + legend_sample)}, {"y", svg_number(at.y + 5)}},
-                          svg_escaped(series.name));
-  }
-
-  /// Of every series, also of those that are not listed: right of the plot one below the other, or under it
-  /// from left to right, as many in a row as there is room for.
-  [[nodiscard]] std::vector<Point> legend_places() const {
-    std::vector<Point> places;
-    Point next = chart_.legend_below ? Point{legend_margin, top + chart_.height + bottom + 4}
-                                     : Point{left + chart_.width + 20, top + 12};
-    const double end = left + chart_.width + right_without_legend - legend_margin;
-    for (const Series& series : chart_.series) {
-      const double length = legend_sample + name_width(series);
-      if (chart_.legend_below && next.x > legend_margin && next.x + length > end)
-        next = {legend_margin, next.y + legend_line};
-      places.push_back(next);
-      if (series.name.empty())
-        continue;
-      if (chart_.legend_below)
-        next.x += length + legend_margin;
-      else
-        next.y += legend_line;
-    }
-    return places;
-  }
-
-  [[nodiscard]] static double name_width(const Series& series) {
-    return glyph_width * static_cast<double>(series.name.size());
-  }
-
-  [[nodiscard]] double legend_height() const {
-    double lowest = 0;
-    if (chart_.legend_below && !chart_.series.empty())
-      lowest = legend_places().back().y - (top + chart_.height + bottom) + legend_line - 8;
-    return lowest;
-  }
-
-  [[nodiscard]] double right() const {
-    double longest = 0;
-    for (const Series& series : chart_.series)
-      longest = std::max(longest, name_width(series));
-    return longest == 0 || chart_.legend_below ? right_without_legend : 76 + longest;
-  }
-
   const Chart& chart_;
+  Legend legend_;
   std::vector<DrawnSeries> drawn_;
   AxisRange x_;
   AxisRange y_;
+  std::vector<Tick> x_ticks_;
+  std::vector<Tick> y_ticks_;
+  double left_ = 64;
+  double right_ = least_right;
+  std::vector<std::string> title_;
+  double top_ = 14;
 };
 
-} // namespace
+/// Where each series goes, in numbers.
+std::string described(const Chart& chart) {
+  std::string text = chart.title.empty() ? chart.y.title + " over " + chart.x.title : chart.title;
+  for (const Series& series : chart.series) {
+    const DrawnSeries drawn(chart, series);
+    if (series.name.empty() || drawn.points.empty())
+      continue;
+    const Spot first = drawn.points.front(), last = drawn.points.back();
+    text += "; " + series.name + ": " + short_text(first.y, 3) + " at " + short_text(first.x, 3) + ", " +
+            short_text(last.y, 3) + " at " + short_text(last.x, 3);
+  }
+  return text;
+}
 
-const char* series_colour(std::size_t index) { return colours[index % std::size(colours)]; }
+Canvas canvas_of(const Chart& chart) {
+  require_valid(chart);
+  Canvas out = chart.rose ? rose_canvas(chart) : Picture(chart).canvas();
+  out.finding = chart.finding.empty() ? described(chart) : chart.finding;
+  return out;
+}
+
+} // namespace
 
 void require_valid(const Chart& chart) {
   require_positive("unit of the x axis", chart.x.unit);
@@ -384,28 +322,30 @@ void require_valid(const Chart& chart) {
                             std::to_string(series.y_error.size()) + " errors of y");
 }
 
-std::string svg(const Chart& chart) { return svg(std::span(&chart, 1)); }
+std::string svg(const Chart& chart) { return canvas_of(chart).text(true); }
+std::string svg_in_page(const Chart& chart) { return canvas_of(chart).text(false); }
 
-std::string svg(std::span<const Chart> charts) {
-  if (charts.empty())
+std::string svg(std::span<const Chart> charts, std::size_t in_a_row) {
+  if (charts.empty() || in_a_row == 0)
     throw InvalidArgument("a picture needs a chart");
-  double width = 0, height = 0;
-  std::string content;
-  for (const Chart& chart : charts) {
-    require_valid(chart);
-    const Picture picture(chart);
-    const std::string shift = "translate(" + svg_number(width) + " 0)";
-    content += charts.size() == 1 ? picture.content() : svg_group({{"transform", shift}}, picture.content());
-    width += picture.width();
-    height = std::max(height, picture.height());
+  if (charts.size() == 1)
+    return svg(charts.front());
+  Canvas all;
+  double left = 0, top = 0;
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    if (k > 0 && k % in_a_row == 0) {
+      left = 0;
+      top = all.height;
+    }
+    const Canvas one = canvas_of(charts[k]);
+    const std::string shift = "translate(" + svg_number(left) + " " + svg_number(top) + ")";
+    all.content += svg_group({{"transform", shift}}, one.drawn());
+    all.finding += (k == 0 ? "" : " ") + one.finding;
+    left += one.width;
+    all.width = std::max(all.width, left);
+    all.height = std::max(all.height, top + one.height);
   }
-  const std::string w = svg_number(width), h = svg_number(height);
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-         "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" + svg_number(font_size) + "\">\n" +
-         svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}}) + content +
-         "</svg>\n";
+  return all.text(true);
 }
 
 } // namespace granum::plot

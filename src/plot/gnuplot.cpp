@@ -7,7 +7,7 @@
 #include <granum/core/number.hpp>
 #include <granum/plot/chart.hpp>
 
-#include "chart_parts.hpp"
+#include "look.hpp"
 
 namespace granum::plot {
 
@@ -40,8 +40,7 @@ std::string line_style(const Series& series, std::size_t place) {
   const bool thin = series.tone == Tone::faint || series.tone == Tone::grey;
   const int hollow = series.tone == Tone::hollow ? 1 : 0; // the type before each filled one
   return "set style line " + std::to_string(place + 1) + " linewidth " + (thin ? "1" : "2") + " pointsize " +
-         (thin ? "0.4" : "0.6") + " linecolor rgb '" +
-         (series.tone == Tone::grey ? grey : series_colour(index)) + "' dashtype " +
+         (thin ? "0.4" : "0.6") + " linecolor rgb '" + colour_of(series, place) + "' dashtype " +
          std::to_string(index % dash_types + 1) + " pointtype " +
          std::to_string(point_types[index % std::size(point_types)] - hollow) + "\n";
 }

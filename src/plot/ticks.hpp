@@ -26,6 +26,9 @@ class AxisRange {
   [[nodiscard]] static bool drawable(Scale scale, double value);
   /// Place of a value in the range, 0 at its low and 1 at its high end.
   [[nodiscard]] double fraction(double value) const;
+  /// Ends of the range: values, or on a logarithmic scale their decimal logarithms.
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double high() const { return high_; }
   /// Ticks within the range, in ascending order; at least two of them carry labels.
   [[nodiscard]] std::vector<Tick> ticks() const;
 

@@ -28,6 +28,16 @@ foreach(round RANGE 1 40)
     set(start reproduce --resume "${resumed}")
   endif()
 endforeach()
+# Begun anew in the folder of an unfinished run: that it can be gone on with is said, and nothing is touched.
+set(unfinished "${FOLDER}/unfinished")
+file(REMOVE_RECURSE "${unfinished}")
+execute_process(COMMAND "${env_program}" "LD_PRELOAD=${KILLER}" GRANUM_TEST_MOMENT=3 "${PROGRAM}" reproduce ${scene} --out "${unfinished}"
+  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+execute_process(COMMAND "${PROGRAM}" reproduce ${scene} --out "${unfinished}"
+  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 3 OR NOT err MATCHES "not finished; go on with: granum reproduce --resume ")
+  fail("--resume must be suggested for an unfinished run")
+endif()
 if(kills LESS 5)
   fail("the run was killed ${kills} times only")
 endif()

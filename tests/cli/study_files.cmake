@@ -15,5 +15,5 @@ macro(read_files folder names)
 endmacro()
 
 macro(read_results folder)
-  read_files("${folder}" "exponents.csv;manifest.json;states.csv")
+  read_files("${folder}" "exponents.csv;figures;manifest.json;report.html;scene.toml;states.csv")
 endmacro()

@@ -57,11 +57,17 @@ granum_cli_test("plan: --set overrides the scene, --grains overrides --set" EXIT
 granum_cli_test("plan: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
   ARGS plan ${small} --out isotropic.csv)
 
-# 120 grains are too few for the claims on s: exit 1
+# 120 grains are too few for the claims on s: a finding that differs, and no failure
 foreach(expectation "complete=^(ON|true)$" "exponents/0/network/value=^0\\.[345]" "exponents/1/contact=^sphere$"
     "exponents/1/probe=^$" "specimens/1/states/2/pressure_Pa=^40000" "specimens/0/failure=^$")
-  granum_cli_test("verify: JSON ${expectation}" EXIT 1 JSON "${expectation}" ARGS verify ${small} --json)
+  granum_cli_test("verify: JSON ${expectation}" EXIT 0 JSON "${expectation}" ARGS verify ${small} --json)
 endforeach()
+
+granum_cli_test("verify: --strict fails where a finding differs, and says which" EXIT 1
+  STDOUT "\"finding\": true" STDERR "^granum: error: differs from the paper: [^\n]*sphere: s is " ARGS verify ${small} --json --strict)
+granum_cli_test("verify: --report and another scene" EXIT 2 STDERR "^granum: error: --report takes all from the earlier run"
+  ARGS verify --report x --grains 100)
+granum_cli_test("verify: --report of nothing" EXIT 3 STDERR "^granum: error: none/scene\\.toml: " ARGS verify --report none)
 
 # runs that write, in folders of their own
 foreach(what files stop)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <span>
 #include <string>
@@ -14,31 +15,18 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
+#include "chart_text.hpp"
+#include "relative.hpp"
 #include "well_formed.hpp"
 
 using namespace granum;
 using namespace granum::plot;
+using namespace chart_text;
 
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();
-
-/// Contents of all texts of a class; a power of ten is written 10^n.
-std::vector<std::string> texts(const std::string& svg, const std::string& text_class) {
-  std::vector<std::string> found;
-  const std::string begin = "<text class=\"" + text_class + "\"";
-  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
-    const std::size_t from = svg.find('>', at) + 1;
-    std::string text = svg.substr(from, svg.find("</text>", from) - from);
-    if (const std::size_t span = text.find("<tspan"); span != std::string::npos) {
-      const std::size_t power = text.find('>', span) + 1;
-      text = text.substr(0, span) + "^" + text.substr(power, text.find('<', power) - power);
-    }
-    found.push_back(text);
-  }
-  return found;
-}
 
 /// The number that a label shows.
 double shown(std::string label) {
@@ -48,20 +36,6 @@ double shown(std::string label) {
     return parse_number(label).value();
   const std::string mantissa = at == 0 ? "1" : label.substr(0, label.find("\u00b7"));
   return parse_number(mantissa + "e" + label.substr(at + ten.size())).value();
-}
-
-std::size_t count(const std::string& text, const std::string& piece) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
-    ++found;
-  return found;
-}
-
-Chart chart_of(std::vector<double> x, std::vector<double> y, Scale scale = Scale::linear) {
-  return {.title = "",
-          .x = {.title = "x", .scale = scale},
-          .y = {.title = "y", .scale = scale},
-          .series = {{.name = "", .x = std::move(x), .y = std::move(y)}}};
 }
 
 } // namespace
@@ -182,8 +156,8 @@ TEST_CASE("points stand where their numbers say, in the unit of the axis") {
   chart.series[0].mark = Mark::line;
   const std::string picture = svg(chart);
   CHECK(texts(picture, "x-label") == std::vector<std::string>{"0", "200", "400", "600", "800", "1000"});
-  // 520 x 380 units from (96, 48); 4 % of the range is margin at either end
-  CHECK(picture.find("M115.26,413.93L356.00,238.00L596.74,62.07") != std::string::npos);
+  // 520 x 380 units from (66.04, 14): labels of three letters, no title; 4 % of the range is margin
+  CHECK(picture.find("M85.30,379.93L326.04,204.00L566.78,28.07") != std::string::npos);
 }
 
 TEST_CASE("rows that cannot be drawn are left out, and the line has a gap there") {
@@ -213,7 +187,11 @@ TEST_CASE("empty series and charts give axes alone, and one point is drawn") {
     chart = chart_of({3}, {4}, scale);
     CHECK(well_formed(svg(chart)));
     CHECK(count(svg(chart), "<circle") == 1);
-    CHECK(svg(chart).find("cx=\"356.00\" cy=\"238.00\"") != std::string::npos); // in the middle
+    const std::string picture = svg(chart);
+    const std::string frame = picture.substr(picture.find("class=\"frame\""));
+    const double x = attribute(frame, "x") + 520 / 2.0, y = attribute(frame, "y") + 380 / 2.0;
+    CHECK(attribute(picture.substr(picture.find("<circle")), "cx") == relative(x, 1e-4)); // in the middle
+    CHECK(attribute(picture.substr(picture.find("<circle")), "cy") == relative(y, 1e-4));
   }
 }
 
@@ -230,7 +208,7 @@ TEST_CASE("error bars are drawn where there is an error, and the axis holds them
   chart.series[0].y_error = {2, 0};
   const std::string log_picture = svg(chart);
   CHECK(count(log_picture, "class=\"error\"") == 1);
-  CHECK(log_picture.find("V428.00M") != std::string::npos);
+  CHECK(log_picture.find("V394.00M") != std::string::npos);
   CHECK(log_picture.find("nan") == std::string::npos);
 }
 
@@ -285,21 +263,21 @@ TEST_CASE("series of one style look alike, and tones differ from the full one") 
   Chart chart = chart_of({1, 2}, {1, 2});
   chart.series[0].style = 3;
   chart.series.push_back(chart.series[0]);
-  const auto colours = [&] { return count(svg(chart), "#cc79a7"); };
+  const auto colours = [&] { return count(svg(chart), "color=\"#a2457e\""); };
   const std::string alike = svg(chart);
-  CHECK(count(alike, "stroke=\"#cc79a7\" stroke-width=\"2\" stroke-dasharray=\"10 3 2 3\"") == 2);
-  CHECK(count(alike, "#0072b2") == 0);
+  CHECK(count(alike, "stroke=\"currentColor\" stroke-width=\"2\" stroke-dasharray=\"10 3 2 3\"") == 2);
+  CHECK(count(alike, "color=\"#0072b2\"") == 0);
   const auto all = colours();
   chart.series[1].tone = Tone::grey;
   CHECK(colours() == all / 2);
-  CHECK(count(svg(chart), "stroke=\"#7a7a7a\" stroke-width=\"1.3\"") == 1);
+  CHECK(count(svg(chart), "color=\"#6b6f75\"") == 1);
   chart.series[1].tone = Tone::hollow;
-  CHECK(count(svg(chart), "fill=\"white\" stroke=\"#cc79a7\"") == 1);
+  CHECK(count(svg(chart), "fill=\"white\" stroke=\"currentColor\"") == 1);
   chart.series[1].tone = Tone::faint;
   CHECK(count(svg(chart), "opacity=\"0.55\"") == 1);
   CHECK(well_formed(svg(chart)));
   const std::string script = gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg");
-  CHECK(count(script, "linecolor rgb '#cc79a7'") == 2);
+  CHECK(count(script, "linecolor rgb '#a2457e'") == 2);
   CHECK(count(script, "linewidth 1 ") == 1);
   // Error bars of a line have no marker, and no bar is dashed.
   chart.series[0].mark = Mark::line;
@@ -314,25 +292,24 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
   chart.height = 200;
   chart.legend_below = true;
   chart.series[0].name = "";
-  CHECK(svg(chart).find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  const double width = attribute(svg(chart), "width");
   for (int k = 0; k < 6; ++k) {
     chart.series.push_back(chart.series[0]);
     chart.series.back().name = "a series of number " + std::to_string(k);
   }
   const std::string picture = svg(chart);
-  CHECK(picture.find("viewBox=\"0 0 424.00 ") != std::string::npos);
+  CHECK(attribute(picture, "width") == width);
   CHECK(texts(picture, "legend").size() == 6);
   // Each row of the legend lies inside the picture, under the title of the x axis.
-  const std::string box = picture.substr(picture.find("viewBox=\"0 0 424.00 ") + 20);
-  const double height = std::stod(box);
+  const double height = attribute(picture, "height");
   std::vector<std::pair<double, double>> places;
   for (std::size_t at = picture.find("<text class=\"legend\""); at != std::string::npos;
        at = picture.find("<text class=\"legend\"", at + 1)) {
     const double x = std::stod(picture.substr(picture.find("x=\"", at) + 3));
     const double y = std::stod(picture.substr(picture.find("y=\"", at) + 3));
     CHECK(x > 0);
-    CHECK(x < 424);
-    CHECK(y > 48 + 200 + 50);
+    CHECK(x < width);
+    CHECK(y > 14 + 200 + 50);
     CHECK(y < height);
     places.emplace_back(y, x);
   }
@@ -393,7 +370,7 @@ TEST_CASE("an error bar on a reversed axis reaches the edge on the side of its e
     const std::size_t bar = text.find("class=\"error\"");
     return leading_number(std::string_view(text).substr(text.find('V', bar) + 1)).value().value;
   };
-  const double upper_edge = 48, lower_edge = upper_edge + chart.height;
+  const double upper_edge = 14, lower_edge = upper_edge + chart.height;
   CHECK(end(picture) == upper_edge);
   chart.y.reversed = false;
   CHECK(end(svg(chart)) == lower_edge);
@@ -431,4 +408,9 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
   CHECK(attribute(picture, "height") == attribute(svg(two), "height"));
   CHECK(svg(std::span(both, 1)) == svg(one));
   CHECK_THROWS_AS((void)svg(std::span<const Chart>()), InvalidArgument);
+  CHECK_THROWS_AS((void)svg(both, 0), InvalidArgument);
+  // one below the other
+  CHECK(attribute(svg(both, 1), "height") == attribute(svg(one), "height") + attribute(svg(two), "height"));
+  CHECK(attribute(svg(both, 1), "width") ==
+        std::max(attribute(svg(one), "width"), attribute(svg(two), "width")));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/reproduce/experiment_figures.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -298,7 +298,7 @@ TEST_CASE("the numbers of a panel go through its CSV file, which its script name
 
 TEST_CASE("an assembly is painted from back to front, grains moved into the cell") {
   const dem::Specimen state = synthetic::state();
-  const std::string svg = assembly_svg(state);
+  const std::string svg = plot::svg(assembly_drawing(state));
   CHECK(well_formed(svg));
   CHECK(count(svg, "<circle") == 8);
   CHECK(count(svg, "<line") == 12); // edges of the cell
@@ -309,7 +309,7 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   // A grain a cell's length away is drawn where its image is.
   dem::Specimen moved = state;
   moved.position[3].x -= 4e-3;
-  CHECK(assembly_svg(moved) == svg);
+  CHECK(plot::svg(assembly_drawing(moved)) == svg);
 
   // Of a large cube only the part that can be seen.
   dem::Specimen large;
@@ -317,6 +317,6 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   large.radius = 0.5e-3;
   for (int k = 0; k < 8000; ++k)
     large.position.push_back({(k % 20 + 0.5) * 1e-3, (k / 20 % 20 + 0.5) * 1e-3, (k / 400 + 0.5) * 1e-3});
-  CHECK(count(assembly_svg(large), "<circle") == 8000 - 16 * 16 * 16);
-  CHECK_THROWS_AS((void)assembly_svg(dem::Specimen{}), InvalidArgument);
+  CHECK(count(assembly_drawing(large).content, "<circle") == 8000 - 16 * 16 * 16);
+  CHECK_THROWS_AS((void)assembly_drawing(dem::Specimen{}), InvalidArgument);
 }

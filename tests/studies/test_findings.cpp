@@ -284,9 +284,33 @@ TEST_CASE("verdict on the two routes to the pressure") {
 TEST_CASE("a specimen that ended early is a claim that fails, by its name and reason") {
   std::vector<SpecimenResult> study = sound_study();
   study[1].seed = 7;
-  study[1].failure = "stopped on request";
+  study[1].failure = "compression to 40 kPa ended early";
   CHECK_FALSE(holds(study, "sphere loose #7"));
-  CHECK(verdicts(sphere_scene(), study).back().measured == "stopped on request");
+  const Verdict last = verdicts(sphere_scene(), study).back();
+  CHECK(last.measured == "compression to 40 kPa ended early");
+  CHECK_FALSE(last.finding);
+}
+
+TEST_CASE("what was stopped is not judged, nor is s of a part of a path") {
+  std::vector<SpecimenResult> study = sound_study();
+  study[1].failure = "stopped on request";
+  bool of_dense = false;
+  for (const Verdict& verdict : verdicts(sphere_scene(), study)) {
+    CHECK(verdict.claim.find("loose") == std::string::npos);
+    of_dense = of_dense || verdict.claim.starts_with("dense sphere");
+  }
+  CHECK(of_dense);
+  CHECK(failed_checks(verdicts(sphere_scene(), study)).empty());
+}
+
+TEST_CASE("an s beyond the paper's differs, a broken identity fails") {
+  std::vector<Verdict> all{{"a", true, "", true}, {"b", false, "", true}, {"c", false, ""}, {"d", true, ""}};
+  REQUIRE(failed_checks(all).size() == 1);
+  CHECK(failed_checks(all)[0].claim == "c");
+  REQUIRE(differing_findings(all).size() == 1);
+  CHECK(differing_findings(all)[0].claim == "b");
+  for (const Verdict& verdict : verdicts(sphere_scene(), sound_study()))
+    CHECK(verdict.finding == (verdict.claim.find(" sphere: s is ") != std::string::npos));
 }
 
 TEST_CASE("no verdict without data for it") {

@@ -59,7 +59,7 @@ io::ImportedPacking from_files(const std::vector<std::string>& names) {
   return io::PackingFiles(paths).next().value();
 }
 
-bool says(const std::vector<std::string>& notes, const std::string& words) {
+bool has_note(const std::vector<std::string>& notes, const std::string& words) {
   for (const std::string& note : notes)
     if (note.find(words) != std::string::npos)
       return true;
@@ -104,7 +104,7 @@ TEST_CASE("frame: G_g comes out of the forces where it is not given, and the clo
   const analysis::Measurement found = measure_frame(through_dump(specimen())).packing;
   REQUIRE(found.grain);
   CHECK(found.grain->shear_modulus == relative(specimen_grain.shear_modulus, 1e-10));
-  CHECK(says(found.notes, "from the forces"));
+  CHECK(has_note(found.notes, "from the forces"));
   const analysis::Measurement given = measure_frame(through_dump(specimen()), known).packing;
   REQUIRE((found.state && given.state));
   CHECK(effective::uniform_strain(*found.state).stiffness.C44 ==
@@ -215,7 +215,7 @@ TEST_CASE("frame: without contacts, or without forces, the rest is still there")
   CHECK(data.counts.without_contact == 3);
   CHECK(data.counts.coordination_number == 0);
   CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
-  CHECK(says(data.notes, "no G_g"));
+  CHECK(has_note(data.notes, "no G_g"));
 
   const packing::Assembly& own = specimen();
   std::string contacts = "# units: SI\nid1,id2,nx,ny,nz\n";

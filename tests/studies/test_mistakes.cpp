@@ -16,14 +16,14 @@ using analysis::Given;
 
 namespace {
 
-analysis::Wanted wanted() {
+analysis::Wanted wanted_of_mistakes() {
   analysis::Wanted out = analysis::everything();
   out.network.reset();
   return out;
 }
 
-bool warns(const io::ImportedPacking& packing, const std::string& words, const Given& given = {}) {
-  const auto warnings = studies::measure_frame(packing, given, wanted()).warnings;
+bool warns_of_mistake(const io::ImportedPacking& packing, const std::string& words, const Given& given = {}) {
+  const auto warnings = studies::measure_frame(packing, given, wanted_of_mistakes()).warnings;
   return std::any_of(warnings.begin(), warnings.end(),
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
@@ -46,31 +46,32 @@ io::ImportedPacking rescaled(double lengths, double radii) {
 } // namespace
 
 TEST_CASE("mistakes: a good packing has none, whatever its unit of length") {
-  CHECK(studies::measure_frame(rescaled(1, 1), {}, wanted()).warnings.empty());
-  CHECK(studies::measure_frame(rescaled(10, 1), {.grain_shear_modulus = 30e9}, wanted()).warnings.size() ==
-        1);
+  CHECK(studies::measure_frame(rescaled(1, 1), {}, wanted_of_mistakes()).warnings.empty());
+  CHECK(studies::measure_frame(rescaled(10, 1), {.grain_shear_modulus = 30e9}, wanted_of_mistakes())
+            .warnings.size() == 1);
 }
 
 TEST_CASE("mistakes: diameters in the column of radii") {
-  CHECK(warns(rescaled(1, 2), "does the column of radii hold diameters? Half of them make e = 0."));
-  CHECK_FALSE(warns(rescaled(1, 2), "stand in no row"));
-  CHECK_FALSE(warns(rescaled(1, 1), "void ratio"));
+  CHECK(
+      warns_of_mistake(rescaled(1, 2), "does the column of radii hold diameters? Half of them make e = 0."));
+  CHECK_FALSE(warns_of_mistake(rescaled(1, 2), "stand in no row"));
+  CHECK_FALSE(warns_of_mistake(rescaled(1, 1), "void ratio"));
 }
 
 TEST_CASE("mistakes: a box too small, and one that is mostly empty") {
   packing::Assembly a = specimen();
   a.cell(2, 2) *= 0.6;
   a.contacts.clear();
-  CHECK(warns(through_dump(a), "no packing of grains is so dense"));
+  CHECK(warns_of_mistake(through_dump(a), "no packing of grains is so dense"));
   a.cell(2, 2) *= 10;
-  CHECK(warns(through_dump(a), "most of the box is empty"));
+  CHECK(warns_of_mistake(through_dump(a), "most of the box is empty"));
 }
 
 TEST_CASE("mistakes: every contact open") {
-  CHECK(warns(rescaled(1, 0.999), "every contact is open: the centres are 1.000"));
-  CHECK(warns(rescaled(1, 0.999), "written with enough digits?"));
-  CHECK(warns(rescaled(1, 0.51), "are the radii half of what they should be?"));
-  CHECK_FALSE(warns(rescaled(1, 1), "every contact is open"));
+  CHECK(warns_of_mistake(rescaled(1, 0.999), "every contact is open: the centres are 1.000"));
+  CHECK(warns_of_mistake(rescaled(1, 0.999), "written with enough digits?"));
+  CHECK(warns_of_mistake(rescaled(1, 0.51), "are the radii half of what they should be?"));
+  CHECK_FALSE(warns_of_mistake(rescaled(1, 1), "every contact is open"));
 }
 
 TEST_CASE("mistakes: rows of contacts that are missing") {
@@ -79,25 +80,25 @@ TEST_CASE("mistakes: rows of contacts that are missing") {
   for (std::size_t k = all; k-- > 0;)
     if (k % 2 == 1)
       a.contacts.erase(a.contacts.begin() + static_cast<std::ptrdiff_t>(k));
-  CHECK(warns(through_dump(a),
-              " pairs of overlapping spheres stand in no row of the contacts, and forces of "));
+  CHECK(warns_of_mistake(through_dump(a),
+                         " pairs of overlapping spheres stand in no row of the contacts, and forces of "));
   packing::Assembly one = specimen();
   one.contacts.pop_back();
-  CHECK_FALSE(warns(through_dump(one), "stand in no row"));
+  CHECK_FALSE(warns_of_mistake(through_dump(one), "stand in no row"));
 }
 
 TEST_CASE("mistakes: lengths in mm taken for m") {
-  CHECK(warns(rescaled(1e3, 1), "lengths in mm taken for m? That makes 30 kPa of 30 GPa"));
+  CHECK(warns_of_mistake(rescaled(1e3, 1), "lengths in mm taken for m? That makes 30 kPa of 30 GPa"));
   // where the law does not tell G_g, the size of the grains does
   io::ImportedPacking large = rescaled(1e3, 1);
   for (packing::Contact& c : large.assembly.contacts)
     c.normal_force = 1;
-  CHECK(warns(large, "radii of 500 mm: are the lengths in mm?"));
+  CHECK(warns_of_mistake(large, "radii of 500 mm: are the lengths in mm?"));
 }
 
 TEST_CASE("mistakes: grains softer than rubber, harder than diamond") {
-  CHECK(
-      warns(rescaled(1, 1), "G_g of the grains is 1 kPa, softer than rubber", {.grain_shear_modulus = 1e3}));
-  CHECK(warns(rescaled(1, 1), "more than diamond has", {.grain_shear_modulus = 30e12}));
-  CHECK_FALSE(warns(rescaled(1, 1), "G_g of the grains", {.grain_shear_modulus = 30e9}));
+  CHECK(warns_of_mistake(rescaled(1, 1), "G_g of the grains is 1 kPa, softer than rubber",
+                         {.grain_shear_modulus = 1e3}));
+  CHECK(warns_of_mistake(rescaled(1, 1), "more than diamond has", {.grain_shear_modulus = 30e12}));
+  CHECK_FALSE(warns_of_mistake(rescaled(1, 1), "G_g of the grains", {.grain_shear_modulus = 30e9}));
 }

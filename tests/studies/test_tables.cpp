@@ -131,6 +131,7 @@ TEST_CASE("tables for people name each specimen, its end and the verdicts") {
   const std::string table = exponents_table(exponents(scene_of_study(), study()));
   CHECK(contains(table, "  sphere     dense        0.333    0.340 +- 0.000"));
   CHECK(contains(table, "0.349"));
-  const std::string judged = verdicts_table({{"this", true, "1"}, {"that", false, "2"}});
-  CHECK(judged == "  holds  this: 1\n  FAILS  that: 2\n");
+  const std::string judged =
+      verdicts_table({{"this", true, "1"}, {"that", false, "2"}, {"from theirs", false, "3", true}});
+  CHECK(judged == "  holds   this: 1\n  FAILS   that: 2\n  differs from theirs: 3\n");
 }

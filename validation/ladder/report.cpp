@@ -151,16 +151,33 @@ std::vector<std::string> summary(const std::vector<Row>& rows) {
 
 // ---- the picture ----
 
-plot::Chart chart(const std::vector<Row>& rows) {
-  plot::Chart picture{.title = "What a rung costs, and what it is worth: 28 packings of 1,500 grains",
-                      .x = {"processor time of one evaluation [s]", plot::Scale::logarithmic, 1},
-                      .y = {"error of K, G_hh and G_vh, the largest [%]", plot::Scale::logarithmic, 0.01},
-                      .series = {}};
-  const auto add = [&picture](const std::string& name, const std::vector<Row>& own) {
-    picture.series.push_back({name, plot::Mark::marker, each(own, cost), each(own, actual_error)});
-  };
+plot::Series points(const std::string& name, const std::vector<Row>& own, std::size_t style) {
+  return {.name = name,
+          .mark = plot::Mark::marker,
+          .x = each(own, cost),
+          .y = each(own, actual_error),
+          .style = style};
+}
+
+plot::Chart panel(const std::string& title) {
+  return {.title = title,
+          .x = {"processor time of one evaluation [s]", plot::Scale::logarithmic, 1},
+          .y = {"error, largest of K, G_hh, G_vh [%]", plot::Scale::logarithmic, 0.01},
+          .series = {},
+          .width = 330,
+          .height = 340,
+          .legend_below = true};
+}
+
+plot::Chart closed_forms(const std::vector<Row>& rows) {
+  plot::Chart picture = panel("Closed forms");
   for (const Kind& kind : {kinds()[0], kinds()[1]}) {
-    plot::Series line{std::string("stated errors, ") + kind.name, plot::Mark::line, {}, {}};
+    plot::Series line{.name = std::string("stated error, ") + kind.name,
+                      .mark = plot::Mark::line,
+                      .x = {},
+                      .y = {},
+                      .style = picture.series.size(),
+                      .tone = plot::Tone::grey};
     for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
       const std::vector<Row> own = select(of_rung(rows, rung, "all"), kind.has);
       line.x.push_back(median(each(own, cost)));
@@ -168,21 +185,36 @@ plot::Chart chart(const std::vector<Row>& rows) {
     }
     picture.series.push_back(line);
   }
-  add("rung 0: uniform strain, isotropic", of_rung(rows, 0, "all"));
-  add("rung 1: with fabric", of_rung(rows, 1, "all"));
-  add("rung 2: stiffness by direction", of_rung(rows, 2, "all"));
-  add("rung 3: relaxed, z* from C_n", of_rung(rows, 3, "C_n"));
-  add("rung 3: relaxed, z* known", of_rung(rows, 3, "all"));
-  // The network is what the others are measured against: here against the probe, each at its own cost.
+  picture.series.push_back(points("rung 0", of_rung(rows, 0, "all"), 0));
+  picture.series.push_back(points("rung 1", of_rung(rows, 1, "all"), 1));
+  picture.series.push_back(points("rung 2", of_rung(rows, 2, "all"), 2));
+  picture.series.push_back(points("rung 3, z* known", of_rung(rows, 3, "all"), 3));
+  picture.series.push_back(points("rung 3, z* from C_n", of_rung(rows, 3, "C_n"), 4));
+  picture.finding =
+      "Closed forms: rungs 0 to 2 are off by 40 to 400 % and cost 20 to 400 ns; rung 3 is off by some "
+      "4 % and costs 1 microsecond.";
+  return picture;
+}
+
+/// The network is what the others are measured against: here against the probe, each at its own cost.
+plot::Chart of_packings(const std::vector<Row>& rows) {
+  plot::Chart picture = panel("With a packing: one against the other");
   const std::vector<Row> probes = of_rung(rows, 5, "packing");
   std::map<std::string, double> network_cost;
   for (const Row& row : of_rung(rows, 4, "packing"))
     network_cost[row.specimen.name()] = row.cost;
-  picture.series.push_back({"rung 4: network, against rung 5", plot::Mark::marker,
-                            each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); }),
-                            each(probes, actual_error)});
-  add("rung 5: DEM probe, against rung 4", probes);
+  plot::Series network = points("rung 4: network", probes, 5);
+  network.x = each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); });
+  picture.series = {network, points("rung 5: DEM probe", probes, 0)};
+  picture.series[1].colour = 1;
+  picture.finding = "Network and probe differ by less than 0.4 % and cost tenths of a second.";
   return picture;
+}
+
+/// Two panels: between a microsecond and a hundredth of a second there is nothing.
+std::string picture(const std::vector<Row>& rows) {
+  const plot::Chart both[] = {closed_forms(rows), of_packings(rows)};
+  return plot::svg(both);
 }
 
 // ---- the questions ----
@@ -349,7 +381,7 @@ int run(int argc, char** argv) {
   if (what == "lines" || what == "picture" || what == "restate") {
     const std::vector<Row> rows = ladder::read(argv[2]);
     if (what == "picture")
-      std::printf("%s", plot::svg(chart(rows)).c_str());
+      std::printf("%s", picture(rows).c_str());
     else if (what == "restate")
       std::printf("%s", restated_table(rows).c_str());
     else

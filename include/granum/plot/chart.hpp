@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,19 @@ struct Series {
   /// Colour, dashes and marker; without: the place in the chart. Series of one style look alike.
   std::optional<std::size_t> style = {};
   Tone tone = Tone::full;
+  std::optional<std::size_t> colour = {}; ///< another one than that of the style, 0 to 5
+  /// What several series of different colours are, such as "cyclic shear": listed once, in grey.
+  std::string kind = {};
+};
+
+/// A right triangle that shows a power: y grows from y0 as x^slope between x0 and x1.
+struct SlopeTriangle {
+  double x0 = 0; ///< in the units of the series, as y0
+  double x1 = 0;
+  double y0 = 0;
+  double slope = 0;
+  std::string text;                       ///< beside it; texts of triangles that end at one x keep apart
+  std::optional<std::size_t> colour = {}; ///< as that of a series; without: that of texts
 };
 
 struct Chart {
@@ -56,6 +70,12 @@ struct Chart {
   double width = 520; ///< of the plot itself, without titles and legend; the letters are 14 high
   double height = 380;
   bool legend_below = false; ///< under the plot; else right of it, one name a line
+  /// What a reader sees in it, for those who cannot; empty: where each series goes, in numbers.
+  std::string finding = {};
+  std::vector<SlopeTriangle> triangles = {};
+  /// Whether x are angles from the vertical, 0 to pi/2 [rad], and y distances from the centre of a rose, the
+  /// same in all four quadrants. Series of markers alone become bars as wide as their steps.
+  bool rose = false;
 };
 
 /// The picture as an SVG file of its own: same chart, same bytes. Ranges follow from the points; without any
@@ -65,8 +85,12 @@ struct Chart {
 [[nodiscard]] std::string svg(const Chart& chart);
 
 /// Several charts in one SVG file, side by side from the left.
-/// \throws   InvalidArgument as above, or without a chart
-[[nodiscard]] std::string svg(std::span<const Chart> charts);
+/// \param    in_a_row   >= 1, as many stand side by side, and the next below them
+/// \throws   InvalidArgument as above, without a chart, or for none in a row
+[[nodiscard]] std::string svg(std::span<const Chart> charts, std::size_t in_a_row = SIZE_MAX);
+
+/// One chart as a part of a page of html_page (plot/page.hpp), which has the rules for dark screens.
+[[nodiscard]] std::string svg_in_page(const Chart& chart);
 
 /// Where the numbers of a series stand: columns of a CSV file, by their whole headings.
 struct CsvColumns {

@@ -24,4 +24,20 @@ using SvgAttributes = std::vector<std::pair<std::string_view, std::string>>;
 /// Elements in a group. Nothing if there are none.
 [[nodiscard]] std::string svg_group(const SvgAttributes& attributes, std::string_view content);
 
+/// Class and colour of a group in a colour of the palette, as that of a series (plot/chart.hpp): its elements
+/// are drawn in "currentColor".
+[[nodiscard]] SvgAttributes svg_colour(std::size_t colour);
+
+/// A picture that is no chart, on the same paper.
+struct SvgPicture {
+  double width = 0;
+  double height = 0;
+  std::string finding; ///< what a reader sees in it, for those who cannot
+  std::string content; ///< elements; what is not in a group of svg_colour has that of texts
+};
+/// As a file of its own, light or dark as its reader wants.
+[[nodiscard]] std::string svg(const SvgPicture& picture);
+/// As a part of a page of html_page (plot/page.hpp).
+[[nodiscard]] std::string svg_in_page(const SvgPicture& picture);
+
 } // namespace granum::plot

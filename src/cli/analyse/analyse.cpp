@@ -155,6 +155,8 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
   ParaviewFrames pictures(o.out, existing(o));
   out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
+    if (!o.out.empty())
+      out.chains = studies::force_chains(packing.assembly);
     if (o.paraview)
       pictures.add(packing, number);
   });
@@ -185,10 +187,10 @@ ExitCode run(const AnalyseOptions& o) {
     prepare_folder(o.out, analysis_files, o.force);
   AnalyseAnswer answer = answer_all(o);
   take_code_stress(o.stress, answer.frames);
-  std::string table = o.json ? "" : analyse_table(answer);
+  std::string table = o.json && o.out.empty() ? "" : analyse_table(answer);
   if (!o.out.empty()) {
-    write_analysis(o.out, answer, existing(o));
-    table += "\nCSV, JSON and pictures in " + o.out + "\n";
+    write_analysis(o.out, answer, table, existing(o));
+    table += "\nreport.html, CSV, JSON and pictures in " + o.out + "\n";
   }
   const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};
   return deliver(to_screen, table, analyse_json(answer), warnings_of(answer));

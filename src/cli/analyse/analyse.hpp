@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/analyse/force_chains.hpp"
 #include "studies/analyse/frame_series.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include <granum/effective/rungs.hpp>
@@ -80,8 +81,9 @@ struct AnalyseAnswer {
   std::vector<std::string> files;
   std::vector<io::FileKind> kinds;
   std::vector<FrameAnswer> frames;
-  std::vector<RungSeries> series; ///< for more than one frame
-  std::size_t skipped = 0;        ///< frames that stand in one file only
+  std::vector<RungSeries> series;                            ///< for more than one frame
+  std::size_t skipped = 0;                                   ///< frames that stand in one file only
+  std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
 
 /// The columns of the table of frames, from which frames.csv and the screen are written.
@@ -91,11 +93,14 @@ struct AnalyseAnswer {
 [[nodiscard]] std::string analyse_table(const AnalyseAnswer& answer);
 
 /// Names of the files that write_analysis writes.
-inline constexpr const char* analysis_files[] = {"frames.csv", "stiffness.csv", "rose.csv",     "forces.csv",
-                                                 "rose.svg",   "forces.svg",    "analysis.json"};
-/// Writes tables of all frames, and pictures of the last one.
+inline constexpr const char* analysis_files[] = {"frames.csv", "stiffness.csv", "rose.csv",
+                                                 "forces.csv", "rose.svg",      "forces.svg",
+                                                 "chains.svg", "report.html",   "analysis.json"};
+/// Writes tables of all frames, and a report and pictures of the last one.
+/// \param    table   what the screen shows
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
-void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer, io::Existing existing);
+void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
+                    const std::string& table, io::Existing existing);
 
 /// Whether a note of a reader says what the files could not tell, not what was found in them.
 [[nodiscard]] bool says_what_is_missing(io::Finding finding);

@@ -9,6 +9,7 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 
+#include "analyse_page.hpp"
 #include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 
@@ -66,54 +67,10 @@ std::string forces_csv(const AnalyseAnswer& answer) {
   return io::csv_text(csv);
 }
 
-/// E(gamma; a), smooth.
-plot::Series density_curve(double anisotropy) {
-  constexpr int points = 90;
-  plot::Series curve{
-      .name = "E(\u03b3; a = " + short_text(anisotropy, 3) + ")", .mark = plot::Mark::line, .x = {}, .y = {}};
-  for (int k = 0; k <= points; ++k) {
-    const double gamma = std::numbers::pi / 2 * k / points;
-    curve.x.push_back(gamma * degrees);
-    curve.y.push_back(fabric::density(gamma, anisotropy));
-  }
-  return curve;
-}
-
-std::string rose_picture(const FrameAnswer& frame) {
-  const analysis::Fabric& f = *frame.measured.packing.fabric;
-  plot::Series bins{.name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}};
-  for (const fabric::RoseBin& bin : f.rose) {
-    bins.x.push_back((bin.low + bin.high) / 2 * degrees);
-    bins.y.push_back(bin.density);
-    bins.y_error.push_back(bin.density_error);
-  }
-  return plot::svg({.title = "Contact directions of " + std::to_string(f.contacts) + " contacts, step " +
-                             std::to_string(frame.measured.step),
-                    .x = {.title = "\u03b3 from the vertical [deg]"},
-                    .y = {.title = "E [1/sr]"},
-                    .series = {bins, density_curve(f.by_likelihood.value().anisotropy)}});
-}
-
-std::string force_picture(const FrameAnswer& frame) {
-  const packing::ForceDistribution& d = frame.measured.packing.forces->distribution;
-  plot::Series bins{.name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}};
-  for (const packing::ForceBin& bin : d.bins) {
-    if (bin.count == 0)
-      continue; // the axis is logarithmic
-    bins.x.push_back((bin.low + bin.high) / 2);
-    bins.y.push_back(bin.density);
-    bins.y_error.push_back(bin.count > 1 ? bin.density_error : 0);
-  }
-  return plot::svg({.title = "Normal forces of " + std::to_string(d.pressing) + " contacts, step " +
-                             std::to_string(frame.measured.step),
-                    .x = {.title = "f_n/\u27e8f_n\u27e9"},
-                    .y = {.title = "probability density", .scale = plot::Scale::logarithmic},
-                    .series = {bins}});
-}
-
 } // namespace
 
-void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer, io::Existing existing) {
+void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
+                    const std::string& table, io::Existing existing) {
   std::vector<std::pair<const char*, std::string>> files; // all made before the first is written
   const auto add = [&](const char* name, std::string text) { files.emplace_back(name, std::move(text)); };
   const FrameAnswer& last = answer.frames.back();
@@ -126,12 +83,15 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   }
   if (last.measured.packing.fabric) {
     add("rose.csv", rose_csv(answer));
-    add("rose.svg", rose_picture(last));
+    add("rose.svg", plot::svg(rose_chart(last)));
   }
   if (last.measured.packing.forces) {
     add("forces.csv", forces_csv(answer));
-    add("forces.svg", force_picture(last));
+    add("forces.svg", plot::svg(force_chart(last)));
   }
+  if (answer.chains)
+    add("chains.svg", answer.chains->svg);
+  add("report.html", analyse_page(answer, table));
   add("analysis.json", json_text(analyse_json(answer)));
   for (const auto& [name, text] : files)
     io::write_file(folder / name, text, existing);

@@ -18,6 +18,7 @@
 #include "cli/frame/messages.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
+#include "cli/options/judgement.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 #include "reproduce_output.hpp"
@@ -32,6 +33,7 @@ struct Options {
   StudyOptions study;
   bool paper = false;
   std::string resume;
+  bool strict = false;
   ResultOptions results;
 };
 
@@ -66,6 +68,19 @@ struct Place {
   fs::path folder;
 };
 
+/// A folder where a run was begun and not finished is better gone on with than replaced.
+/// \throws   FileError
+void suggest_resume(const ResultOptions& results) {
+  const fs::path folder = results.out;
+  if (!results.out.empty() && !results.force && io::is_taken(folder / scene_name) &&
+      io::is_taken(folder / checkpoints_name) && !io::is_taken(folder / "manifest.json"))
+    throw FileError(
+        results.out, 0,
+        fmt::format("holds a run that is not finished; go on with: granum reproduce --resume {}, or "
+                    "let --force begin anew",
+                    results.out));
+}
+
 Place new_place(const Options& options) {
   if (options.paper && !options.study.scene_file.empty())
     throw InvalidArgument("--paper is a scene of its own; give it or --scene");
@@ -75,6 +90,7 @@ Place new_place(const Options& options) {
   std::vector<const char*> names(result_names().begin(), result_names().end());
   names.push_back(scene_name);
   names.push_back(checkpoints_name);
+  suggest_resume(options.results);
   place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
   studies::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
   io::write_file(place.folder / scene_name, studies::toml_of(place.scene), options.results.existing());
@@ -122,11 +138,8 @@ ExitCode run(const Options& options) {
   options.results.print(report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
                             place.folder.string() + "\n",
                         manifest);
-  if (!experiment.complete())
-    return ExitCode::not_converged;
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.holds; })
-             ? ExitCode::ok
-             : ExitCode::fell_short;
+  const ExitCode code = judged(verdicts, options.strict);
+  return experiment.complete() ? code : ExitCode::not_converged;
 }
 
 } // namespace
@@ -142,6 +155,7 @@ Command add_reproduce(CLI::App& program) {
            "Go on with the run of this folder from its last checkpoints, to the same bits; "
            "a finished run writes its tables and pictures again")
       ->type_name("DIR");
+  add_strict(*command, options->strict);
   in_group(*command, "Run", {"--paper", "--resume"});
   add_result_options(*command, options->results,
                      "Folder for the results; by default a new granum-reproduce-N",

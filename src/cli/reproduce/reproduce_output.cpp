@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reproduce_output.hpp"
 
-#include "studies/reproduce/experiment_figures.hpp"
 #include "studies/reproduce/experiment_html.hpp"
 #include "studies/reproduce/experiment_tables.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/options/judgement.hpp"
+#include "cli/options/panel_files.hpp"
 #include "cli/options/scene_file.hpp"
 
 namespace granum::cli {
@@ -49,11 +51,7 @@ void write_figures(const fs::path& folder, const std::vector<studies::Figure>& f
   if (assembly)
     write(assembly->stem + ".svg", assembly->svg);
   for (const studies::Figure& figure : figures)
-    for (const studies::Panel& panel : figure.panels) {
-      write(panel.stem + ".csv", studies::panel_csv(panel));
-      write(panel.stem + ".svg", plot::svg(panel.chart));
-      write(panel.stem + ".gp", studies::panel_script(panel));
-    }
+    write_panels(folder, figure.panels);
 }
 
 ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies::PathRun& run) {
@@ -92,8 +90,7 @@ ordered_json manifest_of(const studies::Experiment& experiment, const std::vecto
   json["further_exponents"] = table_json(studies::further_exponents(experiment));
   json["verdicts"] = ordered_json::array();
   for (const studies::Verdict& verdict : verdicts)
-    json["verdicts"].push_back(
-        {{"claim", verdict.claim}, {"holds", verdict.holds}, {"measured", verdict.measured}});
+    json["verdicts"].push_back(json_of(verdict));
   json["runs"] = ordered_json::array();
   for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
     for (const studies::PathRun& run : specimen.runs)
@@ -117,10 +114,13 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
   write("verdicts.csv", studies::verdicts_csv(verdicts));
   const std::vector<studies::Figure> figures = studies::experiment_figures(experiment);
   const std::optional<studies::AssemblyPicture> assembly = studies::assembly_picture(experiment);
-  write_figures(folder / "figures", figures, assembly);
-  write("report.html", studies::experiment_html(experiment, verdicts, figures, assembly,
-                                                {.seconds = manifest.at("wall_time_s").get<double>(),
-                                                 .resumed = manifest.at("resumed").get<bool>()}));
+  const studies::ExperimentReport report = studies::experiment_report(
+      experiment, verdicts, figures, assembly,
+      {.seconds = manifest.at("wall_time_s").get<double>(), .resumed = manifest.at("resumed").get<bool>()});
+  const fs::path pictures = folder / studies::figures_folder;
+  write_figures(pictures, figures, assembly);
+  write_panels(pictures, report.panels);
+  write("report.html", report.html);
   write("manifest.json", json_text(manifest));
 }
 

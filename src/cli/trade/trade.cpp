@@ -14,6 +14,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/messages.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/study_options.hpp"
@@ -120,7 +121,10 @@ ExitCode run(const Options& options) {
   results.print(report_of(outcome) + where, manifest_of(outcome, options));
   if (outcome.failure().empty())
     return ExitCode::ok;
-  return stop ? exit_code_of_stop() : ExitCode::fell_short;
+  if (stop)
+    return exit_code_of_stop();
+  say("error", "a sample failed: " + outcome.failure());
+  return ExitCode::fell_short;
 }
 
 } // namespace

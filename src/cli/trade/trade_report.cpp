@@ -64,23 +64,22 @@ std::string label(const TradeRow& row) {
   return has_boundary(row.varied) ? fmt::format("{} {}", studies::name(row.boundary), value) : value;
 }
 
-constexpr const char* axis_title(Varied varied, triaxial::Density density) {
-  const bool dense = density == triaxial::Density::dense;
+constexpr const char* panel_title(Varied varied) {
   switch (varied) {
   case Varied::grains:
-    return dense ? "dense, N" : "loose, N";
+    return "Grains";
   case Varied::compression:
-    return dense ? "dense, rate of compression" : "loose, rate of compression";
+    return "Rate of compression";
   case Varied::shear:
-    return "rate of shear";
+    return "Rate of shear";
   case Varied::time_step:
-    return dense ? "dense, time step" : "loose, time step";
+    return "Time step";
   case Varied::probe:
-    return dense ? "dense, probe strain" : "loose, probe strain";
+    return "Probe strain";
   case Varied::boundary:
     break;
   }
-  return dense ? "dense, walls" : "loose, walls";
+  return "Walls";
 }
 
 /// Root mean square error of one specimen: bias and scatter; of settings that leave the packing as it is,
@@ -89,6 +88,32 @@ double error_of(const TradeRow& row) {
   const studies::Deviation& d = *row.shear_modulus;
   return row.varied == Varied::grains || row.varied == Varied::boundary ? std::hypot(d.bias, d.scatter)
                                                                         : std::abs(d.bias);
+}
+
+/// What has an error that its setting makes, beside those of the reference.
+bool is_drawn(const TradeRow& row) {
+  const bool other_boundary = row.varied == Varied::boundary && row.boundary == Boundary::periodic;
+  const bool is_reference = row.reference && row.varied != Varied::grains;
+  return row.shear_modulus && row.boundary != Boundary::smooth_walls && !other_boundary && !is_reference;
+}
+
+/// Adds its error over its cost to the series of its density.
+void add_row(plot::Chart& panel, const TradeRow& row) {
+  const std::string name(studies::name(row.density));
+  auto series = std::find_if(panel.series.begin(), panel.series.end(),
+                             [&](const plot::Series& s) { return s.name == name; });
+  if (series == panel.series.end()) {
+    const bool dense = row.density == triaxial::Density::dense;
+    series = panel.series.insert(series, plot::Series{.name = name,
+                                                      .x = {},
+                                                      .y = {},
+                                                      .style = dense ? 0 : 1,
+                                                      .tone = dense ? plot::Tone::full : plot::Tone::hollow,
+                                                      .colour = 0});
+  }
+  series->x.push_back(row.cpu_seconds);
+  series->y.push_back(error_of(row));
+  series->y_error.push_back(row.shear_modulus->standard_error);
 }
 
 ordered_json json_of(const std::optional<studies::Deviation>& d) {
@@ -210,25 +235,25 @@ std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>&
 }
 
 std::string trade_picture(const std::vector<TradeRow>& rows) {
-  plot::Chart chart{.title = "Error of G against cost, one setting varied at a time",
-                    .x = {"processor time [s]", plot::Scale::logarithmic},
-                    .y = {"error of G [%]", plot::Scale::logarithmic, 0.01},
-                    .series = {}};
-  for (const TradeRow& row : rows) {
-    if (!row.shear_modulus || row.boundary == Boundary::smooth_walls ||
-        (row.varied == Varied::boundary && row.boundary == Boundary::periodic) ||
-        (row.reference && row.varied != Varied::grains))
-      continue;
-    const std::string name = axis_title(row.varied, row.density);
-    auto series = std::find_if(chart.series.begin(), chart.series.end(),
-                               [&](const plot::Series& s) { return s.name == name; });
-    if (series == chart.series.end())
-      series = chart.series.insert(series, plot::Series{name, plot::Mark::both, {}, {}, {}});
-    series->x.push_back(row.cpu_seconds);
-    series->y.push_back(error_of(row));
-    series->y_error.push_back(row.shear_modulus->standard_error);
+  std::vector<plot::Chart> panels;
+  for (const Varied varied : studies::all_varied) {
+    plot::Chart panel{.title = panel_title(varied),
+                      .x = {"processor time [s]", plot::Scale::logarithmic},
+                      .y = {"error of G [%]", plot::Scale::logarithmic, 0.01},
+                      .series = {},
+                      .width = 260,
+                      .height = 220,
+                      .legend_below = true};
+    for (const TradeRow& row : rows)
+      if (row.varied == varied && is_drawn(row))
+        add_row(panel, row);
+    if (!panel.series.empty())
+      panels.push_back(std::move(panel));
   }
-  return plot::svg(chart);
+  if (panels.empty()) // axes, and a title that says so
+    panels.push_back({.title = "Nothing was measured", .x = {}, .y = {}, .series = {}});
+  constexpr std::size_t panels_in_a_row = 3;
+  return plot::svg(panels, panels_in_a_row);
 }
 
 ordered_json json_of(const TradeScene& trade) {

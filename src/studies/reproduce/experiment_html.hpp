@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/experiment_figures.hpp"
+#include "studies/report/compression.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 #include "studies/verify/findings.hpp"
 
 namespace granum::studies {
@@ -16,13 +17,26 @@ struct RunTime {
   bool resumed = false; ///< of the last part alone
 };
 
-/// A report for people as one HTML page that needs nothing from outside: what was run, the verdicts, tables
-/// 2, 4 and 5 and further exponents beside the paper's, the figures with their captions, how to read them,
-/// and what is left out. Well-formed as XML as well.
+/// Isotropic compression of the first specimen of each kind; s of G_hv as in Table 5.
+[[nodiscard]] std::vector<Compression> compressions(const Experiment& experiment);
+
+/// The folder of the figures' files, beside the report.
+inline constexpr const char* figures_folder = "figures";
+
+/// A report for people.
+struct ExperimentReport {
+  std::string html;
+  std::vector<Panel> panels; ///< of its first pictures, which experiment_figures does not have
+};
+
+/// One HTML page that needs nothing from outside: first what s is and why, then what agrees with the paper
+/// and what differs; folded away tables 2, 4 and 5 and further exponents beside the paper's, the figures
+/// with their captions, what was run, how to read it, and what is left out.
 /// Checked by tests/studies/test_experiment_html.cpp
-[[nodiscard]] std::string experiment_html(const Experiment& experiment, const std::vector<Verdict>& verdicts,
-                                          const std::vector<Figure>& figures,
-                                          const std::optional<AssemblyPicture>& assembly,
-                                          const RunTime& time);
+[[nodiscard]] ExperimentReport experiment_report(const Experiment& experiment,
+                                                 const std::vector<Verdict>& verdicts,
+                                                 const std::vector<Figure>& figures,
+                                                 const std::optional<AssemblyPicture>& assembly,
+                                                 const RunTime& time);
 
 } // namespace granum::studies

@@ -172,7 +172,6 @@ void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experim
 std::vector<Verdict> experiment_verdicts(const Experiment& experiment) {
   std::vector<Verdict> out;
   judge_tables(out, experiment);
-  judge_vertical_shear(out, experiment);
   for (const ExperimentSpecimen& specimen : experiment.specimens) {
     if (early_points(specimen).empty() || specimen.runs.front().points.empty())
       continue;
@@ -182,6 +181,9 @@ std::vector<Verdict> experiment_verdicts(const Experiment& experiment) {
       judge_flat(out, specimen);
   }
   judge_horizontal_shear(out, experiment);
+  for (Verdict& verdict : out)
+    verdict.finding = true;
+  judge_vertical_shear(out, experiment);
   for (const ExperimentSpecimen& specimen : experiment.specimens)
     for (const PathRun& run : specimen.runs)
       if (!run.failure.empty())

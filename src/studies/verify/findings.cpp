@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "studies/reproduce/paper.hpp"
 #include <granum/core/number.hpp>
@@ -11,6 +12,7 @@
 #include <granum/hardin/polynomial.hpp>
 
 #include "seed_mean.hpp"
+#include "studies/running/outcome_text.hpp"
 
 namespace granum::studies {
 
@@ -96,7 +98,8 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
           {"dense " + std::string(name(row.contact)) + ": s is the contact law's 1/(1+alpha), -0.01 to +0.05",
            excess >= -0.01 && excess <= 0.05,
            detail::formatted("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
-                             row.contact_law)});
+                             row.contact_law),
+           true});
       continue;
     }
     const auto dense = std::find_if(rows.begin(), rows.end(), [&](const ExponentRow& other) {
@@ -107,7 +110,7 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
     const double gap = row.network->value - dense->network->value;
     const double error = std::hypot(row.network->standard_error, dense->network->standard_error);
     out.push_back({"loose " + std::string(name(row.contact)) + ": s is larger than dense by 0.12 or more",
-                   gap >= 0.12, detail::formatted("by %.3f +- %.3f", gap, error)});
+                   gap >= 0.12, detail::formatted("by %.3f +- %.3f", gap, error), true});
   }
 }
 
@@ -165,9 +168,26 @@ std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult
   return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
 }
 
+std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts) {
+  std::vector<Verdict> out;
+  std::copy_if(verdicts.begin(), verdicts.end(), std::back_inserter(out),
+               [](const Verdict& v) { return !v.holds && !v.finding; });
+  return out;
+}
+
+std::vector<Verdict> differing_findings(const std::vector<Verdict>& verdicts) {
+  std::vector<Verdict> out;
+  std::copy_if(verdicts.begin(), verdicts.end(), std::back_inserter(out),
+               [](const Verdict& v) { return !v.holds && v.finding; });
+  return out;
+}
+
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   std::vector<Verdict> out;
-  judge_exponents(out, exponents(scene, specimens));
+  std::vector<SpecimenResult> whole; // a part of a path has no s that could be judged
+  std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(whole),
+               [](const SpecimenResult& specimen) { return specimen.failure.empty(); });
+  judge_exponents(out, exponents(scene, whole));
   if (const std::optional<RelaxationCurve> curve = relaxation_curve(specimens))
     out.push_back(
         {"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
@@ -205,7 +225,7 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
                        }),
               1e-6, "worst %.2g");
   for (const SpecimenResult& specimen : specimens)
-    if (!specimen.failure.empty())
+    if (!specimen.failure.empty() && specimen.failure != stopped_on_request)
       out.push_back({std::string(name(specimen.contact)) + " " + std::string(name(specimen.density)) + " #" +
                          std::to_string(specimen.seed) + ": the whole path was run",
                      false, specimen.failure});

@@ -44,7 +44,13 @@ struct Verdict {
   std::string claim;
   bool holds = false;
   std::string measured;
+  bool finding = false; ///< about packings, which the paper may see otherwise; else a check of granum itself
 };
+
+/// Verdicts on granum itself that do not hold.
+[[nodiscard]] std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts);
+/// Findings that differ from those of the paper.
+[[nodiscard]] std::vector<Verdict> differing_findings(const std::vector<Verdict>& verdicts);
 
 /// What the study says of each claim for which it has the data.
 [[nodiscard]] std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens);

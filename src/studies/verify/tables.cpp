@@ -167,8 +167,10 @@ std::string exponents_table(const std::vector<ExponentRow>& rows) {
 std::string verdicts_table(const std::vector<Verdict>& verdicts) {
   std::string out;
   for (const Verdict& verdict : verdicts)
-    out += std::string(verdict.holds ? "  holds  " : "  FAILS  ") + verdict.claim + ": " + verdict.measured +
-           "\n";
+    out += std::string(verdict.holds     ? "  holds   "
+                       : verdict.finding ? "  differs "
+                                         : "  FAILS   ") +
+           verdict.claim + ": " + verdict.measured + "\n";
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/experiment_figures.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/dem/neighbours.hpp>
@@ -127,21 +127,19 @@ std::string edges(const View& view, const Mat3& cell, bool far) {
       if ((other == 0) == far)
         out += edge(view, cell * from, cell * to);
     }
-  return plot::svg_group({{"stroke", far ? "#999999" : "#333333"}, {"stroke-width", far ? "0.8" : "1"}}, out);
+  return plot::svg_group({{"stroke", "currentColor"},
+                          {"stroke-opacity", far ? "0.5" : "0.9"},
+                          {"stroke-width", far ? "0.8" : "1"}},
+                         out);
 }
 
 } // namespace
 
-std::string assembly_svg(const dem::Specimen& state) {
+plot::SvgPicture assembly_drawing(const dem::Specimen& state) {
   if (state.position.empty())
     throw InvalidArgument("a picture of a specimen without grains was asked for");
   const View view(state.cell, state.radius);
-  const std::string width = plot::svg_number(view.width()), height = plot::svg_number(view.height());
-  std::string svg =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-      width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height + "\">\n";
-  svg += plot::svg_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
-  svg += gradients() + edges(view, state.cell, true);
+  std::string svg = gradients() + edges(view, state.cell, true);
   const std::vector<Seen> grains = drawn_grains(state);
   if (grains.empty())
     throw InvalidArgument("a picture was asked for of a specimen with no grain near the faces that are seen");
@@ -162,8 +160,12 @@ std::string assembly_svg(const dem::Specimen& state) {
     same_shade += plot::svg_element("circle", {{"cx", view.x(grain)}, {"cy", view.y(grain)}, {"r", radius}});
   }
   finish_shade();
-  return svg + plot::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
-         edges(view, state.cell, false) + "</svg>\n";
+  svg += plot::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
+         edges(view, state.cell, false);
+  return {.width = view.width(),
+          .height = view.height(),
+          .finding = "Grains of a specimen in their cell, seen from above and aside.",
+          .content = svg};
 }
 
 std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
@@ -185,14 +187,16 @@ std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
   const std::string edge_lengths = short_text(1e3 * state.cell(0, 0), 3) + " x " +
                                    short_text(1e3 * state.cell(1, 1), 3) + " x " +
                                    short_text(1e3 * state.cell(2, 2), 3) + " mm";
-  return AssemblyPicture{
-      .stem = "fig03_" + kind.key(),
-      .caption = "The specimen " + kind.title() +
-                 " at the end of isotropic compression: " + std::to_string(state.grain_count()) +
-                 " grains of " + short_text(2e3 * state.radius, 3) + " mm in " +
-                 (state.walls ? "a box of six rigid walls of " : "a periodic cell of ") + edge_lengths +
-                 (state.walls ? "." : "; grains that stick out at one face come in at the opposite one."),
-      .svg = assembly_svg(state)};
+  plot::SvgPicture drawing = assembly_drawing(state);
+  drawing.finding = "The specimen " + kind.title() +
+                    " at the end of isotropic compression: " + std::to_string(state.grain_count()) +
+                    " grains of " + short_text(2e3 * state.radius, 3) + " mm in " +
+                    (state.walls ? "a box of six rigid walls of " : "a periodic cell of ") + edge_lengths +
+                    (state.walls ? "." : "; grains that stick out at one face come in at the opposite one.");
+  return AssemblyPicture{.stem = "fig03_" + kind.key(),
+                         .caption = drawing.finding,
+                         .svg = plot::svg(drawing),
+                         .in_page = plot::svg_in_page(drawing)};
 }
 
 } // namespace granum::studies

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "experiment_data.hpp"
 #include "figure_parts.hpp"
+#include "studies/reproduce/experiment_data.hpp"
 
 namespace granum::studies {
 

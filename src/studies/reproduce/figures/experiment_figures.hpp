@@ -5,21 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/report/panel.hpp"
 #include "studies/reproduce/experiment.hpp"
-#include <granum/plot/chart.hpp>
+#include <granum/plot/svg_text.hpp>
 
 /// The paper's figures, drawn from an experiment: lines and markers of the first seed, tables of all seeds.
 /// Checked by tests/studies/test_experiment_figures.cpp
 namespace granum::studies {
-
-/// One chart, and how its numbers are called in a CSV file.
-struct Panel {
-  std::string stem; ///< of its files: "fig09_cone_dense_G_hv_p"
-  plot::Chart chart;
-  std::string x_heading; ///< with the unit of the chart's numbers: "p_Pa"
-  std::string y_heading;
-  std::vector<std::string> keys; ///< one for each series, which the names of its columns begin with
-};
 
 struct Figure {
   std::string name; ///< "Fig. 9"; "Beyond the paper" for what the paper does not have
@@ -35,17 +27,12 @@ struct Figure {
 /// panels. Numbers are in SI, as the headings say.                                            [Chung2014]
 [[nodiscard]] std::vector<Figure> experiment_figures(const Experiment& experiment);
 
-/// The numbers of a panel, two or three columns (x, y, error of y) for each series.
-[[nodiscard]] std::string panel_csv(const Panel& panel);
-
-/// gnuplot script that redraws a panel from <stem>.csv beside it, into <stem>_gnuplot.svg.
-[[nodiscard]] std::string panel_script(const Panel& panel);
-
 /// Fig. 3: a specimen at the end of isotropic compression.
 struct AssemblyPicture {
   std::string stem; ///< "fig03_sphere_dense"
   std::string caption;
-  std::string svg;
+  std::string svg;     ///< a file of its own
+  std::string in_page; ///< a part of the report
 };
 
 /// The first dense specimen of spheres, or else the first specimen that was compressed.
@@ -56,6 +43,6 @@ struct AssemblyPicture {
 /// lie deeper than four diameters behind the faces that are seen are left out, as others hide them.
 /// \param    state   with grains; those of a periodic cell are moved into it
 /// \throws   InvalidArgument for a state without grains
-[[nodiscard]] std::string assembly_svg(const dem::Specimen& state);
+[[nodiscard]] plot::SvgPicture assembly_drawing(const dem::Specimen& state);
 
 } // namespace granum::studies

@@ -20,6 +20,8 @@ std::optional<double> isotropic_G(const elastic::VoigtStiffness& stiffness) {
   }
 }
 
+} // namespace
+
 std::optional<double> network_over_uniform_strain(const StateRecord& point) {
   if (!point.closed)
     return std::nullopt;
@@ -31,6 +33,8 @@ std::optional<double> network_over_uniform_strain(const StateRecord& point) {
   const std::optional<double> uniform = isotropic_G(voigt(point.closed->uniform_strain));
   return network && uniform ? std::optional(*network / *uniform) : std::nullopt;
 }
+
+namespace {
 
 /// All states of all seeds of a contact and density.
 plot::Series states(const Experiment& experiment, const Kind& kind) {

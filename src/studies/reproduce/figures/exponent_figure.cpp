@@ -13,14 +13,15 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// s of one modulus: the table's cell of ours, or what the paper prints of it.
-struct Row {
+struct ShownExponent {
   const char* quantity; ///< of table_5
   const char* legend;
   double aside; ///< shift along the axis, so that equal values do not hide one another
   std::size_t style;
 };
 
-constexpr Row rows[] = {{"s of G_hh", "G_hh", -0.008, 0}, {"s of G_hv", "G_hv", 0.008, 1}};
+constexpr ShownExponent shown_exponents[] = {{"s of G_hh", "G_hh", -0.008, 0},
+                                             {"s of G_hv", "G_hv", 0.008, 1}};
 
 /// 1/(1 + alpha): the power of force that a contact's stiffness has.
 double contact_exponent(const Scene& scene, contact::Shape contact) {
@@ -32,7 +33,7 @@ Panel exponent_panel(const Experiment& experiment, const std::vector<TableRow>& 
   Panel out = panel("fig15_" + std::string(name(density)), std::string(name(density)),
                     {"contact_exponent", {.title = "1/(1+\u03b1): flat 0, sphere 1/3, cone 1/2"}},
                     {"s", {.title = "s = m + n"}});
-  for (const Row& row : rows) {
+  for (const ShownExponent& row : shown_exponents) {
     plot::Series ours{.name = std::string(row.legend) + ", granum",
                       .mark = plot::Mark::marker,
                       .x = {},

@@ -8,27 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "studies/reproduce/experiment_figures.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 
 namespace granum::studies {
-
-/// An axis and the heading of its numbers.
-struct Quantity {
-  std::string heading;
-  plot::Axis axis;
-};
 
 [[nodiscard]] inline Quantity stress_ratio() { return {"eta", {.title = "\u03b7 = q/p'"}}; }
 [[nodiscard]] inline Quantity axial_strain() {
   return {"axial_strain", {.title = "axial strain [%]", .unit = 0.01}};
 }
 [[nodiscard]] inline Quantity mean_stress() { return {"p_Pa", {.title = "p' [kPa]", .unit = 1e3}}; }
-
-/// A chart without series, small enough to stand beside others.
-[[nodiscard]] Panel panel(std::string stem, std::string title, const Quantity& x, const Quantity& y);
-
-/// Adds a series, unless it has no points.
-void add(Panel& to, plot::Series series, std::string key);
 
 /// Adds a panel, unless it has no series.
 void add(Figure& to, Panel panel);
@@ -65,6 +53,10 @@ struct Kind {
 using Coordinate = std::function<std::optional<double>(const StateRecord&)>;
 [[nodiscard]] std::optional<double> eta_of(const StateRecord& point);
 [[nodiscard]] std::optional<double> mean_stress_of(const StateRecord& point); ///< [Pa]
+
+/// Isotropic part of G of the network over that of uniform strain in closed form; nothing for a network that
+/// does not resist, or without closed forms.
+[[nodiscard]] std::optional<double> network_over_uniform_strain(const StateRecord& point);
 
 /// The points that have both coordinates, in the style of their run.
 [[nodiscard]] plot::Series series_of(const PathRun& run, const std::vector<const StateRecord*>& points,

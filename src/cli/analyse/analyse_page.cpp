@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyse_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <granum/plot/page.hpp>
+#include <granum/plot/svg_text.hpp>
+
+namespace granum::cli {
+
+namespace {
+
+/// E(gamma; a), smooth, over a quarter.
+plot::Series density_curve(double anisotropy) {
+  constexpr int points = 90;
+  plot::Series curve{.name = "E(\u03b3; a = " + short_text(anisotropy, 3) + ")",
+                     .mark = plot::Mark::line,
+                     .x = {},
+                     .y = {},
+                     .style = 0,
+                     .colour = 1};
+  for (int k = 0; k <= points; ++k) {
+    curve.x.push_back(std::numbers::pi / 2 * k / points);
+    curve.y.push_back(fabric::density(curve.x.back(), anisotropy));
+  }
+  return curve;
+}
+
+plot::Series isotropic_circle() {
+  const double even = 1 / (4 * std::numbers::pi);
+  return {
+      .name = "no direction preferred",
+      .mark = plot::Mark::line,
+      .x = {0, std::numbers::pi / 8, std::numbers::pi / 4, 3 * std::numbers::pi / 8, std::numbers::pi / 2},
+      .y = {even, even, even, even, even},
+      .style = 1,
+      .tone = plot::Tone::grey};
+}
+
+/// "rung0" to "rung4" as numbers; nothing for what is no rung.
+std::optional<int> rung_number(const RungResult& rung) {
+  if (rung.name.size() != 5 || !rung.name.starts_with("rung"))
+    return std::nullopt;
+  return rung.name.back() - '0';
+}
+
+const RungResult* find_rung(const FrameAnswer& frame, const std::string& name) {
+  const auto found = std::find_if(frame.rungs.begin(), frame.rungs.end(),
+                                  [&](const RungResult& rung) { return rung.name == name && rung.moduli; });
+  return found == frame.rungs.end() ? nullptr : &*found;
+}
+
+std::string megapascal(double pascal) { return short_text(pascal / 1e6, 3) + " MPa"; }
+
+std::string stiffness_sentence(const FrameAnswer& frame) {
+  if (const RungResult* network = find_rung(frame, network_name))
+    return "The network of contacts in this packing has a shear modulus G of " +
+           megapascal(network->moduli->G) + " and a bulk modulus K of " + megapascal(network->moduli->K) +
+           ".";
+  return "These files do not tell the stiffness of the network of contacts.";
+}
+
+std::string contacts_sentence(const FrameAnswer& frame) {
+  const analysis::Measurement& m = frame.measured.packing;
+  if (!frame.measured.contacts_known)
+    return fmt::format("Of its contacts nothing is known; the {} grains have a void ratio of {:.3f}.",
+                       m.counts.grains, m.void_ratio);
+  std::string text = fmt::format(
+      "A grain has {:.2f} contacts (C_n), and {:.2f} of those that bear load (z*): {} % of {} grains are "
+      "rattlers, at a void ratio of {:.3f}",
+      m.counts.coordination_number, m.counts.mechanical.coordination_number,
+      short_text(100 * m.counts.mechanical.rattler_fraction, 2), m.counts.grains, m.void_ratio);
+  if (m.fabric) {
+    const auto& a = m.fabric->by_moment;
+    const bool even = std::abs(a.anisotropy) <= 2 * a.standard_error;
+    text += fmt::format("; contacts {} (a = {:.3f} \u00b1 {:.3f})",
+                        even               ? "prefer no direction"
+                        : a.anisotropy > 0 ? "are more often vertical"
+                                           : "are more often horizontal",
+                        a.anisotropy, a.standard_error);
+  }
+  return text + ".";
+}
+
+std::string rungs_sentence(const FrameAnswer& frame) {
+  const RungResult *relaxed = find_rung(frame, "rung3"), *uniform = find_rung(frame, "rung0"),
+                   *network = find_rung(frame, network_name);
+  if (relaxed == nullptr)
+    return "The closed forms lack what they need; the table below says what.";
+  std::string text = "The closed form with relaxation, rung 3, gives G = " + megapascal(relaxed->moduli->G);
+  if (network == nullptr)
+    return text + ".";
+  text += fmt::format(", {:+.1f} % from the network", 100 * (relaxed->moduli->G / network->moduli->G - 1));
+  if (uniform != nullptr)
+    text +=
+        fmt::format("; if all grains moved with the mean strain, rung 0, it would be {} times the network's",
+                    short_text(uniform->moduli->G / network->moduli->G, 2));
+  return text + ".";
+}
+
+std::string rungs_table(const FrameAnswer& frame) {
+  std::vector<std::vector<std::string>> rows;
+  for (const RungResult& rung : frame.rungs) {
+    if (!rung.moduli) {
+      rows.push_back({rung.title, rung.error, "", "", "", ""});
+      continue;
+    }
+    const Moduli& m = *rung.moduli;
+    std::vector<std::string> row{rung.title};
+    for (const double modulus : {m.K, m.G, m.G_hh, m.G_vh})
+      row.push_back(short_text(modulus / 1e6, 4));
+    row.push_back(rung.relative_error ? "\u00b1 " + percent_text(rung.relative_error->G_vh) : "");
+    rows.push_back(std::move(row));
+  }
+  return plot::html_table({"MPa", "K", "G", "G_hh", "G_vh", "error of G_vh"}, rows);
+}
+
+std::string pictures(const AnalyseAnswer& answer) {
+  const FrameAnswer& last = answer.frames.back();
+  std::string out;
+  if (last.measured.packing.fabric)
+    out += plot::html_figure(
+        {.caption =
+             "Directions of the contacts: bars as long as there are contacts per solid angle around the "
+             "vertical, with their counting error.",
+         .pictures = {{.svg = plot::svg_in_page(rose_chart(last))}},
+         .files = {{"rose.csv", "rose.csv"}}});
+  if (answer.chains)
+    out += plot::html_figure({.caption = answer.chains->finding +
+                                         " Lines are as wide as the force; in colour those above the mean. "
+                                         "Seen along y, z upwards.",
+                              .pictures = {{.svg = answer.chains->in_page}},
+                              .files = {}});
+  if (last.measured.packing.forces)
+    out += plot::html_figure(
+        {.caption = "How unequal the forces are: the share of contacts by their force over the mean, with "
+                    "counting errors.",
+         .pictures = {{.svg = plot::svg_in_page(force_chart(last))}},
+         .files = {{"forces.csv", "forces.csv"}}});
+  return out.empty()
+             ? ""
+             : plot::html_section("packing", "What it is made of", plot::html_element("div", out, "trio"));
+}
+
+/// Line by line, since line ends are no characters that an element of SVG may have.
+std::string escaped_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += plot::svg_escaped(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+std::string warnings(const AnalyseAnswer& answer) {
+  std::vector<std::string> all;
+  for (const FrameAnswer& frame : answer.frames)
+    for (const auto* list : {&frame.measured.warnings, &frame.validity.notes})
+      for (const std::string& text : *list)
+        if (std::find(all.begin(), all.end(), text) == all.end())
+          all.push_back(text);
+  return all.empty() ? "" : plot::html_section("warnings", "What to be careful about", plot::html_list(all));
+}
+
+} // namespace
+
+plot::Chart rose_chart(const FrameAnswer& frame) {
+  const analysis::Fabric& f = *frame.measured.packing.fabric;
+  plot::Series bins{
+      .name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  for (const fabric::RoseBin& bin : f.rose) {
+    bins.x.push_back((bin.low + bin.high) / 2);
+    bins.y.push_back(bin.density);
+    bins.y_error.push_back(bin.density_error);
+  }
+  const double a = f.by_likelihood ? f.by_likelihood->anisotropy : f.by_moment.anisotropy;
+  return {.title = "Directions of " + std::to_string(f.contacts) + " contacts, step " +
+                   std::to_string(frame.measured.step),
+          .x = {.title = "\u03b3 from the vertical"},
+          .y = {.title = "E [1/sr]"},
+          .series = {bins, density_curve(a), isotropic_circle()},
+          .width = 320,
+          .height = 320,
+          .legend_below = true,
+          .finding = "Rose of contact directions: " +
+                     std::string(a > 0 ? "longer towards the vertical" : "longer towards the horizontal") +
+                     ", a = " + short_text(a, 3),
+          .rose = true};
+}
+
+plot::Chart force_chart(const FrameAnswer& frame) {
+  const packing::ForceDistribution& d = frame.measured.packing.forces->distribution;
+  plot::Series bins{.name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}};
+  for (const packing::ForceBin& bin : d.bins) {
+    if (bin.count == 0)
+      continue; // the axis is logarithmic
+    bins.x.push_back((bin.low + bin.high) / 2);
+    bins.y.push_back(bin.density);
+    bins.y_error.push_back(bin.count > 1 ? bin.density_error : 0);
+  }
+  return {.title = "Normal forces of " + std::to_string(d.pressing) + " contacts, step " +
+                   std::to_string(frame.measured.step),
+          .x = {.title = "f_n/\u27e8f_n\u27e9"},
+          .y = {.title = "probability density", .scale = plot::Scale::logarithmic},
+          .series = {bins},
+          .width = 320,
+          .height = 300,
+          .legend_below = true};
+}
+
+plot::Chart rung_chart(const FrameAnswer& frame) {
+  plot::Chart chart{.title = "",
+                    .x = {.title = "rung: a higher one assumes less"},
+                    .y = {.title = "G [MPa]", .unit = 1e6},
+                    .series = {},
+                    .width = 360,
+                    .height = 300,
+                    .legend_below = true};
+  plot::Series forms{
+      .name = "closed form, \u00b1 stated error", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  for (const RungResult& rung : frame.rungs) {
+    const std::optional<int> at = rung_number(rung);
+    if (!at || !rung.moduli || rung.name == network_name)
+      continue;
+    forms.x.push_back(*at);
+    forms.y.push_back(rung.moduli->G);
+    forms.y_error.push_back(rung.relative_error ? rung.relative_error->G_vh * rung.moduli->G : 0);
+  }
+  chart.finding = "G of rungs 0 to 3:";
+  for (std::size_t k = 0; k < forms.y.size(); ++k)
+    chart.finding += (k == 0 ? " " : ", ") + megapascal(forms.y[k]);
+  if (!forms.x.empty())
+    chart.series.push_back(std::move(forms));
+  if (const RungResult* network = find_rung(frame, network_name)) {
+    const double G = network->moduli->G;
+    chart.series.push_back({.name = "this network, rung 4",
+                            .mark = plot::Mark::line,
+                            .x = {0, 4},
+                            .y = {G, G},
+                            .style = 0,
+                            .colour = 1});
+    chart.finding += "; the network has " + megapascal(G);
+  }
+  return chart;
+}
+
+std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) {
+  const FrameAnswer& last = answer.frames.back();
+  plot::PageFigure first{.caption = "The shear modulus by each rung of closed forms, asked about this "
+                                    "packing, and of its network of contacts."};
+  const plot::Chart rungs = rung_chart(last);
+  if (!rungs.series.empty())
+    first.pictures = {{.svg = plot::svg_in_page(rungs)}};
+  else
+    first.caption = "No stiffness could be found; the table below says why.";
+  const std::string what =
+      answer.frames.size() > 1 ? fmt::format(" Shown is the last of {} frames.", answer.frames.size()) : "";
+  const std::string body =
+      plot::html_first_screen(
+          "How stiff is this packing, and how near do the closed forms come?",
+          {stiffness_sentence(last), contacts_sentence(last), rungs_sentence(last) + what}, first) +
+      pictures(answer) + warnings(answer) + plot::html_section("rungs", "Every rung", rungs_table(last)) +
+      plot::html_section(
+          "all", "All that was found",
+          plot::html_folded("As the terminal shows it",
+                            plot::html_element("div", "<pre>" + escaped_lines(table) + "</pre>\n", "wide")));
+  return plot::html_page("granum analyse: how stiff is this packing", body);
+}
+
+} // namespace granum::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judgement.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "cli/frame/help.hpp"
+#include "cli/frame/messages.hpp"
+
+namespace granum::cli {
+
+void add_strict(CLI::App& app, bool& strict) {
+  app.add_flag("--strict", strict, "Fail (exit code 1) if a finding differs from the paper's");
+  in_group(app, output_group, {"--strict"});
+}
+
+nlohmann::ordered_json json_of(const studies::Verdict& verdict) {
+  return {{"claim", verdict.claim},
+          {"holds", verdict.holds},
+          {"measured", verdict.measured},
+          {"finding", verdict.finding}};
+}
+
+ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict) {
+  ExitCode code = ExitCode::ok;
+  const auto fall_short = [&code](std::string_view kind, const studies::Verdict& verdict) {
+    say("error", fmt::format("{}: {}: {}", kind, verdict.claim, verdict.measured));
+    code = ExitCode::fell_short;
+  };
+  for (const studies::Verdict& verdict : studies::failed_checks(verdicts))
+    fall_short("a check failed", verdict);
+  if (strict)
+    for (const studies::Verdict& verdict : studies::differing_findings(verdicts))
+      fall_short("differs from the paper", verdict);
+  return code;
+}
+
+} // namespace granum::cli

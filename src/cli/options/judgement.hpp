@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cli/frame/frame.hpp"
+#include "studies/verify/findings.hpp"
+#include <nlohmann/json.hpp>
+
+namespace CLI {
+class App;
+} // namespace CLI
+
+namespace granum::cli {
+
+/// --strict of the studies that compare with a paper.
+void add_strict(CLI::App& app, bool& strict);
+
+/// What a finished study ends with: fell_short where a check of granum failed, and, if strict, where a
+/// finding differs from the paper; ok else. Says each reason on standard error.
+[[nodiscard]] ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict);
+
+/// A verdict as manifests hold it.
+[[nodiscard]] nlohmann::ordered_json json_of(const studies::Verdict& verdict);
+
+} // namespace granum::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "studies/report/panel.hpp"
+
+namespace granum::cli {
+
+/// Numbers, picture and gnuplot script of each panel; replaces those of an earlier run.
+/// \param    folder   is made where it is missing
+/// \throws   FileError
+void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels);
+
+} // namespace granum::cli

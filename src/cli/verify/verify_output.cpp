@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify_output.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "studies/verify/tables.hpp"
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
+
+#include "cli/frame/frame.hpp"
+#include "cli/frame/json_members.hpp"
+#include "cli/options/judgement.hpp"
+#include "cli/options/panel_files.hpp"
+#include "cli/options/scene_file.hpp"
+#include "verify_page.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* states_name = "states.csv";
+constexpr const char* exponents_name = "exponents.csv";
+constexpr const char* scene_name = "scene.toml";
+constexpr const char* manifest_name = "manifest.json";
+constexpr const char* report_name = "report.html";
+constexpr const char* figures_name = "figures";
+constexpr const char* file_names[] = {states_name,   exponents_name, scene_name,
+                                      manifest_name, report_name,    figures_name};
+
+ordered_json exponent_json(const std::optional<Measured>& exponent) {
+  if (!exponent)
+    return nullptr;
+  return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
+}
+
+/// The report, from scene and manifest alone, so that it can be made of a run of yesterday.
+void write_report(const fs::path& folder, const studies::Scene& scene, const ordered_json& manifest,
+                  io::Existing existing) {
+  const StudyPage page = study_page(scene, manifest);
+  write_panels(folder / figures_name, page.panels);
+  io::write_file(folder / report_name, page.html, existing);
+}
+
+std::string text_of_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw FileError(file.string(), 0, "could not be opened");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+} // namespace
+
+bool StudyOutcome::complete() const {
+  return std::all_of(specimens.begin(), specimens.end(), [](const auto& s) { return s.failure.empty(); });
+}
+
+std::span<const char* const> study_file_names() { return file_names; }
+
+ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_file,
+                         const std::vector<std::string>& settings) {
+  ordered_json json = json_head("verify");
+  json["wall_time_s"] = outcome.seconds;
+  json["complete"] = outcome.complete();
+  json["scene_file"] = scene_file;
+  json["settings"] = settings;
+  json["scene"] = json_of(outcome.scene);
+  json["threads_used"] = studies::thread_count(outcome.scene);
+  json["conventions"] = {
+      {"units", "SI, as the names say"},
+      {"signs", "compression positive; overlap is the full approach of two centres; z is vertical"},
+      {"mass_scaling",
+       "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},
+      {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
+      {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
+  for (const char* list : {"exponents", "verdicts", "specimens"})
+    json[list] = ordered_json::array();
+  for (const studies::ExponentRow& row : outcome.exponents)
+    json["exponents"].push_back({{"contact", contact::name(row.contact)},
+                                 {"density", studies::name(row.density)},
+                                 {"contact_law", row.contact_law},
+                                 {"closed_form", exponent_json(row.closed_form)},
+                                 {"network", exponent_json(row.network)},
+                                 {"network_with_void_ratio_function", exponent_json(row.network_void)},
+                                 {"probe", exponent_json(row.probe)},
+                                 {"paper", row.paper ? ordered_json(*row.paper) : ordered_json()}});
+  for (const studies::Verdict& verdict : outcome.verdicts)
+    json["verdicts"].push_back(json_of(verdict));
+  for (const studies::SpecimenResult& specimen : outcome.specimens) {
+    ordered_json entry = {{"contact", contact::name(specimen.contact)},
+                          {"density", studies::name(specimen.density)},
+                          {"seed", specimen.seed},
+                          {"failure", specimen.failure},
+                          {"states", ordered_json::array()}};
+    for (const studies::CompressedState& state : specimen.states)
+      entry["states"].push_back(members(studies::state_columns(), state));
+    json["specimens"].push_back(entry);
+  }
+  return json;
+}
+
+void write_results(const fs::path& folder, const StudyOutcome& outcome, const ordered_json& manifest,
+                   io::Existing existing) {
+  io::write_file(folder / states_name, studies::states_csv(outcome.scene, outcome.specimens), existing);
+  io::write_file(folder / exponents_name, studies::exponents_csv(outcome.exponents), existing);
+  io::write_file(folder / scene_name, studies::toml_of(outcome.scene), existing);
+  write_report(folder, outcome.scene, manifest, existing);
+  io::write_file(folder / manifest_name, json_text(manifest), existing);
+}
+
+void rewrite_report(const fs::path& folder) {
+  const studies::Scene scene = read_scene((folder / scene_name).string(), studies::SceneCommand::verify);
+  const fs::path file = folder / manifest_name;
+  try {
+    write_report(folder, scene, ordered_json::parse(text_of_file(file)), io::Existing::replace);
+  } catch (const nlohmann::json::exception& error) {
+    throw FileError(file.string(), 0, std::string("is no manifest of granum verify: ") + error.what());
+  } catch (const std::bad_optional_access&) {
+    throw FileError(file.string(), 0, "names a shape of contacts that granum does not know");
+  }
+}
+
+std::string report_of(const StudyOutcome& outcome) {
+  return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {} threads\n",
+                     studies::states_table(outcome.specimens), studies::exponents_table(outcome.exponents),
+                     studies::verdicts_table(outcome.verdicts), outcome.specimens.size(),
+                     outcome.scene.study.grains, outcome.seconds, studies::thread_count(outcome.scene));
+}
+
+} // namespace granum::cli

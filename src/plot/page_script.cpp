@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page_parts.hpp"
+
+namespace granum::plot {
+
+const char* page_script() {
+  return R"(
+"use strict";
+document.documentElement.classList.add("live");
+
+// Values under the pointer.
+const tip = document.createElement("div");
+tip.className = "tip";
+tip.hidden = true;
+document.body.append(tip);
+const short = (value) => (value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e5)
+  ? String(Number(value.toPrecision(4))) : value.toExponential(2));
+const number = (element, name) => Number(element.getAttribute(name));
+const words = (svg, kind) => svg.querySelector("." + kind)?.textContent ?? "";
+
+// From coordinates of the picture to those of an axis: "log 1 2" are decimal logarithms.
+function scale(text, from, length) {
+  const [kind, low, high] = text.split(" ");
+  return (place) => {
+    const value = Number(low) + ((place - from) / length) * (Number(high) - Number(low));
+    return kind === "log" ? 10 ** value : value;
+  };
+}
+
+function vertices(series) {
+  const line = series.querySelector(".line");
+  if (line)
+    return [...line.getAttribute("d").matchAll(/[ML](-?[\d.]+),(-?[\d.]+)/g)]
+      .map((corner) => [Number(corner[1]), Number(corner[2])]);
+  return [...(series.querySelector(".dots")?.children ?? [])].map((dot) => {
+    const box = dot.getBBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  });
+}
+
+const seen = new WeakMap();
+function points(svg) {
+  if (!seen.has(svg))
+    seen.set(svg, [...svg.querySelectorAll(".series")].flatMap((series) =>
+      vertices(series).map(([x, y]) => ({ x, y, series }))));
+  return seen.get(svg);
+}
+
+function nameOf(svg, series) {
+  const key = svg.querySelector(`.key[data-series="${series.dataset.series}"] text`);
+  return [key?.textContent, series.dataset.kind].filter(Boolean).join(", ");
+}
+
+function show(svg, event) {
+  const frame = svg.querySelector(".frame");
+  const box = svg.getBoundingClientRect(), view = svg.viewBox.baseVal;
+  const per = view.width / box.width;
+  const x = (event.clientX - box.left) * per, y = (event.clientY - box.top) * per;
+  let best, least = 24 * per;
+  for (const point of points(svg)) {
+    const distance = Math.hypot(point.x - x, point.y - y);
+    if (distance < least && !point.series.classList.contains("faded")) [best, least] = [point, distance];
+  }
+  tip.hidden = !best || !frame;
+  if (tip.hidden) return;
+  const left = number(frame, "x"), top = number(frame, "y"), height = number(frame, "height");
+  const across = scale(frame.dataset.x, left, number(frame, "width"));
+  const up = scale(frame.dataset.y, top + height, -height);
+  const error = [...best.series.querySelectorAll(".error")].find((bar) => {
+    const at = bar.getBBox();
+    return Math.abs(at.x + at.width / 2 - best.x) < 0.1 && at.y < best.y + 0.1 &&
+      at.y + at.height > best.y - 0.1;
+  });
+  const bar = error?.getBBox();
+  const range = bar ? " \u00b1 " + short((up(bar.y) - up(bar.y + bar.height)) / 2) : "";
+  const name = nameOf(svg, best.series);
+  tip.textContent = (name ? name + ": " : "") + short(up(best.y)) + range + " at " + short(across(best.x));
+  const wide = document.documentElement.clientWidth;
+  tip.style.left = Math.max(4, Math.min(event.pageX + 12, wide - tip.offsetWidth - 8)) + "px";
+  tip.style.top = event.pageY - 36 + "px";
+}
+
+for (const svg of document.querySelectorAll("svg.chart")) {
+  svg.addEventListener("pointermove", (event) => show(svg, event));
+  svg.addEventListener("pointerleave", () => { tip.hidden = true; });
+  // A name in the legend fades what it stands for, and brings it back.
+  for (const key of svg.querySelectorAll(".key")) {
+    key.setAttribute("tabindex", "0");
+    key.setAttribute("role", "button");
+    key.setAttribute("aria-pressed", "false");
+    key.setAttribute("aria-label", "fade " + key.textContent.trim());
+    const fade = () => {
+      const away = key.getAttribute("aria-pressed") === "false";
+      key.setAttribute("aria-pressed", String(away));
+      key.classList.toggle("faded", away);
+      for (const series of svg.querySelectorAll(".series")) {
+        const same = key.dataset.kind ? series.dataset.kind === key.dataset.kind
+          : series.dataset.series === key.dataset.series;
+        if (same) series.classList.toggle("faded", away);
+      }
+    };
+    key.addEventListener("click", fade);
+    key.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      fade();
+    });
+  }
+  svg.setAttribute("role", "group");
+}
+
+// One picture of a choice at a time.
+for (const figure of document.querySelectorAll("figure")) {
+  const panels = [...figure.querySelectorAll(".panel[data-choice]")];
+  const choices = [...new Set(panels.map((panel) => panel.dataset.choice))];
+  if (choices.length < 2) continue;
+  const bar = document.createElement("div");
+  bar.className = "switch";
+  const choose = (choice) => {
+    for (const panel of panels) panel.classList.toggle("unchosen", panel.dataset.choice !== choice);
+    for (const button of bar.children)
+      button.setAttribute("aria-pressed", String(button.textContent === choice));
+  };
+  for (const choice of choices) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = choice;
+    button.addEventListener("click", () => choose(choice));
+    bar.append(button);
+  }
+  panels[0].parentElement.before(bar);
+  choose(choices[0]);
+}
+)";
+}
+
+} // namespace granum::plot

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/report/panel.hpp"
+#include "studies/scene/scene.hpp"
+#include <granum/core/measured.hpp>
+#include <granum/plot/page.hpp>
+
+/// Isotropic compression told to a reader who asks why G grows as p^s: what the reports of verify and
+/// reproduce begin with.  Checked by tests/studies/test_compression_report.cpp
+namespace granum::studies {
+
+/// The three shear moduli in the order of their names [Pa]; nothing where one was not found.
+using ShearModuli = std::array<std::optional<double>, 3>;
+inline constexpr std::array shear_modulus_names{"G_hv", "G_vh", "G_hh"};
+
+/// A state of isotropic compression by every route.
+struct RouteState {
+  double pressure = 0;                       ///< [Pa]
+  double mechanical_coordination_number = 0; ///< z*
+  ShearModuli network = {};
+  ShearModuli relaxed = {};             ///< closed form, rung 3
+  ShearModuli probe = {};               ///< cyclic shear by DEM
+  std::optional<double> softening = {}; ///< isotropic G of the network over that of uniform strain [1]
+};
+
+/// A specimen on its way.
+struct Compression {
+  contact::Shape contact = contact::Shape::sphere;
+  triaxial::Density density = triaxial::Density::dense;
+  double contact_exponent = 0;               ///< 1/(1 + alpha)
+  std::optional<Measured> exponent = {};     ///< s of the network, over all seeds
+  std::optional<double> paper_exponent = {}; ///< as printed
+  std::vector<RouteState> states = {};       ///< of the first seed
+};
+
+/// The question that the answer is to.
+inline constexpr const char* compression_question =
+    "Why does the stiffness of a packing of grains grow as p\u02e2, and what is s?";
+
+/// What s is, what it is for dense packings and why, and for loose ones: a sentence each, numbers of the run.
+[[nodiscard]] std::vector<std::string> compression_answer(const std::vector<Compression>& all);
+
+/// log G against log p by every route, of one of the three moduli (a place in shear_modulus_names).
+[[nodiscard]] Panel modulus_panel(const std::vector<Compression>& all, std::size_t modulus);
+
+/// What a report shows of the compression, and the files of its pictures.
+struct CompressionStory {
+  std::string first_screen; ///< question, answer, and the moduli
+  std::string why;          ///< contact law, contacts, and relaxation, as a section
+  std::vector<Panel> panels;
+};
+
+/// \param    figures   folder of the panels' files, as seen from the page
+[[nodiscard]] CompressionStory compression_story(const Scene& scene, const std::vector<Compression>& all,
+                                                 const std::string& figures);
+
+/// Links to the data and the script of a panel.
+[[nodiscard]] std::vector<plot::PageFile> files_of(const Panel& panel, const std::string& figures);
+
+/// "spheres", "flat contacts".
+[[nodiscard]] std::string plural(contact::Shape shape);
+
+/// Colour of a shape in all pictures of a report (plot::Series::colour).
+[[nodiscard]] std::size_t colour_of(contact::Shape shape);
+
+} // namespace granum::studies

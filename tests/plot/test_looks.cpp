@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours, kinds, triangles, findings and roses of charts.
+#include <granum/plot/chart.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "chart_text.hpp"
+#include "relative.hpp"
+#include "well_formed.hpp"
+
+using namespace granum;
+using namespace granum::plot;
+using namespace chart_text;
+
+TEST_CASE("a colour may differ from the style, and a kind is listed once in grey") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.series[0] = {.name = "cone",
+                     .mark = Mark::marker,
+                     .x = {1, 2},
+                     .y = {1, 2},
+                     .style = 2,
+                     .colour = 1,
+                     .kind = "probe"};
+  chart.series.push_back(chart.series[0]);
+  chart.series[1].name = "sphere";
+  chart.series[1].colour = 0;
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(texts(picture, "legend") == std::vector<std::string>{"cone", "sphere", "probe"});
+  CHECK(count(picture, "class=\"series c1\"") == 1);
+  CHECK(count(picture, "class=\"series c0\"") == 1);
+  CHECK(count(picture, "class=\"cg\"") == 1);        // the sample of the kind
+  CHECK(count(picture, "data-kind=\"probe\"") == 3); // two series and a name
+  CHECK(count(picture, "<circle") == 0);             // style 2 has diamonds
+  CHECK(gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg").find("rgb '#c04a00'") !=
+        std::string::npos);
+}
+
+TEST_CASE("a slope triangle has the slope it says, and its text lies inside the picture") {
+  Chart chart = chart_of({1, 100}, {1, 100}, Scale::logarithmic);
+  chart.triangles = {{.x0 = 10, .x1 = 100, .y0 = 1, .slope = 0.5, .text = "s = 0.50"},
+                     {.x0 = 10, .x1 = 100, .y0 = 1.01, .slope = 0.5, .text = "s = 0.51"}};
+  const std::string picture = svg(chart);
+  const std::size_t path = picture.find("stroke-width=\"1.3\" d=\"M");
+  REQUIRE(path != std::string::npos);
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  REQUIRE(std::sscanf(picture.c_str() + picture.find("d=\"M", path), "d=\"M%lf,%lfL%lf,%lfL%lf,%lf", &x0, &y0,
+                      &x1, &y1, &x2, &y2) == 6);
+  // The plot is 520 wide and 380 high for two decades each way, and a margin of 4 % at either end.
+  CHECK(x1 - x0 == relative(520 / 2.16, 1e-3));
+  CHECK(y0 == y1);
+  CHECK(x2 == x1);
+  CHECK(y1 - y2 == relative(0.5 * 380 / 2.16, 1e-3));
+  const std::vector<std::string> slopes = texts(picture, "slope");
+  CHECK(slopes == std::vector<std::string>{"s = 0.50", "s = 0.51"});
+  std::vector<double> y;
+  for (std::size_t at = picture.find("class=\"slope\""); at != std::string::npos;
+       at = picture.find("class=\"slope\"", at + 1))
+    y.push_back(std::stod(picture.substr(picture.find(" y=\"", at) + 4)));
+  REQUIRE(y.size() == 2);
+  CHECK(std::abs(y[0] - y[1]) >= 15.9); // they would lie upon each other
+}
+
+TEST_CASE("a picture says what is seen in it: its finding, or where its series go") {
+  Chart chart = chart_of({1, 2}, {10, 30});
+  chart.title = "Moduli";
+  chart.series[0].name = "rung 2";
+  CHECK(svg(chart).find("aria-label=\"Moduli; rung 2: 10 at 1, 30 at 2\"") != std::string::npos);
+  chart.finding = "G triples";
+  CHECK(svg(chart).find("aria-label=\"G triples\"") != std::string::npos);
+  CHECK(svg(chart).find("prefers-color-scheme:dark") != std::string::npos);
+  const std::string part = svg_in_page(chart);
+  CHECK(part.starts_with("<svg "));
+  CHECK(well_formed(part));
+  CHECK(part.find("<style") == std::string::npos);
+}
+
+TEST_CASE("titles are broken where they are too long, and labels that would touch are left out") {
+  Chart chart = chart_of({123456, 123456.01}, {0, 1});
+  chart.width = 200;
+  chart.title = "a title that is so very much longer than the picture below it is wide";
+  const std::string picture = svg(chart);
+  CHECK(texts(picture, "title").size() == 3);
+  CHECK(texts(picture, "x-label").size() == 2);
+}
+
+TEST_CASE("a rose shows its series in all four quadrants, errors in one") {
+  Chart chart{
+      .title = "",
+      .x = {.title = "angle"},
+      .y = {.title = "E"},
+      .series =
+          {{.name = "counted", .mark = Mark::marker, .x = {0.4, 1.2}, .y = {1, 2}, .y_error = {0.1, 0.2}},
+           {.name = "fitted", .mark = Mark::line, .x = {0, 0.7, 1.5}, .y = {1, 1.5, 2}}},
+      .width = 300,
+      .height = 300,
+      .rose = true};
+  const std::string picture = svg(chart);
+  CHECK(well_formed(picture));
+  CHECK(count(picture, "class=\"error\"") == 3); // two bars, one in the legend
+  const std::size_t sectors = picture.find("class=\"sectors\"");
+  REQUIRE(sectors != std::string::npos);
+  CHECK(count(picture.substr(sectors, picture.find("/>", sectors) - sectors), "A") == 8);
+  CHECK(texts(picture, "legend") == std::vector<std::string>{"counted", "fitted"});
+  // The longest is 2.2 with its error, and the rose has a radius of 150: 2 in the sector, 1 in the line.
+  CHECK(picture.find("A136.36,136.36") != std::string::npos);
+  chart.series.clear();
+  CHECK(well_formed(svg(chart)));
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/plot/page.hpp>
+
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "well_formed.hpp"
+
+using namespace granum::plot;
+
+namespace {
+
+/// The page without its script, which is no markup.
+std::string markup(std::string page) {
+  const std::size_t from = page.find("<script>"), end = page.find("</script>");
+  return page.erase(from, end + 9 - from);
+}
+
+std::string figure() {
+  return html_figure(
+      {.title = "Moduli <of all>",
+       .caption = "What is seen.",
+       .pictures = {{.svg = "<svg></svg>\n", .choice = "G_hv"}, {.svg = "<svg></svg>\n", .choice = "G_hh"}},
+       .files = {{"a.csv", "figures/a.csv"}, {"a.gp", "figures/a.gp"}}});
+}
+
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a page is well-formed, carries all it needs, and asks for nothing from outside") {
+  const std::string page = html_page(
+      "a < b",
+      html_first_screen("Why?", {"Because & so."}, {.caption = "c", .pictures = {{.svg = "<svg></svg>\n"}}}) +
+          html_section("more", "More", html_paragraph("x") + html_list({"one", "<two>"})) + figure());
+  CHECK(well_formed(markup(page)));
+  CHECK(contains(page, "<title>a &lt; b</title>"));
+  CHECK(contains(page, "Because &amp; so."));
+  CHECK(contains(page, "&lt;two&gt;"));
+  CHECK(contains(page, "prefers-color-scheme: dark"));
+  CHECK(contains(page, "@media print"));
+  for (const char* piece : {"http:", "https:", "src=", "<link", "@import", "fetch(", "XMLHttp"}) {
+    CAPTURE(piece);
+    CHECK_FALSE(contains(page, piece));
+  }
+}
+
+TEST_CASE("a figure has its pictures, its caption and its files, and says which picture is which choice") {
+  const std::string html = figure();
+  CHECK(well_formed(html));
+  CHECK(contains(html, "Moduli &lt;of all&gt;"));
+  CHECK(contains(html, "<div class=\"panel\" data-choice=\"G_hv\">"));
+  CHECK(contains(html, "<div class=\"panel\" data-choice=\"G_hh\">"));
+  CHECK(
+      contains(html, "What is seen. <a href=\"figures/a.csv\">a.csv</a>, <a href=\"figures/a.gp\">a.gp</a>"));
+  CHECK(html.find("<svg") < html.find("<figcaption"));
+}
+
+TEST_CASE("numbers of a table stand to the right, and cells are escaped") {
+  const std::string html = html_table({"what", "s"}, {{"cone & co", "0.5"}, {"-", "-0.1"}});
+  CHECK(well_formed(html));
+  CHECK(contains(html, "<th class=\"number\">s</th>"));
+  CHECK(contains(html, "<td>cone &amp; co</td>"));
+  CHECK(contains(html, "<td class=\"number\">-0.1</td>"));
+  CHECK(contains(html, "<td>-</td>"));
+}
+
+TEST_CASE("what is folded away stands under its title") {
+  CHECK(html_folded("Table <2>", html_paragraph("x")) ==
+        "<details><summary>Table &lt;2&gt;</summary>\n<p>x</p>\n</details>\n");
+}

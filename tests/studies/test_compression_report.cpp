@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/report/compression.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <doctest/doctest.h>
+#include <granum/effective/relaxation.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+
+/// G = 100 MPa (p/100 kPa)^s by every route, z* from 4 + s to 5 + s.
+Compression compression(Shape shape, Density density, double s) {
+  Compression out{.contact = shape,
+                  .density = density,
+                  .contact_exponent = 1 / 3.0,
+                  .exponent = Measured{s, 0.004},
+                  .paper_exponent = 0.5};
+  for (const double share : {0.1, 0.4, 1.0}) {
+    const double G = 1e8 * std::pow(share, s);
+    out.states.push_back({.pressure = 1e5 * share,
+                          .mechanical_coordination_number = 4 + s + share,
+                          .network = {G, G, 1.1 * G},
+                          .relaxed = {G, G, G},
+                          .probe = {G, G, G},
+                          .softening = 0.2 + share / 2});
+  }
+  return out;
+}
+
+std::vector<Compression> both() {
+  return {compression(Shape::sphere, Density::dense, 0.36), compression(Shape::sphere, Density::loose, 0.56)};
+}
+
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
+
+const plot::Series& series(const Panel& panel, const std::string& key) {
+  for (std::size_t k = 0; k < panel.keys.size(); ++k)
+    if (panel.keys[k] == key)
+      return panel.chart.series[k];
+  FAIL("no series " << key);
+  return panel.chart.series.front();
+}
+
+} // namespace
+
+TEST_CASE(
+    "the answer is three sentences with the numbers of the run: what s is, dense and why, loose and why") {
+  const std::vector<std::string> answer = compression_answer(both());
+  REQUIRE(answer.size() == 3);
+  CHECK(contains(answer[0], "s is the slope"));
+  CHECK(contains(answer[1], "dense packings"));
+  CHECK(contains(answer[1], "0.360 \u00b1 0.004 for spheres (1/3)"));
+  CHECK(contains(answer[1], "from 4.46 to 5.36"));
+  CHECK(contains(answer[2], "loose packings"));
+  CHECK(contains(answer[2], "0.560 \u00b1 0.004 for spheres"));
+  CHECK(contains(answer[2], "from 4.66 to 5.56"));
+  CHECK(contains(answer[2], "from 0.25 to 0.70"));
+  for (const std::string& sentence : answer)
+    CHECK(sentence.ends_with("."));
+}
+
+TEST_CASE("what was not run is not answered") {
+  CHECK(compression_answer({compression(Shape::cone, Density::dense, 0.5)}).size() == 2);
+  std::vector<Compression> all = both();
+  all[1].exponent = {};
+  CHECK(compression_answer(all).size() == 2);
+  CHECK(compression_answer({}).size() == 1);
+  const CompressionStory story = compression_story(Scene{}, {}, "figures");
+  CHECK(story.panels.empty());
+  CHECK(story.why.empty());
+}
+
+TEST_CASE("log G over log p has every route of every specimen, and triangles of slope s at their ends") {
+  const Panel panel = modulus_panel(both(), 2); // G_hh
+  CHECK(panel.stem == "log_G_log_p_G_hh");
+  CHECK(panel.chart.x.scale == plot::Scale::logarithmic);
+  CHECK(panel.chart.y.scale == plot::Scale::logarithmic);
+  CHECK(panel.keys.size() == 6);
+  CHECK(series(panel, "sphere_dense network").y[1] == relative(1.1e8 * std::pow(0.4, 0.36), 1e-14));
+  CHECK(series(panel, "sphere_loose closed form").y[0] == relative(1e8 * std::pow(0.1, 0.56), 1e-14));
+  CHECK(series(panel, "sphere_loose network").tone == plot::Tone::hollow);
+  CHECK(series(panel, "sphere_dense network").tone == plot::Tone::full);
+  REQUIRE(panel.chart.triangles.size() == 2);
+  const plot::SlopeTriangle& loose = panel.chart.triangles[1];
+  CHECK(loose.slope == 0.56);
+  CHECK(loose.text == "s = 0.56");
+  CHECK(loose.y0 * std::pow(loose.x1 / loose.x0, loose.slope) ==
+        relative(1.1e8, 1e-13)); // ends on the network
+  CHECK(contains(panel.chart.finding, "0.36 for dense spheres, 0.56 for loose spheres"));
+}
+
+TEST_CASE("a shape has its colour in all pictures, and is listed once in each") {
+  std::vector<Compression> all = both();
+  all.push_back(compression(Shape::cone, Density::dense, 0.5));
+  all.push_back(compression(Shape::cone, Density::loose, 0.7));
+  const CompressionStory story = compression_story(Scene{}, all, "figures");
+  CHECK(story.panels.size() == 6);
+  for (const Panel& panel : story.panels) {
+    CAPTURE(panel.stem);
+    std::multiset<std::string> named;
+    for (const plot::Series& one : panel.chart.series) {
+      if (one.name == "sphere")
+        CHECK(one.colour == std::size_t{0});
+      if (one.name == "cone")
+        CHECK(one.colour == std::size_t{1});
+      named.insert(one.name);
+    }
+    CHECK(named.count("sphere") == 1);
+    CHECK(named.count("cone") == 1);
+    CHECK(panel.chart.finding.size() > 40);
+  }
+}
+
+TEST_CASE("curves of the closed form that coincide are drawn once, others one by one") {
+  Scene scene;
+  const CompressionStory one = compression_story(scene, both(), "figures");
+  const Panel& of_spheres = one.panels.back();
+  CHECK(series(of_spheres, "closed form").name == "closed form, of all shapes");
+  std::vector<Compression> all = both();
+  all.push_back(compression(Shape::cone, Density::dense, 0.5));
+  const Panel of_two = compression_story(scene, all, "figures").panels.back();
+  const plot::Series& spheres = series(of_two, "closed form sphere");
+  const dem::Material sphere = recipe(scene, Shape::sphere, 1).material;
+  CHECK(spheres.y[7] == effective::relaxation(spheres.x[7], sphere.tangential_ratio, 1 / 3.0).shear.value);
+  CHECK(series(of_two, "closed form cone").y[7] != spheres.y[7]);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/force_chains.hpp"
+
+#include <doctest/doctest.h>
+
+#include "count_pieces.hpp"
+#include "well_formed.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+
+namespace {
+
+/// Four grains of radius 1 in a row along x at y = 0, and one far behind.
+packing::Assembly row() {
+  packing::Assembly out{.cell = Mat3::diagonal(20, 20, 20), .position = {}, .radius = {}, .contacts = {}};
+  for (int k = 0; k < 4; ++k)
+    out.position.push_back({2.0 * k, 0, 0});
+  out.position.push_back({0, 8, 0});
+  out.position.push_back({0, -8, 0});
+  out.radius.assign(6, 1);
+  const double forces[] = {1, 3, 0};
+  for (std::uint32_t k = 0; k < 3; ++k)
+    out.contacts.push_back({.i = k, .j = k + 1, .branch = {2, 0, 0}, .normal_force = forces[k]});
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("force chains are as wide as their force, those above the mean in colour, and only in the slice") {
+  const auto chains = force_chains(row());
+  REQUIRE(chains);
+  CHECK(well_formed(chains->svg));
+  CHECK(well_formed(chains->in_page));
+  CHECK(count(chains->in_page, "<circle") == 4);               // not the two far away
+  CHECK(count(chains->in_page, "<line") == 2);                 // not the one that does not press
+  CHECK(count(chains->in_page, "stroke-width=\"1.10\"") == 1); // 2.2 for the mean force, 2
+  CHECK(count(chains->in_page, "stroke-width=\"3.30\"") == 1);
+  const std::size_t strong = chains->in_page.find("class=\"c1\"");
+  REQUIRE(strong != std::string::npos);
+  CHECK(chains->in_page.find("3.30") > strong);
+  CHECK(chains->in_page.find("1.10") < strong);
+  CHECK(chains->finding == "Force chains in a slice of 2 contacts: 1 of them are above the mean force and "
+                           "bear 75 % of all force.");
+}
+
+TEST_CASE("without pressing contacts there are no chains") {
+  packing::Assembly packing = row();
+  for (packing::Contact& contact : packing.contacts)
+    contact.normal_force = 0;
+  CHECK_FALSE(force_chains(packing));
+  CHECK_FALSE(force_chains(
+      packing::Assembly{.cell = Mat3::diagonal(1, 1, 1), .position = {}, .radius = {}, .contacts = {}}));
+}

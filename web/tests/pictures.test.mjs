@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every picture and report that the native program draws, opened in a browser: texts inside their box and apart from each
+// other, contrast of 4.5 and more, light and dark, wide and narrow; reports as quiet and as live as they should be.
+// CHROMIUM names the browser, GRANUM_PROGRAM the program.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const program =
+  process.env.GRANUM_PROGRAM ?? ["ci", "release"].map((preset) => path.join(root, "build", preset, "granum")).find((file) => fs.existsSync(file));
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "granum-pictures-"));
+const data = (name) => path.join(root, "examples/data", name);
+const small = ["--grains", "120", "--quiet"];
+const few = ["--set", "study.pressures=10kPa,30kPa,100kPa", "--set", "study.probe_pressures=30kPa,100kPa"];
+const packing = fs.readdirSync(path.join(root, "examples/data")).filter((name) => name.startsWith("lammps_loose_p50.")).map(data);
+
+/// What each command draws: its name, and its arguments.
+const commands = [
+  ["sweep p", ["sweep", "--void-ratio", "0.56", "--from", "10kPa", "--to", "200kPa", "--out", "sweep_p.csv", "--picture", "sweep_p.svg"]],
+  ["sweep path", ["sweep", "--void-ratio", "0.56", "--path", "txc", "--from", "100kPa", "--friction-angle", "26.5deg", "--out", "sweep_txc.csv", "--picture", "sweep_txc.svg"]],
+  ["sweep depth", ["sweep", "--void-ratio", "0.6", "--depth", "1m..20m", "--picture", "sweep_depth.svg"]],
+  ["fit", ["fit", path.join(root, "tests/cli/data/hv_dense_cone.csv"), "--modulus-column", "G_hv", "--picture", "fit.svg"]],
+  ["infer", ["infer", "--porosity", "0.38", "--grain-shear-modulus", "29GPa", "--grain-poisson-ratio", "0.2", "--grain-density", "2480kg/m3",
+    "--pressure", "2.76MPa", "--vs", "587m/s+-1%", "--predict-pressure", "6.89MPa,34.47MPa", "--picture", "infer.svg"]],
+  ["analyse", ["analyse", ...packing, "--out", "analyse"]],
+  ["verify", ["verify", ...small, ...few, "--out", "verify"]],
+  ["reproduce", ["reproduce", ...small, "--set", "study.pressures=25kPa,50kPa,100kPa", "--set", "study.probe_pressures=100kPa",
+    "--set", "shear.inertial_number=1e-3", "--set", "shear.largest_strain=0.004", "--set", "shear.strain_step=0.001", "--out", "reproduce"]],
+  ["trade", ["trade", "--quick", "--quiet", "--grains", "60", "--set", "study.pressures=20kPa,40kPa,80kPa", "--out", "trade"]],
+];
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+});
+after(async () => {
+  await browser?.close();
+  fs.rmSync(folder, { recursive: true, force: true });
+});
+
+/// Draws, unless it was drawn; findings that differ are no failures, and so no exit code.
+const drawn = new Map();
+function draw(name) {
+  if (!drawn.has(name)) {
+    const known = new Set(fs.readdirSync(folder, { recursive: true }));
+    execFileSync(program, commands.find(([command]) => command === name)[1], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+    drawn.set(name, fs.readdirSync(folder, { recursive: true }).filter((file) => !known.has(file)));
+  }
+  return drawn.get(name);
+}
+const made = (name, ending) => draw(name).filter((file) => file.endsWith(ending)).map((file) => path.join(folder, file));
+
+/// What is wrong with the texts of the pictures on a page.
+function faults() {
+  const out = [];
+  const channel = (value) => (value <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+  const luminance = (colour) => {
+    const [r, g, b] = colour.match(/[\d.]+/g).map(Number).map((v) => channel(v / 255));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const contrast = (a, b) => {
+    const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (high + 0.05) / (low + 0.05);
+  };
+  for (const svg of document.querySelectorAll("svg")) {
+    const frame = svg.getBoundingClientRect();
+    if (frame.width === 0) continue; // not shown
+    const scale = frame.width / (svg.viewBox.baseVal.width || frame.width);
+    const paper = svg.querySelector(".paper");
+    const ground = paper ? getComputedStyle(paper).fill : "rgb(255, 255, 255)";
+    const texts = [...svg.querySelectorAll("text")].map((text) => ({ text, box: text.getBoundingClientRect() }));
+    for (const { text, box } of texts) {
+      const words = `"${text.textContent}" (${text.getAttribute("class")})`;
+      if (box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1)
+        out.push(`${words} sticks out of its picture`);
+      const ratio = contrast(getComputedStyle(text).fill, ground);
+      if (ratio < 4.5) out.push(`${words} has a contrast of ${ratio.toFixed(1)}`);
+    }
+    const least = 2 * scale;
+    for (let a = 0; a < texts.length; ++a)
+      for (let b = a + 1; b < texts.length; ++b) {
+        const [p, q] = [texts[a].box, texts[b].box];
+        if (Math.min(p.right, q.right) - Math.max(p.left, q.left) > least && Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top) > least)
+          out.push(`"${texts[a].text.textContent}" lies upon "${texts[b].text.textContent}"`);
+      }
+    for (const group of svg.querySelectorAll("g.series")) {
+      const ratio = contrast(getComputedStyle(group).color, ground);
+      if (ratio < 4.5) out.push(`a series has a contrast of ${ratio.toFixed(1)}`);
+    }
+    if (!svg.getAttribute("aria-label")) out.push("a picture does not say what is seen in it");
+  }
+  return out;
+}
+
+async function opened(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => page.complaints.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => page.complaints.push(`error: ${error.message}`));
+  page.on("request", (request) => /^(file|data):/.test(request.url()) || page.complaints.push(`request: ${request.url()}`));
+  await page.goto(pathToFileURL(file).href);
+  return page;
+}
+
+/// All pictures that a file holds, in the light and in the dark.
+async function check(file, options = {}) {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await opened(file, { colorScheme, ...options });
+    await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+    assert.deepEqual(await page.evaluate(faults), [], `${path.basename(file)}, ${colorScheme}`);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  }
+}
+
+for (const [name] of commands)
+  test(`pictures of ${name}: texts inside, apart, and to be read`, async () => {
+    const files = made(name, ".svg");
+    assert.ok(files.length > 0, "nothing was drawn");
+    for (const file of files) await check(file);
+  });
+
+test("the picture of the ladder", async () => {
+  await check(path.join(root, "validation/ladder/ladder.svg"));
+});
+
+for (const name of ["analyse", "verify", "reproduce"])
+  test(`the report of ${name}`, async () => {
+    const [file] = made(name, "report.html");
+    await check(file);
+    for (const width of [1280, 390])
+      for (const colorScheme of ["light", "dark"]) {
+        const page = await opened(file, { colorScheme, viewport: { width, height: 844 } });
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `it is wider than ${width} px`);
+        await page.evaluate(axe);
+        const { violations } = await page.evaluate(() => axe.run());
+        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(" ")}`), [], `${width} px, ${colorScheme}`);
+        await page.context().close();
+      }
+    const page = await opened(file);
+    assert.equal(await page.locator("header h1").count(), 1);
+    assert.equal(await page.locator("header .answer p").count(), 3);
+    assert.ok(await page.evaluate(() => document.querySelector("header svg").getBoundingClientRect().bottom <= innerHeight), "the first picture is not on the first screen");
+    await page.context().close();
+  });
+
+test("a report gives values under the pointer, fades series, and shows one modulus at a time", async () => {
+  const page = await opened(made("verify", "report.html")[0]);
+  const shown = () => page.$$eval("header .panel", (all) => all.filter((panel) => panel.offsetWidth > 0).map((panel) => panel.dataset.choice));
+  assert.deepEqual(await shown(), ["G_hv"]);
+  await page.click("header .switch button >> text=G_hh");
+  assert.deepEqual(await shown(), ["G_hh"]);
+  await page.click("header .switch button >> text=G_hv");
+
+  // The value is that of the table: the first dot of the network.
+  const csv = fs.readFileSync(made("verify", "log_G_log_p_G_hv.csv")[0], "utf8").trim().split("\n").filter((line) => !line.startsWith("#"));
+  const column = csv[0].split(",").indexOf("cone_dense network G_hv_Pa");
+  assert.ok(column > 0, csv[0]);
+  const expected = Number(csv[2].split(",")[column]) / 1e6; // of 30 kPa
+  const dot = page.locator('header .panel[data-choice="G_hv"] .series[data-kind="network, dense"]').first().locator(".dots > *").nth(1);
+  const box = await dot.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const said = await page.textContent(".tip");
+  const value = Number(said.match(/: ([\d.e+-]+)/)[1]);
+  assert.ok(Math.abs(value / expected - 1) < 2e-3, `${said}, expected ${expected}`);
+  assert.match(said, / at (30|29\.\d+|30\.0\d*)$/);
+
+  const key = page.locator('header .panel[data-choice="G_hv"] .key[data-kind="network, loose"]');
+  const faded = () => page.locator('header .panel[data-choice="G_hv"] .series.faded').count();
+  assert.equal(await faded(), 0);
+  await key.click();
+  assert.equal(await faded(), 3);
+  await key.focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await faded(), 0);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
