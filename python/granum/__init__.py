@@ -54,6 +54,8 @@ from ._granum import (
     Gradient,
     gradient,
     hertz_mindlin,
+    infer,
+    Inference,
     Isotropic,
     isotropic,
     isotropic_averages,
@@ -67,6 +69,7 @@ from ._granum import (
     LikelihoodEstimate,
     measure,
     Measured,
+    MeasuredRows,
     Measurement,
     Microstructure,
     mindlin_stiffness_ratio,
@@ -76,6 +79,8 @@ from ._granum import (
     Network,
     Packing,
     packing,
+    packing_answer,
+    PackingAnswer,
     pair_radius,
     PathPoint,
     plane_waves,
@@ -84,6 +89,7 @@ from ._granum import (
     PowerLaw,
     probe,
     ProbeResult,
+    Range,
     relaxed,
     rose,
     RoseBin,
@@ -116,6 +122,10 @@ from ._granum import (
     uniform_stress_kinematic,
     Verdict,
 )
+from ._plots import _attach
 from ._studies import verify
+from ._yade import from_yade
+
+_attach()
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

@@ -36,6 +36,7 @@ __all__ = [
     "Frames",
     "Gradation",
     "Gradient",
+    "Inference",
     "InvalidArgument",
     "Isotropic",
     "IsotropicAverages",
@@ -44,6 +45,7 @@ __all__ = [
     "LawCheck",
     "LikelihoodEstimate",
     "Measured",
+    "MeasuredRows",
     "Measurement",
     "Microstructure",
     "Moduli",
@@ -51,10 +53,12 @@ __all__ = [
     "Network",
     "NotConverged",
     "Packing",
+    "PackingAnswer",
     "PathPoint",
     "PlaneWaves",
     "PowerLaw",
     "ProbeResult",
+    "Range",
     "RoseBin",
     "Rung",
     "RungAssessment",
@@ -91,9 +95,11 @@ __all__ = [
     "formats",
     "frames",
     "free_spin",
+    "from_yade",
     "gradation",
     "gradient",
     "hertz_mindlin",
+    "infer",
     "isotropic",
     "isotropic_averages",
     "isotropic_projection",
@@ -103,6 +109,7 @@ __all__ = [
     "mindlin_stiffness_ratio",
     "murphy_coordination_number",
     "packing",
+    "packing_answer",
     "pair_radius",
     "plane_waves",
     "power_law",
@@ -384,6 +391,7 @@ class Fabric:
     def standard_error(self) -> float: ...
     @property
     def tensor(self) -> NDArray[np.float64]: ...
+    def plot(self, ax: Any = ...) -> Any: ...
 
 class FabricMeasures:
     @property
@@ -473,6 +481,45 @@ class Gradient:
     @property
     def void_ratio(self) -> _Numbers: ...
 
+class Inference:
+    @property
+    def alone(self) -> list[Optional[Measured]]: ...
+    @property
+    def chi_square(self) -> float: ...
+    @property
+    def coordination_number(self) -> Measured: ...
+    @property
+    def degrees_of_freedom(self) -> int: ...
+    @property
+    def deviations(self) -> list[float]: ...
+    @property
+    def error_shares(self) -> dict[str, float]: ...
+    @property
+    def explained(self) -> bool: ...
+    @property
+    def growth_exponent(self) -> Optional[Measured]: ...
+    @property
+    def mechanical_coordination_number(self) -> Measured: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def pressure(self) -> float: ...
+    @property
+    def probability(self) -> float: ...
+    @property
+    def rattler_fraction(self) -> Measured: ...
+    def plot(self, ax: Any = ..., *, quantity: str = ..., pressure: ArrayLike) -> Any: ...
+    def predict(
+        self,
+        quantity: str,
+        *,
+        pressure: Optional[ArrayLike] = ...,
+        stress_v: Optional[ArrayLike] = ...,
+        stress_h: Optional[ArrayLike] = ...,
+        void_ratio: Optional[ArrayLike] = ...,
+        specimen: str = ...,
+    ) -> MeasuredRows: ...
+
 class Isotropic:
     @property
     def bulk_modulus(self) -> float: ...
@@ -525,6 +572,7 @@ class LadderEstimate:
     def tolerance(self) -> float: ...
     @property
     def tolerance_met(self) -> bool: ...
+    def plot(self, ax: Any = ...) -> Any: ...
 
 class LawCheck:
     @property
@@ -557,6 +605,18 @@ class Measured:
     def standard_error(self) -> float: ...
     @property
     def value(self) -> float: ...
+
+class MeasuredRows:
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def standard_error(self) -> _Numbers: ...
+    @property
+    def value(self) -> _Numbers: ...
 
 class Measurement:
     @property
@@ -681,6 +741,45 @@ class Packing:
     def wall_contacts(self) -> Contacts: ...
     def __copy__(self) -> Packing: ...
     def __deepcopy__(self, arg0: object) -> Packing: ...
+    def plot(self, ax: Any = ..., *, across: int = ..., up: int = ...) -> Any: ...
+
+class PackingAnswer:
+    @property
+    def G_hh(self) -> Range: ...
+    @property
+    def bulk_density(self) -> Range: ...
+    @property
+    def bulk_modulus(self) -> Range: ...
+    @property
+    def compression_wave_speed(self) -> Range: ...
+    @property
+    def coordination_number(self) -> Range: ...
+    @property
+    def horizontal_compression_wave_speed(self) -> Range: ...
+    @property
+    def horizontal_shear_wave_speed(self) -> Range: ...
+    @property
+    def horizontal_young_modulus(self) -> Range: ...
+    @property
+    def mechanical_coordination_number(self) -> Range: ...
+    @property
+    def poisson_ratio(self) -> Range: ...
+    @property
+    def rattler_fraction(self) -> Range: ...
+    @property
+    def shear_modulus(self) -> Range: ...
+    @property
+    def shear_wave_speed(self) -> Range: ...
+    @property
+    def young_modulus(self) -> Range: ...
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def shares(self) -> dict[str, _Numbers]: ...
 
 class PathPoint:
     @property
@@ -744,6 +843,14 @@ class ProbeResult:
     def steps(self) -> int: ...
     @property
     def unbalanced_force_ratio(self) -> float: ...
+
+class Range:
+    @property
+    def high(self) -> _Numbers: ...
+    @property
+    def low(self) -> _Numbers: ...
+    @property
+    def value(self) -> _Numbers: ...
 
 class RoseBin:
     @property
@@ -842,6 +949,7 @@ class Study:
     def states(self) -> dict[str, Any]: ...
     @property
     def verdicts(self) -> list[Verdict]: ...
+    def plot(self, ax: Any = ...) -> Any: ...
 
 class SymmetryDistances:
     @property
@@ -1026,6 +1134,7 @@ def free_spin(
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
 ) -> Estimate: ...
+def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
 def gradient(
     *,
@@ -1055,6 +1164,30 @@ def hertz_mindlin(
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
 ) -> IsotropicModuli: ...
+def infer(
+    *,
+    law: PowerLaw,
+    radius: ArrayLike,
+    void_ratio: ArrayLike,
+    pressure: Optional[ArrayLike] = ...,
+    stress_v: Optional[ArrayLike] = ...,
+    stress_h: Optional[ArrayLike] = ...,
+    fabric_anisotropy: ArrayLike = ...,
+    tangential_ratio: Optional[ArrayLike] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    relative_error: ArrayLike,
+    grain_density: Optional[float] = ...,
+    pore_density: float = ...,
+    rattler_fraction: Optional[float] = ...,
+    growth: Literal["as_packings", "fixed", "fitted"] = ...,
+    G: Optional[ArrayLike] = ...,
+    G_hh: Optional[ArrayLike] = ...,
+    K: Optional[ArrayLike] = ...,
+    V_s: Optional[ArrayLike] = ...,
+    V_s_hh: Optional[ArrayLike] = ...,
+    V_p: Optional[ArrayLike] = ...,
+    V_p_h: Optional[ArrayLike] = ...,
+) -> Inference: ...
 def isotropic(*, bulk_modulus: float, shear_modulus: float) -> Isotropic: ...
 def isotropic_averages(stiffness: ArrayLike) -> IsotropicAverages: ...
 def isotropic_projection(stiffness: ArrayLike) -> Isotropic: ...
@@ -1102,6 +1235,25 @@ def packing(
     tangential_stiffness: Optional[ArrayLike] = None,
     sliding: Optional[ArrayLike] = None,
 ) -> Packing: ...
+def packing_answer(
+    *,
+    law: PowerLaw,
+    radius: ArrayLike,
+    void_ratio: ArrayLike,
+    coordination_number: Optional[ArrayLike] = ...,
+    pressure: Optional[ArrayLike] = ...,
+    stress_v: Optional[ArrayLike] = ...,
+    stress_h: Optional[ArrayLike] = ...,
+    fabric_anisotropy: ArrayLike = ...,
+    tangential_ratio: Optional[ArrayLike] = ...,
+    mechanical_coordination_number: Optional[ArrayLike] = ...,
+    rattler_fraction: Optional[ArrayLike] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    strict: bool = ...,
+    preparation: Optional[str] = ...,
+    grain_density: Optional[ArrayLike] = ...,
+    saturation: ArrayLike = ...,
+) -> PackingAnswer: ...
 def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
 def power_law(

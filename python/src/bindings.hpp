@@ -16,6 +16,8 @@ void bind_elastic(py::module_& module);
 void bind_effective(py::module_& module);
 void bind_sensitivity(py::module_& module);
 void bind_contact_prior(py::module_& module);
+void bind_packing_answer(py::module_& module);
+void bind_inverse(py::module_& module);
 void bind_rock_physics(py::module_& module);
 void bind_packing(py::module_& module);
 void bind_io(py::module_& module);

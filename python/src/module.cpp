@@ -19,6 +19,8 @@ PYBIND11_MODULE(_granum, module) {
   bind_effective(module);
   bind_sensitivity(module);
   bind_contact_prior(module);
+  bind_packing_answer(module);
+  bind_inverse(module);
   bind_rock_physics(module);
   bind_packing(module);
   bind_io(module);

@@ -315,12 +315,13 @@ cell : (3,) or (3, 3) array_like, optional
 periodic : three bools
     Which pairs of faces are periodic.
 contacts : (M, 2) array_like of int, optional
-    Pairs of grains in contact, numbered from 0; without them those of overlapping spheres are taken where
-    they are needed.
+    Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. Without contacts
+    those of overlapping spheres are taken where they are needed.
 forces : (M, 3) array_like, optional
     Whole force exerted by the first grain of each pair on the second [N].
 branch : (M, 3) array_like, optional
-    Centre of the second grain minus centre of the first [m]; without it the nearest periodic image.
+    Centre of the second grain minus centre of the first [m]; without it the nearest periodic image. To a
+    wall, which needs it, from the centre to the wall.
 overlap : (M,) array_like, optional
     Full approach [m]; without it from radii and branch.
 normal_force : (M,) array_like, optional

@@ -25,18 +25,31 @@ enum : std::size_t {
   strict_at,
 };
 
-Argument stress_of(const Arguments& a, std::size_t at, const char* name) {
-  if (a.given(pressure_at)) {
-    if (a.given(stress_v_at) || a.given(stress_h_at))
+Argument stress_of(const Arguments& a, bool vertical) {
+  return stress_argument(a, pressure_at, stress_v_at, stress_h_at, vertical);
+}
+
+} // namespace
+
+Argument stress_argument(const Arguments& a, std::size_t pressure, std::size_t stress_v, std::size_t stress_h,
+                         bool vertical) {
+  if (a.given(pressure)) {
+    if (a.given(stress_v) || a.given(stress_h))
       throw py::type_error("pressure sets both stresses: leave out stress_v and stress_h");
-    return {"pressure", a[pressure_at]};
+    return {"pressure", a[pressure]};
   }
+  const char* const name = vertical ? "stress_v" : "stress_h";
+  const std::size_t at = vertical ? stress_v : stress_h;
   if (!a.given(at))
     throw py::type_error(std::string(name) + " is missing: give pressure, or stress_v and stress_h");
   return {name, a[at]};
 }
 
-} // namespace
+std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
+  std::vector<Keyword> all = state_keywords(more);
+  all[coordination_number_at].shown_default = "None";
+  return all;
+}
 
 std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
   std::vector<Keyword> all{{"law"},
@@ -85,19 +98,23 @@ strict : bool
     Raise at the first element that is refused, instead of NaN and a message in `errors`.
 )";
 
-StateArguments::StateArguments(const Arguments& a)
+StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordination_number)
     : law_(&a[law_at].cast<const contact::PowerLaw&>()),
       contacts_(a.given(contact_means_at) ? a[contact_means_at].cast<sizes::ContactMeans>()
                                           : sizes::ContactMeans{}),
+      knows_coordination_number_(coordination_number == CoordinationNumber::needed ||
+                                 a.given(coordination_number_at)),
       columns_{Argument{"radius", a[radius_at]},
                Argument{"void_ratio", a[void_ratio_at]},
-               Argument{"coordination_number", a[coordination_number_at]},
-               stress_of(a, stress_v_at, "stress_v"),
-               stress_of(a, stress_h_at, "stress_h"),
+               Argument{"coordination_number", 0.0},
+               stress_of(a, true),
+               stress_of(a, false),
                Argument{"fabric_anisotropy", 0.0},
                Argument{"tangential_ratio", 0.0},
                Argument{"mechanical_coordination_number", 0.0}},
       strict_(a.flag(strict_at)) {
+  if (knows_coordination_number_)
+    columns_[2].value = a[coordination_number_at];
   if (a.given(fabric_at))
     columns_[5].value = a[fabric_at];
   if (a.given(tangential_ratio_at))
@@ -133,6 +150,17 @@ effective::RungInputs StateArguments::inputs(const double* x) const {
     out.mechanical_coordination_number = x[7];
   if (coordination_ == Coordination::rattlers)
     out.mechanical_coordination_number = effective::mechanical_coordination_number(x[2], x[7]);
+  return out;
+}
+
+effective::PackingQuestion StateArguments::question(const double* x) const {
+  effective::PackingQuestion out{.state = state(x)};
+  if (knows_coordination_number_)
+    out.coordination_number = x[2];
+  if (coordination_ == Coordination::mechanical)
+    out.mechanical_coordination_number = x[7];
+  if (coordination_ == Coordination::rattlers)
+    out.rattler_fraction = x[7];
   return out;
 }
 

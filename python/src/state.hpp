@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <granum/effective/answer.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
@@ -17,16 +18,26 @@ namespace granum::python {
 
 /// Keywords of a state in the order in which StateArguments reads them, and those of one function behind.
 [[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
+/// The same where C_n may be left out.
+[[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
 /// How many they are: where those of a function begin.
 inline constexpr std::size_t state_keyword_count = 13;
 
 /// What the docstrings of all closed forms say of these keywords.
 extern const char* const state_parameters;
 
+/// The stress of one direction: `pressure` sets both, else it is `stress`, which `name` names.
+/// \throws   TypeError if both or none are given
+[[nodiscard]] Argument stress_argument(const Arguments& arguments, std::size_t pressure, std::size_t stress_v,
+                                       std::size_t stress_h, bool vertical);
+
 /// The keywords of a state, read.
 class StateArguments {
  public:
-  explicit StateArguments(const Arguments& arguments);
+  /// C_n of state_keywords is needed; that of question_keywords may be left out.
+  enum class CoordinationNumber { needed, optional };
+  explicit StateArguments(const Arguments& arguments,
+                          CoordinationNumber coordination_number = CoordinationNumber::needed);
 
   [[nodiscard]] std::span<const Argument> columns() const { return columns_; }
   [[nodiscard]] bool strict() const { return strict_; }
@@ -35,6 +46,8 @@ class StateArguments {
   /// The packing of one element.
   [[nodiscard]] effective::RungInputs inputs(const double* numbers) const;
   [[nodiscard]] effective::State state(const double* numbers) const;
+  /// What is known of the contacts of one element, and no more.
+  [[nodiscard]] effective::PackingQuestion question(const double* numbers) const;
   /// The packing of a call without arrays.
   /// \throws   TypeError if there are arrays
   [[nodiscard]] effective::RungInputs one_packing(const char* function) const;
@@ -45,6 +58,7 @@ class StateArguments {
   const contact::PowerLaw* law_;
   sizes::ContactMeans contacts_;
   Coordination coordination_ = Coordination::unknown;
+  bool knows_coordination_number_ = true;
   std::array<Argument, 8> columns_;
   bool strict_;
 };

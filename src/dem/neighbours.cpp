@@ -46,7 +46,7 @@ Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) 
     bins.count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(widths[k] / cutoff), 1, 512);
   const auto total = static_cast<std::size_t>(bins.count[0]) * static_cast<std::size_t>(bins.count[1]) *
                      static_cast<std::size_t>(bins.count[2]);
-  const Mat3 to_fraction = inverse(cell);
+  const Mat3 to_fraction = inverse_of(cell);
   std::vector<std::uint32_t> bin(position.size());
   bins.start.assign(total + 1, 0);
   for (std::size_t g = 0; g < position.size(); ++g) {
@@ -162,7 +162,7 @@ std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
 }
 
 void wrap(const Mat3& cell, std::span<Vec3> position) {
-  const Mat3 to_fraction = inverse(cell);
+  const Mat3 to_fraction = inverse_of(cell);
   for (Vec3& x : position) {
     const Vec3 s = to_fraction * x;
     const Vec3 whole{std::floor(s.x), std::floor(s.y), std::floor(s.z)};
@@ -176,7 +176,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   require_cutoff(cell, cutoff, images);
   const Bins bins = fill_bins(cell, position, cutoff);
   const std::array<Vec3, 27> shifts = shift_vectors(cell);
-  const Mat3 to_fraction = inverse(cell);
+  const Mat3 to_fraction = inverse_of(cell);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
   for (std::uint32_t i = 0; i < position.size(); ++i) {
@@ -208,7 +208,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   const Vec3 widths = packing::cell_widths(cell);
   const Bins bins = fill_bins(cell, position, 2 * mean + gap);
   const std::array<Vec3, 27> shifts = shift_vectors(cell);
-  const Mat3 to_fraction = inverse(cell);
+  const Mat3 to_fraction = inverse_of(cell);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
   for (std::uint32_t i = 0; i < position.size(); ++i) {

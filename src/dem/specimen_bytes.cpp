@@ -25,7 +25,7 @@ bool all_finite(const std::vector<Vec3>& vectors) {
 
 /// Whether every centre is in the cell or so near that it can be brought back without losing its digits.
 bool near_cell(const Specimen& state) {
-  const Mat3 to_fraction = inverse(state.cell);
+  const Mat3 to_fraction = inverse_of(state.cell);
   constexpr double far = 1e3;
   return std::all_of(state.position.begin(), state.position.end(), [&](const Vec3& x) {
     const Vec3 s = to_fraction * x;

@@ -56,7 +56,7 @@ void DigitWatch::see(std::string_view number) {
 
 void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) {
   const double volume = determinant(cell);
-  const Mat3 back = inverse(cell);
+  const Mat3 back = inverse_of(cell);
   bool usable = volume > 0 && std::isfinite(volume);
   for (int k = 0; k < 3; ++k)
     usable = usable && in_range(column(cell, k)) && in_range(column(back, k));

@@ -8,7 +8,7 @@
 namespace granum::io {
 
 PeriodicCell::PeriodicCell(const Mat3& edges, const std::array<bool, 3>& periodic)
-    : edges_(edges), inverse_(inverse(edges)), periodic_(periodic) {
+    : edges_(edges), inverse_(inverse_of(edges)), periodic_(periodic) {
   safe_length_ = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k)
     if (periodic_[static_cast<std::size_t>(k)]) { // the faces lie 1/|row k of the inverse| apart

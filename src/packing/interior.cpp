@@ -14,7 +14,8 @@
 
 namespace granum::packing {
 
-Interior::Interior(const Mat3& cell, double layer) : to_fraction_(inverse(cell)), widths_(cell_widths(cell)) {
+Interior::Interior(const Mat3& cell, double layer)
+    : to_fraction_(inverse_of(cell)), widths_(cell_widths(cell)) {
   require_non_negative("layer", layer, "m");
   double share = 1;
   for (int k = 0; k < 3; ++k) {
@@ -27,7 +28,7 @@ Interior::Interior(const Mat3& cell, double layer) : to_fraction_(inverse(cell))
 }
 
 Interior::Interior(const Mat3& cell, const Vec3& low, const Vec3& high)
-    : origin_(low), cell_(cell), to_cell_(inverse(cell)) {
+    : origin_(low), cell_(cell), to_cell_(inverse_of(cell)) {
   const char* const axis[] = {"x", "y", "z"};
   const Vec3 reach = cell_widths(cell);
   for (int k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ TEST_CASE("vector and matrix identities") {
   CHECK(trace(outer(a, b)) == dot(a, b));
   CHECK(outer(a, b) * b == dot(b, b) * a);
   const Mat3 m{{{2, 1, 0}, {0.5, 3, 1}, {1, 0, 4}}};
-  const Mat3 one = m * inverse(m);
+  const Mat3 one = m * inverse_of(m);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       CHECK(one(i, j) == doctest::Approx(i == j ? 1.0 : 0.0).epsilon(1e-15));

@@ -106,7 +106,7 @@ constexpr Vec3 column(const Mat3& a, int j) { return {a(0, j), a(1, j), a(2, j)}
 constexpr double determinant(const Mat3& a) { return dot(column(a, 0), cross(column(a, 1), column(a, 2))); }
 
 /// Inverse by cofactors; the caller guarantees a determinant other than zero.
-constexpr Mat3 inverse(const Mat3& a) {
+constexpr Mat3 inverse_of(const Mat3& a) {
   const Vec3 u = column(a, 0), v = column(a, 1), w = column(a, 2);
   const Vec3 rows[3] = {cross(v, w), cross(w, u), cross(u, v)};
   const double d = dot(u, rows[0]);

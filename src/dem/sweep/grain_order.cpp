@@ -30,7 +30,7 @@ std::uint32_t place_on_curve(const Vec3& fraction) {
 } // namespace
 
 std::vector<std::uint32_t> near_order(const Specimen& state) {
-  const Mat3 to_fraction = inverse(state.cell);
+  const Mat3 to_fraction = inverse_of(state.cell);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
   for (std::uint32_t g = 0; g < state.grain_count(); ++g)
     places.emplace_back(place_on_curve(to_fraction * state.position[g]), g);

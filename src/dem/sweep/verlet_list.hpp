@@ -29,7 +29,7 @@ class VerletList {
       wrap(state.cell, state.position);
     pairs_ = listed_pairs(state);
     reference_ = state.position;
-    reference_inverse_ = inverse(state.cell);
+    reference_inverse_ = inverse_of(state.cell);
   }
 
   /// False when two grains that are not listed could have come into contact since build: a pair nears by at

@@ -43,26 +43,56 @@ Number element(std::span<const Number> values, std::size_t k) {
   return values.empty() ? Number{} : values[k];
 }
 
+/// What is the same for grains and walls.
+PairRow row_from(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
+  return {.a = builder.index(c.grains[k][0], k + 1),
+          .normal_force = element(c.normal_force, k),
+          .tangential_force = element(c.tangential_force, k),
+          .normal_stiffness = element(c.normal_stiffness, k),
+          .tangential_stiffness = element(c.tangential_stiffness, k),
+          .sliding = element(c.sliding, k),
+          .line = k + 1};
+}
+
+/// Splits a whole force along the branch and across it.
+void split_force(PairRow& row, const ContactArrays& c, std::size_t k) {
+  if (c.force.empty() || norm(row.branch) <= 0)
+    return;
+  const Vec3 n = (1 / norm(row.branch)) * row.branch;
+  row.normal_force = dot(c.force[k], n);
+  row.tangential_force = c.force[k] + -row.normal_force * n;
+}
+
 PairRow pair_row(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
-  const std::size_t line = k + 1;
-  PairRow row{.a = builder.index(c.grains[k][0], line),
-              .b = builder.index(c.grains[k][1], line),
-              .normal_force = element(c.normal_force, k),
-              .tangential_force = element(c.tangential_force, k),
-              .normal_stiffness = element(c.normal_stiffness, k),
-              .tangential_stiffness = element(c.tangential_stiffness, k),
-              .sliding = element(c.sliding, k),
-              .line = line};
+  PairRow row = row_from(builder, c, k);
+  row.b = builder.index(c.grains[k][1], k + 1);
   row.branch = c.branch.empty() ? builder.nearest(builder.straight(row.a, row.b)) : c.branch[k];
   row.overlap = c.overlap.empty() ? builder.radius_sum(row.a, row.b) - norm(row.branch) : c.overlap[k];
   if (!c.branch.empty())
     builder.require_agreement(row);
-  if (!c.force.empty() && norm(row.branch) > 0) {
-    const Vec3 n = (1 / norm(row.branch)) * row.branch;
-    row.normal_force = dot(c.force[k], n);
-    row.tangential_force = c.force[k] + -row.normal_force * n;
-  }
+  split_force(row, c, k);
   return row;
+}
+
+PairRow wall_row(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
+  PairRow row = row_from(builder, c, k);
+  row.branch = c.branch[k];
+  row.overlap = c.overlap.empty() ? builder.radius(row.a) - norm(row.branch) : c.overlap[k];
+  split_force(row, c, k);
+  return row;
+}
+
+void add_contacts(PackingBuilder& builder, const ContactArrays& c) {
+  for (std::size_t k = 0; k < c.grains.size(); ++k) {
+    const long other = c.grains[k][1];
+    if (other >= 0) {
+      builder.add(pair_row(builder, c, k));
+      continue;
+    }
+    if (c.branch.empty())
+      throw InvalidArgument("contacts[" + std::to_string(k) + "] is with a wall: branch is missing");
+    builder.add_wall(wall_row(builder, c, k), -1 - other);
+  }
 }
 
 void note_unknown(PackingBuilder& builder, const ContactArrays& c) {
@@ -96,8 +126,7 @@ ImportedPacking build(const PackingArrays& arrays) {
   const ContactArrays& contacts = *arrays.contacts;
   note_unknown(builder, contacts);
   builder.expect_contacts(contacts.grains.size());
-  for (std::size_t k = 0; k < contacts.grains.size(); ++k)
-    builder.add(pair_row(builder, contacts, k));
+  add_contacts(builder, contacts);
   return builder.finish(0, std::nullopt);
 }
 

@@ -104,3 +104,32 @@ TEST_CASE("arrays that are no packing are refused with their element") {
   wrong.contacts->branch = far;
   CHECK(refusal(wrong).starts_with("contacts[1]: the pair 1, 0 has a line of centres"));
 }
+
+TEST_CASE("a grain between two walls: a second number below 0 is a wall") {
+  const std::vector<Vec3> position{{1, 1, 0.48}};
+  const std::vector<double> radius{0.5};
+  const std::vector<std::array<long, 2>> pairs{{0, -1}, {0, -3}};
+  const std::vector<Vec3> branch{{0, 0, -0.48}, {0, 0, 0.49}};
+  const std::vector<Vec3> force{{0.5, 0, -3}, {0, 0, 3}};
+  const io::PackingArrays arrays{.position = position,
+                                 .radius = radius,
+                                 .cell = Mat3::diagonal(2, 2, 1),
+                                 .periodic = {false, false, false},
+                                 .contacts =
+                                     io::ContactArrays{.grains = pairs, .branch = branch, .force = force}};
+  const packing::Assembly assembly = io::packing_of(arrays).assembly;
+  CHECK(assembly.contacts.empty());
+  REQUIRE(assembly.wall_contacts.size() == 2);
+  const packing::Contact& floor = assembly.wall_contacts[0];
+  CHECK((floor.i == 0 && floor.j == 0));
+  CHECK(assembly.wall_contacts[1].j == 2);
+  CHECK(floor.overlap == doctest::Approx(0.02));
+  CHECK(floor.normal_force == doctest::Approx(3));
+  CHECK(floor.tangential_force.x == doctest::Approx(0.5));
+  // 3 N through the grain, from wall to wall 0.97 apart, in a box of volume 4
+  CHECK(packing::contact_stress(assembly).tensor(2, 2) == doctest::Approx(3 * 0.97 / 4));
+
+  io::PackingArrays without_branch = arrays;
+  without_branch.contacts->branch = {};
+  CHECK(refusal(without_branch) == "contacts[0] is with a wall: branch is missing");
+}

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A scene of YADE, handed over in memory."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._granum import packing
+
+_WALLS = ("Wall", "Facet", "Box")
+
+
+def _numbers(shape_names, scene):
+    """Ids of the bodies of some shapes, in their order."""
+    return [b.id for b in scene.bodies if b is not None and b.shape.__class__.__name__ in shape_names]
+
+
+def _contacts(scene, spheres, walls):
+    """Pairs, branches, overlaps, forces and stiffnesses of the real contacts, from the first to the second."""
+    index = {body: k for k, body in enumerate(spheres)}
+    walls = set(walls)
+    radius = {body: scene.bodies[body].shape.radius for body in spheres}
+    pairs, rows = [], []
+    for i in scene.interactions:
+        if not i.isReal:
+            continue
+        first, second, turn = i.id1, i.id2, 1
+        if first in walls:
+            first, second, turn = second, first, -1
+        if first not in index or not (second in index or second in walls):
+            raise ValueError(
+                f"bodies {i.id1} and {i.id2} are in contact, and are no spheres and walls: "
+                "granum takes spheres, and Wall, Facet and Box as walls"
+            )
+        wall = second not in index
+        pairs.append((index[first], -1 - second if wall else index[second]))
+        length = radius[first] + (0 if wall else radius[second]) - i.geom.penetrationDepth
+        normal = [turn * x for x in i.geom.normal]
+        rows.append(
+            [length * x for x in normal]
+            + [i.geom.penetrationDepth, sum(f * turn * n for f, n in zip(i.phys.normalForce, normal))]
+            + [turn * x for x in i.phys.shearForce]
+            + [i.phys.kn, i.phys.ks]
+        )
+    return np.array(pairs, dtype=int).reshape(-1, 2), np.array(rows, dtype=float).reshape(-1, 10)
+
+
+def from_yade(scene):
+    """The packing in YADE's memory, in a script or console that runs inside YADE.
+
+    Spheres are the grains, in the order of their ids. Wall, Facet and Box are walls, numbered by their ids. Forces
+    are those on the second body of a pair; kn and ks are the tangent stiffnesses at this state.
+
+    Parameters
+    ----------
+    scene : Omega
+        YADE's O.
+
+    Returns
+    -------
+    Packing
+
+    Raises
+    ------
+    ValueError
+        For contacts of bodies that are neither spheres nor walls.
+    InvalidArgument
+        For what no packing can have, as packing().
+    """
+    spheres = _numbers(("Sphere",), scene)
+    pairs, rows = _contacts(scene, spheres, _numbers(_WALLS, scene))
+    cell = None
+    if scene.periodic:
+        edges = scene.cell.hSize
+        cell = [[edges[i, j] for j in range(3)] for i in range(3)]
+    bodies = [scene.bodies[body] for body in spheres]
+    return packing(
+        position=np.array([list(b.state.pos) for b in bodies], dtype=float).reshape(-1, 3),
+        radius=np.array([b.shape.radius for b in bodies], dtype=float),
+        cell=cell,
+        contacts=pairs,
+        branch=rows[:, 0:3],
+        overlap=rows[:, 3],
+        normal_force=rows[:, 4],
+        tangential_force=rows[:, 5:8],
+        normal_stiffness=rows[:, 8],
+        tangential_stiffness=rows[:, 9],
+    )

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The best answer with its range, and the contacts that measurements imply: as the program says them."""
+
+import granum
+import numpy as np
+import pytest
+
+LAW = granum.sphere(shear_modulus=26e9, poisson_ratio=0.22, radius=0.5e-3)
+BEADS = {"law": LAW, "radius": 0.5e-3, "void_ratio": 0.58}
+OPTIONS = ["--grain-shear-modulus", "26GPa", "--grain-poisson-ratio", "0.22", "--radius", "0.5mm"]
+OPTIONS += ["--void-ratio", "0.58", "--grain-density", "2500kg/m3"]
+
+KNOWN = [
+    {},
+    {"preparation": "dense"},
+    {"preparation": "friction:0.3"},
+    {"rattler_fraction": 0.03},
+    {"coordination_number": 5.1},
+    {"mechanical_coordination_number": 4.9, "saturation": 1.0},
+    {"fabric_anisotropy": 0.1},
+]
+
+
+@pytest.mark.parametrize("known", KNOWN, ids=lambda known: ",".join(known) or "nothing")
+def test_the_answer_is_that_of_the_program(run_program, known):
+    more = [] if "fabric_anisotropy" in known else ["--fabric", "0"]
+    for name, value in known.items():
+        more += ["--" + {"fabric_anisotropy": "fabric"}.get(name, name).replace("_", "-"), str(value)]
+    said = run_program("estimate", *OPTIONS, "--pressure", "100kPa", *more)["answer"]
+    found = granum.packing_answer(**BEADS, pressure=100e3, grain_density=2500, **known)
+    compared = 0
+    for name in ("shear_modulus", "bulk_modulus", "young_modulus", "poisson_ratio", "shear_wave_speed"):
+        for part in ("value", "low", "high"):
+            assert getattr(getattr(found, name), part) == said[name][part], (name, part)
+            compared += 1
+    assert compared == 15
+
+
+def test_the_answer_is_broadcast():
+    pressure = np.array([[50e3], [100e3]])
+    void_ratio = np.array([0.58, 0.66, -1.0])
+    found = granum.packing_answer(law=LAW, radius=0.5e-3, void_ratio=void_ratio, pressure=pressure)
+    assert found.shape == (2, 3)
+    one = granum.packing_answer(law=LAW, radius=0.5e-3, void_ratio=0.66, pressure=100e3)
+    assert found.shear_modulus.high[1, 1] == one.shear_modulus.high
+    assert found.shares["contacts"][1, 1] == one.shares["contacts"]
+    assert sum(one.shares.values()) == pytest.approx(1)
+    assert np.isnan(found.shear_modulus.value[:, 2]).all()
+    assert set(found.errors) == {(0, 2), (1, 2)} and "void_ratio" in found.errors[0, 2]
+    assert np.isnan(one.shear_wave_speed.value)  # no density was given
+
+
+def test_what_is_known_is_asked_for_once():
+    with pytest.raises(granum.InvalidArgument, match="shaken"):
+        granum.packing_answer(**BEADS, pressure=100e3, preparation="shaken")
+    with pytest.raises(TypeError, match="pressure sets both"):
+        granum.packing_answer(**BEADS, pressure=100e3, stress_v=100e3)
+    with pytest.raises(TypeError):  # only the answer does without C_n
+        granum.uniform_strain(**BEADS, pressure=100e3, coordination_number=None)
+
+
+def test_infer_is_that_of_the_program(run_program):
+    measured = ["--vs", "320m/s", "--vp", "530m/s", "--measurement-error", "2%"]
+    said = run_program("infer", *OPTIONS, "--fabric", "0", "--pressure", "100kPa", *measured)
+    found = granum.infer(
+        **BEADS, pressure=100e3, V_s=320, V_p=530, relative_error=0.02, grain_density=2500, pore_density=0
+    )
+    for name in ("mechanical_coordination_number", "rattler_fraction", "coordination_number"):
+        measured = getattr(found, name)
+        assert measured.value == said["answer"][name]["value"]
+    assert found.chi_square == said["chi_square"]
+    assert found.pressure == said["reference_stress"] == 100e3
+
+
+@pytest.mark.parametrize("growth", ["as_packings", "fixed", "fitted"])
+def test_infer_finds_the_contacts_back(growth):
+    """Moduli of rung 3 at known contacts give these contacts back, and predict the modulus elsewhere."""
+    pressure = np.array([100e3, 200e3, 400e3])
+    z, rattlers, void_ratio = [5.2, 5.2, 5.2], [0.02] * 3, [0.58] * 3
+    if growth != "fixed":
+        known = {"mechanical_coordination_number": 5.2, "rattler_fraction": 0.02}
+        carried = [granum.carried_contacts(**BEADS, pressure=1e5, **known, to_pressure=p) for p in pressure]
+        z = [there.counts.mechanical_coordination_number for there in carried]
+        rattlers = [there.counts.rattler_fraction for there in carried]
+        void_ratio = [there.void_ratio for there in carried]
+    state = {"law": LAW, "radius": 0.5e-3, "void_ratio": void_ratio, "pressure": pressure}
+    contacts = {"coordination_number": np.multiply(z, np.subtract(1, rattlers)), "mechanical_coordination_number": z}
+    G = granum.relaxed(**state, **contacts).G_vh
+    found = granum.infer(**state, G=G, relative_error=1e-3, growth=growth, rattler_fraction=0.02)
+    assert found.explained and [round(alone.value, 6) for alone in found.alone][0] == 5.2
+    assert found.mechanical_coordination_number.value == pytest.approx(5.2, abs=0.01)
+    predicted = found.predict("G", pressure=pressure, void_ratio=void_ratio)
+    np.testing.assert_allclose(predicted.value, G, rtol=5e-3)
+    assert (predicted.standard_error > 0).all()
+
+
+def test_a_hole_in_the_measurements_is_left_out():
+    whole = granum.infer(**BEADS, pressure=[1e5], G=[150e6], relative_error=0.02)
+    holes = granum.infer(
+        **BEADS, pressure=[1e5, 2e5], G=[150e6, np.nan], K=[np.nan, np.nan], relative_error=0.02
+    )
+    a, b = whole.mechanical_coordination_number, holes.mechanical_coordination_number
+    assert (a.value, a.standard_error) == (b.value, b.standard_error)
+    with pytest.raises(granum.InvalidArgument, match="nothing is measured"):
+        granum.infer(**BEADS, pressure=1e5, G=np.nan, relative_error=0.02)
+
+
+def test_what_no_contacts_explain_is_said():
+    stiff = granum.infer(**BEADS, pressure=1e5, G=9e9, relative_error=0.02)
+    assert not stiff.explained and stiff.alone == [None] and stiff.notes
+    with pytest.raises(granum.NotConverged, match="no contact number"):
+        stiff.mechanical_coordination_number
+    with pytest.raises(granum.InvalidArgument, match="sound"):
+        granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02).predict("sound", pressure=1e5)
