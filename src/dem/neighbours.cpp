@@ -30,12 +30,18 @@ struct Bins {
   }
 };
 
+/// The whole part of a place between two bounds. A grain that flew off to infinity or NaN, as one of
+/// absurd speed does, is at a bound too.
+int whole_within(double place, int low, int high) {
+  return place > low ? static_cast<int>(std::min(std::floor(place), static_cast<double>(high))) : low;
+}
+
 std::array<int, 3> bin_of(const Bins& bins, const Vec3& s) {
   std::array<int, 3> b{};
-  for (int k = 0; k < 3; ++k)
-    b[static_cast<std::size_t>(k)] =
-        std::clamp(static_cast<int>(s[k] * bins.count[static_cast<std::size_t>(k)]), 0,
-                   bins.count[static_cast<std::size_t>(k)] - 1);
+  for (int k = 0; k < 3; ++k) {
+    const int count = bins.count[static_cast<std::size_t>(k)];
+    b[static_cast<std::size_t>(k)] = whole_within(s[k] * count, 0, count - 1);
+  }
   return b;
 }
 
@@ -43,7 +49,7 @@ Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) 
   const Vec3 widths = packing::cell_widths(cell);
   Bins bins;
   for (int k = 0; k < 3; ++k)
-    bins.count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(widths[k] / cutoff), 1, 512);
+    bins.count[static_cast<std::size_t>(k)] = whole_within(widths[k] / cutoff, 1, 512);
   const auto total = static_cast<std::size_t>(bins.count[0]) * static_cast<std::size_t>(bins.count[1]) *
                      static_cast<std::size_t>(bins.count[2]);
   const Mat3 to_fraction = inverse_of(cell);
@@ -112,8 +118,8 @@ std::array<Offsets, 3> bins_within(const Bins& bins, const Vec3& s, const std::a
     const auto axis = static_cast<std::size_t>(k);
     const int count = bins.count[axis];
     const double place = s[k] * count, reach = distance / widths[k] * count;
-    around[axis] = {std::clamp(static_cast<int>(std::floor(place - reach)) - home[axis], -count, 0),
-                    std::clamp(static_cast<int>(std::floor(place + reach)) - home[axis], 0, count)};
+    around[axis] = {whole_within(place - reach, home[axis] - count, home[axis]) - home[axis],
+                    whole_within(place + reach, home[axis], home[axis] + count) - home[axis]};
   }
   return around;
 }

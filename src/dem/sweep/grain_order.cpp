@@ -19,10 +19,12 @@ std::uint32_t spread(std::uint32_t bits) {
   return (bits | bits << 2) & 0x09249249;
 }
 
-/// Place on the Z curve through 1024^3 boxes of the cell.
+/// Place on the Z curve through 1024^3 boxes of the cell. A grain that flew off to infinity or NaN, as
+/// one of absurd speed does, is put into the first box.
 std::uint32_t place_on_curve(const Vec3& fraction) {
   const auto box = [](double s) {
-    return static_cast<std::uint32_t>(std::clamp(1024 * (s - std::floor(s)), 0.0, 1023.0));
+    const double place = 1024 * (s - std::floor(s));
+    return place > 0 ? static_cast<std::uint32_t>(std::min(place, 1023.0)) : 0;
   };
   return spread(box(fraction.x)) | spread(box(fraction.y)) << 1 | spread(box(fraction.z)) << 2;
 }

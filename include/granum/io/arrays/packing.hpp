@@ -11,9 +11,9 @@
 /// Checked by tests/io/arrays/test_packing.cpp
 namespace granum::io {
 
-/// Contacts between grains, and of grains with walls; each array empty or one element a contact. SI, compression
-/// positive. A second number w < 0 is the wall -1 - w; its branch, which is needed, goes from the centre to the
-/// wall, and its overlap is the radius less the length of the branch.
+/// Contacts between grains, and of grains with walls; each array empty or one element a contact. SI,
+/// compression positive. A second number w < 0 is the wall -1 - w; its branch, which is needed, goes from
+/// the centre to the wall, and its overlap is the radius less the length of the branch.
 struct ContactArrays {
   std::span<const std::array<long, 2>> grains;       ///< first and second grain, numbered from 0
   std::span<const Vec3> branch = {};                 ///< centre of 2 minus centre of 1; nearest images [m]
