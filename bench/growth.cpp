@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time and memory of the engine and of the network as specimens grow; bench/growth.sh runs it.
 //   bench_growth pack dense|loose GRAINS OUT.data      at 10 kPa, loose: without its histories
-//   bench_growth network IN.data X Y Z                 of so many copies along the axes
+//   bench_growth network IN.data X Y Z THREADS         of so many copies along the axes
 //   bench_growth engine IN.data X Y Z STEPS THREADS
 //   bench_growth specimen GRAINS SEED                  dense, from nothing to rest at 10 kPa, on one core
 // Copies of a network would answer like one: there the stiffness of each contact is multiplied by a random
@@ -67,7 +67,7 @@ void prepare(std::size_t size, std::uint64_t seed) {
               2 * static_cast<double>(dem::contact_network(state, recipe.material).contacts.size()) / grains);
 }
 
-void solve(const dem::Specimen& state, bool copies) {
+void solve(const dem::Specimen& state, bool copies, std::size_t threads) {
   packing::Assembly assembly = dem::contact_network(state, material(friction));
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> factor(0.5, 1.5);
@@ -78,12 +78,12 @@ void solve(const dem::Specimen& state, bool copies) {
       c.tangential_stiffness *= by;
     }
   const Meter meter;
-  const network::Response response = network::linear_response(assembly);
+  const network::Response response = network::linear_response(assembly, {.threads = threads});
   const double grains = static_cast<double>(state.grain_count());
-  std::printf("network,%.0f,1,%.4g,%.4g,%.0f,%d,%.2g,%.4f\n", grains, meter.seconds(), meter.cpu_seconds(),
-              meter.bytes() / grains, response.report().iterations, response.report().residual,
-              2 * static_cast<double>(response.report().contacts) /
-                  static_cast<double>(response.report().grains));
+  std::printf(
+      "network,%.0f,%zu,%.4g,%.4g,%.0f,%d,%.2g,%.4f\n", grains, threads, meter.seconds(), meter.cpu_seconds(),
+      meter.bytes() / grains, response.report().iterations, response.report().residual,
+      2 * static_cast<double>(response.report().contacts) / static_cast<double>(response.report().grains));
 }
 
 void step(dem::Specimen state, std::size_t steps, std::size_t threads) {
@@ -115,14 +115,14 @@ int main(int argc, char** argv) try {
   };
   if (what == "pack" && given.size() == 4)
     pack(given[1], count_of(given[2]), given[3]);
-  else if (what == "network" && given.size() == 5)
-    solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1);
+  else if (what == "network" && given.size() == 6)
+    solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1, count_of(given[5]));
   else if (what == "engine" && given.size() == 7)
     step(copies(), count_of(given[5]), count_of(given[6]));
   else if (what == "specimen" && given.size() == 3)
     prepare(count_of(given[1]), count_of(given[2]));
   else {
-    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS OUT | network IN X Y Z | "
+    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS OUT | network IN X Y Z THREADS | "
                          "engine IN X Y Z STEPS THREADS | specimen GRAINS SEED\n");
     return 2;
   }

@@ -4,7 +4,7 @@
 #   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
 # Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
 # packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
-# The network of 1e5 and 1e6 grains is solved once; a million dense grains take some 5 GB and 4 minutes. Each round makes
+# The network of 1e5 and 1e6 grains is solved once for each number of threads; a million dense grains take some 5 GB. Each round makes
 # three specimens of its own.
 # Exit codes: 0 done, 1 a run failed, 2 usage.
 set -euo pipefail
@@ -76,9 +76,11 @@ row() { # DENSITY ARGUMENTS of bench_growth, the size of a packing in place of i
 }
 for ((round = 1; round <= rounds; ++round)); do
   for density in dense loose; do
-    row $density network 1000 1 1 1
-    row $density network 10000 1 1 1
-    [ "$largest" -lt 100000 ] || [ $round -gt 1 ] || row $density network 10000 5 2 1
+    for threads in 1 2; do
+      row $density network 1000 1 1 1 $threads
+      row $density network 10000 1 1 1 $threads
+      [ "$largest" -lt 100000 ] || [ $round -gt 1 ] || row $density network 10000 5 2 1 $threads
+    done
   done
   for specimen in "1000 $((2 * round - 1))" "1000 $((2 * round))" "10000 $round"; do
     # shellcheck disable=SC2086 # two words
@@ -91,7 +93,10 @@ for ((round = 1; round <= rounds; ++round)); do
     [ "$largest" -lt 1000000 ] || row dense engine 10000 5 5 4 20 $threads
   done
 done
-[ "$largest" -lt 1000000 ] || row dense network 10000 5 5 4
+for density in dense loose; do
+  [ "$largest" -lt 1000000 ] || row $density network 10000 5 5 4 1
+  [ "$largest" -lt 1000000 ] || row $density network 10000 5 5 4 2
+done
 python3 "$here/growth_table.py" "$rows" "$scratch/growth.md"
 mv -- "$rows" "$out/growth.csv"
 mv -- "$scratch/growth.md" "$out/growth.md"

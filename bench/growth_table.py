@@ -32,12 +32,15 @@ def engine_table(of):
 
 
 def network_table(of):
-    yield "| packing | grains | C_n of bearing grains | s, one core | iterations | bytes a grain | runs |"
-    yield "| --- | --- | --- | --- | --- | --- | --- |"
-    for (what, density, size, _), one in of.items():
-        if what == "network":
-            yield (f"| {density} | {size} | {one['C_n']:.2f} | {one['wall']:.3g} | {one['count']:.0f} | "
-                   f"{one['bytes_a_grain']:.0f} | {one['runs']} |")
+    yield ("| packing | grains | C_n of bearing grains | s, 1 thread | CPU s | s, 2 threads | iterations | bytes a grain | "
+           "runs |")
+    yield "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+    for (what, density, size, threads), one in of.items():
+        if what == "network" and threads == 1:
+            two = of.get((what, density, size, 2))
+            seconds = f"{two['wall']:.3g}" if two else "–"
+            yield (f"| {density} | {size} | {one['C_n']:.2f} | {one['wall']:.3g} | {one['cpu']:.3g} | {seconds} | "
+                   f"{one['count']:.0f} | {one['bytes_a_grain']:.0f} | {one['runs']} |")
 
 
 def specimen_table(of):

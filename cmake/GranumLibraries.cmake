@@ -10,12 +10,12 @@ set(granum_fit_needs theory)
 set(granum_fit_packages GSL)
 
 set(granum_packing_needs theory)
-set(granum_packing_packages)
+set(granum_packing_packages Threads)
 
 set(granum_dem_needs packing)
-set(granum_dem_packages Threads)
+set(granum_dem_packages)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
-  set(granum_dem_packages) # one thread, without the package
+  set(granum_packing_packages) # one thread, without the package
 endif()
 
 set(granum_io_needs packing)

@@ -9,11 +9,11 @@
 
 #include <granum/dem/engine.hpp>
 
+#include "core/team.hpp"
 #include "dem/sweep/contact_sweep.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
 #include "dem/sweep/partition.hpp"
-#include "dem/sweep/team.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "dem/sweep/wall_contacts.hpp"
 

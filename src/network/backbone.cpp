@@ -2,7 +2,8 @@
 #include "backbone.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <cmath>
+#include <utility>
 
 #include <granum/packing/coordination.hpp>
 
@@ -10,57 +11,10 @@ namespace granum::network {
 
 namespace {
 
-constexpr std::uint32_t unset = ~std::uint32_t{0};
+constexpr std::uint32_t unset = Numbering::unset;
 
 double effective_tangential_stiffness(const packing::Contact& c, SlidingContacts sliding) {
   return c.sliding && sliding == SlidingContacts::release ? 0 : c.tangential_stiffness;
-}
-
-/// Neighbours of every grain that bears load.
-std::vector<std::vector<std::uint32_t>> adjacency(const packing::Assembly& assembly,
-                                                  const std::vector<bool>& rattler) {
-  std::vector<std::vector<std::uint32_t>> neighbours(assembly.grain_count());
-  for (const packing::Contact& c : assembly.contacts) {
-    if (rattler[c.i] || rattler[c.j])
-      continue;
-    neighbours[c.i].push_back(c.j);
-    neighbours[c.j].push_back(c.i);
-  }
-  return neighbours;
-}
-
-/// New number of every grain by reverse Cuthill-McKee, component after component; `unset` for rattlers.
-std::vector<std::uint32_t> renumbering(const packing::Assembly& assembly, const std::vector<bool>& rattler) {
-  auto neighbours = adjacency(assembly, rattler);
-  const auto fewer_contacts = [&](std::uint32_t g, std::uint32_t h) {
-    return std::tuple(neighbours[g].size(), g) < std::tuple(neighbours[h].size(), h);
-  };
-  std::vector<std::uint32_t> seeds, order;
-  for (std::uint32_t g = 0; g < neighbours.size(); ++g)
-    if (!rattler[g])
-      seeds.push_back(g);
-  std::sort(seeds.begin(), seeds.end(), fewer_contacts);
-  std::vector<bool> seen(neighbours.size(), false);
-  const auto visit = [&](std::uint32_t g) {
-    if (!seen[g]) {
-      seen[g] = true;
-      order.push_back(g);
-    }
-  };
-  std::size_t head = 0;
-  for (const std::uint32_t seed : seeds) {
-    visit(seed);
-    for (; head < order.size(); ++head) {
-      auto next = neighbours[order[head]];
-      std::sort(next.begin(), next.end(), fewer_contacts);
-      for (const std::uint32_t g : next)
-        visit(g);
-    }
-  }
-  std::vector<std::uint32_t> number(neighbours.size(), unset);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    number[order[k]] = static_cast<std::uint32_t>(order.size() - 1 - k);
-  return number;
 }
 
 /// With the units of the contact.
@@ -74,6 +28,20 @@ Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double ra
           .normal_stiffness = c.normal_stiffness,
           .tangential_stiffness = effective_tangential_stiffness(c, options.sliding),
           .prestress = options.prestress ? c.normal_force / length : 0};
+}
+
+/// Every centre, moved into the cell.
+std::vector<Vec3> inside(const packing::Assembly& assembly) {
+  const Mat3 to_parts = inverse_of(assembly.cell);
+  std::vector<Vec3> centre;
+  centre.reserve(assembly.grain_count());
+  for (const Vec3& x : assembly.position) {
+    Vec3 part = to_parts * x;
+    for (int k = 0; k < 3; ++k)
+      part[k] -= std::floor(part[k]);
+    centre.push_back(assembly.cell * part);
+  }
+  return centre;
 }
 
 void remove_units(Backbone& backbone) {
@@ -94,6 +62,10 @@ void remove_units(Backbone& backbone) {
       l.tangential_stiffness /= backbone.stiffness_scale;
       l.prestress /= backbone.stiffness_scale;
     }
+  for (Vec3& x : backbone.centre)
+    x *= 1 / backbone.length_scale;
+  for (double& r : backbone.radius)
+    r /= backbone.length_scale;
 }
 
 } // namespace
@@ -105,11 +77,20 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const Options& 
       backbone.rotations |= effective_tangential_stiffness(c, options.sliding) > 0;
   const auto mechanics = mechanical_coordination(
       assembly, backbone.rotations ? packing::ContactKind::frictional : packing::ContactKind::frictionless);
-  const auto number = renumbering(assembly, mechanics.rattler);
   backbone.grain_count = assembly.grain_count() - mechanics.rattler_count;
   if (mechanics.contact_count + mechanics.wall_contact_count == 0)
     return backbone;
 
+  const std::vector<Vec3> centre = inside(assembly);
+  auto [number, stages] = number_grains(assembly, mechanics.rattler, centre);
+  backbone.stages = std::move(stages);
+  backbone.centre.resize(backbone.grain_count);
+  backbone.radius.resize(backbone.grain_count);
+  for (std::size_t g = 0; g < number.size(); ++g)
+    if (number[g] != unset) {
+      backbone.centre[number[g]] = centre[g];
+      backbone.radius[number[g]] = assembly.radius[g];
+    }
   for (const packing::Contact& c : assembly.contacts)
     if (number[c.i] != unset && number[c.j] != unset)
       backbone.links.push_back(
@@ -119,7 +100,7 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const Options& 
       backbone.wall_links.push_back(link(c, number[c.i], number[c.i], assembly.radius[c.i], options));
   remove_units(backbone);
   std::stable_sort(backbone.links.begin(), backbone.links.end(),
-                   [](const Link& l, const Link& m) { return std::pair(l.a, l.b) < std::pair(m.a, m.b); });
+                   [](const Link& l, const Link& m) { return std::pair(l.b, l.a) < std::pair(m.b, m.a); });
   std::stable_sort(backbone.wall_links.begin(), backbone.wall_links.end(),
                    [](const Link& l, const Link& m) { return l.a < m.a; });
   return backbone;

@@ -8,6 +8,8 @@
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/assembly.hpp>
 
+#include "numbering.hpp"
+
 namespace granum::network {
 
 /// One contact of the load-bearing network, made dimensionless by Backbone's two scales; a < b. At a wall b
@@ -24,14 +26,17 @@ struct Link {
   double prestress = 0; ///< f_n / |branch|, or 0 when the prestress term is left out
 };
 
-/// The grains that carry load, renumbered so that neighbours are close in memory (reverse Cuthill-McKee).
+/// The grains that carry load, renumbered.
 struct Backbone {
   std::size_t grain_count = 0;
-  bool rotations = false;       ///< some contact has tangential stiffness
-  double stiffness_scale = 1;   ///< mean k_n [N/m]
-  double length_scale = 1;      ///< mean branch length [m]
-  std::vector<Link> links;      ///< sorted by (a, b)
-  std::vector<Link> wall_links; ///< sorted by a; b is a's number too
+  bool rotations = false;                 ///< some contact has tangential stiffness
+  double stiffness_scale = 1;             ///< mean k_n [N/m]
+  double length_scale = 1;                ///< mean branch length [m]
+  std::vector<Link> links;                ///< sorted by (b, a)
+  std::vector<Link> wall_links;           ///< sorted by a; b is a's number too
+  std::vector<std::vector<Piece>> stages; ///< of the numbers
+  std::vector<Vec3> centre;               ///< of each grain, inside the cell
+  std::vector<double> radius;
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.

@@ -11,8 +11,8 @@
 
 #include <granum/elastic/eigen_system.hpp>
 
+#include "block_algebra.hpp"
 #include "contact_operator.hpp"
-#include "core/vector/level.hpp"
 
 namespace granum::network {
 
@@ -34,82 +34,6 @@ constexpr int restarts = 5;
 constexpr double runaway = 1e6;
 // Springs that then hold every grain while the solver starts again, over the mean k_n.
 constexpr double holding_spring = 1e-14;
-
-template <int Dof>
-GRANUM_INLINE void accumulate_products(std::size_t n, const Rows<Dof>* x, const Rows<Dof>* y, Gram* out) {
-  Lanes sum[load_cases] = {};
-  for (std::size_t g = 0; g < n; ++g)
-    for (int d = 0; d < Dof; ++d)
-      for (int c = 0; c < load_cases; ++c)
-        sum[c] += x[g].row[d][c] * y[g].row[d];
-  for (int c = 0; c < load_cases; ++c)
-    out->row[c] = sum[c];
-}
-
-/// y = base + x m, or x m without base; y may be base or x.
-template <int Dof>
-GRANUM_INLINE void accumulate_combination(std::size_t n, const Rows<Dof>* base, const Rows<Dof>* x,
-                                          const Gram* m, Rows<Dof>* y) {
-  for (std::size_t g = 0; g < n; ++g)
-    for (int d = 0; d < Dof; ++d) {
-      Lanes value = {};
-      if (base != nullptr)
-        value = base[g].row[d];
-      for (int c = 0; c < load_cases; ++c)
-        value += x[g].row[d][c] * m->row[c];
-      y[g].row[d] = value;
-    }
-}
-
-template <int Dof>
-GRANUM_INLINE void accumulate_squares(std::size_t n, const Rows<Dof>* x, double* out) {
-  Lanes sum = {};
-  for (std::size_t g = 0; g < n; ++g)
-    for (int d = 0; d < Dof; ++d)
-      sum += x[g].row[d] * x[g].row[d];
-  for (int c = 0; c < load_cases; ++c)
-    out[c] = sum[c];
-}
-
-Gram gram(const Matrix6& m) {
-  Gram g;
-  for (int r = 0; r < load_cases; ++r)
-    for (int c = 0; c < load_cases; ++c)
-      g.row[r][c] = m(r, c);
-  return g;
-}
-
-/// x^T y
-template <int Dof>
-Matrix6 products(const Field<Dof>& x, const Field<Dof>& y) {
-  Gram g;
-  at_vector_level([&](auto) __attribute__((always_inline)) {
-    accumulate_products<Dof>(x.size(), x.data(), y.data(), &g);
-  });
-  Matrix6 m;
-  for (int r = 0; r < load_cases; ++r)
-    for (int c = 0; c < load_cases; ++c)
-      m(r, c) = g.row[r][c];
-  return m;
-}
-
-/// y = base + x m
-template <int Dof>
-void combine(const Field<Dof>& base, const Field<Dof>& x, const Matrix6& m, Field<Dof>& y) {
-  const Gram coefficients = gram(m);
-  at_vector_level([&](auto) __attribute__((always_inline)) {
-    accumulate_combination<Dof>(x.size(), base.data(), x.data(), &coefficients, y.data());
-  });
-}
-
-/// x = x m
-template <int Dof>
-void multiply(Field<Dof>& x, const Matrix6& m) {
-  const Gram coefficients = gram(m);
-  at_vector_level([&](auto) __attribute__((always_inline)) {
-    accumulate_combination<Dof>(x.size(), nullptr, x.data(), &coefficients, x.data());
-  });
-}
 
 struct Whitening {
   Matrix6 matrix; ///< T with T^T m T = 1 on the independent directions; dropped directions are zero columns
@@ -136,9 +60,11 @@ Whitening whitening(const Matrix6& m) {
 template <int Dof>
 class Relaxation {
  public:
-  Relaxation(const Backbone& backbone, const IncompleteFactor<Dof>& factor, const Options& options)
-      : backbone_(backbone), factor_(factor), options_(options), load_(affine_forces<Dof>(backbone)),
-        q_(load_.size()), w_(load_.size()), z_(load_.size()), p_(load_.size()), s_(load_.size()) {
+  Relaxation(const Backbone& backbone, const Preconditioner<Dof>& preconditioner, const Options& options,
+             const Workers& workers)
+      : backbone_(backbone), preconditioner_(preconditioner), options_(options), workers_(workers),
+        load_(affine_forces<Dof>(backbone)), q_(load_.size()), w_(load_.size()), p_(load_.size()),
+        s_(load_.size()) {
     silence_noise();
     size_ = norms(load_);
   }
@@ -157,7 +83,7 @@ class Relaxation {
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
     solution.residual = worst_of(size);
-    solution.work = products<Dof>(load_, q_);
+    solution.work = products<Dof>(workers_, load_, q_);
     return solution;
   }
 
@@ -172,13 +98,11 @@ class Relaxation {
             row[c] = 0;
   }
 
-  static PerCase norms(const Field<Dof>& x) {
+  [[nodiscard]] PerCase norms(const Field<Dof>& x) const {
+    const Matrix6 squares = products<Dof>(workers_, x, x);
     PerCase result{};
-    at_vector_level([&](auto) __attribute__((always_inline)) {
-      accumulate_squares<Dof>(x.size(), x.data(), result.data());
-    });
-    for (double& value : result)
-      value = std::sqrt(value);
+    for (int c = 0; c < load_cases; ++c)
+      result[static_cast<std::size_t>(c)] = std::sqrt(squares(c, c));
     return result;
   }
 
@@ -200,49 +124,44 @@ class Relaxation {
 
   /// w = -load - H q; returns its size.
   PerCase true_residual() {
-    apply_stiffness<Dof>(backbone_, hold_, q_, s_);
-    for (std::size_t g = 0; g < w_.size(); ++g)
-      for (int d = 0; d < Dof; ++d)
-        w_[g].row[d] = -load_[g].row[d] - s_[g].row[d];
+    apply_stiffness<Dof>(backbone_, workers_, hold_, q_, s_);
+    workers_.blocks(w_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t g = first; g < last; ++g)
+        for (int d = 0; d < Dof; ++d)
+          w_[g].row[d] = -load_[g].row[d] - s_[g].row[d];
+    });
     return norms(w_);
   }
 
-  /// Splits w = w' tau so that w'^T M^-1 w' = 1, and leaves w' in w, M^-1 w' in z; returns tau.
-  Matrix6 orthonormalise() {
-    factor_.solve(w_, z_);
-    const Matrix6 metric = products<Dof>(w_, z_);
+  /// Splits w = w' tau so that w'^T M^-1 w' = 1, leaves w' in w and p = M^-1 w' + p tau^T; returns tau.
+  Matrix6 turn_directions() {
+    Field<Dof>& z = s_; // never needed at the same time
+    preconditioner_.solve(w_, z);
+    const Matrix6 metric = products<Dof>(workers_, w_, z);
     const Matrix6 t = whitening(metric).matrix;
-    multiply<Dof>(w_, t);
-    multiply<Dof>(z_, t);
-    return t.transpose() * metric;
-  }
-
-  /// Size of the residual w sigma.
-  PerCase residual_size(const Matrix6& sigma) const {
-    const Matrix6 squares = sigma.transpose() * products<Dof>(w_, w_) * sigma;
-    PerCase size{};
-    for (int c = 0; c < load_cases; ++c)
-      size[static_cast<std::size_t>(c)] = std::sqrt(std::max(0.0, squares(c, c)));
-    return size;
+    const Matrix6 tau = t.transpose() * metric;
+    turn<Dof>(workers_, t, w_, z, tau.transpose(), p_);
+    return tau;
   }
 
   Status iterate(int& iterations) {
-    Matrix6 sigma = orthonormalise();
-    p_ = z_;
+    preconditioner_.lift_coarse_residual(w_, q_);
+    true_residual();
+    p_.assign(p_.size(), {});
+    Matrix6 sigma = turn_directions();
     double least = std::numeric_limits<double>::infinity();
     ran_away_ = false;
     while (iterations < options_.iteration_limit) {
       if (is_stopped(options_.stop_requested))
         return Status::stopped;
       ++iterations;
-      apply_stiffness<Dof>(backbone_, hold_, p_, s_);
-      const Whitening energy = whitening(products<Dof>(p_, s_));
+      apply_stiffness<Dof>(backbone_, workers_, hold_, p_, s_);
+      const Whitening energy = whitening(products<Dof>(workers_, p_, s_));
       if (!energy.positive)
         return Status::not_positive_definite;
       const Matrix6 zeta = energy.matrix * energy.matrix.transpose();
-      combine<Dof>(q_, p_, zeta * sigma, q_);
-      combine<Dof>(w_, s_, -zeta, w_);
-      const PerCase size = residual_size(sigma);
+      const Matrix6 squares = advance<Dof>(workers_, p_, zeta * sigma, q_, s_, -zeta, w_);
+      const PerCase size = residual_size(sigma, squares);
       if (arrived(size))
         return Status::converged;
       const double worst = worst_of(size);
@@ -250,17 +169,25 @@ class Relaxation {
       ran_away_ = worst > runaway * least;
       if (ran_away_)
         return Status::converged; // as far as it goes: the true residual tells
-      const Matrix6 tau = orthonormalise();
-      sigma = tau * sigma;
-      combine<Dof>(z_, p_, tau.transpose(), p_);
+      sigma = turn_directions() * sigma;
     }
     return Status::iteration_limit;
   }
 
+  /// Size of the residual w sigma, of w^T w.
+  static PerCase residual_size(const Matrix6& sigma, const Matrix6& squares) {
+    const Matrix6 turned = sigma.transpose() * squares * sigma;
+    PerCase size{};
+    for (int c = 0; c < load_cases; ++c)
+      size[static_cast<std::size_t>(c)] = std::sqrt(std::max(0.0, turned(c, c)));
+    return size;
+  }
+
   const Backbone& backbone_;
-  const IncompleteFactor<Dof>& factor_;
+  const Preconditioner<Dof>& preconditioner_;
   const Options& options_;
-  Field<Dof> load_, q_, w_, z_, p_, s_;
+  const Workers& workers_;
+  Field<Dof> load_, q_, w_, p_, s_;
   PerCase size_{}; ///< of load_
   double hold_ = 0;
   bool ran_away_ = false; ///< in the last iterations
@@ -269,11 +196,12 @@ class Relaxation {
 } // namespace
 
 template <int Dof>
-Solution relax(const Backbone& backbone, const IncompleteFactor<Dof>& factor, const Options& options) {
-  return Relaxation<Dof>(backbone, factor, options).run();
+Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner, const Options& options,
+               const Workers& workers) {
+  return Relaxation<Dof>(backbone, preconditioner, options, workers).run();
 }
 
-template Solution relax<3>(const Backbone&, const IncompleteFactor<3>&, const Options&);
-template Solution relax<6>(const Backbone&, const IncompleteFactor<6>&, const Options&);
+template Solution relax<3>(const Backbone&, const Preconditioner<3>&, const Options&, const Workers&);
+template Solution relax<6>(const Backbone&, const Preconditioner<6>&, const Options&, const Workers&);
 
 } // namespace granum::network

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "backbone.hpp"
-#include "incomplete_factor.hpp"
 #include "lanes.hpp"
+#include "preconditioner.hpp"
 
 namespace granum::network {
 
@@ -17,7 +17,7 @@ struct Solution {
 
 /// Solves H q = -W for all load cases at once, in one shared Krylov space.
 template <int Dof>
-[[nodiscard]] Solution relax(const Backbone& backbone, const IncompleteFactor<Dof>& factor,
-                             const Options& options);
+[[nodiscard]] Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner,
+                             const Options& options, const Workers& workers);
 
 } // namespace granum::network

@@ -8,57 +8,16 @@
 // E b, the opposite sign in E b, u, and nothing in u, u.
 #include "contact_operator.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/vector/level.hpp"
+#include "link_answer.hpp"
 
 namespace granum::network {
 
 namespace {
-
-using Vec = std::array<Lanes, 3>;
-
-GRANUM_INLINE Vec cross(const Vec3& n, const Vec& t) {
-  return {n.y * t[2] - n.z * t[1], n.z * t[0] - n.x * t[2], n.x * t[1] - n.y * t[0]};
-}
-
-GRANUM_INLINE Vec anisotropic(double along, double across, const Vec3& n, const Vec& d) {
-  const Lanes excess = (along - across) * (n.x * d[0] + n.y * d[1] + n.z * d[2]);
-  return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
-}
-
-/// Adds what a contact answers to the displacements of its two sides.
-template <int Dof>
-GRANUM_INLINE void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb, Rows<Dof>& ya,
-                          Rows<Dof>& yb) {
-  const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
-  Vec delta = v;
-  if constexpr (Dof == 6) {
-    const Vec spin =
-        cross(link.normal, {xa.row[3] + xb.row[3], xa.row[4] + xb.row[4], xa.row[5] + xb.row[5]});
-    for (unsigned k = 0; k < 3; ++k)
-      delta[k] += link.lever * spin[k];
-  }
-  Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
-  if constexpr (Dof == 6) {
-    const Vec turn = cross(link.normal, force);
-    for (unsigned k = 0; k < 3; ++k) {
-      const Lanes moment = link.lever * turn[k];
-      ya.row[3 + k] -= moment;
-      yb.row[3 + k] -= moment;
-    }
-  }
-  if (link.prestress != 0) {
-    const Vec geometric = anisotropic(0, -link.prestress, link.normal, v);
-    for (unsigned k = 0; k < 3; ++k)
-      force[k] += geometric[k];
-  }
-  for (unsigned k = 0; k < 3; ++k) {
-    ya.row[k] -= force[k];
-    yb.row[k] += force[k];
-  }
-}
 
 template <int Dof>
 GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
@@ -68,13 +27,8 @@ GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Rows<Dof>* 
 
 template <int Dof>
 GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
-  for (std::size_t c = 0; c < count; ++c) {
-    Link elastic = links[c];
-    elastic.prestress = 0;
-    const Rows<Dof> at_rest = {};
-    Rows<Dof> reaction = {};
-    answer<Dof>(elastic, x[elastic.a], at_rest, y[elastic.a], reaction);
-  }
+  for (std::size_t c = 0; c < count; ++c)
+    answer_to_wall<Dof>(links[c], x[links[c].a], y[links[c].a]);
 }
 
 using Matrix3 = Eigen::Matrix3d;
@@ -138,18 +92,33 @@ void add(const Eigen::Matrix<double, Rows_, load_cases>& m, Rows<Dof>& target) {
       target.row[r][c] += m(r, c);
 }
 
+/// The links whose `end` is in the piece; they are sorted by it.
+std::span<const Link> links_of(const std::vector<Link>& links, Piece piece, std::uint32_t Link::*end) {
+  const auto before = [end](const Link& l, std::uint32_t g) { return l.*end < g; };
+  const auto first = std::lower_bound(links.begin(), links.end(), piece.first, before);
+  return {first, std::lower_bound(first, links.end(), piece.last, before)};
+}
+
 } // namespace
 
 template <int Dof>
-void apply_stiffness(const Backbone& backbone, double hold, const Field<Dof>& x, Field<Dof>& y) {
+void apply_stiffness(const Backbone& backbone, const Workers& workers, double hold, const Field<Dof>& x,
+                     Field<Dof>& y) {
   y.resize(x.size());
-  for (std::size_t g = 0; g < x.size(); ++g)
-    for (int d = 0; d < Dof; ++d)
-      y[g].row[d] = hold * x[g].row[d];
-  at_vector_level([&](auto) __attribute__((always_inline)) {
-    sweep<Dof>(backbone.links.data(), backbone.links.size(), x.data(), y.data());
-    sweep_walls<Dof>(backbone.wall_links.data(), backbone.wall_links.size(), x.data(), y.data());
-  });
+  for (const std::vector<Piece>& stage : backbone.stages)
+    workers.each(stage.size(), [&](std::size_t k) {
+      const Piece piece = stage[k];
+      for (std::size_t g = piece.first; g < piece.last; ++g)
+        for (int d = 0; d < Dof; ++d)
+          y[g].row[d] = hold * x[g].row[d];
+      // the earlier end of a link is in the same piece, or in an earlier stage and of this piece alone
+      const auto links = links_of(backbone.links, piece, &Link::b);
+      const auto walls = links_of(backbone.wall_links, piece, &Link::a);
+      at_vector_level([&](auto) __attribute__((always_inline)) {
+        sweep<Dof>(links.data(), links.size(), x.data(), y.data());
+        sweep_walls<Dof>(walls.data(), walls.size(), x.data(), y.data());
+      });
+    });
 }
 
 template <int Dof>
@@ -221,8 +190,8 @@ Block<Dof> wall_block(const Link& link) {
   return block<Dof>(Square(at_a.transpose() * elastic_stiffness(link) * at_a));
 }
 
-template void apply_stiffness<3>(const Backbone&, double, const Field<3>&, Field<3>&);
-template void apply_stiffness<6>(const Backbone&, double, const Field<6>&, Field<6>&);
+template void apply_stiffness<3>(const Backbone&, const Workers&, double, const Field<3>&, Field<3>&);
+template void apply_stiffness<6>(const Backbone&, const Workers&, double, const Field<6>&, Field<6>&);
 template Field<3> affine_forces<3>(const Backbone&);
 template Field<6> affine_forces<6>(const Backbone&);
 template LinkBlocks<3> link_blocks<3>(const Link&);

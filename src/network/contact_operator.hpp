@@ -6,13 +6,15 @@
 
 #include "backbone.hpp"
 #include "lanes.hpp"
+#include "workers.hpp"
 
 namespace granum::network {
 
 /// y = H x. Unknowns of a grain: u (3), and for Dof = 6 also R w (3), both displacements.
 /// \param    hold   spring that holds each of them in place, over the mean k_n
 template <int Dof>
-void apply_stiffness(const Backbone& backbone, double hold, const Field<Dof>& x, Field<Dof>& y);
+void apply_stiffness(const Backbone& backbone, const Workers& workers, double hold, const Field<Dof>& x,
+                     Field<Dof>& y);
 
 /// W: forces and moments on the grains under unit uniform strains.
 template <int Dof>

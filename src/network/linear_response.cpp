@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/network/linear_response.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include <granum/core/check.hpp>
@@ -9,7 +11,7 @@
 
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
-#include "incomplete_factor.hpp"
+#include "preconditioner.hpp"
 
 namespace granum::network {
 
@@ -20,13 +22,17 @@ using elastic::Matrix6;
 /// -W^T H^+ W, dimensionless.
 template <int Dof>
 Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Response::Report& report) {
-  const IncompleteFactor<Dof> factor(backbone);
-  const Solution solution = relax<Dof>(backbone, factor, options);
+  std::optional<Team> team;
+  if (const std::size_t members = std::min(options.threads, backbone.stages.front().size()); members > 1)
+    team.emplace(members);
+  const Workers workers(team ? &*team : nullptr);
+  const Preconditioner<Dof> preconditioner(backbone, workers);
+  const Solution solution = relax<Dof>(backbone, preconditioner, options, workers);
   report.status = solution.status;
   report.iterations = solution.iterations;
   report.residual = solution.residual;
-  report.factor_nonzeros = factor.nonzeros();
-  report.diagonal_shift = factor.shift();
+  report.factor_nonzeros = preconditioner.nonzeros();
+  report.mended_pivots = preconditioner.factor().mended_pivots();
   return solution.work;
 }
 
@@ -52,6 +58,7 @@ Response linear_response(const packing::Assembly& assembly, const Options& optio
   require_valid(assembly);
   require_open("tolerance", options.tolerance, 0, 1);
   require_positive("iteration_limit", options.iteration_limit);
+  require_positive("threads", static_cast<double>(options.threads));
 
   const Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,

@@ -26,7 +26,7 @@ endif()
 set(configure "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${prefix}" "-DGRANUM_EXPECTED_VERSION=${VERSION}")
 set(hidden -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON
-  -DCMAKE_DISABLE_FIND_PACKAGE_EXPAT=ON -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
+  -DCMAKE_DISABLE_FIND_PACKAGE_EXPAT=ON)
 
 # A consumer builds and runs.
 function(works use)
@@ -35,7 +35,7 @@ function(works use)
   run("${build}/${use}/use_${use}")
 endfunction()
 works(granum)
-works(theory ${hidden})
+works(theory ${hidden} -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
 works(packing ${hidden})
 run(${configure} -B "${build}/optional" -DUSE=optional ${hidden})
 

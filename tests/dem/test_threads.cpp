@@ -9,8 +9,8 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 
+#include "core/team.hpp"
 #include "dem/sweep/partition.hpp"
-#include "dem/sweep/team.hpp"
 #include "lattice_state.hpp"
 
 using namespace granum;

@@ -23,6 +23,7 @@ struct Options {
   double tolerance =
       1e-10; ///< in (0, 1): residual force over affine force, for the worst of the six load cases
   int iteration_limit = 20000;     ///< >= 1
+  std::size_t threads = 1;         ///< >= 1, that of the caller among them; same bits for any number
   StopRequest stop_requested = {}; ///< asked before every iteration
 };
 
@@ -46,7 +47,8 @@ class [[nodiscard]] Response {
     double residual = 0; ///< residual force over affine force, worst load case, recomputed at the end
     double symmetry_residual = 0;    ///< largest |C_ab - C_ba| over largest |C_ab|, before C was symmetrised
     std::size_t factor_nonzeros = 0; ///< numbers held by the preconditioner
-    double diagonal_shift = 0; ///< that the incomplete factorisation needed, relative to the mean diagonal
+    std::size_t mended_pivots =
+        0; ///< of it, that were not safely positive; some cost iterations, no accuracy
   };
 
   Response(const elastic::VoigtStiffness& affine, const elastic::VoigtStiffness& relaxed,
@@ -89,8 +91,9 @@ class [[nodiscard]] Response {
 ///           stiffness, springs of 1e-14 of the mean k_n hold every grain; they make C stiffer by 1e-14 times
 ///           what a mode softens it by, over the mode's stiffness as a part of k_n: by 1e-9 at most down to
 ///           networks that hardly hold, but by 1e-4 where a mode of 1e-13 k_n bears load. Same input, same
-///           bits.
-/// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp
+///           bits, for any number of threads.
+/// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp,
+///           tests/network/test_threads.cpp
 Response linear_response(const packing::Assembly& assembly, const Options& options = {});
 
 } // namespace granum::network

@@ -2,7 +2,7 @@
 #include "team.hpp"
 
 #if GRANUM_HAS_THREADS
-namespace granum::dem {
+namespace granum {
 
 namespace {
 
@@ -76,5 +76,5 @@ void Team::work(std::size_t member) {
   }
 }
 
-} // namespace granum::dem
+} // namespace granum
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem.
+// Private to src.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include <vector>
 #endif
 
-namespace granum::dem {
+namespace granum {
 
 #if GRANUM_HAS_THREADS
 /// Threads that run the same job side by side. They stay alive between jobs: a job in a step of an engine
@@ -72,4 +72,4 @@ class Team {
 };
 #endif
 
-} // namespace granum::dem
+} // namespace granum

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <granum/elastic/stiffness.hpp>
+
+#include "lanes.hpp"
+
+namespace granum::network {
+
+/// Complete factorisation A = L D L^T of a sparse, symmetric, positive semidefinite matrix of 6 x 6 blocks.
+/// Directions without stiffness are left out: D^+ stands in place of D^-1.
+class CoarseFactor {
+ public:
+  using Coupling = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// A = 0, with places for the diagonal and these blocks beside it.
+  /// \param    couplings   in any order, each as often as one likes
+  CoarseFactor(std::size_t size, const std::vector<Coupling>& couplings);
+
+  /// Adds to a block of A, and what symmetry demands.
+  void add(std::uint32_t row, std::uint32_t column, const elastic::Matrix6& block);
+  /// Once, when all has been added.
+  void factorise();
+
+  /// x = (L D L^T)^+ x
+  void solve(Field<6>& x) const;
+  [[nodiscard]] std::size_t nonzeros() const { return (lower_.size() + inverse_pivot_.size()) * 36; }
+
+ private:
+  void find_order(std::size_t size, const std::vector<Coupling>& couplings);
+  void find_pattern(std::size_t size, const std::vector<Coupling>& couplings);
+
+  std::vector<std::uint32_t> place_;        ///< of each row in the order of elimination
+  std::vector<std::uint32_t> column_start_; ///< of the strictly lower blocks, by columns
+  std::vector<std::uint32_t> row_;
+  std::vector<Block<6>> lower_;
+  std::vector<Block<6>> inverse_pivot_;
+};
+
+} // namespace granum::network

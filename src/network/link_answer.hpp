@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network. What one contact answers, for all load cases; notation as in contact_operator.cpp.
+#pragma once
+
+#include <array>
+
+#include "backbone.hpp"
+#include "core/vector/level.hpp"
+#include "lanes.hpp"
+
+namespace granum::network {
+
+using Vec = std::array<Lanes, 3>;
+
+GRANUM_INLINE Vec cross(const Vec3& n, const Vec& t) {
+  return {n.y * t[2] - n.z * t[1], n.z * t[0] - n.x * t[2], n.x * t[1] - n.y * t[0]};
+}
+
+GRANUM_INLINE Vec anisotropic(double along, double across, const Vec3& n, const Vec& d) {
+  const Lanes excess = (along - across) * (n.x * d[0] + n.y * d[1] + n.z * d[2]);
+  return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
+}
+
+/// Adds what a contact answers to the displacements of its two sides.
+template <int Dof>
+GRANUM_INLINE void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb, Rows<Dof>& ya,
+                          Rows<Dof>& yb) {
+  const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
+  Vec delta = v;
+  if constexpr (Dof == 6) {
+    const Vec spin =
+        cross(link.normal, {xa.row[3] + xb.row[3], xa.row[4] + xb.row[4], xa.row[5] + xb.row[5]});
+    for (unsigned k = 0; k < 3; ++k)
+      delta[k] += link.lever * spin[k];
+  }
+  Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
+  if constexpr (Dof == 6) {
+    const Vec turn = cross(link.normal, force);
+    for (unsigned k = 0; k < 3; ++k) {
+      const Lanes moment = link.lever * turn[k];
+      ya.row[3 + k] -= moment;
+      yb.row[3 + k] -= moment;
+    }
+  }
+  if (link.prestress != 0) {
+    const Vec geometric = anisotropic(0, -link.prestress, link.normal, v);
+    for (unsigned k = 0; k < 3; ++k)
+      force[k] += geometric[k];
+  }
+  for (unsigned k = 0; k < 3; ++k) {
+    ya.row[k] -= force[k];
+    yb.row[k] += force[k];
+  }
+}
+
+/// Adds what a contact with a wall answers to its grain.
+template <int Dof>
+GRANUM_INLINE void answer_to_wall(Link link, const Rows<Dof>& x, Rows<Dof>& y) {
+  link.prestress = 0; // no part in (u, u): see contact_operator.cpp
+  const Rows<Dof> at_rest = {};
+  Rows<Dof> reaction = {};
+  answer<Dof>(link, x, at_rest, y, reaction);
+}
+
+} // namespace granum::network

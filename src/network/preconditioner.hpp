@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include <optional>
+
+#include "coarse_correction.hpp"
+#include "incomplete_factor.hpp"
+
+namespace granum::network {
+
+/// M^-1 of the conjugate gradients: an incomplete factor for short waves, rigid motions of aggregates for
+/// long ones. On residuals without a force or moment on any aggregate it is symmetric and positive definite.
+template <int Dof>
+class Preconditioner {
+ public:
+  Preconditioner(const Backbone& backbone, const Workers& workers) : factor_(backbone, workers) {
+    if (CoarseCorrection<Dof>::pays(backbone))
+      coarse_.emplace(backbone, workers);
+  }
+
+  /// z = M^-1 r
+  void solve(const Field<Dof>& r, Field<Dof>& z) const {
+    factor_.solve(r, z);
+    if (coarse_)
+      coarse_->correct(r, z);
+  }
+
+  /// Moves q such that its residual r has no force or moment on any aggregate.
+  void lift_coarse_residual(const Field<Dof>& r, Field<Dof>& q) const {
+    if (coarse_)
+      coarse_->add_lifted(r, q);
+  }
+
+  [[nodiscard]] const IncompleteFactor<Dof>& factor() const { return factor_; }
+  [[nodiscard]] std::size_t nonzeros() const {
+    return factor_.nonzeros() + (coarse_ ? coarse_->nonzeros() : 0);
+  }
+
+ private:
+  IncompleteFactor<Dof> factor_;
+  std::optional<CoarseCorrection<Dof>> coarse_;
+};
+
+} // namespace granum::network

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <granum/network/linear_response.hpp>
+
+#include "large_networks.hpp"
+#include "network/coarse_correction.hpp"
+#include "network/contact_operator.hpp"
+
+using namespace granum;
+
+namespace {
+
+double number(samples::Uniform& uniform) { return uniform(-1, 1); }
+
+template <int Dof>
+network::Field<Dof> random_field(std::size_t grains, std::uint64_t seed) {
+  samples::Uniform uniform(seed);
+  network::Field<Dof> x(grains);
+  for (auto& grain : x)
+    for (auto& row : grain.row)
+      for (int c = 0; c < network::load_cases; ++c)
+        row[c] = number(uniform);
+  return x;
+}
+
+template <int Dof>
+double dot(const network::Field<Dof>& x, const network::Field<Dof>& y) {
+  double sum = 0;
+  for (std::size_t g = 0; g < x.size(); ++g)
+    for (int d = 0; d < Dof; ++d)
+      for (int c = 0; c < network::load_cases; ++c)
+        sum += x[g].row[d][c] * y[g].row[d][c];
+  return sum;
+}
+
+template <int Dof>
+network::Field<Dof> residual(const network::Backbone& backbone, const network::Field<Dof>& r,
+                             const network::Field<Dof>& z) {
+  network::Field<Dof> rest;
+  network::apply_stiffness<Dof>(backbone, network::Workers(), 0, z, rest);
+  for (std::size_t g = 0; g < r.size(); ++g)
+    for (int d = 0; d < Dof; ++d)
+      rest[g].row[d] = r[g].row[d] - rest[g].row[d];
+  return rest;
+}
+
+/// A projection along the rigid motions: what is left is orthogonal to each correction, and a second one
+/// finds nothing. H comes from apply_stiffness, which knows of no aggregates.
+template <int Dof>
+void check_correction(const packing::Assembly& a, const network::Options& options, std::size_t most_grains) {
+  const network::Backbone backbone = network::load_bearing_network(a, options);
+  REQUIRE(backbone.rotations == (Dof == 6));
+  const network::Workers alone;
+  const network::CoarseCorrection<Dof> coarse(backbone, alone, most_grains);
+  // a load that the network can bear: of a displacement
+  const auto pushed = random_field<Dof>(backbone.grain_count, 1);
+  const auto load = residual<Dof>(backbone, network::Field<Dof>(pushed.size()), pushed);
+  const auto before = random_field<Dof>(backbone.grain_count, 2);
+  auto z = before;
+  coarse.correct(load, z);
+  auto step = z;
+  for (std::size_t g = 0; g < z.size(); ++g)
+    for (int d = 0; d < Dof; ++d)
+      step[g].row[d] -= before[g].row[d];
+  const auto left = residual<Dof>(backbone, load, z);
+  const double size = std::sqrt(dot<Dof>(step, step) * dot<Dof>(load, load));
+  REQUIRE(dot<Dof>(step, step) > 0);
+  CHECK(std::abs(dot<Dof>(step, left)) < 1e-9 * size);
+  // the step takes energy out of the error
+  CHECK(dot<Dof>(step, residual<Dof>(backbone, load, before)) > 0);
+  auto again = z;
+  coarse.correct(load, again);
+  double change = 0;
+  for (std::size_t g = 0; g < z.size(); ++g)
+    for (int d = 0; d < Dof; ++d)
+      for (int c = 0; c < network::load_cases; ++c)
+        change = std::max(change, std::abs(again[g].row[d][c] - z[g].row[d][c]));
+  CHECK(change < 1e-7 * std::sqrt(dot<Dof>(step, step)));
+  network::Field<Dof> lifted(z.size()), corrected(z.size());
+  coarse.add_lifted(load, lifted);
+  coarse.correct(load, corrected); // of z = 0
+  CHECK(dot<Dof>(lifted, lifted) == doctest::Approx(dot<Dof>(corrected, corrected)).epsilon(1e-12));
+}
+
+/// Some grains also touch a wall.
+packing::Assembly with_walls(packing::Assembly a) {
+  samples::Uniform uniform(5);
+  for (std::uint32_t g = 0; g < a.grain_count(); g += 7)
+    a.wall_contacts.push_back({.i = g,
+                               .j = 0,
+                               .branch = {-0.9 * a.radius[g], 0, 0},
+                               .overlap = 0.1 * a.radius[g],
+                               .normal_force = uniform(0, 1e-3),
+                               .tangential_force = {},
+                               .normal_stiffness = uniform(0.5, 2),
+                               .tangential_stiffness = 0.5});
+  return a;
+}
+
+} // namespace
+
+TEST_CASE("rigid motions of aggregates leave a residual without force or moment on any") {
+  for (const double kept : {1.0, 0.5, 0.35}) { // the last has clusters that move freely
+    CAPTURE(kept);
+    const packing::Assembly rough = samples::random_network({.seed = 3, .repeats = 3, .kept = kept});
+    for (const std::size_t most_grains : {1u, 6u, 30u, 1000u}) {
+      CAPTURE(most_grains);
+      if (kept < 0.4 &&
+          most_grains == 1) // then P^T H P is H, with soft modes of the size that counts as free
+        continue;
+      if (kept < 1 || most_grains < 1000) // one aggregate of a periodic cell, whole, bears hardly anything
+        check_correction<6>(rough, {}, most_grains);
+      check_correction<6>(with_walls(rough), {}, most_grains);
+      check_correction<6>(with_walls(rough), {.prestress = true}, most_grains);
+    }
+  }
+  const packing::Assembly smooth =
+      samples::random_network({.seed = 4, .repeats = 3, .kept = 0.7, .tangential_ratio = 0});
+  for (const std::size_t most_grains : {1u, 6u, 30u}) // alone, a grain cannot turn
+    check_correction<3>(smooth, {}, most_grains);
+}
+
+TEST_CASE("a sparse factor is that of the dense matrix, and leaves free directions alone") {
+  constexpr std::uint32_t blocks = 9;
+  constexpr int size = 6 * blocks;
+  // Springs between blocks at random, none on the last two: one has nothing, the others are held by one.
+  samples::Uniform uniform(8);
+  std::vector<network::CoarseFactor::Coupling> pairs;
+  for (std::uint32_t i = 0; i + 2 < blocks; ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (uniform(0, 1) < 0.5)
+        pairs.emplace_back(j, i);
+  network::CoarseFactor factor(blocks, pairs);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+  const auto add = [&](std::uint32_t r, std::uint32_t c, const elastic::Matrix6& m) {
+    factor.add(r, c, m);
+    dense.block<6, 6>(6 * r, 6 * c) += m;
+    if (r != c)
+      dense.block<6, 6>(6 * c, 6 * r) += m.transpose();
+  };
+  const auto random_stiffness = [&] {
+    elastic::Matrix6 m;
+    for (double& value : m.reshaped())
+      value = number(uniform);
+    return elastic::Matrix6(m * m.transpose());
+  };
+  for (const auto& [i, j] : pairs) {
+    const elastic::Matrix6 k = random_stiffness();
+    add(i, i, k);
+    add(j, j, k);
+    add(j, i, -k);
+  }
+  add(blocks - 2, blocks - 2, elastic::Matrix6(Eigen::Matrix<double, 6, 1>{1, 2, 0, 4, 0, 6}.asDiagonal()));
+  factor.factorise();
+
+  auto x = random_field<6>(blocks, 9);
+  Eigen::MatrixXd wanted(size, 6);
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        wanted(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
+  const Eigen::MatrixXd load = dense * wanted;
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        x[b].row[d][c] = load(static_cast<int>(6 * b) + d, c);
+  factor.solve(x);
+  Eigen::MatrixXd found(size, 6);
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        found(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
+  CHECK((dense * found - load).norm() < 1e-10 * load.norm());
+  CHECK(found.bottomRows<6>().norm() == 0);
+  CHECK(found.row(size - 10).norm() == 0); // of the block before, the third and the fifth
+  CHECK(found.row(size - 8).norm() == 0);
+}
+
+TEST_CASE("the iterations of a large network stay few") {
+  const network::Response response = network::linear_response(samples::large_network(28, 0.35));
+  REQUIRE(response.converged());
+  REQUIRE(response.report().grains >= 20000);
+  CHECK(response.report().iterations <= 48); // measured 45
+}
