@@ -98,6 +98,8 @@ Engine Engine::load(ByteReader& from, const Material& material) {
   if (d.walls)
     d.walls->load(from, d.grains.size());
   each_scalar(d, [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); });
+  if (!(d.dt > 0 && d.time_step_fraction > 0))
+    from.fail("holds an impossible time step");
   return engine;
 }
 
