@@ -19,6 +19,22 @@ def version():
     return re.search(r"project\(granum VERSION ([0-9.]+)", text).group(1)
 
 
+def alone():
+    """Waits until no other process builds in this folder; the lock ends with the process.
+
+    Builds share the folder build: of two at a time each would delete what the other is about to copy.
+    """
+    try:
+        import fcntl
+    except ImportError:  # no POSIX: one at a time is up to the caller
+        return None
+    folder = HERE / "build"
+    folder.mkdir(exist_ok=True)
+    lock = (folder / "lock").open("w")
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    return lock
+
+
 class CMakeBuild(build_ext):
     """Builds the module by the project's own CMakeLists, for this interpreter."""
 
@@ -42,6 +58,7 @@ class CMakeBuild(build_ext):
         subprocess.run(["cmake", "--build", tree, "--target", "granum_python"], check=True)
 
 
+LOCK = alone()
 setup(
     version=version(),
     ext_modules=[Extension("granum._granum", sources=[])],

@@ -1,32 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long the page takes:  node web/measure.mjs [<rounds>]
 // Experiments of 1,000 spheres from nothing to 100 kPa with networks at ten pressures, in Node on one thread, each round
-// another seed; in Chromium the time until the page is ready, and frames a second of 1,000 grains that turn.
+// another seed, and in turn with them the native program on the same specimens, on one thread too (processor time of
+// both, the program's start and the module's compilation included); in Chromium the time until the page is ready, and
+// frames a second of 1,000 grains that turn.
+import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
-import { grain, pageFile, startModule } from "./tests/native.mjs";
+import { grain, pageFile, program, startModule } from "./tests/native.mjs";
 
 const { chromium } = createRequire(new URL("./tests/", import.meta.url))("playwright-core");
 const rounds = Number(process.argv[2] ?? 5);
 const median = (all) => [...all].sort((a, b) => a - b)[Math.floor(all.length / 2)];
 const line = (what, all, unit) => console.log(`${what}: ${median(all).toFixed(2)} ${unit} (${Math.min(...all).toFixed(2)} to ${Math.max(...all).toFixed(2)}, ${all.length} rounds)`);
 
-for (const loose of [0, 1]) {
-  const first = [], whole = [];
-  for (let seed = 1; seed <= rounds; ++seed) {
-    const granum = await startModule();
-    const begin = performance.now();
-    granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius,
-      grain.frictionAngle, loose, 0, 1000, seed, 1e4);
-    granum.call("experiment_prepare");
-    for (const pressure of [10, 13, 17, 22, 28, 36, 46, 60, 77, 100]) {
-      granum.call("experiment_compress", pressure * 1e3);
-      if (pressure === 10) first.push((performance.now() - begin) / 1e3);
-    }
-    whole.push((performance.now() - begin) / 1e3);
+const pressures = [10, 13, 17, 22, 28, 36, 46, 60, 77, 100];
+
+/// Seconds until the first pressure and the last, and of the processor.
+async function byModule(loose, seed) {
+  const granum = await startModule();
+  const begin = performance.now(), processor = process.cpuUsage();
+  let first;
+  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius,
+    grain.frictionAngle, loose, 0, 1000, seed, 1e4);
+  granum.call("experiment_prepare");
+  for (const pressure of pressures) {
+    granum.call("experiment_compress", pressure * 1e3);
+    first ??= (performance.now() - begin) / 1e3;
   }
-  line(`${loose ? "loose" : "dense"}, first point`, first, "s");
-  line(`${loose ? "loose" : "dense"}, ten pressures`, whole, "s");
+  const { user, system } = process.cpuUsage(processor);
+  return { first, whole: (performance.now() - begin) / 1e3, processor: (user + system) / 1e6 };
+}
+
+/// Seconds of the processor that the native program takes for the same.
+function byProgram(loose, seed) {
+  const settings = ["contacts=sphere", `densities=${loose ? "loose" : "dense"}`, "grains=1000", "threads=1", `first_seed=${seed}`, "probe_pressures=",
+    `pressures=${pressures.map((p) => `${p}kPa`)}`].map((setting) => `--set study.${setting}`).join(" ");
+  const said = execFileSync("bash", ["-c", `TIMEFORMAT="%U %S"; { time "$0" verify ${settings} --json --quiet >/dev/null 2>&1; } 2>&1`, program], { encoding: "utf8" });
+  return said.trim().split(" ").reduce((sum, text) => sum + Number(text), 0);
+}
+
+for (const loose of [0, 1]) {
+  const name = loose ? "loose" : "dense";
+  const modules = [], programs = [];
+  for (let seed = 1; seed <= rounds; ++seed) {
+    modules.push(await byModule(loose, seed));
+    programs.push(byProgram(loose, seed));
+  }
+  line(`${name}, first point`, modules.map((m) => m.first), "s");
+  line(`${name}, ten pressures`, modules.map((m) => m.whole), "s");
+  line(`${name}, ten pressures, processor`, modules.map((m) => m.processor), "s");
+  line(`${name}, ten pressures, processor, native`, programs, "s");
+  line(`${name}, speed over native`, programs.map((native, k) => native / modules[k].processor), "");
 }
 
 const browser = await chromium.launch({

@@ -9,4 +9,12 @@ cd web/tests
   npm ci --no-audit --no-fund
   cp package-lock.json node_modules/granum-lock.json
 }
-node --test
+# Two runners side by side, for node starts the files of one in turn where there are two cores.
+pictures=$(mktemp)
+trap 'rm -f "$pictures"' EXIT
+node --test pictures.test.mjs >"$pictures" 2>&1 &
+code=0
+node --test numbers.test.mjs page.test.mjs || code=$?
+wait $! || code=$?
+cat "$pictures"
+exit "$code"

@@ -27,6 +27,16 @@ def seconds(call, number=1):
     return statistics.median(timeit.repeat(call, number=number, repeat=REPEATS)) / number
 
 
+def cpu_seconds(call, least=0.2):
+    """Mean CPU time of one call, over calls of at least so many seconds."""
+    call()
+    calls, start = 0, time.process_time()
+    while time.process_time() - start < least:
+        call()
+        calls += 1
+    return (time.process_time() - start) / calls
+
+
 def row(what, value, unit):
     print(f"{what:66} {value:10.3g} {unit}")
 
@@ -101,14 +111,37 @@ def arrays(bench):
             law=LAW, radius=0.5e-3, porosity=porosity, coordination_number=contacts, pressure=pressure
         )
 
-    moduli, formula = batch(), numpy_moduli(porosity, contacts, pressure)
-    np.testing.assert_allclose(moduli.shear_modulus, formula[1], rtol=1e-12)
-    ours, theirs = seconds(batch), seconds(lambda: numpy_moduli(porosity, contacts, pressure))
-    row("rung 0, a million rows, one thread", 1e9 * ours / rows, "ns a row")
-    row("the same by numpy formulas", 1e9 * theirs / rows, "ns a row")
-    row("numpy over granum", theirs / ours, "times")
+    out = np.empty(rows), np.empty(rows)
+
+    def batch_into():
+        return granum.uniform_strain_moduli(
+            law=LAW, radius=0.5e-3, porosity=porosity, coordination_number=contacts, pressure=pressure, out=out
+        )
+
+    def formula():
+        return numpy_moduli(porosity, contacts, pressure)
+
+    np.testing.assert_allclose(batch().shear_modulus, formula()[1], rtol=1e-12)
+    np.testing.assert_array_equal(batch().shear_modulus, batch_into().shear_modulus)
+    times = {"new": [], "out": [], "numpy": [], "C++": []}
+    for _ in range(REPEATS):  # in turn: a shared machine changes from one minute to the next
+        times["new"].append(cpu_seconds(batch))
+        times["out"].append(cpu_seconds(batch_into))
+        times["numpy"].append(cpu_seconds(formula))
+        if bench:
+            times["C++"].append(1e-9 * rows * cpp_batch(bench))
+
+    def ratio(of, to):
+        return statistics.median(a / b for a, b in zip(times[of], times[to]))
+
+    for name, what in (("new", "new arrays"), ("out", "out="), ("numpy", "numpy formulas"), ("C++", "C++ batch")):
+        if times[name]:
+            row(f"rung 0, a million rows, {what}", 1e9 * statistics.median(times[name]) / rows, "ns CPU a row")
+    row("numpy formulas over new arrays", ratio("numpy", "new"), "times")
+    row("numpy formulas over out=", ratio("numpy", "out"), "times")
     if bench:
-        row("C++ batch, a million rows", cpp_batch(bench), "ns a row")
+        row("out= over the C++ batch, both into memory that is there", ratio("out", "C++"), "times")
+        row("new arrays over the C++ batch", ratio("new", "C++"), "times")
 
     known = {"law": LAW, "radius": 0.5e-3, "rattler_fraction": 0.02}
     halves = [slice(0, rows // 2), slice(rows // 2, rows)]
@@ -129,11 +162,12 @@ def arrays(bench):
 
 
 def cpp_batch(bench):
-    command = [bench, "--benchmark_filter=batch.*1000000", "--benchmark_format=json"]
-    command += ["--benchmark_repetitions=7", "--benchmark_report_aggregates_only=true"]
+    """CPU time of a row [ns]."""
+    command = [bench, "--benchmark_filter=batch of spheres/1000000$", "--benchmark_format=json"]
+    command += ["--benchmark_min_time=0.2"]
     said = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
-    median = next(b for b in said["benchmarks"] if b["aggregate_name"] == "median")
-    return median["real_time"] / 1e6 * {"ns": 1, "us": 1e3, "ms": 1e6}[median["time_unit"]]
+    found = said["benchmarks"][0]
+    return found["cpu_time"] / 1e6 * {"ns": 1, "us": 1e3, "ms": 1e6}[found["time_unit"]]
 
 
 def cubic_lattice(edge):

@@ -122,6 +122,7 @@ from ._granum import (
     uniform_stress_kinematic,
     Verdict,
 )
+from ._lammps import from_lammps
 from ._plots import _attach
 from ._studies import verify
 from ._yade import from_yade

@@ -95,6 +95,7 @@ __all__ = [
     "formats",
     "frames",
     "free_spin",
+    "from_lammps",
     "from_yade",
     "gradation",
     "gradient",
@@ -1134,6 +1135,9 @@ def free_spin(
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
 ) -> Estimate: ...
+def from_lammps(
+    lmp: Any, *, contacts: Union[str, Sequence[str]] = (), columns: Optional[Mapping[str, str]] = None
+) -> Packing: ...
 def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
 def gradient(
@@ -1179,7 +1183,7 @@ def infer(
     grain_density: Optional[float] = ...,
     pore_density: float = ...,
     rattler_fraction: Optional[float] = ...,
-    growth: Literal["as_packings", "fixed", "fitted"] = ...,
+    growth: Literal["packings", "fixed", "fitted"] = ...,
     G: Optional[ArrayLike] = ...,
     G_hh: Optional[ArrayLike] = ...,
     K: Optional[ArrayLike] = ...,
@@ -1404,6 +1408,7 @@ def uniform_strain_moduli(
     tangential_ratio: Optional[float] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
+    out: Optional[Sequence[NDArray[np.float64]]] = None,
 ) -> Moduli: ...
 def uniform_stress(
     *,

@@ -44,12 +44,25 @@ def frames(*files, box=None, columns=None):
         For a file that cannot be read, with path and line.
     InvalidArgument
         For files that do not go together.
+
+    Notes
+    -----
+    In C++: granum::io::PackingFiles of granum/io/packing_files.hpp.
     """
     return _frames(_paths(files), box, columns or {})
 
 
 def read(*files, box=None, columns=None):
-    """The packing that some files hold; parameters and errors as frames().
+    """The packing that some files hold.
+
+    Parameters
+    ----------
+    *files : path_like
+        Of grains, and of contacts if there are any, as of frames().
+    box : (3,) array_like, optional
+        Edges of the periodic box [m], for CSV files, which hold none.
+    columns : dict, optional
+        What columns of dumps hold, where their values do not tell it: {"id1": "c_cl[1]"}.
 
     Returns
     -------
@@ -57,8 +70,14 @@ def read(*files, box=None, columns=None):
 
     Raises
     ------
+    FileError
+        For a file that cannot be read, with path and line.
     InvalidArgument
-        For files that hold more than one state, or none: frames() goes through them.
+        For files that do not go together, or hold more than one state or none: frames() goes through them.
+
+    Notes
+    -----
+    In C++: granum::io::PackingFiles of granum/io/packing_files.hpp.
     """
     states = frames(*files, box=box, columns=columns)
     packing = next(states, None)

@@ -12,8 +12,8 @@ import numpy as np
 
 from ._granum import Fabric, Inference, LadderEstimate, Packing, Study, fabric_density
 
-# Okabe and Ito's colours, which everybody can tell apart, by meaning.
-_CLOSED_FORM, _NETWORK, _PROBE, _MEASURED = "#0072B2", "#D55E00", "#009E73", "#000000"
+# What a colour stands for in every picture of granum: rows of include/granum/plot/palette.hpp.
+_CLOSED_FORM, _MEASURED, _FORCE, _GREY = "#a2457e", "#474f5a", "#b3261e", "#6b6f75"
 _SHAPES = {"sphere": "o", "cone": "^", "flat": "s"}
 
 
@@ -52,7 +52,7 @@ def _ladder(self, ax=None):
         if not error:  # none is stated, or the rung is exact: neither has a place on a logarithmic axis
             continue
         chosen = rung.rung == self.choice.rung
-        ax.plot(rung.typical_time, 100 * error, "o", color=_NETWORK if chosen else _CLOSED_FORM)
+        ax.plot(rung.typical_time, 100 * error, "o", color=_CLOSED_FORM if chosen else _GREY)
         ax.annotate(
             f"rung {rung.rung}",
             (rung.typical_time, 100 * error),
@@ -91,7 +91,7 @@ def _rose(self, ax=None):
             density,
             width=high - low,
             yerr=error,
-            color=_NETWORK,
+            color=_MEASURED,
             alpha=0.4,
             ecolor="0.2",
             capsize=2,
@@ -137,12 +137,12 @@ def _study(self, ax=None):
             "markersize": 5,
         }
         ax.plot(pressure, states["G_closed_Pa"][of_it] / 1e6, ":", color=_CLOSED_FORM, **style)
-        ax.plot(pressure, states["G_vh_network_Pa"][of_it] / 1e6, "-", color=_NETWORK, **style)
+        ax.plot(pressure, states["G_vh_network_Pa"][of_it] / 1e6, "-", color=_MEASURED, **style)
         ax.plot(
             pressure,
             states["G_vh_probe_Pa"][of_it] / 1e6,
             "x",
-            color=_PROBE,
+            color=_MEASURED,
             markersize=9,
         )
         ax.annotate(
@@ -153,9 +153,9 @@ def _study(self, ax=None):
             fontsize="small",
             va="center",
         )
-    meanings = [(_CLOSED_FORM, ":", "closed form"), (_NETWORK, "-", "contact network")]
+    meanings = [(_CLOSED_FORM, ":", "closed form"), (_MEASURED, "-", "contact network")]
     if np.any(np.isfinite(states["G_vh_probe_Pa"])):
-        meanings.append((_PROBE, "x", "DEM probe"))
+        meanings.append((_MEASURED, "x", "DEM probe"))
     for colour, line, label in meanings:
         ax.plot([], [], line, color=colour, label=label)
     ax.set(xscale="log", yscale="log", xlabel="p [kPa]", ylabel="G_vh [MPa]")
@@ -192,7 +192,7 @@ def _chains(self, ax=None, *, across=0, up=2):
     mean = force[force > 0].mean() if np.any(force > 0) else 1.0
     lines = np.stack([start, start + branch], axis=1)[:, :, [across, up]] * 1e3
     ax.add_collection(
-        collections.LineCollection(lines, linewidths=np.clip(force / mean, 0, 8), colors=_NETWORK, alpha=0.7)
+        collections.LineCollection(lines, linewidths=np.clip(force / mean, 0, 8), colors=_FORCE, alpha=0.7)
     )
     ax.autoscale_view()
     names = "xyz"

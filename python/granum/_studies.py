@@ -76,6 +76,13 @@ def verify(scene=None, *, progress=None):
     ------
     InvalidArgument
         For a scene that no study can have, or a key that would be ignored.
+
+    Notes
+    -----
+    The experiment of the paper, isotropic part. [Chung2014]
+
+    In C++: granum::studies::run_study, which is not installed; its parts are those of specimen(), compress(),
+    measure() and probe().
     """
     if progress != "tqdm":
         return _verify(_scene(scene), progress)

@@ -66,6 +66,10 @@ def from_yade(scene):
         For contacts of bodies that are neither spheres nor walls.
     InvalidArgument
         For what no packing can have, as packing().
+
+    Notes
+    -----
+    In C++: granum::io::packing_of of granum/io/arrays/packing.hpp.
     """
     spheres = _numbers(("Sphere",), scene)
     pairs, rows = _contacts(scene, spheres, _numbers(_WALLS, scene))

@@ -7,6 +7,7 @@
 #include <granum/network/linear_response.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "errors.hpp"
 #include "estimate.hpp"
 #include "keywords.hpp"
@@ -34,9 +35,9 @@ void show_matrix(py::class_<Type>& type, const char* name, Member Type::*member,
 void bind_counts(py::module_& module) {
   using analysis::Counts;
   py::class_<Counts>(module, "Counts", "Grains and contacts, counted.")
-      .def_readonly("grains", &Counts::grains)
-      .def_readonly("contacts", &Counts::contacts)
-      .def_readonly("wall_contacts", &Counts::wall_contacts)
+      .def_readonly("grains", &Counts::grains, "All of them.")
+      .def_readonly("contacts", &Counts::contacts, "Between grains.")
+      .def_readonly("wall_contacts", &Counts::wall_contacts, "Of grains with walls.")
       .def_readonly("without_contact", &Counts::without_contact, "Grains that touch no other.")
       .def_readonly("coordination_number", &Counts::coordination_number, "C_n = 2 N_c/N, all grains [1].")
       .def_readonly("coordination_error", &Counts::coordination_error, "Its standard error [1].")
@@ -82,7 +83,7 @@ void bind_fabric_parts(py::module_& module) {
   using analysis::Fabric;
   py::class_<Fabric> type(module, "Fabric", "Directions of the contacts.");
   show_matrix(type, "tensor", &Fabric::tensor, "F_ij, mean of n_i n_j, (3, 3).");
-  type.def_readonly("contacts", &Fabric::contacts)
+  type.def_readonly("contacts", &Fabric::contacts, "Whose directions were counted.")
       .def_property_readonly(
           "anisotropy", [](const Fabric& f) { return f.by_moment.anisotropy; }, "a, by F33 [1].")
       .def_property_readonly(
@@ -115,7 +116,8 @@ void bind_forces(py::module_& module) {
           "largest", [](const Forces& f) { return f.distribution.largest; }, "[N]")
       .def_property_readonly(
           "pressing", [](const Forces& f) { return f.distribution.pressing; }, "Contacts with f_n > 0.")
-      .def_property_readonly("in_tension", [](const Forces& f) { return f.distribution.in_tension; })
+      .def_property_readonly(
+          "in_tension", [](const Forces& f) { return f.distribution.in_tension; }, "Contacts that pull.")
       .def_readonly("Z_2", &Forces::Z_2, "<f_n^2>/<f_n>^2 [1].")
       .def_readonly("mean_tangential_over_normal", &Forces::mean_tangential_over_normal, "[1]")
       .def_property_readonly(
@@ -154,8 +156,11 @@ void bind_network(py::module_& module) {
       .def_property_readonly(
           "affine", [](const Network& n) { return array_of(n.response.affine().matrix); },
           "6 x 6 under uniform strain without spin [Pa].")
-      .def_property_readonly("converged", [](const Network& n) { return n.response.converged(); })
-      .def_property_readonly("iterations", [](const Network& n) { return n.response.report().iterations; })
+      .def_property_readonly(
+          "converged", [](const Network& n) { return n.response.converged(); }, "Whether the solver arrived.")
+      .def_property_readonly(
+          "iterations", [](const Network& n) { return n.response.report().iterations; },
+          "Of conjugate gradients.")
       .def_property_readonly(
           "residual", [](const Network& n) { return n.response.report().residual; },
           "Residual force over affine force, of the worst load case [1].")
@@ -352,7 +357,7 @@ void bind_analysis(py::module_& module) {
                    {"network", "True"},
                    {"prestress", "False"}},
                   &measure,
-                  R"(What one packing tells: contacts, fabric, stress, both 6 x 6, every rung.
+                  std::string() + R"(What one packing tells: contacts, fabric, stress, both 6 x 6, every rung.
 
 Other threads run meanwhile, and Ctrl-C ends it within a second.
 
@@ -364,9 +369,9 @@ law : PowerLaw, optional
     Contact law and material of the grains; spheres take the radii of the packing. Without it, what the forces
     show against the overlaps.
 grain_shear_modulus, grain_poisson_ratio : float, optional
-    Material of spheres, instead of a law: G_g [Pa] and nu_g.
+    Material of spheres, instead of a law: G_g [Pa] and nu_g [1].
 materials : dict, optional
-    Of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio)}.
+    Of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}.
 tangential_ratio : float, optional
     k_t/k_n [1]; without it that of the no-slip contact.
 friction_coefficient : float, optional
@@ -388,7 +393,11 @@ Raises
 ------
 InvalidArgument
     For a packing or a number that cannot be.
-)",
+)" +
+                      notes("The network's linear response is exact to 1e-10 of its largest entry; affine "
+                            "and relaxed parts as "
+                            "[AgnolinRoux2007c].",
+                            "analysis::measure", "analysis/measure.hpp"),
                   1});
 }
 

@@ -14,6 +14,7 @@ void bind_sizes(py::module_& module);
 void bind_fabric(py::module_& module);
 void bind_elastic(py::module_& module);
 void bind_effective(py::module_& module);
+void bind_batch(py::module_& module);
 void bind_sensitivity(py::module_& module);
 void bind_contact_prior(py::module_& module);
 void bind_packing_answer(py::module_& module);

@@ -6,6 +6,7 @@
 #include <granum/core/number.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "keywords.hpp"
 #include "rows.hpp"
 
@@ -88,7 +89,7 @@ Parameters
 shear_modulus : float
     G_g > 0 of the grains' material [Pa].
 poisson_ratio : float
-    nu_g of it, -1 < nu_g <= 0.5.
+    nu_g of it, -1 < nu_g <= 0.5 [1].
 )";
 
 constexpr const char* law_result = R"(
@@ -112,20 +113,25 @@ void bind_contact(py::module_& module) {
                     return py::cast(PowerLaw::sphere(grain_of(a), number_of("radius", a[2])));
                   },
                   std::string("Hertz contact of two equal spheres, c = 2 G sqrt(2R)/(3(1-nu)).\n") +
-                      material + "radius : float\n    R > 0 of each sphere [m].\n" + law_result});
+                      material + "radius : float\n    R > 0 of each sphere [m].\n" + law_result +
+                      notes("Overlaps are small against R. [Hertz1882]", "contact::PowerLaw::sphere",
+                            "contact/power_law.hpp")});
   define(module,
          {"cone",
           {{"shear_modulus"}, {"poisson_ratio"}, {"slope"}},
           [](const Arguments& a) { return py::cast(PowerLaw::cone(grain_of(a), number_of("slope", a[2]))); },
           std::string("Contact of two equal cones, c = G/(pi (1-nu) A_1).\n") + material +
-              "slope : float\n    A_1 > 0, tangent of the flank angle [1].\n" + law_result});
-  define(module, {"flat_punch",
-                  {{"shear_modulus"}, {"poisson_ratio"}, {"punch_radius"}},
-                  [](const Arguments& a) {
-                    return py::cast(PowerLaw::flat(grain_of(a), number_of("punch_radius", a[2])));
-                  },
-                  std::string("Contact of two flat punches, of the same stiffness at every force.\n") +
-                      material + "punch_radius : float\n    a > 0 of the disc [m].\n" + law_result});
+              "slope : float\n    A_1 > 0, tangent of the flank angle [1].\n" + law_result +
+              notes("[Sneddon1965]", "contact::PowerLaw::cone", "contact/power_law.hpp")});
+  define(module,
+         {"flat_punch",
+          {{"shear_modulus"}, {"poisson_ratio"}, {"punch_radius"}},
+          [](const Arguments& a) {
+            return py::cast(PowerLaw::flat(grain_of(a), number_of("punch_radius", a[2])));
+          },
+          std::string("Contact of two flat punches, of the same stiffness at every force.\n") + material +
+              "punch_radius : float\n    a > 0 of the disc [m].\n" + law_result +
+              notes("c = 2 G a/(1-nu). [Sneddon1965]", "contact::PowerLaw::flat", "contact/power_law.hpp")});
   define(module, {"power_law",
                   {{"shear_modulus"}, {"poisson_ratio"}, {"alpha"}, {"profile_constant"}},
                   [](const Arguments& a) {
@@ -135,13 +141,42 @@ void bind_contact(py::module_& module) {
                   std::string("Contact of two profiles z = A r^alpha.\n") + material +
                       "alpha : float\n    1 <= alpha < inf [1].\n"
                       "profile_constant : float\n    A > 0 of one grain [m^(1-alpha)].\n" +
-                      law_result});
+                      law_result +
+                      notes("The family that holds the others. [Galin1946] [Sneddon1965]",
+                            "contact::PowerLaw::general", "contact/power_law.hpp")});
   module.def(
       "mindlin_stiffness_ratio",
       [](const py::object& nu) { return map("poisson_ratio", nu, contact::mindlin_stiffness_ratio); },
-      py::arg("poisson_ratio"), "k_t/k_n = 2(1-nu)/(2-nu) of the no-slip contact, of a number or an array.");
+      py::arg("poisson_ratio"),
+      (R"(k_t/k_n = 2(1-nu)/(2-nu) of the contact without slip.
+
+Parameters
+----------
+poisson_ratio : array_like
+    nu_g of the grains, -1 < nu_g <= 0.5 [1].
+
+Returns
+-------
+float or ndarray
+    The ratio [1], of the shape of the argument.
+)" + raises_invalid("For the first number out of range.") +
+       notes("[Mindlin1949]", "contact::mindlin_stiffness_ratio", "contact/power_law.hpp"))
+          .c_str());
   module.def("pair_radius", &contact::pair_radius, py::kw_only(), py::arg("radius_i"), py::arg("radius_j"),
-             "Radius of the two equal spheres that touch as two unequal ones do, 2 R* [m].");
+             (R"(Radius of the two equal spheres that touch as two unequal ones do, 2 R*.
+
+Parameters
+----------
+radius_i, radius_j : float
+    Of the two spheres, > 0 [m].
+
+Returns
+-------
+float
+    2 R_i R_j/(R_i + R_j) [m].
+)" + raises_invalid("For a radius that is not positive.") +
+              notes("[Hertz1882]", "contact::pair_radius", "contact/pair.hpp"))
+                 .c_str());
 }
 
 } // namespace granum::python

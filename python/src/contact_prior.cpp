@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "keywords.hpp"
 
 namespace granum::python {
@@ -85,7 +86,9 @@ void bind_contact_prior(py::module_& module) {
       .def_readonly("rattler_error", &ContactPrior::rattler_error, "That of ln x_0 [1].")
       .def_readonly("relative_overlap", &ContactPrior::relative_overlap,
                     "Overlap of the mean force over the diameter [1].")
-      .def_property_readonly("notes", [](const ContactPrior& prior) { return prior.validity.notes; });
+      .def_property_readonly(
+          "notes", [](const ContactPrior& prior) { return prior.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   define(
       module,
       {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
@@ -96,15 +99,20 @@ void bind_contact_prior(py::module_& module) {
 Returns
 -------
 ContactPrior
-)"});
+)" + raises_invalid("For numbers that no packing can have, or another preparation.") +
+           notes("Calibrated on granum's own packings of all recipes, with the scatter that they have: "
+                 "validation/contact_prior.",
+                 "effective::contact_prior", "effective/contact_prior.hpp")});
   using effective::CarriedContacts;
   py::class_<CarriedContacts>(module, "CarriedContacts",
                               "A packing with known contacts at another mean stress.")
-      .def_readonly("counts", &CarriedContacts::counts)
+      .def_readonly("counts", &CarriedContacts::counts, "Contacts there.")
       .def_readonly("void_ratio", &CarriedContacts::void_ratio, "[1]")
       .def_readonly("coordination_error", &CarriedContacts::coordination_error,
                     "Standard deviation of z* that carrying it adds [1].")
-      .def_property_readonly("notes", [](const CarriedContacts& carried) { return carried.validity.notes; });
+      .def_property_readonly(
+          "notes", [](const CarriedContacts& carried) { return carried.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   define(module, {"carried_contacts",
                   and_keywords(grains_keywords,
                                {{"mechanical_coordination_number"}, {"rattler_fraction"}, {"to_pressure"}}),
@@ -113,14 +121,17 @@ ContactPrior
                       grains_parameters + R"(mechanical_coordination_number : float
     z* at that pressure [1].
 rattler_fraction : float
-    x_0 there, in [0, 1).
+    x_0 there, in [0, 1) [1].
 to_pressure : float
     To carry them to [Pa].
 
 Returns
 -------
 CarriedContacts
-)"});
+)" + raises_invalid("For numbers that no packing can have.") +
+                      notes("As contacts close in granum's own packings while they are compressed: "
+                            "validation/contact_prior.",
+                            "effective::carried_contacts", "effective/contact_prior.hpp")});
 }
 
 } // namespace granum::python

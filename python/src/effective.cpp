@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include <granum/effective/batch.hpp>
 #include <granum/effective/kinematic_field.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>
@@ -13,6 +12,7 @@
 #include <granum/elastic/transverse_isotropic.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "state.hpp"
 
@@ -174,7 +174,8 @@ py::object ask(const effective::Rung& rung, const StateArguments& arguments) {
                      });
 }
 
-std::string documentation(const char* what, const char* more = "") {
+/// \param    source   section Notes
+std::string documentation(const char* what, const std::string& source, const char* more = "") {
   return std::string(what) + "\n" + state_parameters + more + R"(
 Returns
 -------
@@ -184,31 +185,55 @@ Raises
 ------
 InvalidArgument
     For numbers that no packing can have; arrays: under strict.
-)";
+)" + source;
+}
+
+std::string of_field(const char* remarks, const char* function) {
+  return notes(remarks, std::string("effective::") + function, "effective/uniform_field.hpp");
+}
+
+std::string of_kinematic_field(const char* function) {
+  return notes("Tangential forces too are those of the strain. [NorrisJohnson1997] [JenkinsStrack1993]",
+               std::string("effective::") + function, "effective/kinematic_field.hpp");
 }
 
 void bind_closed_forms(py::module_& module) {
   define(module, {"uniform_strain", state_keywords(), field<effective::uniform_strain>,
-                  documentation("Stiffness if all grains follow the mean strain: rung 2, an upper bound.")});
-  define(module, {"free_spin", state_keywords(), field<effective::free_spin>,
-                  documentation("Uniform strain with a free mean spin: a tighter upper bound.")});
+                  documentation("Stiffness if all grains follow the mean strain: rung 2, an upper bound.",
+                                of_field("[ChangLiao1994] [Chang1995] [YimsiriSoga2000] [Walton1987]",
+                                         "uniform_strain"))});
+  define(module,
+         {"free_spin", state_keywords(), field<effective::free_spin>,
+          documentation("Uniform strain with a free mean spin: a tighter upper bound.",
+                        of_field("The mean spin of the grains takes the value of least energy; it differs "
+                                 "with fabric or unequal stresses. [ChangLiao1994]",
+                                 "free_spin"))});
   define(module, {"uniform_stress", state_keywords(), field<effective::uniform_stress>,
-                  documentation("Stiffness if all contacts bear the forces of the mean stress.")});
+                  documentation("Stiffness if all contacts bear the forces of the mean stress.",
+                                of_field("[ChangLiao1994] [Chang1995]", "uniform_stress"))});
   define(module, {"uniform_strain_kinematic", state_keywords(), field<effective::uniform_strain_kinematic>,
-                  documentation("Uniform strain with the contact forces of a uniform strain.")});
+                  documentation("Uniform strain with the contact forces of a uniform strain.",
+                                of_kinematic_field("uniform_strain_kinematic"))});
   define(module, {"uniform_stress_kinematic", state_keywords(), field<effective::uniform_stress_kinematic>,
-                  documentation("Uniform stress with the contact forces of a uniform strain.")});
+                  documentation("Uniform stress with the contact forces of a uniform strain.",
+                                of_kinematic_field("uniform_stress_kinematic"))});
   define(module,
          {"relaxed", state_keywords(),
           [](const Arguments& a) {
             return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
           },
           documentation("Uniform strain, relaxed as contact networks of this z* do: rung 3, with its "
-                        "standard errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.")});
+                        "standard errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.",
+                        notes("The factors were calibrated on contact networks of granum's own packings: "
+                              "validation/relaxation. z* as [AgnolinRoux2007a].",
+                              "effective::relaxed", "effective/relaxation.hpp"))});
   define(module,
          {"answer", state_keywords({{"rung"}}),
           [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); },
           documentation("What a rung says of packings, by its number or name.",
+                        notes("The table of rungs, see rungs(), says what each of them needs and where its "
+                              "errors come from.",
+                              "effective::answer", "effective/rungs.hpp"),
                         "rung : int or str\n    0 to 3, or isotropic, fabric, directional, relaxed, "
                         "uniform_stress.\n")});
 }
@@ -235,158 +260,13 @@ void bind_rungs(py::module_& module) {
           all.append(py::cast(&rung, py::return_value_policy::reference));
         return all;
       },
-      "All rungs, from the cheapest to the dearest.");
-}
-
-// ---- many packings in one call
-
-struct Moduli {
-  py::array_t<double> bulk_modulus, shear_modulus;
-  std::vector<py::ssize_t> shape;
-  std::map<std::size_t, std::string> errors;
-};
-
-/// A column of the batch: a number, or an array of the shape of the results laid out in rows.
-class BatchColumn {
- public:
-  BatchColumn(const char* name, const py::handle& value) : array_(numbers_of(name, value)) {}
-
-  [[nodiscard]] const py::array& array() const { return array_; }
-  [[nodiscard]] bool varies() const { return array_.ndim() > 0; }
-  void spread(const std::vector<py::ssize_t>& shape) {
-    if (!varies())
-      return;
-    if (!std::equal(shape.begin(), shape.end(), array_.shape(), array_.shape() + array_.ndim()))
-      array_ = py::module_::import("numpy").attr("broadcast_to")(array_, py::tuple(py::cast(shape)));
-    array_ = py::array_t<double, py::array::c_style>(array_);
-  }
-  [[nodiscard]] effective::Column rows(std::size_t first, std::size_t count) const {
-    return varies() ? effective::Column(std::span(array_.data() + first, count))
-                    : effective::Column(*array_.data());
-  }
-
- private:
-  py::array_t<double> array_;
-};
-
-/// The rows of a batch, and what was said of those that were refused.
-class Batch {
- public:
-  explicit Batch(const Arguments& a)
-      : law_(a[0].cast<const contact::PowerLaw&>()),
-        contacts_(a.given(6) ? a[6].cast<sizes::ContactMeans>() : sizes::ContactMeans{}),
-        tangential_ratio_(a.given(5) ? number_of("tangential_ratio", a[5])
-                                     : contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio)),
-        radius_(number_of("radius", a[1])), pressure_("pressure", a[4]),
-        coordination_number_("coordination_number", a[3]), porosity_("porosity", a[2]) {
-    const Argument arguments[] = {{"pressure", a[4]}, {"coordination_number", a[3]}, {"porosity", a[2]}};
-    const Columns columns(arguments);
-    out_.shape = columns.shape();
-    rows_ = columns.rows();
-    for (BatchColumn* column : {&pressure_, &coordination_number_, &porosity_})
-      column->spread(out_.shape);
-    out_.bulk_modulus = py::array_t<double>(out_.shape);
-    out_.shear_modulus = py::array_t<double>(out_.shape);
-    bulk_ = out_.bulk_modulus.mutable_data();
-    shear_ = out_.shear_modulus.mutable_data();
-  }
-
-  Moduli run() && {
-    const py::gil_scoped_release unlocked;
-    const effective::BatchReport report = solve(0, rows_);
-    if (report.failed == report.errors.size()) {
-      take_errors(report, 0);
-    } else { // more than one report holds: in pieces that no report can be too short for
-      for (std::size_t first = 0; first < rows_; first += effective::BatchReport::most_errors)
-        take_errors(solve(first, std::min(rows_ - first, effective::BatchReport::most_errors)), first);
-    }
-    return std::move(out_);
-  }
-
- private:
-  effective::BatchReport solve(std::size_t first, std::size_t count) {
-    return effective::uniform_strain({.law = law_,
-                                      .tangential_ratio = tangential_ratio_,
-                                      .radius = radius_,
-                                      .pressure = pressure_.rows(first, count),
-                                      .coordination_number = coordination_number_.rows(first, count),
-                                      .porosity = porosity_.rows(first, count),
-                                      .contacts = contacts_},
-                                     {std::span(bulk_ + first, count), std::span(shear_ + first, count)});
-  }
-  void take_errors(const effective::BatchReport& report, std::size_t first) {
-    for (const effective::RowError& error : report.errors) {
-      const std::size_t row = first + error.row;
-      bulk_[row] = shear_[row] = nan;
-      out_.errors.emplace(row, error.message);
-    }
-  }
-
-  const contact::PowerLaw& law_;
-  sizes::ContactMeans contacts_;
-  double tangential_ratio_, radius_;
-  BatchColumn pressure_, coordination_number_, porosity_;
-  std::size_t rows_ = 0;
-  Moduli out_;
-  double* bulk_ = nullptr;
-  double* shear_ = nullptr;
-};
-
-py::object shown(const py::array_t<double>& array) {
-  return array.ndim() == 0 ? py::object(py::float_(*array.data())) : py::object(array);
-}
-
-void bind_batch(py::module_& module) {
-  py::class_<Moduli>(module, "Moduli", "Bulk and shear modulus of isotropic packings.")
-      .def_property_readonly(
-          "bulk_modulus", [](const Moduli& m) { return shown(m.bulk_modulus); }, "K [Pa].")
-      .def_property_readonly(
-          "shear_modulus", [](const Moduli& m) { return shown(m.shear_modulus); }, "G [Pa].")
-      .def_property_readonly(
-          "errors", [](const Moduli& m) { return errors_by_index(m.errors, m.shape); },
-          "Messages of the elements that were refused, by index; their moduli are NaN.");
-  define(module, {"uniform_strain_moduli",
-                  {{"law"},
-                   {"radius"},
-                   {"porosity"},
-                   {"coordination_number"},
-                   {"pressure"},
-                   {"tangential_ratio", "None"},
-                   {"contact_means", "None"},
-                   {"strict", "False"}},
-                  [](const Arguments& a) {
-                    Moduli moduli = Batch(a).run();
-                    if (!moduli.errors.empty() && (a.flag(7) || moduli.shape.empty()))
-                      throw InvalidArgument(moduli.errors.begin()->second);
-                    return py::cast(std::move(moduli));
-                  },
-                  R"(K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.
-
-The fast way for large arrays: within 1e-14 of answer(rung=0).
-
-Parameters
-----------
-law : PowerLaw
-    Normal contact of two grains.
-radius : float
-    R > 0 of a grain [m].
-porosity : array_like
-    Voids in the volume, in (0, 1).
-coordination_number : array_like
-    C_n in [0, 1e6].
-pressure : array_like
-    p in [0, 1e200] [Pa].
-tangential_ratio : float, optional
-    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
-contact_means : ContactMeans, optional
-    Of unequal grains; without it those of equal ones.
-strict : bool
-    Raise at the first element that is refused, instead of NaN and a message in `errors`.
+      (R"(All rungs of the ladder, from the cheapest to the dearest, and the bounds beside it.
 
 Returns
 -------
-Moduli
-)"});
+list of Rung
+)" + notes("", "effective::rungs", "effective/rungs.hpp"))
+          .c_str());
 }
 
 } // namespace
@@ -404,7 +284,6 @@ void bind_effective(py::module_& module) {
   bind_estimate(module);
   bind_closed_forms(module);
   bind_rungs(module);
-  bind_batch(module);
 }
 
 } // namespace granum::python

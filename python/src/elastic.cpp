@@ -12,6 +12,7 @@
 #include <granum/elastic/wave_speeds.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "rows.hpp"
 
@@ -51,17 +52,44 @@ void bind_symmetry(py::module_& module) {
       .def_readonly("orthotropic", &SymmetryDistances::orthotropic, "[1]");
   module.def(
       "engineering_moduli", [](const py::object& c) { return elastic::engineering_moduli(stiffness(c)); },
-      py::arg("stiffness"), "Moduli of a 6 x 6 Voigt matrix along the axes and in their planes [Pa].");
+      py::arg("stiffness"),
+      (std::string("Moduli of a stiffness along the axes and in their planes.\n") + stiffness_parameter + R"(
+Returns
+-------
+EngineeringModuli
+    E is 0 along an axis where a packing gives way without stress.
+)" + raises_invalid("For another shape, or an entry that is not finite.") +
+       notes("", "elastic::engineering_moduli", "elastic/engineering_moduli.hpp"))
+          .c_str());
   module.def(
       "symmetry_distances", [](const py::object& c) { return elastic::symmetry_distances(stiffness(c)); },
-      py::arg("stiffness"), "How far a 6 x 6 Voigt matrix is from classes of symmetry [1].");
+      py::arg("stiffness"),
+      (std::string("How far a stiffness is from classes of symmetry.\n") + stiffness_parameter + R"(
+Returns
+-------
+SymmetryDistances
+    Of the norm of the stiffness [1].
+)" + raises_invalid("For another shape, a stiffness of zero, or an entry that is not finite.") +
+       notes("[Moakher2006]", "elastic::symmetry_distances", "elastic/symmetry.hpp"))
+          .c_str());
   module.def(
       "rotate",
       [](const py::object& c, const py::object& rotation) {
         return array_of(elastic::rotate(stiffness(c), matrix_of("rotation", rotation)).matrix);
       },
       py::arg("stiffness"), py::kw_only(), py::arg("rotation"),
-      "The 6 x 6 Voigt matrix of the material after it was turned by a (3, 3) rotation.");
+      (std::string("The stiffness of a material after it was turned, in unchanged axes.\n") +
+       stiffness_parameter +
+       R"(rotation : (3, 3) array_like
+    An orthogonal matrix of determinant 1 [1].
+
+Returns
+-------
+(6, 6) ndarray
+    Voigt matrix [Pa].
+)" + raises_invalid("For other shapes, or a matrix that is no rotation.") +
+       notes("[Mehrabadi1990]", "elastic::rotate", "elastic/mandel.hpp"))
+          .c_str());
 }
 
 // ---- projections and averages
@@ -90,10 +118,32 @@ void bind_projections(py::module_& module) {
   module.def(
       "isotropic", [](double bulk, double shear) { return Isotropic::from_bulk_and_shear(bulk, shear); },
       py::kw_only(), py::arg("bulk_modulus"), py::arg("shear_modulus"),
-      "The isotropic solid of these moduli [Pa].");
+      (R"(The isotropic solid of two moduli.
+
+Parameters
+----------
+bulk_modulus : float
+    K > 0 [Pa]; inf: incompressible.
+shear_modulus : float
+    G > 0 [Pa].
+
+Returns
+-------
+Isotropic
+)" + raises_invalid("Unless both are positive, and the shear modulus finite.") +
+       notes("", "elastic::Isotropic::from_bulk_and_shear", "elastic/isotropic.hpp"))
+          .c_str());
   module.def(
       "isotropic_projection", [](const py::object& c) { return elastic::isotropic_projection(stiffness(c)); },
-      py::arg("stiffness"), "The isotropic solid nearest to a 6 x 6 Voigt matrix [Pa].");
+      py::arg("stiffness"),
+      (std::string("The isotropic solid that is nearest to a stiffness.\n") + stiffness_parameter + R"(
+Returns
+-------
+Isotropic
+)" + raises_invalid("For another shape, or unless both moduli come out positive and finite.") +
+       notes("Nearest in the norm that no rotation changes. [Moakher2006]", "elastic::isotropic_projection",
+             "elastic/projection.hpp"))
+          .c_str());
   module.def(
       "transversely_isotropic_projection",
       [](const py::object& c, const py::object& axis) {
@@ -102,7 +152,19 @@ void bind_projections(py::module_& module) {
         return constants(elastic::transversely_isotropic_projection(stiffness(c), vector_of("axis", axis)));
       },
       py::arg("stiffness"), py::kw_only(), py::arg("axis") = py::none(),
-      "The stiffness symmetric about axis 3, or another axis (3,), nearest to a 6 x 6 Voigt matrix [Pa].");
+      (std::string("The stiffness with one axis of symmetry that is nearest to a stiffness.\n") +
+       stiffness_parameter +
+       R"(axis : (3,) array_like, optional
+    Of symmetry, of any length [1]; without it axis 3.
+
+Returns
+-------
+Estimate
+    In axes whose third is that of symmetry.
+)" + raises_invalid("For other shapes, or an axis of no length.") +
+       notes("Nearest in the norm that no rotation changes. [Moakher2006]",
+             "elastic::transversely_isotropic_projection", "elastic/projection.hpp"))
+          .c_str());
   using elastic::IsotropicAverages;
   py::class_<IsotropicAverages>(module, "IsotropicAverages", "Averages over all orientations.")
       .def_readonly("voigt", &IsotropicAverages::voigt, "Equal strain: an upper bound.")
@@ -110,7 +172,15 @@ void bind_projections(py::module_& module) {
       .def_readonly("reuss", &IsotropicAverages::reuss, "Equal stress: a lower bound.");
   module.def(
       "isotropic_averages", [](const py::object& c) { return elastic::isotropic_averages(stiffness(c)); },
-      py::arg("stiffness"), "Voigt's, Hill's and Reuss' average of a 6 x 6 Voigt matrix.");
+      py::arg("stiffness"),
+      (std::string("Voigt's, Hill's and Reuss' averages of a stiffness over all orientations.\n") +
+       stiffness_parameter + R"(
+Returns
+-------
+IsotropicAverages
+)" + raises_invalid("For another shape, or unless the stiffness is positive definite.") +
+       notes("[Hill1952]", "elastic::isotropic_averages", "elastic/averages.hpp"))
+          .c_str());
 }
 
 // ---- waves
@@ -164,10 +234,27 @@ void bind_waves(py::module_& module) {
                     "Three plane waves along each direction, from the fastest to the slowest.")
       .def_property_readonly("speed", &speeds, "Phase speeds [m/s], (..., 3).")
       .def_property_readonly("polarisation", &polarisations, "Unit vectors of motion, (..., 3, 3).");
-  module.def("plane_waves", &plane_waves, py::arg("stiffness"), py::kw_only(), py::arg("bulk_density"),
-             py::arg("direction"),
-             "Plane waves of a 6 x 6 Voigt matrix [Pa] and a density [kg/m3] along directions (..., 3) of "
-             "any length.");
+  module.def(
+      "plane_waves", &plane_waves, py::arg("stiffness"), py::kw_only(), py::arg("bulk_density"),
+      py::arg("direction"),
+      (std::string("Three plane waves along each direction, by the Christoffel equation.\n") +
+       stiffness_parameter +
+       R"(bulk_density : float
+    Mass per volume, > 0 [kg/m3].
+direction : (..., 3) array_like
+    Of the waves, vectors of any length but 0 [1].
+
+Returns
+-------
+PlaneWaves
+    Speeds (..., 3) and polarisations (..., 3, 3), from the fastest to the slowest.
+)" +
+       raises_invalid(
+           "For other shapes, a density or direction out of range, or a stiffness that is not positive "
+           "semidefinite.") +
+       notes("Small amplitudes, wave lengths far above the size of the grains. [Musgrave1970]",
+             "elastic::plane_waves", "elastic/christoffel.hpp"))
+          .c_str());
   module.def(
       "bulk_density",
       [](double grain_density, double void_ratio, double pore_density) {
@@ -175,7 +262,24 @@ void bind_waves(py::module_& module) {
       },
       py::kw_only(), py::arg("grain_density"), py::arg("void_ratio"),
       py::arg("pore_density") = elastic::GrainsAndPores{}.pore_density,
-      "Mass per volume of a packing, (rho_s + e rho_pore)/(1+e) [kg/m3].");
+      (R"(Mass per volume of a packing, (rho_s + e rho_pore)/(1+e).
+
+Parameters
+----------
+grain_density : float
+    rho_s > 0 of the grains' solid [kg/m3].
+void_ratio : float
+    e >= 0 [1].
+pore_density : float
+    Of what fills the pores, >= 0 [kg/m3].
+
+Returns
+-------
+float
+    [kg/m3]
+)" + raises_invalid("For a number out of range.") +
+       notes("", "elastic::bulk_density", "elastic/wave_speeds.hpp"))
+          .c_str());
   using elastic::ThomsenParameters;
   py::class_<ThomsenParameters>(module, "ThomsenParameters", "Transverse isotropy in Thomsen's notation.")
       .def_readonly("epsilon", &ThomsenParameters::epsilon, "(C11-C33)/(2 C33) [1].")
@@ -188,8 +292,16 @@ void bind_waves(py::module_& module) {
         return weak ? elastic::weak_thomsen_parameters(ti) : elastic::thomsen_parameters(ti);
       },
       py::arg("stiffness"), py::kw_only(), py::arg("weak") = false,
-      "Thomsen's parameters of a 6 x 6 Voigt matrix, made symmetric about axis 3; weak: delta to first "
-      "order.");
+      (std::string("Thomsen's parameters of a stiffness, made symmetric about axis 3.\n") +
+       stiffness_parameter + R"(weak : bool
+    delta to first order.
+
+Returns
+-------
+ThomsenParameters
+)" + raises_invalid("For another shape, or unless the stiffness is positive definite and C33 > C44.") +
+       notes("[Thomsen1986]", "elastic::thomsen_parameters", "elastic/thomsen.hpp"))
+          .c_str());
 }
 
 } // namespace

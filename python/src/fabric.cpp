@@ -2,6 +2,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/fabric/goodness_of_fit.hpp>
 #include <granum/fabric/likelihood_estimate.hpp>
@@ -12,6 +15,7 @@
 #include <granum/fabric/sampling.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "rows.hpp"
 
 namespace granum::python {
@@ -20,6 +24,17 @@ namespace {
 
 using fabric::AnisotropyEstimate;
 using fabric::FabricMeasures;
+
+const std::string out_of_range =
+    raises_invalid("For the first number out of range, or shapes that do not go together.");
+const std::string refused_normals =
+    raises_invalid("For too few vectors, or one whose length differs from 1 by more than 1e-6.");
+const std::string normals_parameter = R"(
+Parameters
+----------
+normals : (N, 3) array_like
+    One unit vector a contact, in either sense [1].
+)";
 
 /// A function of two numbers, for every element of arrays; the first that is refused raises.
 py::object map_two(const char* first, const py::object& x, const char* second, const py::object& y,
@@ -37,21 +52,68 @@ void bind_density(py::module_& module) {
         return map_two("polar_angle", angle, "anisotropy", a, fabric::density);
       },
       py::kw_only(), py::arg("polar_angle"), py::arg("anisotropy"),
-      "E(gamma; a), contact normals per solid angle [1/sr], at angles from axis 3 [rad]; a in [-1, 1].");
+      (R"(E(gamma; a), the density of contact normals per solid angle.
+
+Parameters
+----------
+polar_angle : array_like
+    gamma, from axis 3 [rad].
+anisotropy : array_like
+    a in [-1, 1] [1]; > 0: more contacts near the axis.
+
+Returns
+-------
+float or ndarray
+    3 (1 + a cos 2 gamma)/(4 pi (3 - a)) [1/sr], of the broadcast shape.
+)" + out_of_range +
+       notes("[Chung2014, Eq. 10]", "fabric::density", "fabric/orientation.hpp"))
+          .c_str());
   module.def(
       "fabric_cumulative_probability",
       [](const py::object& cosine, const py::object& a) {
         return map_two("polar_cosine", cosine, "anisotropy", a, fabric::cumulative_probability);
       },
       py::kw_only(), py::arg("polar_cosine"), py::arg("anisotropy"),
-      "Share of contacts with |n3| not above the polar cosine [1]; a in [-1, 1].");
+      (R"(The share of contacts whose normals are as far from axis 3 as an angle or farther.
+
+Parameters
+----------
+polar_cosine : array_like
+    t of |n3| <= t, in [0, 1] [1].
+anisotropy : array_like
+    a in [-1, 1] [1].
+
+Returns
+-------
+float or ndarray
+    P(t) [1], of the broadcast shape.
+)" + out_of_range +
+       notes("The integral of fabric_density.", "fabric::cumulative_probability",
+             "fabric/polar_distribution.hpp"))
+          .c_str());
   module.def(
       "fabric_polar_cosine_quantile",
       [](const py::object& probability, const py::object& a) {
         return map_two("probability", probability, "anisotropy", a, fabric::polar_cosine_quantile);
       },
       py::kw_only(), py::arg("probability"), py::arg("anisotropy"),
-      "The polar cosine of a probability: the inverse of fabric_cumulative_probability.");
+      (R"(The polar cosine of a probability.
+
+Parameters
+----------
+probability : array_like
+    In [0, 1] [1].
+anisotropy : array_like
+    a in [-1, 1] [1].
+
+Returns
+-------
+float or ndarray
+    t with P(t) = probability [1], of the broadcast shape.
+)" + out_of_range +
+       notes("The inverse of fabric_cumulative_probability, with the same bits on every machine.",
+             "fabric::polar_cosine_quantile", "fabric/polar_distribution.hpp"))
+          .c_str());
   module.def(
       "sample_normals",
       [](double anisotropy, std::size_t count, std::uint64_t seed) {
@@ -62,7 +124,24 @@ void bind_density(py::module_& module) {
         return out;
       },
       py::kw_only(), py::arg("anisotropy"), py::arg("count"), py::arg("seed"),
-      "Unit vectors drawn from E(gamma; a), (count, 3); one seed, one sample.");
+      (R"(Unit vectors drawn from E(gamma; a).
+
+Parameters
+----------
+anisotropy : float
+    a in [-1, 1] [1].
+count : int
+    How many.
+seed : int
+    One seed, one sample, on every machine.
+
+Returns
+-------
+(count, 3) ndarray
+    Unit vectors, in both senses [1].
+)" + raises_invalid("For an anisotropy out of range.") +
+       notes("Points in the unit disc. [Marsaglia1972]", "fabric::sample_normals", "fabric/sampling.hpp"))
+          .c_str());
 }
 
 void bind_measures(py::module_& module) {
@@ -74,7 +153,9 @@ void bind_measures(py::module_& module) {
       .def_readonly("P2_coefficient", &FabricMeasures::P2_coefficient,
                     "a_c of (1 + a_c P2(cos gamma))/(4 pi) [1].")
       .def_readonly("mean_cos_2gamma", &FabricMeasures::mean_cos_2gamma, "2 F33 - 1 [1].")
-      .def_property_readonly("notes", [](const FabricMeasures& m) { return m.validity.notes; });
+      .def_property_readonly(
+          "notes", [](const FabricMeasures& m) { return m.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   static constexpr struct {
     const char* name;
     FabricMeasures (*make)(double);
@@ -84,14 +165,43 @@ void bind_measures(py::module_& module) {
                 {"mean_cos_2gamma", fabric::measures_from_mean_cos_2gamma}};
   module.def(
       "fabric_measures",
-      [](const py::kwargs& known) {
-        for (const auto& [name, make] : makers)
-          if (known.size() == 1 && known.contains(name))
-            return make(number_of(name, known[name]));
-        throw py::type_error(
-            "fabric_measures() takes one of anisotropy, F33, P2_coefficient, mean_cos_2gamma");
+      [](const py::object& anisotropy, const py::object& F33, const py::object& P2_coefficient,
+         const py::object& mean_cos_2gamma) {
+        const py::object* const given[] = {&anisotropy, &F33, &P2_coefficient, &mean_cos_2gamma};
+        const auto is_given = [](const py::object* value) { return !value->is_none(); };
+        if (std::count_if(std::begin(given), std::end(given), is_given) != 1)
+          throw py::type_error(
+              "fabric_measures() takes one of anisotropy, F33, P2_coefficient, mean_cos_2gamma");
+        const auto at = std::find_if(std::begin(given), std::end(given), is_given) - std::begin(given);
+        return makers[at].make(number_of(makers[at].name, *given[at]));
       },
-      "A fabric from one of its measures: anisotropy, F33, P2_coefficient or mean_cos_2gamma.");
+      py::kw_only(), py::arg("anisotropy") = py::none(), py::arg("F33") = py::none(),
+      py::arg("P2_coefficient") = py::none(), py::arg("mean_cos_2gamma") = py::none(),
+      (R"(An axisymmetric fabric in all notations, from one of its measures.
+
+Parameters
+----------
+anisotropy : float, optional
+    a of E(gamma; a) [1].
+F33 : float, optional
+    Mean of n3^2 [1].
+P2_coefficient : float, optional
+    a_c of (1 + a_c P2(cos gamma))/(4 pi) [1].
+mean_cos_2gamma : float, optional
+    2 F33 - 1 [1].
+
+Returns
+-------
+FabricMeasures
+
+Raises
+------
+TypeError
+    Unless one of the four is given.
+InvalidArgument
+    For a number that no directions have.
+)" + notes("[Kanatani1984]", "fabric::measures_from_anisotropy", "fabric/measures.hpp"))
+          .c_str());
 }
 
 void bind_estimates(py::module_& module) {
@@ -101,34 +211,84 @@ void bind_estimates(py::module_& module) {
       .def_readonly("anisotropy", &AnisotropyEstimate::anisotropy, "[1]")
       .def_readonly("standard_error", &AnisotropyEstimate::standard_error, "For independent contacts [1].")
       .def_readonly("F33", &AnisotropyEstimate::F33, "Mean of n3^2 [1].")
-      .def_readonly("contacts", &AnisotropyEstimate::contacts)
-      .def_property_readonly("notes", [](const AnisotropyEstimate& e) { return e.validity.notes; });
+      .def_readonly("contacts", &AnisotropyEstimate::contacts, "How many there were.")
+      .def_property_readonly(
+          "notes", [](const AnisotropyEstimate& e) { return e.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   py::class_<LikelihoodEstimate>(module, "LikelihoodEstimate", "a of E(gamma; a) by maximum likelihood.")
       .def_readonly("anisotropy", &LikelihoodEstimate::anisotropy, "In [-1, 1].")
       .def_readonly("standard_error", &LikelihoodEstimate::standard_error, "[1]")
       .def_readonly("log_likelihood_gain", &LikelihoodEstimate::log_likelihood_gain,
                     "What a explains beyond isotropy.")
-      .def_readonly("at_boundary", &LikelihoodEstimate::at_boundary)
-      .def_readonly("contacts", &LikelihoodEstimate::contacts)
-      .def_property_readonly("notes", [](const LikelihoodEstimate& e) { return e.validity.notes; });
+      .def_readonly("at_boundary", &LikelihoodEstimate::at_boundary,
+                    "a = -1 or 1, where the likelihood still rises.")
+      .def_readonly("contacts", &LikelihoodEstimate::contacts, "How many there were.")
+      .def_property_readonly(
+          "notes", [](const LikelihoodEstimate& e) { return e.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   const auto normals = [](const py::object& value) { return vectors_of("normals", value); };
   module.def(
       "estimate_anisotropy", [=](const py::object& n) { return fabric::estimate_anisotropy(normals(n)); },
-      py::arg("normals"), "a from the mean of n3^2 of unit vectors, (N, 3), N >= 2.");
+      py::arg("normals"),
+      (R"(a of E(gamma; a) from contact normals, by the mean of n3^2.
+)" + normals_parameter +
+       R"(
+Returns
+-------
+AnisotropyEstimate
+    With its standard error for independent contacts: those of a packing scatter less.
+)" + refused_normals +
+       notes("Axis 3 is the axis of symmetry.", "fabric::estimate_anisotropy",
+             "fabric/anisotropy_estimate.hpp"))
+          .c_str());
   module.def(
       "estimate_anisotropy_by_likelihood",
       [=](const py::object& n) { return fabric::estimate_anisotropy_by_likelihood(normals(n)); },
-      py::arg("normals"), "a that makes unit vectors most likely, (N, 3), N >= 2.");
+      py::arg("normals"),
+      (R"(a of E(gamma; a) from contact normals, by maximum likelihood.
+)" + normals_parameter +
+       R"(
+Returns
+-------
+LikelihoodEstimate
+    a in [-1, 1], with its standard error from the observed information.
+)" + refused_normals +
+       notes("Scatters less than estimate_anisotropy the further a is from 0, but leans on E(gamma; a).",
+             "fabric::estimate_anisotropy_by_likelihood", "fabric/likelihood_estimate.hpp"))
+          .c_str());
   module.def(
       "isotropy_p_value", [=](const py::object& n) { return fabric::test_isotropy(normals(n)).p_value; },
-      py::arg("normals"), "Chance of directions as uneven as these unit vectors, (N, 3), if all were alike.");
+      py::arg("normals"),
+      (R"(Chance of directions as uneven as these contact normals, if all directions were alike.
+)" + normals_parameter +
+       R"(
+Returns
+-------
+float
+    p of (F33 - 1/3)/sqrt(4/(45 N)), either sign, for independent contacts [1].
+)" + refused_normals +
+       notes("", "fabric::test_isotropy", "fabric/goodness_of_fit.hpp"))
+          .c_str());
   module.def(
       "rose",
       [=](const py::object& n, double anisotropy, std::size_t bins) {
         return fabric::rose(normals(n), anisotropy, bins);
       },
       py::arg("normals"), py::kw_only(), py::arg("anisotropy"), py::arg("bins"),
-      "Histogram of the angle between unit vectors, (N, 3), and axis 3, beside E(gamma; a).");
+      (R"(Histogram of the angle between contact normals and axis 3, beside E(gamma; a).
+)" + normals_parameter +
+       R"(anisotropy : float
+    a in [-1, 1] to compare with [1].
+bins : int
+    Of equal width, in [1, 1000].
+
+Returns
+-------
+list of RoseBin
+    With densities and their standard errors, in both hemispheres [1/sr].
+)" + refused_normals +
+       notes("", "fabric::rose", "fabric/rose.hpp"))
+          .c_str());
 }
 
 } // namespace
@@ -137,7 +297,7 @@ void bind_fabric(py::module_& module) {
   py::class_<fabric::RoseBin>(module, "RoseBin", "One bin of the angles between contact normals and axis 3.")
       .def_readonly("low", &fabric::RoseBin::low, "[rad]")
       .def_readonly("high", &fabric::RoseBin::high, "[rad]")
-      .def_readonly("count", &fabric::RoseBin::count)
+      .def_readonly("count", &fabric::RoseBin::count, "Contacts in it.")
       .def_readonly("density", &fabric::RoseBin::density, "[1/sr]")
       .def_readonly("density_error", &fabric::RoseBin::density_error, "[1/sr]")
       .def_readonly("expected_density", &fabric::RoseBin::expected_density, "[1/sr]");

@@ -10,6 +10,7 @@
 #include <granum/inverse/inference.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "state.hpp"
 
 namespace granum::python {
@@ -53,34 +54,6 @@ struct Column {
     quantities
   };
 };
-
-inverse::Growth growth_of(const std::string& name) {
-  if (name == "as_packings")
-    return inverse::Growth::as_packings;
-  if (name == "fixed")
-    return inverse::Growth::fixed;
-  if (name == "fitted")
-    return inverse::Growth::fitted;
-  throw InvalidArgument("growth is as_packings, fixed or fitted, not " + name);
-}
-
-inverse::Specimen specimen_of(const std::string& name) {
-  if (name == "same")
-    return inverse::Specimen::same;
-  if (name == "prepared_alike")
-    return inverse::Specimen::prepared_alike;
-  throw InvalidArgument("specimen is same or prepared_alike, not " + name);
-}
-
-inverse::Quantity quantity_of(const std::string& name) {
-  std::string all;
-  for (const inverse::QuantityRow& row : inverse::quantities()) {
-    if (name == row.key)
-      return row.quantity;
-    all += (all.empty() ? "" : ", ") + std::string(row.key);
-  }
-  throw InvalidArgument("quantity is one of " + all + ", not " + name);
-}
 
 /// The columns of a call of infer: states, errors, and the quantities that are given.
 struct MeasuredColumns {
@@ -128,7 +101,7 @@ py::object infer(const Arguments& a) {
   if (a.given(Given::rattlers))
     options.rattler_fraction = number_of("rattler_fraction", a[Given::rattlers]);
   if (a.given(Given::growth))
-    options.growth = growth_of(a[Given::growth].cast<std::string>());
+    options.growth = inverse::growth_of(a[Given::growth].cast<std::string>());
   const MeasuredColumns measured = columns_of(a, law);
   const Columns columns(measured.arguments);
   std::vector<inverse::Measurement> measurements;
@@ -170,8 +143,8 @@ py::object predict(const Answer& answer, const std::string& quantity, const py::
                    const py::object& vertical, const py::object& horizontal,
                    const py::object& given_void_ratio, const std::string& specimen) {
   const Inference& inference = together(answer);
-  const inverse::Quantity asked = quantity_of(quantity);
-  const inverse::Specimen which = specimen_of(specimen);
+  const inverse::Quantity asked = inverse::quantity_of(quantity);
+  const inverse::Specimen which = inverse::specimen_of(specimen);
   PyObject* const stresses[] = {pressure.ptr(), vertical.ptr(), horizontal.ptr()};
   const Arguments arguments(stresses);
   const bool own_void_ratio = given_void_ratio.is_none();
@@ -194,7 +167,9 @@ void bind_answer(py::module_& module) {
   py::class_<Answer>(module, "Inference", R"(What measurements say of the contacts of a packing.
 
 Its numbers raise NotConverged where no contact number explains what was measured; `explained` tells.)")
-      .def_property_readonly("explained", [](const Answer& a) { return a.found.together.has_value(); })
+      .def_property_readonly(
+          "explained", [](const Answer& a) { return a.found.together.has_value(); },
+          "Whether any contact number explains what was measured.")
       .def_property_readonly(
           "pressure", [](const Answer& a) { return together(a).reference_stress(); },
           "Mean stress that the contacts belong to: that of the first measurement [Pa].")
@@ -235,13 +210,18 @@ Its numbers raise NotConverged where no contact number explains what was measure
       .def_property_readonly(
           "growth_exponent", [](const Answer& a) { return together(a).growth_exponent(); },
           "Of growth = fitted; else None.")
-      .def_property_readonly("chi_square", [](const Answer& a) { return together(a).chi_square(); })
-      .def_property_readonly("degrees_of_freedom",
-                             [](const Answer& a) { return together(a).degrees_of_freedom(); })
+      .def_property_readonly(
+          "chi_square", [](const Answer& a) { return together(a).chi_square(); },
+          "Sum of squared deviations.")
+      .def_property_readonly(
+          "degrees_of_freedom", [](const Answer& a) { return together(a).degrees_of_freedom(); },
+          "How many of them are free.")
       .def_property_readonly(
           "probability", [](const Answer& a) { return together(a).probability(); },
           "That errors as stated make chi_square so large.")
-      .def_property_readonly("notes", [](const Answer& a) { return a.found.validity.notes; })
+      .def_property_readonly(
+          "notes", [](const Answer& a) { return a.found.validity.notes; },
+          "What cannot be explained, or contradicts, a sentence each.")
       .def("predict", &predict, py::arg("quantity"), py::kw_only(), py::arg("pressure") = py::none(),
            py::arg("stress_v") = py::none(), py::arg("stress_h") = py::none(),
            py::arg("void_ratio") = py::none(), py::arg("specimen") = "same",
@@ -263,6 +243,13 @@ specimen : str
 Returns
 -------
 MeasuredRows
+
+Raises
+------
+InvalidArgument
+    For another quantity, or a wave speed without grain_density.
+NotConverged
+    Where no contact number explains what was measured.
 )")
       .def("__repr__", [](const Answer& a) {
         if (!a.found.together)
@@ -295,10 +282,11 @@ void bind_inverse(py::module_& module) {
                                 {"grain_density", "None"},
                                 {"pore_density", "0.0"},
                                 {"rattler_fraction", "None"},
-                                {"growth", "'as_packings'"}};
+                                {"growth", "'packings'"}};
   for (const inverse::QuantityRow& row : inverse::quantities())
     keywords.push_back({row.key, "None"});
-  define(module, {"infer", keywords, &infer, R"(The contacts that measured moduli or wave speeds imply.
+  define(module, {"infer", keywords, &infer,
+                  std::string() + R"(The contacts that measured moduli or wave speeds imply.
 
 All measurements are of one packing, and are fitted together. Calibrate once, predict elsewhere.
 
@@ -329,7 +317,7 @@ pore_density : float
 rattler_fraction : float, optional
     x_0 at the first measurement, where it is known [1].
 growth : str
-    How z* follows the pressure: "as_packings", "fixed", or "fitted".
+    How z* follows the pressure: "packings", as in granum's own packings, "fixed", or "fitted".
 G, G_hh, K : array_like, optional
     Measured moduli [Pa]; NaN where there is none.
 V_s, V_s_hh, V_p, V_p_h : array_like, optional
@@ -345,7 +333,10 @@ InvalidArgument
     Without measurements, for numbers out of range, for a speed without grain_density.
 NotConverged
     If least squares fail.
-)"});
+)" +
+                      notes("z* by weighted least squares in ln of the measured values, through rung 3; "
+                            "errors to first order.",
+                            "inverse::infer", "inverse/inference.hpp")});
 }
 
 } // namespace granum::python

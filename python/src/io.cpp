@@ -5,10 +5,12 @@
 
 #include <memory>
 
+#include <granum/io/lammps/arrays.hpp>
 #include <granum/io/packing_files.hpp>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "packing.hpp"
 
 namespace granum::python {
@@ -48,6 +50,41 @@ Frames open(const std::vector<std::filesystem::path>& files, const py::object& b
   return Frames(std::make_unique<io::PackingFiles>(files, std::move(options)));
 }
 
+// ---- out of LAMMPS' memory
+
+std::vector<long> integers_of(const py::array_t<long, py::array::c_style | py::array::forcecast>& array) {
+  return {array.data(), array.data() + array.size()};
+}
+
+/// What from_lammps of the package collects.
+SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::array::forcecast>& id,
+                             const py::object& position, const py::object& radius,
+                             const py::array_t<long, py::array::c_style | py::array::forcecast>& type,
+                             const py::object& cell, const std::array<bool, 3>& periodic,
+                             const std::string& units, long step,
+                             const std::optional<std::vector<std::string>>& column_names,
+                             const py::array_t<double, py::array::c_style>& values,
+                             const std::map<std::string, std::string>& columns) {
+  const std::vector<long> ids = integers_of(id), types = integers_of(type);
+  const std::vector<Vec3> positions = vectors_of("position", position);
+  const std::vector<double> radii = list_of("radius", radius);
+  io::LammpsArrays arrays{.id = ids,
+                          .position = positions,
+                          .radius = radii,
+                          .type = types,
+                          .cell = matrix_of("cell", cell),
+                          .periodic = periodic,
+                          .units = units,
+                          .step = step};
+  if (column_names)
+    arrays.contacts =
+        io::LammpsLocals{.columns = *column_names,
+                         .values = std::span(values.data(), static_cast<std::size_t>(values.size())),
+                         .map = {columns.begin(), columns.end()}};
+  const py::gil_scoped_release unlocked;
+  return std::make_shared<Packing>(io::lammps_packing(arrays));
+}
+
 } // namespace
 
 void bind_io(py::module_& module) {
@@ -58,6 +95,9 @@ void bind_io(py::module_& module) {
       .def_property_readonly("skipped", &Frames::skipped,
                              "Frames passed over so far because another file has none of that time step.");
   module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
+  module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
+             py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),
+             py::arg("step"), py::arg("column_names"), py::arg("values"), py::arg("columns"));
   module.def(
       "formats",
       [] {
@@ -66,7 +106,14 @@ void bind_io(py::module_& module) {
           out[py::str(std::string(format->name))] = std::string(format->sign);
         return out;
       },
-      "Formats of packings that are read, and what their files are told by.");
+      (R"(Formats of packings that are read.
+
+Returns
+-------
+dict
+    What their files are told by, by the names of the formats.
+)" + notes("", "io::packing_formats", "io/packing_format.hpp"))
+          .c_str());
 }
 
 } // namespace granum::python

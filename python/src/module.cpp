@@ -17,6 +17,7 @@ PYBIND11_MODULE(_granum, module) {
   bind_fabric(module);
   bind_elastic(module);
   bind_effective(module);
+  bind_batch(module);
   bind_sensitivity(module);
   bind_contact_prior(module);
   bind_packing_answer(module);

@@ -10,6 +10,7 @@
 #include <granum/packing/density.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "keywords.hpp"
 #include "rows.hpp"
 
@@ -286,22 +287,23 @@ py::object packing_from(const Arguments& a) {
 void bind_packing(py::module_& module) {
   bind_contacts(module);
   bind_class(module);
-  define(module, {"packing",
-                  {{"position"},
-                   {"radius"},
-                   {"cell", "None"},
-                   {"periodic", "(True, True, True)"},
-                   {"contacts", "None"},
-                   {"forces", "None"},
-                   {"branch", "None"},
-                   {"overlap", "None"},
-                   {"normal_force", "None"},
-                   {"tangential_force", "None"},
-                   {"normal_stiffness", "None"},
-                   {"tangential_stiffness", "None"},
-                   {"sliding", "None"}},
-                  &packing_from,
-                  R"(A packing out of the arrays of any code, checked and sorted as one out of files.
+  define(module,
+         {"packing",
+          {{"position"},
+           {"radius"},
+           {"cell", "None"},
+           {"periodic", "(True, True, True)"},
+           {"contacts", "None"},
+           {"forces", "None"},
+           {"branch", "None"},
+           {"overlap", "None"},
+           {"normal_force", "None"},
+           {"tangential_force", "None"},
+           {"normal_stiffness", "None"},
+           {"tangential_stiffness", "None"},
+           {"sliding", "None"}},
+          &packing_from,
+          std::string() + R"(A packing out of the arrays of any code, checked and sorted as one out of files.
 
 Parameters
 ----------
@@ -312,7 +314,7 @@ radius : float or (N,) array_like
 cell : (3,) or (3, 3) array_like, optional
     Edges of an upright cell, or a matrix with the edges as its columns [m]; without it the smallest upright
     box around the grains, and nothing is periodic.
-periodic : three bools
+periodic : (3,) sequence of bool
     Which pairs of faces are periodic.
 contacts : (M, 2) array_like of int, optional
     Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. Without contacts
@@ -341,7 +343,7 @@ Raises
 ------
 InvalidArgument
     Naming the array and its element: shapes, unknown grains, numbers that are not finite.
-)"});
+)" + notes("", "io::packing_of", "io/arrays/packing.hpp")});
 }
 
 } // namespace granum::python

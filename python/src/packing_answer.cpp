@@ -10,6 +10,7 @@
 #include <granum/effective/answer.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "state.hpp"
 
@@ -138,7 +139,7 @@ constexpr const char* parameters = R"(preparation : str, optional
 grain_density : array_like, optional
     Of the grains' solid [kg/m3]; without it no wave speeds.
 saturation : array_like
-    Share of the pores' volume that is water, in [0, 1].
+    Share of the pores' volume that is water, in [0, 1] [1].
 
 Returns
 -------
@@ -154,9 +155,14 @@ InvalidArgument
 
 void bind_packing_answer(py::module_& module) {
   py::class_<RangeView>(module, "Range", "Numbers and what they may be as well: floats, or arrays.")
-      .def_property_readonly("value", [](const RangeView& r) { return r.number(offsetof(Range, value)); })
-      .def_property_readonly("low", [](const RangeView& r) { return r.number(offsetof(Range, low)); })
-      .def_property_readonly("high", [](const RangeView& r) { return r.number(offsetof(Range, high)); });
+      .def_property_readonly(
+          "value", [](const RangeView& r) { return r.number(offsetof(Range, value)); }, "The best answer.")
+      .def_property_readonly(
+          "low", [](const RangeView& r) { return r.number(offsetof(Range, low)); },
+          "The lower end of the range.")
+      .def_property_readonly(
+          "high", [](const RangeView& r) { return r.number(offsetof(Range, high)); },
+          "The upper end of the range.");
   auto type = result_class<AnswerRow>(module, "PackingAnswer",
                                       "Relaxed moduli and wave speeds of packings, each with its range.");
   for (std::size_t k = 0; k < quantity_count; ++k)
@@ -177,7 +183,9 @@ void bind_packing_answer(py::module_& module) {
               "The best answer there is for a packing, with its range: what granum estimate says first."
               "\n\nRung 3 at the contacts that are known, or else in the middle of those that a packing "
               "of this void ratio may have. The range holds the preparation and the error of rung 3.\n") +
-              state_parameters + parameters});
+              state_parameters + parameters +
+              notes("Water in full pores by Gassmann. [Gassmann1951] [Mavko2009]", "effective::answer",
+                    "effective/answer.hpp")});
 }
 
 } // namespace granum::python

@@ -12,6 +12,7 @@
 #include <granum/rock_physics/sand_bounds.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "keywords.hpp"
 #include "rows.hpp"
 
@@ -55,18 +56,28 @@ Parameters
 shear_modulus : array_like
     G_g > 0 of the grain [Pa].
 poisson_ratio : array_like
-    nu_g of the grain, -1 < nu_g <= 0.5.
+    nu_g of the grain, -1 < nu_g <= 0.5 [1].
 porosity : array_like
-    Pore volume by total volume, in [0, 1).
+    Pore volume by total volume, in [0, 1) [1].
 coordination_number : array_like
-    C_n = 2 N_c/N >= 0.
+    C_n = 2 N_c/N >= 0 [1].
 pressure : array_like
     p >= 0, effective, compression positive [Pa].
 )";
 
 constexpr const char* no_slip_parameter = R"(no_slip_fraction : array_like
-    Share of no-slip contacts, in [0, 1]: 1 rough, 0 smooth grains.
+    Share of contacts without slip, in [0, 1] [1]: 1 rough, 0 smooth grains.
 )";
+
+/// Of both bounds: those of the packing at its critical porosity, and where between it and the mineral.
+const std::string bound_parameters = [] {
+  std::string text = sphere_parameters;
+  const std::string own = "porosity : array_like\n    Pore volume by total volume, in [0, 1) [1].\n";
+  return text.replace(text.find(own), own.size(),
+                      "critical_porosity : array_like\n    Of the packing that the bound begins at, in [0, "
+                      "1) [1].\n") +
+         no_slip_parameter + "porosity : array_like\n    In [0, critical_porosity] [1].\n";
+}();
 
 constexpr const char* strict_and_result = R"(strict : bool
     Raise at the first element that is refused, instead of NaN and a message in `errors`.
@@ -81,8 +92,9 @@ InvalidArgument
     For numbers that no packing can have; arrays: under strict.
 )";
 
-std::string sphere_documentation(const char* what, const char* more = "") {
-  return std::string(what) + "\n" + sphere_parameters + more + strict_and_result;
+/// \param    source   section Notes
+std::string sphere_documentation(const char* what, const char* more, const std::string& source) {
+  return std::string(what) + "\n" + sphere_parameters + more + strict_and_result + source;
 }
 
 const std::vector<Keyword> sphere_keywords{
@@ -105,38 +117,45 @@ void bind_hertz_mindlin(py::module_& module) {
                        [](const double* x) { return rock_physics::hertz_mindlin(sphere_packing(x)); });
        },
        sphere_documentation("Random packing of equal spheres under uniform strain, with slip (Walton 1987).",
-                            no_slip_parameter)});
-  define(module, {"jenkins_shear_modulus",
-                  {{"shear_modulus"},
-                   {"poisson_ratio"},
-                   {"porosity"},
-                   {"coordination_number"},
-                   {"pressure"},
-                   {"strict", "False"}},
-                  [](const Arguments& a) -> py::object {
-                    const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
-                                                {"porosity", a[2]},      {"coordination_number", a[3]},
-                                                {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
-                    const Rows<ModuliRow> rows =
-                        answer_rows(columns, a.flag(5), ModuliRow{}, [](const double* x, Notes&) {
-                          return ModuliRow{ModuliRow{}.bulk_modulus,
-                                           rock_physics::jenkins_shear_modulus(sphere_packing(x))};
-                        });
-                    return py::cast(rows);
-                  },
-                  sphere_documentation(
-                      "Frictionless spheres whose pairs may deviate from the mean strain (Jenkins 2005): "
-                      "shear modulus alone, the bulk modulus is NaN.")});
+                            no_slip_parameter,
+                            notes("[Walton1987] [Mavko2009]", "rock_physics::hertz_mindlin",
+                                  "rock_physics/hertz_mindlin.hpp"))});
+  define(
+      module,
+      {"jenkins_shear_modulus",
+       {{"shear_modulus"},
+        {"poisson_ratio"},
+        {"porosity"},
+        {"coordination_number"},
+        {"pressure"},
+        {"strict", "False"}},
+       [](const Arguments& a) -> py::object {
+         const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                     {"porosity", a[2]},      {"coordination_number", a[3]},
+                                     {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
+         const Rows<ModuliRow> rows =
+             answer_rows(columns, a.flag(5), ModuliRow{}, [](const double* x, Notes&) {
+               return ModuliRow{ModuliRow{}.bulk_modulus,
+                                rock_physics::jenkins_shear_modulus(sphere_packing(x))};
+             });
+         return py::cast(rows);
+       },
+       sphere_documentation(
+           "Shear modulus of frictionless spheres whose pairs may leave the mean strain (Jenkins 2005).\n\n"
+           "The bulk modulus is NaN: there is no such formula.",
+           "", notes("[Jenkins2005]", "rock_physics::jenkins_shear_modulus", "rock_physics/jenkins.hpp"))});
 }
 
 void bind_bounds(py::module_& module) {
   static constexpr struct {
     const char* name;
     const char* what;
+    const char* source;
     py::object (*call)(const Arguments&);
   } bounds[] = {
       {"soft_sand",
        "Lower bound between a packing at its critical porosity and the mineral (Dvorkin and Nur 1996).",
+       "[DvorkinNur1996]",
        [](const Arguments& a) {
          const auto sphere = sphere_columns(a);
          const Argument columns[] = {sphere[0], sphere[1], {"critical_porosity", a[2]}, sphere[3],
@@ -145,7 +164,7 @@ void bind_bounds(py::module_& module) {
                        [](const double* x) { return rock_physics::soft_sand(sphere_packing(x), x[6]); });
        }},
       {"stiff_sand", "Upper bound between a packing at its critical porosity and the mineral (Gal 1998).",
-       [](const Arguments& a) {
+       "[Gal1998]", [](const Arguments& a) {
          const auto sphere = sphere_columns(a);
          const Argument columns[] = {sphere[0], sphere[1], {"critical_porosity", a[2]}, sphere[3],
                                      sphere[4], sphere[5], {"porosity", a[7]}};
@@ -156,12 +175,10 @@ void bind_bounds(py::module_& module) {
   keywords[2].name = "critical_porosity";
   keywords.push_back({"porosity"});
   for (const auto& bound : bounds)
-    define(module,
-           {bound.name, keywords, bound.call,
-            std::string(bound.what) +
-                "\n\nParameters as hertz_mindlin, critical_porosity for the packing's porosity, and\n\n"
-                "porosity : array_like\n    In [0, critical porosity].\n" +
-                strict_and_result});
+    define(module, {bound.name, keywords, bound.call,
+                    std::string(bound.what) + "\n" + bound_parameters + strict_and_result +
+                        notes(bound.source, std::string("rock_physics::") + bound.name,
+                              "rock_physics/sand_bounds.hpp")});
 }
 
 void bind_digby(py::module_& module) {
@@ -189,7 +206,8 @@ void bind_digby(py::module_& module) {
                   sphere_documentation(
                       "Equal spheres bonded over small discs before the pressure came (Digby 1981).",
                       "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
-                      "[0, 1).\n")});
+                      "[0, 1) [1].\n",
+                      notes("[Digby1981]", "rock_physics::digby", "rock_physics/digby.hpp"))});
 }
 
 template <rock_physics::CementScheme scheme>
@@ -218,22 +236,24 @@ void bind_cement(py::module_& module) {
 Parameters
 ----------
 shear_modulus, poisson_ratio : array_like
-    G_g > 0 [Pa] and nu_g of the grain.
+    G_g > 0 [Pa] and nu_g [1] of the grain.
 cement_shear_modulus, cement_poisson_ratio : array_like
-    G_c > 0 [Pa] and nu_c of the cement.
+    G_c > 0 [Pa] and nu_c [1] of the cement.
 porosity : array_like
-    Before cementation (critical), in [0, 1).
+    Before cementation (critical), in [0, 1) [1].
 coordination_number : array_like
-    C_n = 2 N_c/N >= 0.
+    C_n = 2 N_c/N >= 0 [1].
 cement_saturation : array_like
-    Share of those pores that is cement, in [0, 1].
+    Share of those pores that is cement, in [0, 1] [1].
 )";
+  const std::string source = notes("[DvorkinNur1994] [DvorkinNur1996]", "rock_physics::contact_cement",
+                                   "rock_physics/contact_cement.hpp");
   define(module, {"cement_at_contacts", keywords, cement<rock_physics::CementScheme::at_contacts>,
                   "Spheres with all cement in discs around their contacts (Dvorkin and Nur 1996).\n" +
-                      parameters + strict_and_result});
+                      parameters + strict_and_result + source});
   define(module, {"cement_in_surface_layer", keywords, cement<rock_physics::CementScheme::surface_layer>,
                   "Spheres with cement evenly on their surface (Dvorkin and Nur 1996).\n" + parameters +
-                      strict_and_result});
+                      strict_and_result + source});
 }
 
 void bind_coordination(py::module_& module) {
@@ -257,9 +277,24 @@ void bind_coordination(py::module_& module) {
         throw InvalidArgument("relation is one of table, quadratic, exponential, not " + relation);
       },
       py::kw_only(), py::arg("porosity"), py::arg("relation"),
-      "C_n of clean, well sorted grains at a porosity in [0.2, 0.7] (Murphy 1982), by the relation named: "
-      "table,\n"
-      "quadratic or exponential. They differ by up to 0.7: none replaces a measured number.");
+      (R"(C_n of clean, well sorted grains by their porosity alone (Murphy 1982).
+
+Parameters
+----------
+porosity : array_like
+    Pore volume by total volume, in [0.2, 0.7] [1].
+relation : {"table", "quadratic", "exponential"}
+    Which of the published relations. They differ by up to 0.7.
+
+Returns
+-------
+float or ndarray
+    C_n [1], of the shape of the porosity.
+)" + raises_invalid("For the first porosity out of range, or another relation.") +
+       notes("None of them replaces a measured number, nor knows how the packing was made. [Murphy1982] "
+             "[Zimmer2007]",
+             "rock_physics::coordination_number", "rock_physics/coordination_relations.hpp"))
+          .c_str());
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <granum/effective/sensitivity/uncertainty.hpp>
 
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "state.hpp"
 
@@ -41,6 +42,9 @@ const std::string rung_and_modulus = R"(rung : int or str
 modulus : str
     K, G_hh, G_vh, E_v, E_h, C11, C33, C12 or C13.
 )";
+
+const std::string refused = raises_invalid(
+    "For numbers that no packing can have; arrays: under strict. For another rung or modulus.");
 
 // ---- exponents
 
@@ -79,7 +83,9 @@ Returns
 -------
 Exponents
     NaN where the modulus vanishes whatever the stress.
-)"});
+)" + refused +
+                      notes("Differentiated exactly under the integral. [Chung2014]", "effective::exponents",
+                            "effective/rungs.hpp")});
 }
 
 // ---- gradients
@@ -119,9 +125,12 @@ grain_poisson_ratio_mindlin, which takes k_t/k_n along.)");
     show_member<GradientRow>(type, name,
                              offsetof(GradientRow, by) + sizeof(double) * static_cast<std::size_t>(input),
                              "Derivative by this input [Pa over its unit].");
-  define(module, {"gradient", state_keywords({{"rung"}, {"modulus"}}), &gradient,
-                  std::string("A modulus with its exact derivatives by every input.\n") + state_parameters +
-                      rung_and_modulus + "\nReturns\n-------\nGradient\n"});
+  define(module,
+         {"gradient", state_keywords({{"rung"}, {"modulus"}}), &gradient,
+          std::string("A modulus with its exact derivatives by every input.\n") + state_parameters +
+              rung_and_modulus + "\nReturns\n-------\nGradient\n" + refused +
+              notes("Value and derivatives are one text, evaluated with dual numbers; rung 3 also by z*.",
+                    "effective::gradient", "effective/rungs.hpp")});
 }
 
 // ---- uncertainty
@@ -232,7 +241,16 @@ draws, seed : int, optional
 Returns
 -------
 Uncertainty
-)"});
+
+Raises
+------
+InvalidArgument
+    For numbers that no packing can have, or a deviation of what is no input.
+TypeError
+    For arrays.
+)" +
+              notes("To first order [JCGM2008a], and by draws of the inputs [JCGM2008b].",
+                    "effective::uncertainty", "effective/sensitivity/uncertainty.hpp")});
 }
 
 // ---- the ladder
@@ -277,15 +295,15 @@ const char* word(effective::RungVerdict verdict) {
 
 void bind_ladder(py::module_& module) {
   py::class_<Measured>(module, "Measured", "A number and its standard error, in its unit.")
-      .def_readonly("value", &Measured::value)
-      .def_readonly("standard_error", &Measured::standard_error)
+      .def_readonly("value", &Measured::value, "The number, in its unit.")
+      .def_readonly("standard_error", &Measured::standard_error, "Its standard error, in the same unit.")
       .def("__repr__", [](const Measured& m) {
         return "Measured(" + exact_text(m.value) + " +- " + exact_text(m.standard_error) + ")";
       });
   using effective::RungAssessment;
   py::class_<RungAssessment>(module, "RungAssessment", "One rung of the ladder for one packing.")
       .def_readonly("rung", &RungAssessment::rung, "Its number.")
-      .def_readonly("title", &RungAssessment::title)
+      .def_readonly("title", &RungAssessment::title, "In a few words.")
       .def_readonly("typical_time", &RungAssessment::typical_time, "Of one evaluation [s].")
       .def_readonly("missing", &RungAssessment::missing, "Inputs that it needs and has not.")
       .def_property_readonly(
@@ -299,7 +317,7 @@ void bind_ladder(py::module_& module) {
           "Stiffness and stated errors; None where an input is missing.")
       .def_property_readonly("largest_error", &RungAssessment::largest_error,
                              "Of the stated errors of K, G_hh and G_vh [1]; None where none is stated.")
-      .def_readonly("error_source", &RungAssessment::error_source)
+      .def_readonly("error_source", &RungAssessment::error_source, "Where its stated errors come from.")
       .def_property_readonly(
           "verdict", [](const RungAssessment& r) { return word(r.verdict); },
           "chosen, cheaper_does, beyond_tolerance, error_unknown or inputs_missing.")
@@ -307,7 +325,8 @@ void bind_ladder(py::module_& module) {
   using effective::LadderEstimate;
   py::class_<LadderEstimate>(module, "LadderEstimate", "The ladder for one packing, and the rung to take.")
       .def_readonly("tolerance", &LadderEstimate::tolerance, "[1]")
-      .def_readonly("tolerance_met", &LadderEstimate::tolerance_met)
+      .def_readonly("tolerance_met", &LadderEstimate::tolerance_met,
+                    "Whether the stated error of the choice is within it.")
       .def_readonly("mechanical_coordination_number", &LadderEstimate::mechanical_coordination_number,
                     "z* that the errors are stated with.")
       .def_readonly("coordination_estimated", &LadderEstimate::coordination_estimated,
@@ -318,9 +337,12 @@ void bind_ladder(py::module_& module) {
             return std::vector<RungAssessment>(ladder.rungs.begin(), ladder.rungs.end());
           },
           "Rungs 0 to 5; 4 and 5 always lack a packing.")
-      .def_property_readonly("choice", [](const LadderEstimate& ladder) { return ladder.choice(); })
+      .def_property_readonly(
+          "choice", [](const LadderEstimate& ladder) { return ladder.choice(); }, "The rung to take.")
       .def_readonly("advice", &LadderEstimate::advice, "Inputs that would allow a better or a cheaper rung.")
-      .def_property_readonly("notes", [](const LadderEstimate& ladder) { return ladder.validity.notes; });
+      .def_property_readonly(
+          "notes", [](const LadderEstimate& ladder) { return ladder.validity.notes; },
+          "Remarks on numbers outside the range of a formula, a sentence each.");
   define(module, {"estimate",
                   state_keywords({{"tolerance"},
                                   {"coordination_error", "None"},
@@ -329,16 +351,26 @@ void bind_ladder(py::module_& module) {
                   &estimate,
                   std::string("The cheapest rung whose stated error fits a tolerance, for one packing.\n") +
                       state_parameters + R"(tolerance : float
-    > 0, of the largest stated error among K, G_hh and G_vh: 0.05 for 5 %.
+    > 0, of the largest stated error among K, G_hh and G_vh [1]: 0.05 for 5 %.
 coordination_error, rattler_error : float, optional
-    Standard error of mechanical_coordination_number or of rattler_fraction; without it they are exact.
+    Standard error of mechanical_coordination_number or of rattler_fraction [1]; without it they are exact.
 fabric_standard_error : float or None
     Of fabric_anisotropy; None: it was not measured and is an assumption [1].
 
 Returns
 -------
 LadderEstimate
-)"});
+
+Raises
+------
+InvalidArgument
+    For numbers that no packing can have.
+TypeError
+    For arrays.
+)" +
+                      notes("Stated errors hold those of the rung, and of z*, rattlers and fabric as far as "
+                            "they are not exact.",
+                            "effective::estimate", "effective/ladder.hpp")});
 }
 
 } // namespace

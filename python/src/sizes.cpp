@@ -11,6 +11,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "docstrings.hpp"
 
 namespace granum::python {
 
@@ -51,7 +52,24 @@ void bind_contact_means(py::module_& module) {
         return sizes::expected_contact_means(sizes, rattler_fraction);
       },
       py::arg("sizes"), py::kw_only(), py::arg("rattler_fraction") = 0.0,
-      "The means that a distribution of sizes leads to; R is the mean radius by number.");
+      (R"(The means over contacts that a distribution of sizes leads to.
+
+Parameters
+----------
+sizes : Distribution
+    Of the radii over R, their mean by number.
+rattler_fraction : float
+    x_0 in [0, 1) over all grains [1]: many small ones where sizes differ much.
+
+Returns
+-------
+ContactMeans
+)" + raises_invalid("For a share of rattlers out of range.") +
+       notes("Grains touch as often as their surface has room; compared with packings of LAMMPS in "
+             "validation/sizes. "
+             "[Shaebani2012]",
+             "sizes::expected_contact_means", "sizes/contact_means.hpp"))
+          .c_str());
 }
 
 void bind_gradation(py::module_& module) {
@@ -62,7 +80,21 @@ void bind_gradation(py::module_& module) {
       .def_property_readonly("uniformity", &sizes::Gradation::uniformity, "C_u = d60/d10 [1].");
   module.def(
       "gradation", [](const py::object& radii) { return sizes::gradation(list_of("radius", radii)); },
-      py::arg("radius"), "d10, d50 and d60 of grains with these radii [m].");
+      py::arg("radius"),
+      (R"(d10, d50 and d60 of grains, as a sieve analysis names them.
+
+Parameters
+----------
+radius : (N,) array_like
+    Of each grain, > 0 [m].
+
+Returns
+-------
+Gradation
+)" + raises_invalid("For no radii, or one that is not positive.") +
+       notes("The smallest diameters up to which grains hold 10, 50 and 60 % of the mass.",
+             "sizes::gradation", "sizes/distribution.hpp"))
+          .c_str());
 }
 
 } // namespace

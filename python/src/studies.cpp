@@ -198,9 +198,9 @@ std::vector<std::string> failures(const Study& study) {
 
 void bind_studies(py::module_& module) {
   py::class_<studies::Verdict>(module, "Verdict", "A claim, and whether the study bears it out.")
-      .def_readonly("claim", &studies::Verdict::claim)
-      .def_readonly("holds", &studies::Verdict::holds)
-      .def_readonly("measured", &studies::Verdict::measured)
+      .def_readonly("claim", &studies::Verdict::claim, "What was to be shown.")
+      .def_readonly("holds", &studies::Verdict::holds, "Whether it was.")
+      .def_readonly("measured", &studies::Verdict::measured, "What was found, in words.")
       .def("__repr__", [](const studies::Verdict& v) {
         return std::string(v.holds ? "<holds: " : "<does not hold: ") + v.claim + ": " + v.measured + ">";
       });

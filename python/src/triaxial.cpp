@@ -11,6 +11,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "docstrings.hpp"
 #include "errors.hpp"
 #include "keywords.hpp"
 #include "packing.hpp"
@@ -163,12 +164,14 @@ void bind_compression(py::module_& module) {
   py::class_<Compression>(module, "Compression", "A path of isotropic compression: an iterator of State.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Compression::next);
-  define(module, {"compress",
-                  {{"specimen"}, {"pressures"}},
-                  [](const Arguments& a) {
-                    return py::cast(Compression(a[0].cast<const Specimen&>(), list_of("pressures", a[1])));
-                  },
-                  R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
+  define(module,
+         {"compress",
+          {{"specimen"}, {"pressures"}},
+          [](const Arguments& a) {
+            return py::cast(Compression(a[0].cast<const Specimen&>(), list_of("pressures", a[1])));
+          },
+          std::string() +
+              R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
 
 What is finished is kept where Ctrl-C ends the path, and another path may begin at the specimen of any
 state, with the same bits.
@@ -178,14 +181,24 @@ Parameters
 specimen : Specimen
     As specimen() makes it, or that of a state.
 pressures : (N,) array_like
-    In turn [Pa].
+    In turn, > 0 [Pa].
 
 Returns
 -------
 Compression
-    An iterator of State. Raises NotConverged where a state does not come to rest.
-)",
-                  2});
+    An iterator of State.
+
+Raises
+------
+InvalidArgument
+    For pressures that are not positive.
+NotConverged
+    By the iterator, where a state does not come to rest.
+)" +
+              notes("The discrete element method, with the whole loading history of the contacts. "
+                    "[CundallStrack1979]",
+                    "triaxial::isotropic_path", "triaxial/specimen.hpp"),
+          2});
 }
 
 // ---- probes
@@ -223,9 +236,9 @@ py::object probe(const Arguments& a) {
 void bind_probe(py::module_& module) {
   using triaxial::ProbeResult;
   py::class_<ProbeResult>(module, "ProbeResult", "A small cycle of shear of a specimen at rest.")
-      .def_readonly("converged", &ProbeResult::converged)
+      .def_readonly("converged", &ProbeResult::converged, "Whether every leg came to rest.")
       .def_readonly("amplitude", &ProbeResult::amplitude, "Shear strain [1].")
-      .def_readonly("steps", &ProbeResult::steps)
+      .def_readonly("steps", &ProbeResult::steps, "Of the simulation.")
       .def_readonly("unbalanced_force_ratio", &ProbeResult::unbalanced_force_ratio,
                     "Largest after any leg [1].")
       .def_property_readonly("shear_modulus", &ProbeResult::shear_modulus, "[Pa]. Raises NotConverged.")
@@ -234,7 +247,7 @@ void bind_probe(py::module_& module) {
   define(module, {"probe",
                   {{"specimen"}, {"mode"}, {"amplitude", "None"}, {"sliding", "False"}},
                   &probe,
-                  R"(Shears a specimen by a little and back, frozen at rest: rung 5.
+                  std::string() + R"(Shears a specimen by a little and back, frozen at rest: rung 5.
 
 Parameters
 ----------
@@ -250,7 +263,14 @@ sliding : bool
 Returns
 -------
 ProbeResult
-)",
+
+Raises
+------
+InvalidArgument
+    For another mode, or an amplitude that is not positive.
+)" +
+                      notes("Loads in small steps and back, each until it is at rest.", "triaxial::probe",
+                            "triaxial/probe.hpp"),
                   1});
 }
 
@@ -337,23 +357,24 @@ void bind_shear(py::module_& module) {
           "volumetric_strain", [](const Point& p) { return p.point.volumetric_strain; }, "[1]")
       .def_property_readonly(
           "step", [](const Point& p) { return p.point.step; }, "Of the simulation.")
-      .def_readonly("specimen", &Point::specimen)
+      .def_readonly("specimen", &Point::specimen, "As it moves; to probe or to go on with.")
       .def_property_readonly(
           "packing", [](const Point& p) { return p.specimen.packing(); },
           "Grains and contacts as they move; k_n and k_t are those of the law.");
   py::class_<Shearing>(module, "Shearing", "A triaxial test under way: an iterator of PathPoint.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Shearing::next);
-  define(module, {"shear",
-                  {{"specimen"},
-                   {"path"},
-                   {"mean_stress"},
-                   {"eta_step", "None"},
-                   {"strain_step", "None"},
-                   {"largest_strain", "None"},
-                   {"inertial_number", "None"}},
-                  &shear,
-                  R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
+  define(module,
+         {"shear",
+          {{"specimen"},
+           {"path"},
+           {"mean_stress"},
+           {"eta_step", "None"},
+           {"strain_step", "None"},
+           {"largest_strain", "None"},
+           {"inertial_number", "None"}},
+          &shear,
+          std::string() + R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
 
 Parameters
 ----------
@@ -374,8 +395,15 @@ Returns
 -------
 Shearing
     An iterator of PathPoint.
-)",
-                  1});
+
+Raises
+------
+InvalidArgument
+    For another path, or numbers out of range.
+NotConverged
+    By the iterator, where the simulation becomes unstable.
+)" + notes("The stress paths of the paper. [Chung2014]", "triaxial::ShearTest", "triaxial/shear_test.hpp"),
+          1});
 }
 
 } // namespace
@@ -392,20 +420,21 @@ void bind_triaxial(py::module_& module) {
       .def("__repr__", [](const Specimen& s) {
         return "<Specimen of " + std::to_string(s.state.grain_count()) + " grains>";
       });
-  define(module, {"specimen",
-                  {{"law"},
-                   {"radius"},
-                   {"friction_coefficient"},
-                   {"kind"},
-                   {"grains", "None"},
-                   {"seed", "None"},
-                   {"first_pressure", "None"},
-                   {"tangential_ratio", "None"},
-                   {"density", "None"},
-                   {"sizes", "None"},
-                   {"wall_friction", "None"}},
-                  &specimen,
-                  R"(Prepares a specimen of spheres, from which compression with friction starts.
+  define(module,
+         {"specimen",
+          {{"law"},
+           {"radius"},
+           {"friction_coefficient"},
+           {"kind"},
+           {"grains", "None"},
+           {"seed", "None"},
+           {"first_pressure", "None"},
+           {"tangential_ratio", "None"},
+           {"density", "None"},
+           {"sizes", "None"},
+           {"wall_friction", "None"}},
+          &specimen,
+          std::string() + R"(Prepares a specimen of spheres, from which compression with friction starts.
 
 Same arguments, same bits.
 
@@ -436,7 +465,16 @@ wall_friction : float, optional
 Returns
 -------
 Specimen
-)"});
+
+Raises
+------
+InvalidArgument
+    For numbers that no specimen can have.
+NotConverged
+    Where no packing at rest is found.
+)" +
+              notes("Frictionless spheres are brought to rest by a minimiser. [Bitzek2006] [OHern2003]",
+                    "triaxial::frictionless_specimen", "triaxial/specimen.hpp")});
   bind_compression(module);
   bind_probe(module);
   bind_shear(module);

@@ -72,7 +72,7 @@ def test_infer_is_that_of_the_program(run_program):
     assert found.pressure == said["reference_stress"] == 100e3
 
 
-@pytest.mark.parametrize("growth", ["as_packings", "fixed", "fitted"])
+@pytest.mark.parametrize("growth", ["packings", "fixed", "fitted"])
 def test_infer_finds_the_contacts_back(growth):
     """Moduli of rung 3 at known contacts give these contacts back, and predict the modulus elsewhere."""
     pressure = np.array([100e3, 200e3, 400e3])

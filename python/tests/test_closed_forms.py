@@ -248,6 +248,49 @@ class TestBatch:
         with pytest.raises(granum.InvalidArgument, match="porosity = 40"):
             granum.uniform_strain_moduli(**{**self.known, "porosity": porosity}, strict=True)
 
+    def test_results_go_where_out_says(self):
+        columns = {"porosity": np.linspace(0.3, 0.5, 40)[:, None], "pressure": np.logspace(3, 6, 5)}
+        fresh = granum.uniform_strain_moduli(**{**self.known, **columns})
+        bulk, shear = np.full((40, 5), -1.0), np.full((40, 5), -1.0)
+        moduli = granum.uniform_strain_moduli(**{**self.known, **columns}, out=(bulk, shear))
+        assert moduli.bulk_modulus is bulk and moduli.shear_modulus is shear
+        np.testing.assert_array_equal(bulk, fresh.bulk_modulus)
+        np.testing.assert_array_equal(shear, fresh.shear_modulus)
+
+    @pytest.mark.parametrize("bad", [0, 1500])
+    def test_out_may_be_the_memory_of_the_arguments(self, bad):
+        porosity, pressure = np.linspace(0.3, 0.5, 4000), np.logspace(3, 6, 4000)
+        porosity[:bad] = 40
+        fresh = granum.uniform_strain_moduli(**{**self.known, "porosity": porosity, "pressure": pressure})
+        shifted = np.empty(4001)
+        shifted[:-1] = pressure
+        moduli = granum.uniform_strain_moduli(
+            **{**self.known, "porosity": porosity, "pressure": shifted[:-1]}, out=[porosity, shifted[1:]]
+        )
+        np.testing.assert_array_equal(porosity, fresh.bulk_modulus)
+        np.testing.assert_array_equal(shifted[1:], fresh.shear_modulus)
+        assert moduli.errors == fresh.errors and len(moduli.errors) == bad
+
+    def test_out_that_cannot_hold_the_results_is_refused(self):
+        known = {**self.known, "pressure": np.full(6, 1e5)}
+        closed, whole = np.empty(6), np.empty(12)
+        closed.flags.writeable = False
+        good = np.empty(6)
+        for out, error, message in [
+            (good, TypeError, "two arrays"),
+            ((good,), TypeError, "two arrays"),
+            ((good, [0.0] * 6), TypeError, "two arrays"),
+            ((good, np.empty(6, dtype=np.float32)), TypeError, "float64"),
+            ((good, np.ma.masked_array(np.empty(6))), TypeError, "two arrays"),
+            ((good, closed), TypeError, "cannot be written"),
+            ((good, whole[::2]), TypeError, "rows do not follow"),
+            ((good, np.empty(7)), granum.InvalidArgument, r"out has the shape \(7,\), the results have \(6,\)"),
+            ((good, good), granum.InvalidArgument, "same memory"),
+            ((whole[:6], whole[5:11]), granum.InvalidArgument, "same memory"),
+        ]:
+            with pytest.raises(error, match=message):
+                granum.uniform_strain_moduli(**known, out=out)
+
     def test_numbers_raise(self):
         assert type(granum.uniform_strain_moduli(**self.known).shear_modulus) is float
         with pytest.raises(granum.InvalidArgument, match="porosity = 40"):

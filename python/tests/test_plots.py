@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures show the numbers of the results, and the notebooks print what they hold."""
 
+import pathlib
+import re
 import runpy
 import sys
 
@@ -19,6 +21,14 @@ STATE = {"radius": 0.5e-3, "void_ratio": 0.6, "coordination_number": 5.7, "press
 def no_picture_stays_open():
     yield
     plt.close("all")
+
+
+def test_a_colour_stands_for_one_thing_everywhere():
+    table = (pathlib.Path(__file__).parents[2] / "include/granum/plot/palette.hpp").read_text()
+    rows = dict(re.findall(r'\{"(\w+)", "(#\w{6})"', table))
+    plots = granum._plots
+    drawn = [plots._CLOSED_FORM, plots._MEASURED, plots._FORCE, plots._GREY]
+    assert drawn == [rows[name] for name in ("closed_form", "measured", "force", "grey")]
 
 
 def test_the_ladder_shows_errors_and_times(sphere):

@@ -31,7 +31,7 @@ def test_the_examples_have_the_right_types(source, tmp_path):
     assert code == 0 and f"{len(examples)} source files" in said, said
     wrong = tmp_path / "wrong.py"
     wrong.write_text(
-        examples[0].read_text() + "granum.measure(1)\ngranum.sphere(shear_modulus=1e9)\nfound.colour\n"
+        examples[1].read_text() + "granum.measure(1)\ngranum.sphere(shear_modulus=1e9)\nfound.colour\n"
     )
     code, said = run("mypy", "--strict", str(wrong), cwd=tmp_path)
     assert code == 1 and said.count("error:") == 4, said

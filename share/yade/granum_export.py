@@ -14,7 +14,7 @@ at this state. A contact of a sphere with a wall, a facet or a box has the spher
 contacts with other bodies are counted, not written.
 """
 
-GRAIN_COLUMNS = "id x y z r"
+GRAIN_COLUMNS = "id material x y z r"
 CONTACT_COLUMNS = (
     "id1 id2 cellDistX cellDistY cellDistZ cpx cpy cpz nx ny nz pd fnx fny fnz fsx fsy fsz kn ks"
 )
@@ -53,7 +53,8 @@ def write_grains(path, scene):
             out.write("# cell " + _row([], [edges[i, j] for i in range(3) for j in range(3)]))
         out.write("# " + GRAIN_COLUMNS + "\n")
         for number, body in sorted(_spheres(scene).items()):
-            out.write(_row([number], list(body.state.pos) + [body.shape.radius]))
+            material = body.material.id if body.material is not None else -1
+            out.write(_row([number, material], list(body.state.pos) + [body.shape.radius]))
 
 
 def write_contacts(path, scene):

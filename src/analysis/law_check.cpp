@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/contact/pair.hpp>
@@ -160,6 +162,108 @@ LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
   return check(assembly, family, [&](const packing::Contact& c) {
     return contact::pair_material(materials[c.i], materials[c.j]);
   });
+}
+
+namespace {
+
+/// A contact that is compared, and the types of its grains.
+struct TypedPoint {
+  std::pair<long, long> types;
+  double overlap = 0, force = 0; ///< logarithms, without the means of their group
+};
+
+/// Takes the mean of its group from each point.
+/// \return   how many groups there are
+std::size_t centre(std::vector<TypedPoint>& points) {
+  struct Sum {
+    double count = 0, overlap = 0, force = 0;
+  };
+  std::map<std::pair<long, long>, Sum> sums;
+  for (const TypedPoint& p : points) {
+    Sum& sum = sums[p.types];
+    sum.count += 1;
+    sum.overlap += p.overlap;
+    sum.force += p.force;
+  }
+  for (TypedPoint& p : points) {
+    const Sum& sum = sums[p.types];
+    p.overlap -= sum.overlap / sum.count;
+    p.force -= sum.force / sum.count;
+  }
+  return sums.size();
+}
+
+/// Slope of force over overlap within the groups.
+std::optional<Measured> slope_within(const std::vector<TypedPoint>& points, std::size_t groups) {
+  constexpr double no_range = 1e-6;
+  const double freedom = static_cast<double>(points.size()) - static_cast<double>(groups) - 1;
+  double xx = 0, xy = 0, squares = 0;
+  for (const TypedPoint& p : points) {
+    xx += p.overlap * p.overlap;
+    xy += p.overlap * p.force;
+  }
+  if (!(freedom > 0) || !(xx > no_range * static_cast<double>(points.size())))
+    return std::nullopt;
+  const double slope = xy / xx;
+  for (const TypedPoint& p : points)
+    squares += (p.force - slope * p.overlap) * (p.force - slope * p.overlap);
+  return Measured{slope, std::sqrt(squares / freedom / xx)};
+}
+
+} // namespace
+
+std::optional<Measured> common_exponent(const packing::Assembly& assembly, std::span<const long> type) {
+  constexpr std::size_t fewest = 10;
+  constexpr double far = 10; // times the median misfit
+  require_valid(assembly);
+  if (!type.empty() && type.size() != assembly.grain_count())
+    throw InvalidArgument(std::to_string(type.size()) + " types do not go with " +
+                          std::to_string(assembly.grain_count()) + " grains");
+  std::vector<TypedPoint> points;
+  for (const packing::Contact& c : compared(assembly)) {
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
+    const auto types = type.empty() ? std::pair(0L, 0L) : std::minmax({type[c.i], type[c.j]});
+    points.push_back({types, std::log(c.overlap / radius), std::log(c.normal_force / radius / radius)});
+  }
+  if (points.size() < fewest)
+    return std::nullopt;
+  const auto first = slope_within(points, centre(points));
+  if (!first)
+    return std::nullopt;
+  std::vector<double> misfits;
+  for (const TypedPoint& p : points)
+    misfits.push_back(std::abs(p.force - first->value * p.overlap));
+  const double limit = far * quantile(misfits, 0.5);
+  std::erase_if(points,
+                [&](const TypedPoint& p) { return std::abs(p.force - first->value * p.overlap) > limit; });
+  const std::size_t groups = centre(points);
+  const auto second = slope_within(points, groups);
+  return second ? second : first;
+}
+
+std::optional<contact::GrainMaterial> mean_material_of_forces(const packing::Assembly& assembly,
+                                                              double poisson_ratio) {
+  constexpr double any_modulus = 1e9; // forces are proportional to it
+  require_valid(assembly);
+  double sum = 0;
+  const std::vector<packing::Contact> contacts = compared(assembly);
+  for (const packing::Contact& c : contacts) {
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
+    const auto law = contact::PowerLaw::sphere({any_modulus, poisson_ratio}, radius);
+    sum += std::pow(c.normal_force / law.force(c.overlap), 2.0 / 3);
+  }
+  if (contacts.empty())
+    return std::nullopt;
+  return contact::GrainMaterial{any_modulus * std::pow(sum / static_cast<double>(contacts.size()), 1.5),
+                                poisson_ratio};
+}
+
+double rounded_share(const packing::Assembly& assembly, double rounding) {
+  std::vector<double> overlaps;
+  for (const packing::Contact& c : assembly.contacts)
+    if (c.overlap > 0)
+      overlaps.push_back(c.overlap);
+  return overlaps.empty() ? 0 : rounding / quantile(std::move(overlaps), 0.5);
 }
 
 std::optional<double> linear_spring(const packing::Assembly& assembly) {

@@ -82,10 +82,18 @@ packing::Assembly pressing_part(const packing::Assembly& assembly) {
 }
 
 /// Whether the law can be read off forces and overlaps, so that its modulus can be as well.
-bool law_is_clear(const LawCheck& check) {
-  constexpr double clear = 1e-2;
+/// \param    rounded   share by which overlaps may be off: forces by 1.5 times as much
+bool law_is_clear(const LawCheck& check, double rounded) {
+  constexpr double clear = 1e-2, too_rough = 0.1;
   constexpr std::size_t fewest = 10;
-  return check.contacts >= fewest && check.median_misfit < clear;
+  return check.contacts >= fewest && rounded < too_rough && check.median_misfit < clear + 1.5 * rounded;
+}
+
+/// Whether forces go as the overlaps to the power 3/2, as far as can be told.
+bool is_hertz(const Measured& exponent) {
+  constexpr double rounding = 1e-4, too_vague = 0.02;
+  return exponent.standard_error <= too_vague &&
+         std::abs(exponent.value - 1.5) <= 2 * exponent.standard_error + rounding;
 }
 
 /// One packing, part after part: each may need those before.
@@ -93,7 +101,8 @@ class Measuring {
  public:
   Measuring(const packing::Assembly& assembly, const Given& given, const Wanted& wanted)
       : assembly_(assembly), given_(given), wanted_(wanted),
-        forces_known_(given.normal_forces && !assembly.contacts.empty()) {}
+        forces_known_(given.normal_forces && !assembly.contacts.empty()),
+        rounded_(rounded_share(assembly, given.overlap_rounding)) {}
 
   Measurement run() && {
     out_.volume = assembly_.volume();
@@ -157,18 +166,38 @@ class Measuring {
       out_.law_check = check_law(assembly_, given_.law_family, {modulus, nu});
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
-    } else if (out_.law_check && law_is_clear(*out_.law_check)) {
+    } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_)) {
       const double found = any_modulus * out_.law_check->coefficient_ratio;
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
       out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
                            short_text(nu) + ", from the forces: they fix G_g/(1 - nu_g) alone");
-    } else {
+    } else if (!take_hertz()) {
       out_.notes.emplace_back("no G_g of the grains given, and forces against overlaps do not tell it: "
                               "no stiffnesses, no closed forms");
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
+  }
+
+  /// Hertz' contacts of materials that nobody knows: k_n = 1.5 f/d of each; closed forms take the mean.
+  bool take_hertz() {
+    const double nu = given_.grain_poisson_ratio;
+    if (!forces_known_ || rounded_ > rough ||
+        given_.law_family({1e9, nu}, out_.sizes.equivalent).alpha() != 2)
+      return false;
+    const auto exponent = common_exponent(assembly_, given_.type);
+    if (!exponent || !is_hertz(*exponent))
+      return false;
+    out_.grain = mean_material_of_forces(assembly_, nu);
+    stiffness_of_ratio_ = true;
+    out_.notes.push_back(
+        "the forces go as the overlaps to the power " + short_text(exponent->value, 5) + " +- " +
+        short_text(exponent->standard_error, 2) +
+        ", as Hertz': k_n = 1.5 f/d of each contact without a material; closed forms take the mean, "
+        "G_g = " +
+        pretty(out_.grain->shear_modulus, Dimension::pressure) + " with nu_g = " + short_text(nu));
+    return true;
   }
 
   /// Grains of several materials: closed forms take the mean over the contacts.
@@ -246,15 +275,19 @@ class Measuring {
   }
 
   void solve_network() {
-    if (given_.stiffness_from == packing::StiffnessFrom::ratio) {
-      packing::Assembly assembly = assembly_;
-      assign_stiffness_of_ratio(assembly, tangential_ratio());
-      out_.notes.emplace_back("k_n of the network is 1.5 f/d of each contact: Hertz without a material");
-      solve_network(assembly);
-    } else if (!given_.stiffness_from && contacts_have_stiffness()) {
+    const bool stated = !given_.stiffness_from && contacts_have_stiffness();
+    if (stated) {
       if (!given_.law)
         out_.notes.emplace_back("k_n and k_t of the network are those of the files");
       solve_network(assembly_);
+    } else if (given_.stiffness_from.value_or(stiffness_of_ratio_ ? packing::StiffnessFrom::ratio
+                                                                  : packing::StiffnessFrom::overlap) ==
+               packing::StiffnessFrom::ratio) {
+      packing::Assembly assembly = assembly_;
+      assign_stiffness_of_ratio(assembly, tangential_ratio());
+      if (!stiffness_of_ratio_)
+        out_.notes.emplace_back("k_n of the network is 1.5 f/d of each contact: Hertz without a material");
+      solve_network(assembly);
     } else if (out_.law) {
       solve_network(with_stiffness());
     }
@@ -263,9 +296,9 @@ class Measuring {
   /// The assembly with k_n and k_t of its contacts by the law.
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
-    const bool rough = given_.few_digits && forces_known_;
+    const bool by_forces = rounded_ > rough && forces_known_;
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
-        rough ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
+        by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (!given_.materials.empty())
       assign_hertz_stiffness(assembly, given_.materials, given_.tangential_ratio, from);
     else if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
@@ -288,7 +321,10 @@ class Measuring {
   const packing::Assembly& assembly_;
   const Given& given_;
   const Wanted& wanted_;
+  static constexpr double rough = 1e-2; ///< share of the overlaps from which on forces tell k_n better
   bool forces_known_;
+  double rounded_;                  ///< share by which overlaps may be off
+  bool stiffness_of_ratio_ = false; ///< k_n is 1.5 f/d
   Measurement out_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <granum/core/check.hpp>
 #include <granum/fabric/polar_distribution.hpp>
@@ -23,18 +24,16 @@ double share_above(double angle, double anisotropy) {
 
 } // namespace
 
-std::vector<RoseBin> rose(std::span<const Vec3> normals, double anisotropy, std::size_t bins) {
-  require_normals(normals, 1);
+std::vector<RoseBin> rose_of_counts(std::span<const std::size_t> counts, double anisotropy) {
   require_closed("fabric_anisotropy", anisotropy, -1, 1);
-  require_closed("bins", static_cast<double>(bins), 1, 1000);
-  const double width = std::numbers::pi / 2 / static_cast<double>(bins);
-  std::vector<RoseBin> histogram(bins);
-  for (const Vec3& n : normals)
-    ++histogram[std::min(static_cast<std::size_t>(polar_angle(n) / width), bins - 1)].count;
-
-  const auto contacts = static_cast<double>(normals.size());
-  for (std::size_t i = 0; i < bins; ++i) {
+  require_closed("bins", static_cast<double>(counts.size()), 1, 1000);
+  const auto contacts = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  require_positive("contacts", contacts);
+  const double width = std::numbers::pi / 2 / static_cast<double>(counts.size());
+  std::vector<RoseBin> histogram(counts.size());
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
     RoseBin& bin = histogram[i];
+    bin.count = counts[i];
     bin.low = static_cast<double>(i) * width;
     bin.high = static_cast<double>(i + 1) * width;
     // 4 pi (cos low - cos high)
@@ -47,6 +46,36 @@ std::vector<RoseBin> rose(std::span<const Vec3> normals, double anisotropy, std:
     bin.expected_density = bin.expected_count / (contacts * solid_angle);
   }
   return histogram;
+}
+
+std::vector<RoseBin> rose(std::span<const Vec3> normals, double anisotropy, std::size_t bins) {
+  require_normals(normals, 1);
+  require_closed("bins", static_cast<double>(bins), 1, 1000);
+  const double width = std::numbers::pi / 2 / static_cast<double>(bins);
+  std::vector<std::size_t> counts(bins);
+  for (const Vec3& n : normals)
+    ++counts[std::min(static_cast<std::size_t>(polar_angle(n) / width), bins - 1)];
+  return rose_of_counts(counts, anisotropy);
+}
+
+std::vector<RoseBin> readable_rose(std::span<const std::size_t> counts, double anisotropy) {
+  constexpr double enough = 25; // contacts
+  constexpr std::size_t least_bins = 3;
+  const auto contacts = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  const std::size_t bins = counts.size();
+  std::size_t taken = 1; // into one
+  for (std::size_t next = 1; next <= bins && bins / next >= std::min(bins, least_bins); ++next) {
+    if (bins % next != 0)
+      continue;
+    taken = next;
+    const double width = std::numbers::pi / 2 * static_cast<double>(taken) / static_cast<double>(bins);
+    if (contacts * (1 - std::cos(width)) >= enough)
+      break;
+  }
+  std::vector<std::size_t> merged(bins / taken);
+  for (std::size_t i = 0; i < bins; ++i)
+    merged[i / taken] += counts[i];
+  return rose_of_counts(merged, anisotropy);
 }
 
 } // namespace granum::fabric

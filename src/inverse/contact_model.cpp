@@ -181,7 +181,7 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
 }
 
 double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const {
-  if (options_.growth != Growth::as_packings || mean_stress == reference_stress_)
+  if (options_.growth != Growth::packings || mean_stress == reference_stress_)
     return first_.void_ratio;
   return effective::carried_contacts(first_, first_contacts(theta), mean_stress).void_ratio;
 }

@@ -2,6 +2,7 @@
 #include <granum/inverse/quantity.hpp>
 
 #include <algorithm>
+#include <string>
 
 #include <granum/core/error.hpp>
 
@@ -30,6 +31,16 @@ const QuantityRow& row_of(Quantity quantity) {
   if (found == std::end(table))
     throw InvalidArgument("quantity is not one of the known ones");
   return *found;
+}
+
+Quantity quantity_of(std::string_view key) {
+  std::string keys;
+  for (const QuantityRow& row : table) {
+    if (key == row.key)
+      return row.quantity;
+    keys += (keys.empty() ? "" : ", ") + std::string(row.key);
+  }
+  throw InvalidArgument("quantity is one of " + keys + ", not " + std::string(key));
 }
 
 } // namespace granum::inverse

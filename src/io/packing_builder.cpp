@@ -50,9 +50,18 @@ std::string many(std::size_t count, const char* what) { return std::to_string(co
 } // namespace
 
 void DigitWatch::see(std::string_view number) {
-  if (seen_ <= enough)
-    seen_ = std::max(seen_, significant_digits(number));
+  if (seen_ > enough)
+    return;
+  seen_ = std::max(seen_, significant_digits(number));
+  if (const auto value = parse_number(number))
+    largest_ = std::max(largest_, std::abs(*value));
 }
+
+double DigitWatch::rounding() const {
+  return few() && largest_ > 0 ? 0.5 * std::pow(10, std::floor(std::log10(largest_)) - most() + 1) : 0;
+}
+
+double DigitWatch::relative_rounding() const { return few() ? 0.5 * std::pow(10, 1 - most()) : 0; }
 
 void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) {
   const double volume = determinant(cell);
@@ -141,9 +150,48 @@ std::uint32_t PackingBuilder::index(long id, std::size_t line) const {
 
 Vec3 PackingBuilder::straight(std::uint32_t a, std::uint32_t b) const { return position(b) - position(a); }
 
+double PackingBuilder::reach(std::uint32_t a, std::uint32_t b) const {
+  return (1 + same_branch) * radius_sum(a, b);
+}
+
+Vec3 PackingBuilder::touching_image(std::uint32_t a, std::uint32_t b, const Vec3& direction,
+                                    std::optional<double> distance) {
+  const std::vector<Vec3> images = cell_.images(straight(a, b), reach(a, b));
+  if (images.size() == 1)
+    return images.front();
+  const auto misfit = [&](const Vec3& image) {
+    const double length = norm(image), scale = norm(direction) * length;
+    return (scale > 0 ? 1 - dot(direction, image) / scale : 0) +
+           (distance ? std::abs(length - *distance) / radius_sum(a, b) : 0);
+  };
+  double least = misfit(images.front());
+  for (const Vec3& image : images)
+    least = std::min(least, misfit(image));
+  const bool turn = a > b;
+  std::vector<Vec3>& taken = taken_[{std::min(a, b), std::max(a, b)}];
+  std::optional<Vec3> best;
+  for (const Vec3& image : images) {
+    constexpr double alike = 1e-4;
+    if (misfit(image) > least + alike)
+      continue;
+    const Vec3 forward = turn ? -image : image;
+    const bool free =
+        std::none_of(taken.begin(), taken.end(), [&](const Vec3& t) { return same(t, forward); });
+    if (!best || free)
+      best = image;
+    if (free)
+      break;
+  }
+  taken.push_back(turn ? -*best : *best);
+  return *best;
+}
+
 void PackingBuilder::require_agreement(const PairRow& row) const {
-  const Vec3 expected = nearest(straight(row.a, row.b));
-  if (!(norm(row.branch - expected) <= same_branch * radius_sum(row.a, row.b)))
+  const double radii = radius_sum(row.a, row.b);
+  const Vec3 between = straight(row.a, row.b);
+  const bool image = norm(row.branch) <= farthest * radii; // of several that touch; else it is the nearest
+  const Vec3 off = image ? nearest(row.branch - between) : row.branch - nearest(between);
+  if (!(norm(off) <= same_branch * radii))
     fail_contact(row.line, pair_text(row.a, row.b) +
                                " has a line of centres that does not fit the positions of "
                                "the grains: are both of the same state?");
@@ -177,7 +225,11 @@ void PackingBuilder::add_wall(const PairRow& row, long wall) {
 
 void PackingBuilder::add(const PairRow& row) {
   if (row.a == row.b)
-    fail_contact(row.line, "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself");
+    fail_contact(row.line,
+                 "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself" +
+                     (ambiguous(row.a, row.b) ? ": through a face of so narrow a cell; write two copies "
+                                                "of the packing side by side"
+                                              : ""));
   require_finite(row, [&] { return pair_text(row.a, row.b); });
   if (row.overlap <= 0) {
     if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
@@ -201,18 +253,48 @@ void PackingBuilder::add(const PairRow& row) {
   entries_.push_back({contact, {turn, row.line}});
 }
 
-/// Makes one contact of all rows of a pair; `group` holds the numbers of these rows.
+/// Makes a contact of all rows of a pair, whose numbers `group` holds; one for each image of the second grain
+/// where rows lead to several.
 void PackingBuilder::merge(std::span<const std::uint32_t> group) {
+  const auto branch = [this](std::uint32_t number) { return entries_[number].contact.branch; };
+  std::vector<std::vector<std::uint32_t>> images;
+  for (const std::uint32_t number : group) {
+    const auto found =
+        std::find_if(images.begin(), images.end(), [&](const std::vector<std::uint32_t>& rows) {
+          return same(branch(number), branch(rows.front()));
+        });
+    (found == images.end() ? images.emplace_back() : *found).push_back(number);
+  }
+  for (const std::vector<std::uint32_t>& rows : images) {
+    const Entry& one = entries_[rows.front()];
+    const double off = norm(nearest(one.contact.branch - branch(group.front())));
+    if (!(off <= same_branch * radius_sum(one.contact.i, one.contact.j)))
+      fail_repeated(one, entries_[group.front()]);
+  }
+  std::sort(images.begin(), images.end(), [&](const auto& x, const auto& y) {
+    const Vec3 a = branch(x.front()), b = branch(y.front());
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
+  for (const std::vector<std::uint32_t>& rows : images)
+    merge_image(rows);
+}
+
+void PackingBuilder::fail_repeated(const Entry& entry, const Entry& first) const {
+  fail_contact(entry.side.line, pair_text(entry.contact.i, entry.contact.j) + " stands on line " +
+                                    std::to_string(first.side.line) +
+                                    " too, with another line of centres or force");
+}
+
+/// Makes one contact of all rows that say the same.
+void PackingBuilder::merge_image(std::span<const std::uint32_t> group) {
   const Entry& front = entries_[group.front()];
   const packing::Contact& first = front.contact;
   std::size_t turned_rows = 0;
   for (const std::uint32_t number : group) {
     const Entry& entry = entries_[number];
     const packing::Contact& c = entry.contact;
-    if (!same(c.branch, first.branch) || !same(force(c), force(first)))
-      fail_contact(entry.side.line, pair_text(c.i, c.j) + " stands on line " +
-                                        std::to_string(front.side.line) +
-                                        " too, with another line of centres or force");
+    if (!same(force(c), force(first)))
+      fail_repeated(entry, front);
     turned_rows += entry.side.turned ? 1 : 0;
   }
   const std::size_t straight_rows = group.size() - turned_rows;
@@ -225,10 +307,30 @@ void PackingBuilder::merge(std::span<const std::uint32_t> group) {
   packing_.assembly.contacts.push_back(first);
 }
 
-void PackingBuilder::note_digits(const DigitWatch& coordinates, std::string_view what) {
-  if (coordinates.few())
-    note(Finding::few_digits, std::string(what) + " have at most " + std::to_string(coordinates.most()) +
-                                  " significant digits: overlaps taken from them are rough");
+void PackingBuilder::note_digits(const DigitWatch& coordinates, std::string_view what, double unit) {
+  if (!coordinates.few())
+    return;
+  note(Finding::few_digits,
+       std::string(what) + " have at most " + std::to_string(coordinates.most()) + " significant digits");
+  packing_.rounding.length = unit * coordinates.rounding();
+}
+
+void PackingBuilder::note_overlap_digits(const DigitWatch& numbers, std::string_view what, double unit) {
+  if (numbers.most() == 0)
+    return;
+  const double lengths = packing_.rounding.length;
+  note_digits(numbers, what, unit);
+  packing_.rounding = {
+      .length = lengths, .overlap = unit * numbers.rounding(), .force = packing_.rounding.force};
+  overlaps_stated_ = true;
+}
+
+void PackingBuilder::note_single_precision(std::string text) {
+  note(Finding::few_digits, std::move(text));
+  double largest = 0;
+  for (const Vec3& x : positions())
+    largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  packing_.rounding.length = largest * static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
 }
 
 void PackingBuilder::note_counts() {
@@ -271,6 +373,8 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   note_counts();
   packing_.step = step;
   packing_.time = time;
+  if (!overlaps_stated_)
+    packing_.rounding.overlap = packing_.rounding.length;
   try {
     require_valid(packing_.assembly);
   } catch (const InvalidArgument& error) {

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/io/imported_packing.hpp>
@@ -47,13 +49,18 @@ struct PairRow {
 class DigitWatch {
  public:
   void see(std::string_view number);
-  /// "at most 6 significant digits" where that is too few for overlaps.
+  /// "at most 6 significant digits" where that may be too few for overlaps.
   [[nodiscard]] bool few() const { return seen_ > 0 && seen_ <= enough; }
   [[nodiscard]] int most() const { return seen_; }
+  /// Half a unit of the last digit of the largest number; 0 unless there are few digits.
+  [[nodiscard]] double rounding() const;
+  /// The same over the number, at worst; 0 unless there are few digits.
+  [[nodiscard]] double relative_rounding() const;
 
  private:
   static constexpr int enough = 8;
   int seen_ = 0;
+  double largest_ = 0;
 };
 
 /// Puts the rows of any format together to one packing, and refuses what cannot be one.
@@ -82,7 +89,18 @@ class PackingBuilder {
   [[nodiscard]] Vec3 straight(std::uint32_t a, std::uint32_t b) const;
   /// The shortest periodic image of a difference of positions.
   [[nodiscard]] Vec3 nearest(const Vec3& difference) const { return cell_.nearest(difference); }
-  /// \throws   FileError if a branch that the file states is not the one between the grains (1 % of the
+  /// The line of centres from a to b that a row means which does not state it: of the images that the two
+  /// grains can touch through, in cells narrower than two diameters perhaps several, the one that fits best.
+  /// Rows of a pair that fit several images alike take one after the other.
+  /// \param    direction   from a to b, of any length; zero if the row does not tell it
+  /// \param    distance    of the centres, if the row tells it [m]
+  [[nodiscard]] Vec3 touching_image(std::uint32_t a, std::uint32_t b, const Vec3& direction,
+                                    std::optional<double> distance);
+  /// Whether two grains may touch through several images.
+  [[nodiscard]] bool ambiguous(std::uint32_t a, std::uint32_t b) const {
+    return cell_.images(straight(a, b), reach(a, b)).size() > 1;
+  }
+  /// \throws   FileError if a branch that the file states leads to no image of the other grain (1 % of the
   ///           radii)
   void require_agreement(const PairRow& row) const;
 
@@ -93,7 +111,13 @@ class PackingBuilder {
   /// \throws   FileError for an invalid wall number, a branch of no length, numbers beyond all range
   void add_wall(const PairRow& row, long wall);
   void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
-  void note_digits(const DigitWatch& coordinates, std::string_view what);
+  /// \param    unit   that the coordinates are in [m]
+  void note_digits(const DigitWatch& coordinates, std::string_view what, double unit = 1);
+  /// The same of what the overlaps are taken from, where the rows of contacts state it.
+  void note_overlap_digits(const DigitWatch& numbers, std::string_view what, double unit = 1);
+  void note_force_digits(const DigitWatch& forces) { packing_.rounding.force = forces.relative_rounding(); }
+  /// Lengths of single precision, up to the largest of the coordinates.
+  void note_single_precision(std::string text);
   /// Makes room for so many rows of contacts.
   void expect_contacts(std::size_t rows) { entries_.reserve(rows); }
   /// Tells the builder that the files hold every pair twice, once from each side.
@@ -118,7 +142,11 @@ class PackingBuilder {
   };
 
   void bound_grains();
+  /// Up to where two grains are looked for that a file says touch.
+  [[nodiscard]] double reach(std::uint32_t a, std::uint32_t b) const;
   void merge(std::span<const std::uint32_t> group);
+  void merge_image(std::span<const std::uint32_t> rows);
+  [[noreturn]] void fail_repeated(const Entry& entry, const Entry& first) const;
   /// \throws   FileError for a line of centres of no length, or numbers beyond all range
   /// \param    name  gives the text that names the contact
   template <class Name>
@@ -133,8 +161,11 @@ class PackingBuilder {
   bool has_cell_ = false;
   bool both_sides_ = false;
   bool forces_known_ = true;
+  bool overlaps_stated_ = false;
   bool unsorted_ = false;
   std::vector<Entry> entries_;
+  /// Images that rows without a line of centres have been given, of pairs with several.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> taken_;
   std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;
 };
 

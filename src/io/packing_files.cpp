@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/packing_files.hpp>
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/text/file_names.hpp>
+#include <granum/io/vtk/collection.hpp>
 
 namespace granum::io {
 
@@ -43,6 +48,74 @@ void require_one_packing(const std::vector<PackingFile>& files) {
 }
 
 } // namespace
+
+namespace {
+
+/// A file that a name stands for, and its place there.
+struct NamedFile {
+  PackingFile file;
+  std::string name; ///< that was given
+  std::size_t place = 0;
+  std::optional<double> time = {}; ///< as the series says
+};
+
+bool is_series(const fs::path& name) {
+  std::error_code unknown; // a pipe can be read only once, and is no list of files
+  if (!fs::is_regular_file(name, unknown))
+    return false;
+  TextSource source(name);
+  return is_collection(source);
+}
+
+/// A name of a file, or of a series of them.
+std::vector<NamedFile> files_of(const fs::path& name) {
+  std::vector<NamedFile> out;
+  if (!is_series(name)) {
+    out.push_back({.file = PackingFile(name), .name = name.string()});
+    return out;
+  }
+  for (const SeriesEntry& entry : read_collection(TextSource(name)))
+    out.push_back({.file = PackingFile(name.parent_path() / entry.file),
+                   .name = name.string(),
+                   .place = out.size(),
+                   .time = entry.time});
+  return out;
+}
+
+/// \throws   InvalidArgument for the first state whose grains and contacts are of different times
+void require_one_time(const NamedFile& grains, const NamedFile& contacts) {
+  if (grains.time && contacts.time && *grains.time != *contacts.time)
+    throw InvalidArgument(grains.file.path().string() + " is of the time " + short_text(*grains.time, 12) +
+                          ", " + contacts.file.path().string() + " of " + short_text(*contacts.time, 12) +
+                          ": series of grains and contacts have the same times");
+}
+
+} // namespace
+
+std::vector<PackingFile> files_of_series(const std::vector<fs::path>& names) {
+  std::vector<NamedFile> grains, contacts;
+  for (const fs::path& name : names)
+    for (NamedFile& one : files_of(name))
+      (one.file.kind().holds == Holds::contacts ? contacts : grains).push_back(std::move(one));
+  std::vector<std::size_t> order(std::max(grains.size(), contacts.size()));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const bool pairs = grains.size() == contacts.size();
+  if (pairs)
+    for (const std::size_t k : order)
+      require_one_time(grains[k], contacts[k]);
+  const std::vector<NamedFile>& leading = grains.size() < contacts.size() ? contacts : grains;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (leading[a].name != leading[b].name)
+      return natural_less(leading[a].name, leading[b].name);
+    return leading[a].place < leading[b].place;
+  });
+  std::vector<PackingFile> out;
+  for (auto* files : {&grains, &contacts})
+    for (const std::size_t k : order)
+      if (k < files->size())
+        out.push_back(std::move((*files)[k].file));
+  return out;
+}
 
 std::string_view description(const FileKind& kind) {
   return kind.holds == Holds::contacts ? kind.format->contacts : kind.format->grains;

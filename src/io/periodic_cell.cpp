@@ -43,4 +43,21 @@ Vec3 PeriodicCell::nearest(const Vec3& difference) const {
   return best;
 }
 
+std::vector<Vec3> PeriodicCell::images(const Vec3& difference, double length) const {
+  const Vec3 shortest = nearest(difference);
+  std::vector<Vec3> out{shortest};
+  if (length < safe_length_) // two images differ by an edge at least
+    return out;
+  constexpr int around = 2; // cells may lean
+  const auto steps = [this](std::size_t k) { return periodic_[k] ? around : 0; };
+  for (int a = -steps(0); a <= steps(0); ++a)
+    for (int b = -steps(1); b <= steps(1); ++b)
+      for (int c = -steps(2); c <= steps(2); ++c)
+        if (const Vec3 image = shifted(shortest, a, b, c);
+            (a != 0 || b != 0 || c != 0) && norm(image) <= length)
+          out.push_back(image);
+  std::stable_sort(out.begin(), out.end(), [](const Vec3& x, const Vec3& y) { return norm(x) < norm(y); });
+  return out;
+}
+
 } // namespace granum::io

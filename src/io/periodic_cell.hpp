@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <granum/core/vec3.hpp>
 
@@ -16,6 +17,9 @@ class PeriodicCell {
 
   /// The shortest periodic image of a difference of two positions.
   [[nodiscard]] Vec3 nearest(const Vec3& difference) const;
+  /// All periodic images of a difference up to a length, the shortest first; the shortest in any case.
+  /// Assumes   no grain of half that length reaches around the cell to itself.
+  [[nodiscard]] std::vector<Vec3> images(const Vec3& difference, double length) const;
 
  private:
   [[nodiscard]] Vec3 shifted(Vec3 difference, int a, int b, int c) const;

@@ -10,15 +10,6 @@ namespace granum::plot {
 
 namespace {
 
-/// A colour on white paper and on dark. All are told apart by people with colour blindness, after Okabe and
-/// Ito, and stand out from their paper as text does, by 4.5 or more.
-struct Colour {
-  const char* light;
-  const char* dark;
-};
-constexpr Colour palette[] = {{"#0072b2", "#56b4e9"}, {"#c04a00", "#f08a4b"}, {"#00785a", "#3fc79a"},
-                              {"#a2457e", "#e09cc4"}, {"#806000", "#e0bb44"}, {"#474f5a", "#c5ccd4"}};
-constexpr Colour grey{"#6b6f75", "#a9b1ba"};
 constexpr std::size_t colours = std::size(palette);
 
 constexpr std::array dashes{"", "8 4", "2 3", "10 3 2 3"};
@@ -32,11 +23,11 @@ std::string class_of(std::size_t colour, Tone tone) {
 }
 
 const char* light(std::size_t colour, Tone tone) {
-  return tone == Tone::grey ? grey.light : palette[colour % colours].light;
+  return tone == Tone::grey ? reference_grey.light : palette[colour % colours].light;
 }
 
 std::size_t colour_index(const Series& series, std::size_t place) {
-  return series.colour.value_or(series.style.value_or(place));
+  return series.colour ? static_cast<std::size_t>(*series.colour) : series.style.value_or(place);
 }
 
 std::size_t characters(std::string_view text) {
@@ -52,13 +43,14 @@ const char* colour_of(const Series& series, std::size_t place) {
   return light(colour_index(series, place), series.tone);
 }
 
-SvgAttributes svg_colour(std::size_t colour) {
-  return {{"class", class_of(colour, Tone::full)}, {"color", light(colour, Tone::full)}};
+SvgAttributes svg_colour(Colour colour) {
+  const auto row = static_cast<std::size_t>(colour);
+  return {{"class", class_of(row, Tone::full)}, {"color", light(row, Tone::full)}};
 }
 
 std::string dark_rules() {
   std::string rules = ".chart{color:#e9ebee}.chart .paper{fill:#15181c}.chart .grid{stroke:#3a4048}";
-  rules += ".cg{color:" + std::string(grey.dark) + "}";
+  rules += ".cg{color:" + std::string(reference_grey.dark) + "}";
   for (std::size_t k = 0; k < colours; ++k)
     rules += ".c" + std::to_string(k) + "{color:" + palette[k].dark + "}";
   return "@media screen and (prefers-color-scheme:dark){" + rules + "}";
@@ -219,7 +211,7 @@ std::string Legend::drawn(const Entry& entry, const Spot& at) const {
   const std::size_t name_of_group = std::string_view("series ").size();
   group[0].second = entry.shared ? "cg" : group[0].second.substr(name_of_group);
   if (entry.shared)
-    group[1].second = grey.light;
+    group[1].second = reference_grey.light;
   std::erase_if(group, [](const auto& attribute) { return attribute.first.starts_with("data-"); });
   svg += svg_group(group, sample) +
          svg_text("legend", {{"x", svg_number(at.x + sample_width)}, {"y", svg_number(at.y + 5)}},

@@ -4,7 +4,7 @@
 namespace granum::plot {
 
 const char* page_script() {
-  return R"(
+  return R"js(
 "use strict";
 document.documentElement.classList.add("live");
 
@@ -50,19 +50,19 @@ function nameOf(svg, series) {
   const key = svg.querySelector(`.key[data-series="${series.dataset.series}"] text`);
   return [key?.textContent, series.dataset.kind].filter(Boolean).join(", ");
 }
+function named(svg, series) {
+  const name = nameOf(svg, series);
+  return name ? name + ": " : "";
+}
 
-function show(svg, event) {
-  const frame = svg.querySelector(".frame");
-  const box = svg.getBoundingClientRect(), view = svg.viewBox.baseVal;
-  const per = view.width / box.width;
-  const x = (event.clientX - box.left) * per, y = (event.clientY - box.top) * per;
-  let best, least = 24 * per;
+// What lies nearest to a place of a picture, in words, no farther away than `reach`: of a chart on axes,
+function ofChart(svg, frame, x, y, reach) {
+  let best, least = reach;
   for (const point of points(svg)) {
     const distance = Math.hypot(point.x - x, point.y - y);
     if (distance < least && !point.series.classList.contains("faded")) [best, least] = [point, distance];
   }
-  tip.hidden = !best || !frame;
-  if (tip.hidden) return;
+  if (!best) return "";
   const left = number(frame, "x"), top = number(frame, "y"), height = number(frame, "height");
   const across = scale(frame.dataset.x, left, number(frame, "width"));
   const up = scale(frame.dataset.y, top + height, -height);
@@ -73,8 +73,68 @@ function show(svg, event) {
   });
   const bar = error?.getBBox();
   const range = bar ? " \u00b1 " + short((up(bar.y) - up(bar.y + bar.height)) / 2) : "";
-  const name = nameOf(svg, best.series);
-  tip.textContent = (name ? name + ": " : "") + short(up(best.y)) + range + " at " + short(across(best.x));
+  return named(svg, best.series) + short(up(best.y)) + range + " at " + short(across(best.x));
+}
+
+// of a rose, whose angles from the vertical are told in degrees,
+function ofRose(svg, rose, x, y, reach) {
+  const across = Math.abs(x - number(rose, "cx")), up = Math.abs(y - number(rose, "cy"));
+  const angle = Math.atan2(across, up), away = Math.hypot(across, up);
+  const length = (value) => (value * number(rose, "r")) / Number(rose.dataset.most);
+  const degrees = (radians) => short((180 * radians) / Math.PI) + "\u00b0";
+  let text = "", least = reach;
+  for (const series of svg.querySelectorAll(".series:not(.faded)")) {
+    const rows = series.dataset.values?.split(";").map((row) => row.split(" ").map(Number));
+    if (!rows) {
+      for (const [px, py] of vertices(series)) {
+        const distance = Math.hypot(px - x, py - y);
+        if (distance >= least) continue;
+        const dx = Math.abs(px - number(rose, "cx")), dy = Math.abs(py - number(rose, "cy"));
+        const value = (Math.hypot(dx, dy) / number(rose, "r")) * Number(rose.dataset.most);
+        least = distance;
+        text = named(svg, series) + short(value) + " at " + degrees(Math.atan2(dx, dy));
+      }
+      continue;
+    }
+    const nearest = rows.reduce((a, b) => (Math.abs(b[0] - angle) < Math.abs(a[0] - angle) ? b : a));
+    const [middle, value, error] = nearest;
+    const bars = series.querySelector(".sectors");
+    // Within a bar all but its lines is farther away than they are.
+    const distance = bars ? Math.max(away - length(value), reach / 3)
+      : Math.hypot(away - length(value), away * (angle - middle));
+    if (distance >= least) continue;
+    least = distance;
+    const range = error > 0 ? " \u00b1 " + short(error) : "";
+    text = named(svg, series) + short(value) + range + " at " + degrees(middle);
+  }
+  return text;
+}
+
+// of force chains.
+function ofForces(svg, x, y, reach) {
+  let best, least = reach;
+  for (const line of svg.querySelectorAll("[data-f]")) {
+    const [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map((name) => number(line, name));
+    const dx = x2 - x1, dy = y2 - y1;
+    const share = Math.max(0, Math.min(1, ((x - x1) * dx + (y - y1) * dy) / (dx * dx + dy * dy || 1)));
+    const distance = Math.hypot(x1 + share * dx - x, y1 + share * dy - y);
+    if (distance < least) [best, least] = [line, distance];
+  }
+  if (!best) return "";
+  const share = Number(best.dataset.f), mean = Number(best.parentElement.dataset.mean);
+  return short(share * mean) + " N, " + short(share) + " of the mean force";
+}
+
+function show(svg, event) {
+  const box = svg.getBoundingClientRect(), view = svg.viewBox.baseVal;
+  const per = view.width / box.width;
+  const x = (event.clientX - box.left) * per, y = (event.clientY - box.top) * per, reach = 24 * per;
+  const frame = svg.querySelector(".frame"), rose = svg.querySelector(".rose");
+  const text = frame ? ofChart(svg, frame, x, y, reach) : rose ? ofRose(svg, rose, x, y, reach)
+    : ofForces(svg, x, y, reach / 2);
+  tip.hidden = !text;
+  if (tip.hidden) return;
+  tip.textContent = text;
   const wide = document.documentElement.clientWidth;
   tip.style.left = Math.max(4, Math.min(event.pageX + 12, wide - tip.offsetWidth - 8)) + "px";
   tip.style.top = event.pageY - 36 + "px";
@@ -131,7 +191,7 @@ for (const figure of document.querySelectorAll("figure")) {
   panels[0].parentElement.before(bar);
   choose(choices[0]);
 }
-)";
+)js";
 }
 
 } // namespace granum::plot

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <granum/core/number.hpp>
+
 #include "picture.hpp"
 
 namespace granum::plot {
@@ -51,8 +53,14 @@ class Rose {
     return {centre_.x + r * std::sin(angle), centre_.y - r * std::cos(angle)};
   }
 
+  /// The first circle tells the page's script what the coordinates of the picture mean.
   [[nodiscard]] std::string circles() const {
-    std::string svg;
+    std::string svg = svg_element("circle", {{"class", "rose"},
+                                             {"cx", svg_number(centre_.x)},
+                                             {"cy", svg_number(centre_.y)},
+                                             {"r", svg_number(radius_)},
+                                             {"fill", "none"},
+                                             {"data-most", short_text(most_, 12)}});
     const AxisRange range(Scale::linear, {0, most_});
     for (const Tick& tick : range.ticks())
       if (tick.value > 0 && tick.value <= most_ * 1.001)
@@ -100,8 +108,13 @@ class Rose {
     const Look look(chart_.series[index], index);
     if (points.points.empty())
       return "";
-    return svg_group(look.group(),
-                     chart_.series[index].mark == Mark::marker ? bars(points) : outline(points, look));
+    SvgAttributes group = look.group();
+    const Mark mark = chart_.series[index].mark;
+    if (mark == Mark::line)
+      return svg_group(group, outline(points, look));
+    group.emplace_back("data-values", values(points));
+    return svg_group(group, mark == Mark::marker ? sectors(points) + errors(points)
+                                                 : errors(points) + markers(points, look));
   }
 
   [[nodiscard]] std::string outline(const DrawnSeries& series, const Look& look) const {
@@ -114,15 +127,42 @@ class Rose {
     return svg_element("path", attributes);
   }
 
-  /// Sectors, and in the upper right quarter their errors along the direction.
-  [[nodiscard]] std::string bars(const DrawnSeries& series) const {
+  /// Angle, value and error of each point, for the page's script.
+  [[nodiscard]] static std::string values(const DrawnSeries& series) {
+    std::string out;
+    for (std::size_t k = 0; k < series.points.size(); ++k)
+      out += (k == 0 ? "" : ";") + short_text(series.points[k].x, 6) + " " +
+             short_text(series.points[k].y, 6) + " " + short_text(series.errors[k], 3);
+    return out;
+  }
+
+  [[nodiscard]] std::string markers(const DrawnSeries& series, const Look& look) const {
+    std::string dots;
+    around(series.points,
+           [&](double angle, double length, std::size_t, int) { dots += look.marker(at(angle, length)); });
+    return svg_group(look.filling(), dots);
+  }
+
+  [[nodiscard]] std::string sectors(const DrawnSeries& series) const {
     const std::size_t n = series.points.size();
     const double half = n > 1 ? (series.points[1].x - series.points[0].x) / 2 : pi / 4;
-    std::string sectors, errors;
-    around(series.points, [&](double angle, double length, std::size_t k, int side) {
+    std::string path;
+    around(series.points, [&](double angle, double length, std::size_t, int) {
       const std::string r = svg_number(radius_ * length / most_);
-      sectors += "M" + pair(centre_) + "L" + pair(at(angle - half, length)) + "A" + r + "," + r + " 0 0 1 " +
-                 pair(at(angle + half, length)) + "Z";
+      path += "M" + pair(centre_) + "L" + pair(at(angle - half, length)) + "A" + r + "," + r + " 0 0 1 " +
+              pair(at(angle + half, length)) + "Z";
+    });
+    return svg_element("path", {{"class", "sectors"},
+                                {"fill", "currentColor"},
+                                {"fill-opacity", "0.16"},
+                                {"stroke", "currentColor"},
+                                {"d", path}});
+  }
+
+  /// In the upper right quarter, along the direction.
+  [[nodiscard]] std::string errors(const DrawnSeries& series) const {
+    std::string bars;
+    around(series.points, [&](double angle, double length, std::size_t k, int side) {
       const double error = series.errors[k];
       if (side != 0 || !(error > 0))
         return;
@@ -131,15 +171,10 @@ class Rose {
       const auto cap = [&](const Spot& p) {
         return "M" + pair({p.x - across.x, p.y - across.y}) + "L" + pair({p.x + across.x, p.y + across.y});
       };
-      errors += svg_element(
+      bars += svg_element(
           "path", {{"class", "error"}, {"d", cap(low) + "M" + pair(low) + "L" + pair(high) + cap(high)}});
     });
-    return svg_element("path", {{"class", "sectors"},
-                                {"fill", "currentColor"},
-                                {"fill-opacity", "0.16"},
-                                {"stroke", "currentColor"},
-                                {"d", sectors}}) +
-           svg_group({{"fill", "none"}, {"stroke", "currentColor"}}, errors);
+    return svg_group({{"fill", "none"}, {"stroke", "currentColor"}}, bars);
   }
 
   const Chart& chart_;

@@ -6,6 +6,7 @@
 
 #include "packing/sample_packings.hpp"
 #include <doctest/doctest.h>
+#include <granum/core/error.hpp>
 
 #include "relative.hpp"
 
@@ -134,4 +135,44 @@ TEST_CASE("law check: without overlaps, forces or a range of them there is no sl
   CHECK(alike.contacts == 400);
   CHECK_FALSE(alike.force_exponent);
   CHECK(alike.coefficient_ratio == relative(1, 1e-14));
+}
+
+TEST_CASE("law check: the exponent is told whatever factor each pair of types has") {
+  packing::Assembly a = contacts_of(PowerLaw::sphere, 0.001);
+  std::vector<long> type;
+  samples::Uniform uniform(7);
+  for (std::size_t k = 0; k < a.contacts.size(); ++k) { // soft grains, and more overlap between them
+    const bool soft = k % 3 == 0;
+    type.insert(type.end(), {soft ? 2L : 1L, k % 2 == 0 ? 1L : 2L});
+    a.contacts[k].normal_force *= soft ? (k % 2 == 0 ? 0.1 : 0.02) : k % 2 == 0 ? 1 : 0.1;
+    a.contacts[k].overlap *= soft ? 3 : 1;
+    a.contacts[k].normal_force *= soft ? std::pow(3, 1.5) : 1;
+  }
+  const auto by_type = analysis::common_exponent(a, type);
+  REQUIRE(by_type);
+  CHECK(std::abs(by_type->value - 1.5) < 4 * by_type->standard_error);
+  CHECK(by_type->standard_error < 1e-3);
+  const auto all = analysis::common_exponent(a);
+  REQUIRE(all);
+  CHECK(all->standard_error > 20 * by_type->standard_error); // factors scatter by fifty
+  CHECK_THROWS_AS((void)analysis::common_exponent(a, std::vector<long>{1, 2}), InvalidArgument);
+  a.contacts.resize(9);
+  CHECK_FALSE(analysis::common_exponent(a));
+  packing::Assembly alike = contacts_of(PowerLaw::sphere);
+  for (packing::Contact& c : alike.contacts)
+    c.overlap = 1e-7;
+  CHECK_FALSE(analysis::common_exponent(alike));
+}
+
+TEST_CASE("law check: the mean material of forces is the one that all have, or the mean of stiffnesses") {
+  packing::Assembly a = contacts_of(PowerLaw::sphere, 0, 3);
+  CHECK(analysis::mean_material_of_forces(a, 0.15)->shear_modulus == relative(30e9, 1e-12));
+  // G/(1 - nu) is what forces tell
+  CHECK(analysis::mean_material_of_forces(a, 0.3)->shear_modulus == relative(30e9 * 0.7 / 0.85, 1e-12));
+  for (std::size_t k = 0; k < a.contacts.size(); k += 2)
+    a.contacts[k].normal_force *= 8;
+  CHECK(analysis::mean_material_of_forces(a, 0.15)->shear_modulus ==
+        relative(30e9 * std::pow((1 + 4) / 2.0, 1.5), 1e-12));
+  a.contacts.clear();
+  CHECK_FALSE(analysis::mean_material_of_forces(a, 0.15));
 }

@@ -37,5 +37,5 @@ check_help("analyse" "Arguments" "Grains" "Shape of the contacts" "Files" "What 
 check_help("verify" "Scene" "Run" "Output")
 check_help("plan" "Scene" "Plan" "Output")
 check_help("reproduce" "Scene" "Run" "Output")
-check_help("trade" "Scene" "Extent" "Output")
+check_help("trade" "Scene" "Extent" "Run" "Output")
 check_help("export lammps" "Scene" "Deck" "Output")

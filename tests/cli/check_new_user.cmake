@@ -2,17 +2,7 @@
 # Runs the program and checks exit code and text, on standard error where something is refused or doubted:
 #   cmake -DPROGRAM=... -DEXIT=0 -DEXPECTED=regex -P check_new_user.cmake -- arguments
 cmake_minimum_required(VERSION 3.25)
-
-set(arguments "")
-set(past_separator FALSE)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach(k RANGE ${last})
-  if(past_separator)
-    list(APPEND arguments "${CMAKE_ARGV${k}}")
-  elseif(CMAKE_ARGV${k} STREQUAL "--")
-    set(past_separator TRUE)
-  endif()
-endforeach()
+include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
 execute_process(COMMAND "${PROGRAM}" ${arguments} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 
 set(told "${out}")

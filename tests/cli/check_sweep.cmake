@@ -7,6 +7,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/study_files.cmake")
 macro(run)
   execute_process(COMMAND "${PROGRAM}" ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 endmacro()
+include("${CMAKE_CURRENT_LIST_DIR}/same_answer.cmake")
 
 # compare(<sweep as JSON> <index> <estimate's arguments>...): every number of one state, letter by letter
 function(compare sweep index)
@@ -48,31 +49,15 @@ compare("${sweep}" 1 --contact cone --slope 0.4 --void-ratio 0.558 --coordinatio
 compare("${sweep}" 8 --void-ratio 0.558 --coordination-number 3.5 --fabric -0.2 --stress-v 50kPa --stress-h 80kPa)
 
 # The answer of a row is that of estimate, letter by letter, whether rows share or tell preparation, contacts and sizes.
-function(compare_answer sweep index)
-  run(estimate --json ${ARGN})
-  if(NOT code EQUAL 0)
-    fail("estimate ${ARGN}")
-  endif()
-  foreach(quantity shear_modulus shear_wave_speed compression_wave_speed bulk_modulus poisson_ratio bulk_density
-      mechanical_coordination_number rattler_fraction)
-    foreach(part value low high)
-      string(JSON ours GET "${sweep}" states ${index} answer ${quantity} ${part})
-      string(JSON theirs GET "${out}" answer ${quantity} ${part})
-      if(NOT ours STREQUAL theirs OR ours STREQUAL "")
-        fail("row ${index}: ${quantity} ${part} is '${ours}', estimate says '${theirs}'")
-      endif()
-    endforeach()
-  endforeach()
-endfunction()
-compare_answer("${sweep}" 0 --contact sphere --void-ratio 0.558 --coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa)
-compare_answer("${sweep}" 3 --contact sphere --void-ratio 0.558 --fabric 0 --pressure 100kPa)
+same_answer("${sweep}" 0 --contact sphere --void-ratio 0.558 --coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa)
+same_answer("${sweep}" 3 --contact sphere --void-ratio 0.558 --fabric 0 --pressure 100kPa)
 run(sweep --table sweep_people.csv --grain quartz --json)
 set(sweep "${out}")
-compare_answer("${sweep}" 0 --grain quartz --void-ratio 0.65 --stress-v 100kPa --stress-h 50kPa --preparation dense)
-compare_answer("${sweep}" 1 --grain quartz --void-ratio 0.7 --stress-v 150kPa --stress-h 75kPa
+same_answer("${sweep}" 0 --grain quartz --void-ratio 0.65 --stress-v 100kPa --stress-h 50kPa --preparation dense)
+same_answer("${sweep}" 1 --grain quartz --void-ratio 0.7 --stress-v 150kPa --stress-h 75kPa
   --mechanical-coordination-number 5.2)
-compare_answer("${sweep}" 2 --grain quartz --void-ratio 0.6 --stress-v 200kPa --stress-h 100kPa --uniformity 2)
-compare_answer("${sweep}" 4 --grain quartz --void-ratio 0.62 --stress-v 80kPa --stress-h 60kPa --preparation friction:0.3)
+same_answer("${sweep}" 2 --grain quartz --void-ratio 0.6 --stress-v 200kPa --stress-h 100kPa --uniformity 2)
+same_answer("${sweep}" 4 --grain quartz --void-ratio 0.62 --stress-v 80kPa --stress-h 60kPa --preparation friction:0.3)
 
 # A table can be drawn by itself.
 file(REMOVE_RECURSE "${FOLDER}")

@@ -84,6 +84,27 @@ granum_new_user("a sand with the word sand" "estimate --sand 'Toyoura sand' --vo
 granum_new_user("a mineral misspelt" "estimate --grain quarz ${at}" 2 "did you mean quartz")
 granum_new_user("a preparation cut off" "estimate --preparation dens ${at}" 2 "did you mean dense")
 
+granum_new_user("a choice with an underscore, and what belongs to it" "estimate --contact power_law --alpha 2 --profile-constant 1000 ${at}" 2
+  "^granum: error: --contact: power_law not in [^\n]*did you mean power-law[^\n]*\n$")
+granum_new_user("choices and contradictions, each in the order typed"
+  "estimate --preparation tapped --pressure 100kPa --grain quarz --stress-h 50kPa --slope 0.4 --void-ratio 0.6 --porosity 38%" 2
+  "preparation 'tapped' is unknown.*did you mean quartz.*--pressure sets both stresses.*--slope goes with --contact cone.*given more than once")
+granum_new_user("the same the other way round"
+  "estimate --porosity 38% --void-ratio 0.6 --slope 0.4 --stress-h 50kPa --grain quarz --pressure 100kPa --preparation tapped" 2
+  "given more than once.*--slope goes with --contact cone.*did you mean quartz.*--pressure sets both stresses.*preparation 'tapped' is unknown")
+granum_new_user("three densities, said once" "estimate --porosity 38% --void-ratio 0.6 --solid-fraction 0.62 --pressure 1" 2
+  "^granum: error: the density is given more than once[^\n]*\ngranum: error: --pressure = 1 has no unit[^\n]*\n$")
+granum_new_user("options of other kinds of sweeps, all at once" "sweep --void-ratio 0.6 --pressure 1kPa --eta 0.5 --k0 0.4 --columns all --force" 2
+  "--pressure goes with --table; a path.*--eta goes with --path txc.*--k0 goes with --depth.*--columns goes with --depth or --table.*--force goes with --out or --picture")
+granum_new_user("choices of the parser beside what they exclude" "sweep --depth 0m..3m --void-ratio 0.6 --from 1kPa --rungs 7 --points 1" 2
+  "excludes.*--rungs: 7 not in.*--points: ")
+granum_new_user("what needs another option" "plan --force --set study.grain=4" 2 "--force requires --out")
+granum_new_user("numbers that are no whole ones" "verify --grains many --seeds 1.5" 2
+  "--grains = 'many': expected a whole number.*--seeds = '1\\.5': expected a whole number")
+granum_new_user("a list with a slip" "infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-pressure 50kPa,1 --growth fix" 2
+  "--predict-pressure = 1 has no unit.*--growth: fix not in {packings,fixed,fitted}; did you mean fixed")
+granum_new_user("an unknown option that another one may need" "sweep --dept 0m..3m --void-ratio 0.6 --k0 0.4" 2 "^granum: error: [^\n]*did you mean --depth[^\n]*\n$")
+
 # ---- what is missing
 granum_new_user("nothing but the command" "estimate" 2 "density and stress are missing: give --void-ratio,[^\n]*--pressure")
 granum_new_user("no stress" "estimate --void-ratio 0.6" 2 "the stress is missing: give --pressure")
@@ -124,3 +145,29 @@ granum_cli_test("people: of a path" EXIT 0 STDERR "warning: --radius 500 mm: gra
   ARGS sweep --void-ratio 0.6 --radius 0.5m --from 10kPa --to 100kPa --points 2)
 granum_cli_test("people: over depth" EXIT 0 STDERR "warning: --d50 200 mm: [^\n]*was 200 um meant" STDOUT "sigma_v"
   ARGS sweep --void-ratio 0.6 --d50 0.2m --depth 1m..2m --points 2)
+# rows of a table: each kind of slip once, with its first row and how many there are
+set(slips "2 of 4 states have a likely mistake, see notes; line 3: --void-ratio 60: is it per cent, 60%")
+granum_cli_test("people: of the rows of a table, counted" EXIT 0 STDERR "${slips}" ARGS sweep --table sweep_slips.csv
+  STDOUT "\nB,60,100,[^\n]*,\"?--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*was 50 kPa meant[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
+granum_cli_test("people: of another kind beside it" EXIT 0 STDERR "1 of 4 states have a likely mistake, see notes; line 4: --pressure 50 Pa"
+  JSON "states/1/notes/0=^--void-ratio 60: is it" ARGS sweep --table sweep_slips.csv --json)
+granum_cli_test("people: of a table in the JSON" EXIT 0 STDERR "${slips}" JSON "warnings=2 of 4 states have a likely mistake"
+  ARGS sweep --table sweep_slips.csv --json)
+granum_cli_test("people: of a table, strictly" EXIT 4 STDERR "error: ${slips}" STDOUT "sample" ARGS sweep --table sweep_slips.csv --strict)
+
+# scenes of simulations: said before anything is computed, and nothing is under --strict
+set(large "grain\\.radius 500 mm: grains so large are no sand; was 500 um meant")
+set(small --set study.contacts=sphere --set study.grains=40 --set grain.radius=0.5m)
+granum_cli_test("people: of a scene" EXIT 0 STDERR "^granum: warning: ${large}[^\n]*\n$" JSON "warnings/0=^${large}" ARGS plan ${small} --json)
+granum_cli_test("people: of a scene, strictly" EXIT 4 STDERR "^granum: error: ${large}" STDOUT "granum verify would run" ARGS plan ${small} --strict)
+granum_cli_test("people: of a density and pressures" EXIT 0 JSON "command=plan"
+  STDERR "grain\\.density 2\\.65 kg/m3: [^\n]*was 2650 kg/m3 meant[^\n]*\n[^\n]*study\\.pressures 20 Pa[^\n]*was 20 kPa meant[^\n]*\n$"
+  ARGS plan --set grain.density=2.65kg/m3 --set study.pressures=20Pa,50Pa,90Pa --set study.probe_pressures=20Pa --json)
+foreach(command verify trade "export lammps --out of_a_slip" reproduce)
+  separate_arguments(words UNIX_COMMAND "${command}")
+  list(GET words 0 name)
+  granum_cli_test("people: ${name} does not begin with a slip, strictly" EXIT 4 STDERR "^granum: error: ${large}[^\n]*\n$"
+    ARGS ${words} ${small} --strict)
+endforeach()
+granum_cli_test("people: a slip in a manifest" EXIT 0 STDERR "^granum: warning: ${large}" JSON "warnings/0=^${large}"
+  ARGS verify ${small} --set study.densities=dense --set study.pressures=20kPa,40kPa,80kPa --set study.probe_pressures=40kPa --json)

@@ -18,5 +18,8 @@ if(TARGET granum_reference)
   if(GRANUM_ZSH)
     add_test(NAME "cli: completion in zsh is read" COMMAND "${GRANUM_ZSH}" -n "${reference}/zsh/_granum")
     set_tests_properties("cli: completion in zsh is read" PROPERTIES LABELS cli)
+    add_test(NAME "cli: completion in zsh"
+      COMMAND "${GRANUM_ZSH}" "${CMAKE_CURRENT_SOURCE_DIR}/check_completion.zsh" "${reference}/zsh")
+    set_tests_properties("cli: completion in zsh" PROPERTIES LABELS cli SKIP_RETURN_CODE 77 TIMEOUT 600)
   endif()
 endif()

@@ -22,11 +22,11 @@ TEST_CASE("slips are counted, whichever word comes first") {
              {"perssure", "pressure", 1},  // the wrong way round
              {"kitten", "sitting", 3},
              {"ca", "abc", 3}}; // neighbours that changed places are not touched again
-  for (const auto& [a, b, slips] : all) {
-    CAPTURE(a);
-    CAPTURE(b);
-    CHECK(slips_between(a, b) == slips);
-    CHECK(slips_between(b, a) == slips);
+  for (const auto& pair : all) {
+    CAPTURE(pair.a);
+    CAPTURE(pair.b);
+    CHECK(slips_between(pair.a, pair.b) == pair.slips);
+    CHECK(slips_between(pair.b, pair.a) == pair.slips);
   }
 }
 

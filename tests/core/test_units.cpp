@@ -76,9 +76,9 @@ TEST_CASE("units that engineers write are read by their definitions") {
       {"30\u00b0", Dimension::angle, std::numbers::pi / 6},
       {"1000ft/s", Dimension::speed, 304.8},
   };
-  for (const auto& [text, dimension, value] : all) {
-    CAPTURE(text);
-    CHECK(parse_quantity("x", text, dimension) == relative(value, 2e-15));
+  for (const auto& row : all) {
+    CAPTURE(row.text);
+    CHECK(parse_quantity("x", row.text, row.dimension) == relative(row.value, 2e-15));
   }
   // a density and a unit weight stand for each other
   CHECK(parse_quantity("x", "2t/m3", Dimension::unit_weight) == relative(2000 * 9.80665, 1e-15));

@@ -64,7 +64,42 @@ TEST_CASE("rose: either sense of a normal, and the ends of the range, fall into 
         relative(1 / (4 * std::numbers::pi), 1e-15));
 }
 
+TEST_CASE("rose: neighbours are taken together until the bin around the vertical would hold 25 contacts") {
+  std::vector<std::size_t> counts(18);
+  const auto bins = [&](std::size_t contacts) {
+    counts.assign(18, 0);
+    counts[17] = contacts;
+    return fabric::readable_rose(counts, 0).size();
+  };
+  // 25/(1 - cos w) contacts for w of 5, 10, 15 degrees: 6570, 1645.6, 733.7.
+  CHECK(bins(6570) == 18);
+  CHECK(bins(6569) == 9);
+  CHECK(bins(1646) == 9);
+  CHECK(bins(1645) == 6);
+  CHECK(bins(734) == 6);
+  CHECK(bins(733) == 3);
+  CHECK(bins(1) == 3);
+  CHECK(fabric::readable_rose(std::vector<std::size_t>{1, 1}, 0).size() == 2);
+
+  for (std::size_t k = 0; k < 18; ++k)
+    counts[k] = 10 + 5 * k;
+  const auto fine = fabric::rose_of_counts(counts, 0.3), few = fabric::readable_rose(counts, 0.3);
+  REQUIRE(few.size() == 6);
+  for (std::size_t k = 0; k < 6; ++k) {
+    CHECK(std::abs(few[k].low - fine[3 * k].low) < 1e-15);
+    CHECK(few[k].high == relative(fine[3 * k + 2].high, 1e-14));
+    CHECK(few[k].count == fine[3 * k].count + fine[3 * k + 1].count + fine[3 * k + 2].count);
+    CHECK(few[k].count_error == std::sqrt(static_cast<double>(few[k].count)));
+    CHECK(few[k].expected_count == relative(fine[3 * k].expected_count + fine[3 * k + 1].expected_count +
+                                                fine[3 * k + 2].expected_count,
+                                            1e-12));
+  }
+}
+
 TEST_CASE("rose: bad input") {
+  CHECK_THROWS_AS((void)fabric::rose_of_counts({}, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::rose_of_counts(std::vector<std::size_t>{0, 0}, 0), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::readable_rose({}, 0), InvalidArgument);
   const std::vector<Vec3> one{{0, 0, 1}}, longer{{0, 0, 1.1}};
   CHECK_THROWS_AS((void)fabric::rose({}, 0, 9), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::rose(longer, 0, 9), InvalidArgument);

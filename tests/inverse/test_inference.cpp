@@ -154,14 +154,14 @@ TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrin
                                   carried.counts.rattler_fraction);
     all.push_back({Quantity::V_s, {value, 0.01 * value}, here});
   }
-  const auto answer = infer(all, options_with(Growth::as_packings));
+  const auto answer = infer(all, options_with(Growth::packings));
   REQUIRE(answer.together);
   CHECK(answer.together->packing(at_rest).mechanical_coordination_number.value == relative(z, 1e-10));
   CHECK(answer.together->chi_square() < 1e-14);
   CHECK(answer.together->void_ratio_at(10e6) == relative(all.back().state.void_ratio, 1e-12));
   CHECK(answer.together->void_ratio_at(10e6) < 0.59);
   // From the first alone: the same prediction of the last, with an error that the growth has a share in.
-  const auto one = infer(std::span(all).first(1), options_with(Growth::as_packings));
+  const auto one = infer(std::span(all).first(1), options_with(Growth::packings));
   const Measured grown = one.together->predict(Quantity::V_s, all.back().state);
   CHECK(grown.value == relative(all.back().value.value, 1e-10));
   const auto fixed = infer(std::span(all).first(1), options_with());
@@ -288,7 +288,7 @@ TEST_CASE("inference: stated errors are those of a sample") {
   std::normal_distribution<double> normal;
   std::vector<double> found, missed;
   Measured stated_z, stated_value;
-  for (int draw = 0; draw < 3000; ++draw) {
+  for (int draw = 0; draw < 2000; ++draw) {
     const auto [expected, scatter] = effective::expected_rattlers(beads(3e6), z);
     const double x = expected * std::exp(scatter * normal(generator));
     const double grain_modulus = 29e9 * std::exp(grain_error * normal(generator));

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/packing_files.hpp>
 
+#include <cmath>
 #include <thread>
 #include <tuple>
 
 #include <sys/stat.h>
 
 #include <zlib.h>
+
+#include <granum/io/output_file.hpp>
+#include <granum/io/vtk/paraview.hpp>
 
 #include "import_support.hpp"
 #include "temporary_folder.hpp"
@@ -56,7 +60,8 @@ TEST_CASE("packing files: each format is told by what stands in it") {
       {"yade_chain.vtp", &vtk_xml_format, Holds::contacts},
       {"vtk_raw.vtu", &vtk_xml_format, Holds::grains},
       {"vtk_appended.vtp", &vtk_xml_format, Holds::contacts}};
-  for (const auto& [name, format, holds] : expected) {
+  for (const auto& [file, format, holds] : expected) {
+    const char* name = file;
     INFO(name);
     CHECK(PackingFile(data_path(name)).kind() == FileKind{format, holds});
   }
@@ -172,4 +177,69 @@ TEST_CASE("packing files: files that do not go together are refused") {
         std::string::npos);
   CHECK(refused({"lammps_chain.atoms", "lammps_chain.data"}).find("which does not go with") !=
         std::string::npos);
+}
+
+namespace {
+
+/// A grain at x = number/100, as granum writes it for ParaView.
+void write_grain(const std::filesystem::path& path, int number) {
+  const packing::Assembly one{
+      .cell = Mat3::identity(), .position = {{number / 100.0, 0.5, 0.5}}, .radius = {0.1}, .contacts = {}};
+  write_file(path, grains_vtu(one), Existing::keep);
+}
+
+/// The numbers of the grains of all states, in their order.
+std::vector<int> numbers_of(const std::vector<std::filesystem::path>& names) {
+  PackingFiles files(files_of_series(names));
+  std::vector<int> out;
+  while (const auto packing = files.next())
+    out.push_back(static_cast<int>(std::lround(100 * packing->assembly.position[0].x)));
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("packing files: states of several files come in the order of the numbers in their names") {
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> names;
+  for (const int number : {9, 11, 2, 10, 1}) {
+    names.push_back(folder.path() / ("p" + std::to_string(number) + ".vtu"));
+    write_grain(names.back(), number);
+  }
+  CHECK(numbers_of(names) == std::vector<int>{1, 2, 9, 10, 11});
+  PackingFiles files(files_of_series(names));
+  REQUIRE((files.next() && files.next()));
+  CHECK(files.path() == names[2]);
+}
+
+TEST_CASE("packing files: a series of VTK files comes in the order of its times, whatever the names") {
+  const TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return folder.path() / name; };
+  std::filesystem::create_directory(at("states"));
+  for (const int number : {1, 2, 3})
+    write_grain(at("states") / ("g" + std::to_string(number) + ".vtu"), number);
+  write_file(at("late.pvd"), pvd(std::vector<SeriesEntry>{{30, "states/g1.vtu"}, {10, "states/g3.vtu"}}),
+             Existing::keep);
+  CHECK(numbers_of({at("late.pvd")}) == std::vector<int>{3, 1});
+  // beside files, by the names that were given
+  CHECK(numbers_of({at("states") / "g2.vtu", at("late.pvd")}) == std::vector<int>{3, 1, 2});
+  write_file(at("lost.pvd"), pvd(std::vector<SeriesEntry>{{0, "states/none.vtu"}}), Existing::keep);
+  CHECK(refusal([&] { (void)files_of_series({at("lost.pvd")}); }).find("none.vtu") != std::string::npos);
+}
+
+TEST_CASE("packing files: series of grains and of contacts have the same times") {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::vector<SeriesEntry>& entries) {
+    write_file(folder.path() / name, pvd(entries), Existing::replace);
+    return folder.path() / name;
+  };
+  const std::string grains = data_path("yade_chain.vtu"), contacts = data_path("yade_chain.vtp");
+  const auto first = write("g.pvd", {{1, grains}}), second = write("c.pvd", {{1, contacts}});
+  PackingFiles files(files_of_series({second, first}));
+  const auto packing = files.next();
+  REQUIRE(packing);
+  check_chain(*packing, 3e-9, 1e-2);
+  (void)write("c.pvd", {{2, contacts}});
+  CHECK_THROWS_WITH_AS((void)files_of_series({first, second}), doctest::Contains("is of the time 1"),
+                       InvalidArgument);
 }

@@ -2,9 +2,12 @@
 // Colours, kinds, triangles, findings and roses of charts.
 #include <granum/plot/chart.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -24,11 +27,11 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
                      .x = {1, 2},
                      .y = {1, 2},
                      .style = 2,
-                     .colour = 1,
+                     .colour = Colour::cone,
                      .kind = "probe"};
   chart.series.push_back(chart.series[0]);
   chart.series[1].name = "sphere";
-  chart.series[1].colour = 0;
+  chart.series[1].colour = Colour::sphere;
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
   CHECK(texts(picture, "legend") == std::vector<std::string>{"cone", "sphere", "probe"});
@@ -39,6 +42,37 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
   CHECK(count(picture, "<circle") == 0);             // style 2 has diamonds
   CHECK(gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg").find("rgb '#c04a00'") !=
         std::string::npos);
+}
+
+TEST_CASE("every colour stands out from its paper as text does, has a name, and none stands twice") {
+  const auto luminance = [](std::string_view colour) {
+    const double weights[] = {0.2126, 0.7152, 0.0722};
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double share = std::stoi(std::string(colour.substr(1 + 2 * k, 2)), nullptr, 16) / 255.0;
+      sum += weights[k] * (share <= 0.03928 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  // The ratio of WCAG 2.1, 1.4.3.
+  const auto contrast = [&](std::string_view a, std::string_view b) {
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+    return (high + 0.05) / (low + 0.05);
+  };
+  CHECK(contrast("#000000", "#ffffff") == relative(21, 1e-12));
+  std::set<std::string_view> seen;
+  std::vector<PaletteRow> all(std::begin(palette), std::end(palette));
+  CHECK(all.size() == static_cast<std::size_t>(Colour::force) + 1);
+  all.push_back(reference_grey);
+  for (const PaletteRow& row : all) {
+    CAPTURE(std::string(row.name));
+    CHECK(contrast(row.light, "#ffffff") >= 4.5);
+    CHECK(contrast(row.dark, "#15181c") >= 4.5);
+    for (const std::string_view text : {row.name, row.light, row.dark})
+      CHECK(seen.insert(text).second);
+  }
+  CHECK(std::string_view(palette[static_cast<std::size_t>(Colour::measured)].name) == "measured");
+  CHECK(std::string_view(palette[static_cast<std::size_t>(Colour::closed_form)].name) == "closed_form");
 }
 
 TEST_CASE("a slope triangle has the slope it says, and its text lies inside the picture") {
@@ -109,6 +143,14 @@ TEST_CASE("a rose shows its series in all four quadrants, errors in one") {
   CHECK(texts(picture, "legend") == std::vector<std::string>{"counted", "fitted"});
   // The longest is 2.2 with its error, and the rose has a radius of 150: 2 in the sector, 1 in the line.
   CHECK(picture.find("A136.36,136.36") != std::string::npos);
+  CHECK(picture.find("data-most=\"2.2\"") != std::string::npos);
+  CHECK(picture.find("data-values=\"0.4 1 0.1;1.2 2 0.2\"") != std::string::npos);
+  // Of markers and lines: points all around, errors in one quadrant, no sectors.
+  chart.series[0].mark = Mark::both;
+  const std::string points = svg(chart);
+  CHECK(count(points, "<circle") == count(picture, "<circle") + 8 + 1); // one in the legend
+  CHECK(count(points, "class=\"error\"") == 3);
+  CHECK(count(points, "class=\"sectors\"") == 0);
   chart.series.clear();
   CHECK(well_formed(svg(chart)));
 }

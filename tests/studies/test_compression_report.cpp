@@ -110,9 +110,9 @@ TEST_CASE("a shape has its colour in all pictures, and is listed once in each") 
     std::multiset<std::string> named;
     for (const plot::Series& one : panel.chart.series) {
       if (one.name == "sphere")
-        CHECK(one.colour == std::size_t{0});
+        CHECK(one.colour == plot::Colour::sphere);
       if (one.name == "cone")
-        CHECK(one.colour == std::size_t{1});
+        CHECK(one.colour == plot::Colour::cone);
       named.insert(one.name);
     }
     CHECK(named.count("sphere") == 1);

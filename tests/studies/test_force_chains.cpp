@@ -36,7 +36,7 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
   CHECK(count(chains->in_page, "<line") == 2);                 // not the one that does not press
   CHECK(count(chains->in_page, "stroke-width=\"1.10\"") == 1); // 2.2 for the mean force, 2
   CHECK(count(chains->in_page, "stroke-width=\"3.30\"") == 1);
-  const std::size_t strong = chains->in_page.find("class=\"c1\"");
+  const std::size_t strong = chains->in_page.find("class=\"c11\"");
   REQUIRE(strong != std::string::npos);
   CHECK(chains->in_page.find("3.30") > strong);
   CHECK(chains->in_page.find("1.10") < strong);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each warning of a measured frame, provoked by a file, and not there in the same file without its cause.
+#include <algorithm>
 #include <cmath>
 
 #include "studies/analyse/measured_frame.hpp"
@@ -7,6 +8,7 @@
 #include <granum/io/mercury/output.hpp>
 
 #include "read_specimen.hpp"
+#include "relative.hpp"
 #include "written_packing.hpp"
 
 using namespace granum;
@@ -53,10 +55,40 @@ TEST_CASE("frame warnings: a specimen at rest has none") {
   CHECK(studies::measure_frame(through_csv(specimen()), given_modulus, wanted()).warnings.empty());
 }
 
-TEST_CASE("frame warnings: six digits") {
-  const io::ImportedPacking packing = through_dump(specimen(), 6);
-  CHECK(warns(packing, "have at most 6 significant digits"));
-  CHECK(warns(packing, "forces against overlaps say little"));
+TEST_CASE("frame warnings: few digits are judged by what they leave of the overlaps") {
+  std::vector<double> overlaps;
+  for (const packing::Contact& c : specimen().contacts)
+    overlaps.push_back(c.overlap);
+  std::sort(overlaps.begin(), overlaps.end());
+  const double median = overlaps[overlaps.size() / 2];
+  // lines of centres with all digits: those of the coordinates do not matter
+  const io::ImportedPacking coordinates = through_dump(specimen(), 6);
+  CHECK(coordinates.has(io::Finding::few_digits));
+  CHECK(coordinates.rounding.overlap == 0);
+  CHECK_FALSE(warns(coordinates, "significant digits"));
+  CHECK_FALSE(warns(coordinates, "overlaps are rounded"));
+  // six digits of a millimetre: half a nanometre
+  const io::ImportedPacking six = through_dump(specimen(), 6, 6);
+  CHECK(six.rounding.overlap == relative(5e-10, 1e-12));
+  CHECK(six.rounding.force == relative(5e-6, 1e-12));
+  REQUIRE(six.rounding.overlap < 0.1 * median);
+  CHECK_FALSE(warns(six, "overlaps are rounded"));
+  CHECK_FALSE(warns(six, "forces are no function of the overlap"));
+  CHECK_FALSE(warns(six, "not at rest"));
+  const analysis::Measurement found = studies::measure_frame(six).packing; // G_g comes out of them
+  REQUIRE(found.grain);
+  CHECK(found.grain->shear_modulus ==
+        relative(specimen_grain.shear_modulus, 3 * six.rounding.overlap / median));
+  // four digits tell nothing of the overlaps, and leave a little on the grains
+  const io::ImportedPacking four = through_dump(specimen(), 6, 4);
+  CHECK(four.rounding.overlap == relative(5e-8, 1e-12));
+  CHECK(warns(four, "have at most 4 significant digits: overlaps are known to 5e-08 m, "));
+  CHECK(warns(four, "forces against overlaps say little: the overlaps are rounded"));
+  CHECK_FALSE(warns(four, "not at rest"));
+  // another law shows at six digits
+  Given cones = given_modulus;
+  cones.law_family = [](const contact::GrainMaterial& g, double) { return contact::PowerLaw::cone(g, 0.4); };
+  CHECK(warns(six, "forces are no function of the overlap as the law has it", cones));
 }
 
 TEST_CASE("frame warnings: a row twice") {

@@ -4,6 +4,7 @@
 #include "studies/analyse/materials.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -78,7 +79,7 @@ TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") 
   const io::ImportedPacking packing = read("lammps_types.contacts");
   const studies::MeasuredFrame untold = studies::measure_frame(packing, {.law_assumed = true});
   CHECK(says(untold.warnings, "the grains have several types: give --material for each"));
-  CHECK_FALSE(untold.packing.network);
+  CHECK(untold.packing.network);
   const studies::MeasuredFrame told = studies::measure_frame(packing, with_materials(packing));
   Given ratio{.law_assumed = true};
   ratio.stiffness_from = packing::StiffnessFrom::ratio;
@@ -88,6 +89,32 @@ TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") 
   // network has no k_t in it
   CHECK(by_ratio.packing.network->isotropic_affine().bulk_modulus() ==
         relative(told.packing.network->isotropic_affine().bulk_modulus(), 1e-9));
+}
+
+TEST_CASE("materials: Hertz' contacts of materials that nobody gave have k_n = 1.5 f/d") {
+  const io::ImportedPacking packing = read("lammps_types.contacts");
+  const auto relaxed = [&](const Given& given) {
+    return studies::measure_frame(packing, given).packing.solved_network().response.relaxed().matrix;
+  };
+  const studies::MeasuredFrame told = studies::measure_frame(packing, {.law_assumed = true});
+  CHECK(says(told.packing.notes, "the forces go as the overlaps to the power 1.5"));
+  CHECK(says(told.packing.notes, "k_n = 1.5 f/d of each contact without a material"));
+  // the same k_n as of both materials; k_t differs by the ratio alone
+  Given known = with_materials(packing), unknown{.law_assumed = true};
+  known.tangential_ratio = unknown.tangential_ratio = 0.8;
+  const auto expected = relaxed(known);
+  CHECK((relaxed(unknown) - expected).norm() < 1e-9 * expected.norm());
+  // closed forms take nearly the mean of the two materials
+  const analysis::Measurement by_materials = studies::measure_frame(packing, known).packing,
+                              by_forces = studies::measure_frame(packing, unknown).packing;
+  REQUIRE((by_materials.grain && by_forces.grain));
+  CHECK(by_forces.grain->shear_modulus / (1 - by_forces.grain->poisson_ratio) ==
+        relative(by_materials.grain->shear_modulus / (1 - by_materials.grain->poisson_ratio), 1e-9));
+  // forces that go otherwise are not taken so
+  io::ImportedPacking cones = packing;
+  for (packing::Contact& c : cones.assembly.contacts)
+    c.normal_force *= std::sqrt(c.overlap / 1e-7);
+  CHECK_FALSE(studies::measure_frame(cones, {.law_assumed = true}).packing.network);
 }
 
 TEST_CASE("materials: linear springs are taken as they are") {

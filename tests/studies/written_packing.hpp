@@ -44,22 +44,23 @@ inline std::string dump_grains(const packing::Assembly& a, long step, int digits
 }
 
 /// Forces are those on the first grain.
-inline std::string dump_contacts(const packing::Assembly& a, long step) {
+inline std::string dump_contacts(const packing::Assembly& a, long step, int digits = 17) {
   std::string text = "ITEM: TIMESTEP\n" + std::to_string(step) + "\nITEM: NUMBER OF ENTRIES\n" +
                      std::to_string(a.contacts.size()) + "\n" + dump_box(a, "pp pp pp") +
                      "ITEM: ENTRIES id1 id2 dx dy dz force ftx fty ftz\n";
   for (const packing::Contact& c : a.contacts) {
     const Vec3 d = -c.branch, t = -c.tangential_force;
     text += std::to_string(c.i + 1) + " " + std::to_string(c.j + 1) + " " +
-            words({d.x, d.y, d.z, c.normal_force, t.x, t.y, t.z}, " ") + "\n";
+            words({d.x, d.y, d.z, c.normal_force, t.x, t.y, t.z}, " ", digits) + "\n";
   }
   return text;
 }
 
 /// What is read back from a dump of one frame.
-inline io::ImportedPacking through_dump(const packing::Assembly& a, int digits = 17) {
+inline io::ImportedPacking through_dump(const packing::Assembly& a, int digits = 17,
+                                        int contact_digits = 17) {
   io::LammpsDump dump(io::TextSource::of_text("grains", dump_grains(a, 7, digits)),
-                      io::TextSource::of_text("contacts", dump_contacts(a, 7)));
+                      io::TextSource::of_text("contacts", dump_contacts(a, 7, contact_digits)));
   return dump.next().value();
 }
 

@@ -186,9 +186,9 @@ bool run(const std::string& states, const std::string& beads) {
   std::printf("the same of K\n");
   (void)report("all", coordination_misses(own, Quantity::K, low, high, any), 1, "");
   std::printf("ln G predicted from the first pressure of each specimen, z* growing as own packings'\n");
-  const Summary grown = report("all", prediction_misses(own, inverse::Growth::as_packings), 0.01, " %");
+  const Summary grown = report("all", prediction_misses(own, inverse::Growth::packings), 0.01, " %");
   const Summary beads_grown =
-      report("glass beads, fresh seeds", prediction_misses(fresh, inverse::Growth::as_packings), 0.01, " %");
+      report("glass beads, fresh seeds", prediction_misses(fresh, inverse::Growth::packings), 0.01, " %");
   std::printf("the same with z* fixed\n");
   const Summary fixed = report("all", prediction_misses(own, inverse::Growth::fixed), 0.01, " %");
   (void)report("glass beads, fresh seeds", prediction_misses(fresh, inverse::Growth::fixed), 0.01, " %");

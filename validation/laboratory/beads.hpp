@@ -133,8 +133,12 @@ inline granum::plot::Chart chart(const Comparison& c, double Moduli::*modulus, c
                       .x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
                       .y = {.title = symbol + " [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
                       .series = {}};
-  plot::Series points{
-      .name = "measured, porosity 0.36 to 0.40", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  plot::Series points{.name = "measured, porosity 0.36 to 0.40",
+                      .mark = plot::Mark::marker,
+                      .x = {},
+                      .y = {},
+                      .style = 0,
+                      .colour = plot::Colour::measured};
   for (std::size_t k = 0; k < c.measured.size(); ++k) {
     points.x.push_back(c.measured[k].pressure);
     points.y.push_back(c.measured_moduli(k).*modulus);

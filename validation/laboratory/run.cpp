@@ -49,13 +49,13 @@ bool run(const std::string& folder, const char* pictures) {
   for (const Measured& m : beads.measured)
     std::printf(" %6.2f", m.pressure / 1e6);
   std::printf("\n");
-  const Foretold grown = foretell(glass, beads.measured, Growth::as_packings);
+  const Foretold grown = foretell(glass, beads.measured, Growth::packings);
   print(grown, "beads, z* growing as own packings'");
   print(foretell(glass, beads.measured, Growth::fixed), "beads, z* fixed");
   for (const double n : {least_porosity, most_porosity})
-    print(foretell(glass, beads.measured, Growth::as_packings, n),
+    print(foretell(glass, beads.measured, Growth::packings, n),
           n < porosity ? "beads, growing, porosity 0.36" : "beads, growing, porosity 0.40");
-  print(foretell(quartz, sand.measured, Growth::as_packings), "sand, z* growing as own packings'");
+  print(foretell(quartz, sand.measured, Growth::packings), "sand, z* growing as own packings'");
   print(foretell(quartz, sand.measured, Growth::fixed), "sand, z* fixed");
   print_sands();
   if (pictures != nullptr)

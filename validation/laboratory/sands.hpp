@@ -120,13 +120,20 @@ inline granum::plot::Chart sand_chart(double void_ratio) {
                       .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
                       .y = {.title = "G [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
                       .series = {}};
-  const std::pair<const char*, Range (*)(double, double)> bands[] = {
-      {"measured sands, lowest and highest law", measured_range},
-      {"spheres, loosest and densest", [](double e, double p) { return model_range(false, e, p); }},
-      {"cones, loosest and densest", [](double e, double p) { return model_range(true, e, p); }}};
+  struct Band {
+    const char* name;
+    plot::Colour colour;
+    Range (*range_at)(double void_ratio, double pressure);
+  };
+  const Band bands[] = {{"measured sands, lowest and highest law", plot::Colour::measured, measured_range},
+                        {"spheres, loosest and densest", plot::Colour::sphere,
+                         [](double e, double p) { return model_range(false, e, p); }},
+                        {"cones, loosest and densest", plot::Colour::cone,
+                         [](double e, double p) { return model_range(true, e, p); }}};
   for (std::size_t style = 0; style < std::size(bands); ++style) {
-    const auto& [name, range_at] = bands[style];
-    plot::Series low{.name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = style};
+    const auto& [name, colour, range_at] = bands[style];
+    plot::Series low{
+        .name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = style, .colour = colour};
     plot::Series high = low;
     high.name.clear();
     for (int k = 0; k <= 20; ++k) {

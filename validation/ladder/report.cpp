@@ -151,12 +151,14 @@ std::vector<std::string> summary(const std::vector<Row>& rows) {
 
 // ---- the picture ----
 
-plot::Series points(const std::string& name, const std::vector<Row>& own, std::size_t style) {
+plot::Series points(const std::string& name, const std::vector<Row>& own, std::size_t style,
+                    plot::Colour colour) {
   return {.name = name,
           .mark = plot::Mark::marker,
           .x = each(own, cost),
           .y = each(own, actual_error),
-          .style = style};
+          .style = style,
+          .colour = colour};
 }
 
 plot::Chart panel(const std::string& title) {
@@ -185,11 +187,12 @@ plot::Chart closed_forms(const std::vector<Row>& rows) {
     }
     picture.series.push_back(line);
   }
-  picture.series.push_back(points("rung 0", of_rung(rows, 0, "all"), 0));
-  picture.series.push_back(points("rung 1", of_rung(rows, 1, "all"), 1));
-  picture.series.push_back(points("rung 2", of_rung(rows, 2, "all"), 2));
-  picture.series.push_back(points("rung 3, z* known", of_rung(rows, 3, "all"), 3));
-  picture.series.push_back(points("rung 3, z* from C_n", of_rung(rows, 3, "C_n"), 4));
+  picture.series.push_back(points("rung 0", of_rung(rows, 0, "all"), 0, plot::Colour::uniform_strain));
+  picture.series.push_back(points("rung 1", of_rung(rows, 1, "all"), 1, plot::Colour::uniform_strain));
+  picture.series.push_back(points("rung 2", of_rung(rows, 2, "all"), 2, plot::Colour::uniform_strain));
+  picture.series.push_back(points("rung 3, z* known", of_rung(rows, 3, "all"), 3, plot::Colour::closed_form));
+  picture.series.push_back(
+      points("rung 3, z* from C_n", of_rung(rows, 3, "C_n"), 0, plot::Colour::closed_form));
   picture.finding =
       "Closed forms: rungs 0 to 2 are off by 40 to 400 % and cost 20 to 400 ns; rung 3 is off by some "
       "4 % and costs 1 microsecond.";
@@ -203,10 +206,9 @@ plot::Chart of_packings(const std::vector<Row>& rows) {
   std::map<std::string, double> network_cost;
   for (const Row& row : of_rung(rows, 4, "packing"))
     network_cost[row.specimen.name()] = row.cost;
-  plot::Series network = points("rung 4: network", probes, 5);
+  plot::Series network = points("rung 4: network", probes, 1, plot::Colour::measured);
   network.x = each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); });
-  picture.series = {network, points("rung 5: DEM probe", probes, 0)};
-  picture.series[1].colour = 1;
+  picture.series = {network, points("rung 5: DEM probe", probes, 2, plot::Colour::measured)};
   picture.finding = "Network and probe differ by less than 0.4 % and cost tenths of a second.";
   return picture;
 }

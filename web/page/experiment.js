@@ -14,6 +14,7 @@ class ExperimentPanel {
     this.words = texts.experiment;
     this.states = [];
     this.worker = null;
+    this.phase = "none"; // compression, compressed, shear
     this.build();
     this.drawStates();
   }
@@ -40,7 +41,8 @@ class ExperimentPanel {
     const button = (name, text, act, more = {}) => (this.buttons[name] = element("button", { id: `x${name}`, onclick: act, ...more }, text));
     const bar = element("div", {},
       button("start", w.start, () => this.start("run"), { class: "first" }),
-      button("step", w.step, () => (this.worker ? this.send("step") : this.start("step"))),
+      button("step", w.step, () => this.step()),
+      button("shear", w.shear, () => this.shear("run"), { disabled: true }),
       button("pause", w.pause, () => this.pause(), { disabled: true }),
       button("stop", w.stop, () => this.end(w.stopped), { disabled: true }),
       button("csv", w.csv, () => saveFile("granum-experiment.csv", this.csv(), "text/csv"), { disabled: true }));
@@ -57,7 +59,7 @@ class ExperimentPanel {
       element("div", { class: "panes" },
         element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice)),
         element("div", {}, this.picture, save)),
-      this.table);
+      this.table, (this.curves = new ShearCurves(this.texts)).place);
     try {
       this.view = new PackingView(this.canvas);
       this.view.slice = 1.1;
@@ -80,35 +82,57 @@ class ExperimentPanel {
     this.states = [];
     this.notAtRest = "";
     this.setup = setup;
+    this.viewed({ shape: setup.grain.shape });
     this.contactExponent = this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent;
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
-    this.mode = mode;
-    this.status.textContent = this.words.preparing;
-    this.running(true);
+    this.curves.clear();
+    this.enter("compression", mode, this.words.preparing);
     this.drawStates();
   }
-  send(what) {
-    this.worker.postMessage({ what });
-    this.mode = what;
-    this.paused = what === "pause";
-    this.buttons.pause.textContent = this.paused ? this.words.resume : this.words.pause;
+  /// The specimen stays with the worker after its compression, to be sheared once.
+  shear(mode) {
+    this.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
+    this.curves.begin();
+    this.enter("shear", mode, this.words.shearing);
+  }
+  step() {
+    if (this.phase === "none") this.start("step");
+    else if (this.phase === "compressed") this.shear("step");
+    else this.send("step");
+  }
+  enter(phase, mode, text) {
+    this.phase = phase;
+    this.mode = mode;
+    this.paused = false;
+    this.status.textContent = text;
+    this.enable();
+  }
+  send(mode) {
+    this.worker.postMessage({ what: "turn", mode });
+    this.mode = mode;
+    this.showPaused(mode === "pause");
+    if (!this.paused) this.status.textContent = this.phase === "shear" ? this.words.shearing : "";
+  }
+  showPaused(is) {
+    this.paused = is;
+    this.buttons.pause.textContent = is ? this.words.resume : this.words.pause;
+    if (is) this.status.textContent = this.words.paused;
   }
   pause() {
     this.send(this.paused ? "run" : "pause");
-    if (this.paused) this.status.textContent = this.words.paused;
   }
   end(text) {
     this.worker?.terminate();
     this.worker = null;
-    this.paused = false;
-    this.buttons.pause.textContent = this.words.pause;
-    this.running(false);
-    if (text) this.status.textContent = text;
+    this.showPaused(false);
+    this.enter("none", "", text || this.status.textContent);
   }
-  running(is) {
-    this.buttons.pause.disabled = this.buttons.stop.disabled = !is;
+  enable() {
+    const runs = this.phase === "compression" || this.phase === "shear";
+    this.buttons.pause.disabled = this.buttons.stop.disabled = !runs;
+    this.buttons.shear.disabled = this.phase !== "compressed";
     this.buttons.csv.disabled = this.states.length === 0;
   }
 
@@ -116,21 +140,30 @@ class ExperimentPanel {
     if (data.view && this.view) this.view.show(data.view);
     if (data.what === "compressing") this.status.textContent = filled(this.words.compressing, { p: written(data.pressure / 1e3) });
     if (data.what === "failed") this.end(filled(this.words.failed, data));
-    if (data.what !== "state") return;
-    const state = Object.fromEntries(stateNames.map((name, k) => [name, data.numbers[k]]));
+    if (data.what === "state") this.hearState(data);
+    if (data.what === "point") this.hearPoint(data);
+  }
+
+  hearState({ numbers, last }) {
+    const state = Object.fromEntries(stateNames.map((name, k) => [name, numbers[k]]));
     this.states.push(state);
     if (!state.atRest) this.notAtRest += ` ${filled(this.words.notAtRest, { p: written(state.pressure / 1e3) })}`;
-    this.buttons.csv.disabled = false;
     this.drawStates();
-    if (!data.last) {
-      if (this.mode !== "step") return;
-      this.paused = true;
-      this.buttons.pause.textContent = this.words.resume;
-      this.status.textContent = this.words.paused;
+    this.enable();
+    if (!last) {
+      if (this.mode === "step") this.showPaused(true);
       return;
     }
     const first = this.states[0];
-    this.end(filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(this.contactExponent), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);
+    this.showPaused(false);
+    this.enter("compressed", "", filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(this.contactExponent), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);
+  }
+
+  hearPoint({ point, paused }) {
+    this.curves.add(point);
+    if (point.event === 2) this.end(this.words.unstable);
+    else if (point.event === 1) this.end(this.curves.said(this.setup.grain.frictionAngle));
+    else if (paused) this.showPaused(true);
   }
 
   drawStates() {
@@ -142,10 +175,10 @@ class ExperimentPanel {
       x: { label: axis.pressure, min: 9, max: 110, log: true },
       y: { label: axis.G, min: all.length ? 0.8 * Math.min(...all) : 10, max: all.length ? 1.3 * Math.max(...all) : 500, log: true },
       series: [
-        { label: legend.uniformStrain, points: line("uniformStrain") },
-        { label: legend.relaxed, dash: true, points: line("relaxed") },
-        { label: legend.network, points: line("network"), line: false, dots: true },
-        { label: legend.contact, dash: true, faint: true, points: this.states.map((s) => [s.pressure / 1e3, (this.states[0].network / 1e6) * (s.pressure / this.states[0].pressure) ** this.contactExponent]) },
+        { label: legend.uniformStrain, colour: colours.uniform_strain, points: line("uniformStrain") },
+        { label: legend.relaxed, colour: colours.closed_form, points: line("relaxed") },
+        { label: legend.network, colour: colours.measured, points: line("network"), line: false, dots: true },
+        { label: legend.contact, colour: colours.grey, dash: true, points: this.states.map((s) => [s.pressure / 1e3, (this.states[0].network / 1e6) * (s.pressure / this.states[0].pressure) ** this.contactExponent]) },
       ],
     });
     const cell = (value) => element("td", {}, written(value, 4));

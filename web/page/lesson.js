@@ -22,7 +22,7 @@ const lessonSteps = [
           x: { label: texts.axis.overlap, min: 0, max: 1 },
           y: { label: texts.axis.force, min: 0, max: 1.15 * Math.max(...curves.map((c) => c.points.at(-1).force)) },
           series: curves.map((curve, k) => ({
-            label: texts.shape[shapes[k]], faint: shapes[k] !== grain.shape,
+            label: texts.shape[shapes[k]], colour: colours[shapes[k]], faint: shapes[k] !== grain.shape,
             points: [[0, 0], ...curve.points.map((p) => [p.overlap * 1e6, p.force])],
           })),
           mark: [at.overlap, here.points[0].force],
@@ -39,7 +39,7 @@ const lessonSteps = [
         values: { contacts: written(at.contacts), G: written(here) },
         chart: {
           x: { label: texts.axis.contacts, min: 4, max: 8 }, y: { label: texts.axis.G, min: 0, max: 450 },
-          series: [{ label: texts.legend.uniformStrain, points: evenly(4, 8, 60).map((c) => [c, G(c)]) }],
+          series: [{ label: texts.legend.uniformStrain, colour: colours.uniform_strain, points: evenly(4, 8, 60).map((c) => [c, G(c)]) }],
           mark: [at.contacts, here],
         },
       };
@@ -55,7 +55,7 @@ const lessonSteps = [
         values: { p: written(at.pressure), G: written(here.vh / MPa), factor: written(form(grain.shape, 1000).vh / form(grain.shape, 10).vh), slope: written(here.exponent) },
         chart: {
           x: { label: texts.axis.pressure, min: 10, max: 1000, log: true }, y: { label: texts.axis.G, min: 30, max: 1500, log: true },
-          series: shapes.map((shape) => ({ label: texts.shape[shape], faint: shape !== grain.shape, points: line(shape) })),
+          series: shapes.map((shape) => ({ label: texts.shape[shape], colour: colours[shape], faint: shape !== grain.shape, points: line(shape) })),
           triangle: here.exponent > 0.01 ? { x0: 30, x1: 120, y: low.vh / MPa, slope: here.exponent, text: `s = ${written(here.exponent)}` } : undefined,
           mark: [at.pressure, here.vh / MPa],
         },
@@ -79,7 +79,7 @@ const lessonSteps = [
         values: { z: written(at.z), percent: written(100 * h(at.z), 2) },
         chart: {
           x: { label: texts.axis.z, min: 4, max: 7 }, y: { label: texts.axis.left, min: 0, max: 1 },
-          series: [{ label: texts.legend.relaxed, points: evenly(4, 7, 90).map((z) => [z, h(z)]) }],
+          series: [{ label: texts.legend.relaxed, colour: colours.closed_form, points: evenly(4, 7, 90).map((z) => [z, h(z)]) }],
           mark: [at.z, h(at.z)],
         },
       };
@@ -97,9 +97,9 @@ const lessonSteps = [
         chart: {
           x: { label: texts.axis.pressure, min: 10, max: 100, log: true }, y: { label: texts.axis.G, min: 15, max: 400, log: true },
           series: [
-            { label: texts.legend.uniformStrain, points: line("uniformStrain") },
-            { label: texts.legend.relaxed, points: line("relaxed") },
-            { label: texts.legend.contact, dash: true, points: path.states.map((s) => [s.pressure / kPa, (first.relaxed / MPa) * (s.pressure / first.pressure) ** contact]) },
+            { label: texts.legend.uniformStrain, colour: colours.uniform_strain, points: line("uniformStrain") },
+            { label: texts.legend.relaxed, colour: colours.closed_form, points: line("relaxed") },
+            { label: texts.legend.contact, colour: colours.grey, dash: true, points: path.states.map((s) => [s.pressure / kPa, (first.relaxed / MPa) * (s.pressure / first.pressure) ** contact]) },
           ],
         },
       };

@@ -115,6 +115,13 @@ class Granum {
 
 class GranumError extends Error {}
 
+/// Axial strain of a step of shear.
+const shearStep = 0.001;
+const shearNames = ["event", "axialStrain", "volumetricStrain", "deviator", "ratio", "stressV", "stressH",
+  "peakDeviator", "peakRatio", "peakStrain", "peakAngle", "pathError", "work"];
+/// A point of a stress-strain curve, of the row of experiment_shear.
+const shearPoint = (numbers) => Object.fromEntries(shearNames.map((name, k) => [name, numbers[k]]));
+
 const shapes = ["cone", "sphere", "flat"];
 
 function grainNumbers(grain) {

@@ -61,7 +61,7 @@ class PackingView {
     if (!this.gl) throw new Error("WebGL2 is not available");
     this.spheres = this.program(sphereShaders, [["grain", 4], ["rattler", 1]]);
     this.bars = this.program(barShaders, [["from", 3], ["to", 3], ["force", 1]]);
-    Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, data: null, waiting: false });
+    Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, shape: "sphere", data: null, waiting: false });
     this.listen();
   }
 
@@ -92,7 +92,12 @@ class PackingView {
       gl.vertexAttribDivisor(at, 1);
       offset += count;
     }
-    return { program, array, rows, stride, uniform: (name) => gl.getUniformLocation(program, name) };
+    const places = new Map();
+    const uniform = (name) => {
+      if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));
+      return places.get(name);
+    };
+    return { program, array, rows, stride, uniform, held: null };
   }
 
   listen() {
@@ -151,7 +156,7 @@ class PackingView {
     // Axis 3 of the packing points up. Columns of the rotation, one after the other.
     const turn = [cy, sp * sy, cp * sy, -sy, sp * cy, cp * cy, 0, cp, -sp];
     const scale = this.zoom / reach;
-    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    const pale = this.colour("--rule");
     const common = (part) => {
       gl.useProgram(part.program);
       gl.bindVertexArray(part.array);
@@ -163,20 +168,30 @@ class PackingView {
     };
     common(this.spheres);
     gl.uniform1f(this.spheres.uniform("shrink"), this.forces ? 0.22 : 1);
-    gl.uniform3fv(this.spheres.uniform("colour"), this.forces ? [0.55, 0.58, 0.62] : [0.0, 0.55, 0.85]);
-    gl.uniform3fv(this.spheres.uniform("paleColour"), dark ? [0.45, 0.47, 0.5] : [0.85, 0.87, 0.9]);
+    gl.uniform3fv(this.spheres.uniform("colour"), this.colour(this.forces ? "--soft" : `--${this.shape}`));
+    gl.uniform3fv(this.spheres.uniform("paleColour"), pale);
     this.instances(this.spheres, data.grains);
     if (!this.forces) return;
     common(this.bars);
-    gl.uniform3fv(this.bars.uniform("colour"), dark ? [1, 0.6, 0.3] : [0.8, 0.25, 0]);
-    gl.uniform3fv(this.bars.uniform("paleColour"), dark ? [0.35, 0.3, 0.3] : [0.95, 0.85, 0.75]);
+    gl.uniform3fv(this.bars.uniform("colour"), this.colour("--force"));
+    gl.uniform3fv(this.bars.uniform("paleColour"), pale);
     this.instances(this.bars, data.contacts);
   }
 
+  /// A colour of the style sheet, "#rrggbb", from 0 to 1.
+  colour(name) {
+    const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    return [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255);
+  }
+
+  /// Turning sends no row anew.
   instances(part, rows) {
     const gl = this.gl;
-    gl.bindBuffer(gl.ARRAY_BUFFER, part.rows);
-    gl.bufferData(gl.ARRAY_BUFFER, rows, gl.DYNAMIC_DRAW);
+    if (part.held !== rows) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, part.rows);
+      gl.bufferData(gl.ARRAY_BUFFER, rows, gl.DYNAMIC_DRAW);
+      part.held = rows;
+    }
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows.length / part.stride);
   }
 }

@@ -13,37 +13,69 @@ const view = (granum) => {
 };
 
 let granum, setup, pressures, next, mode; // run, step or pause
+let work = null; // what comes next: a function, or nothing
+let strain, until; // axial strain now, and where a step of shear ends
 
-function compressNext() {
-  if (next >= pressures.length || mode === "pause") return;
-  const pressure = pressures[next++];
-  postMessage({ what: "compressing", pressure });
-  const { numbers } = granum.call("experiment_compress", pressure);
-  postMessage({ what: "state", numbers, last: next === pressures.length, view: view(granum) });
-  if (mode === "step") mode = "pause";
-  setTimeout(guarded(compressNext), 0); // messages of the page come in between
+function goOn() {
+  if (!work || mode === "pause") return;
+  work();
+  setTimeout(guarded(goOn), 0); // messages of the page come in between
 }
 
-const guarded = (work) => async (...args) => {
+function compressNext() {
+  const pressure = pressures[next++];
+  const last = next === pressures.length;
+  postMessage({ what: "compressing", pressure });
+  const { numbers } = granum.call("experiment_compress", pressure);
+  if (last) work = null;
+  postMessage({ what: "state", numbers, last, view: view(granum) });
+  if (mode === "step") mode = "pause";
+}
+
+function shearOn() {
+  const point = shearPoint(granum.call("experiment_shear").numbers);
+  if (point.event !== 0) work = null;
+  strain = point.axialStrain;
+  const pausing = mode === "step" && strain >= until;
+  if (pausing) mode = "pause";
+  postMessage({ what: "point", point, paused: pausing && work !== null });
+}
+
+const guarded = (act) => async (...args) => {
   try {
-    await work(...args);
+    await act(...args);
   } catch (error) {
+    work = null;
     postMessage({ what: "failed", message: error.message });
   }
 };
 
-onmessage = guarded(async ({ data }) => {
-  if (data.what === "begin") {
+const heard = {
+  async begin(data) {
     granum = await Granum.create(data.compiled, (g) => postMessage({ what: "frame", view: view(g) }));
     ({ setup, pressures, mode } = data);
     next = 0;
     granum.call("experiment_begin", ...grainNumbers(setup.grain), setup.grain.frictionAngle, setup.loose ? 1 : 0,
       setup.sigma, setup.grains, setup.seed, pressures[0]);
     granum.call("experiment_prepare");
-    compressNext();
-  } else {
+    work = compressNext;
+    goOn();
+  },
+  shear(data) {
+    granum.call("experiment_shear_begin", data.largestStrain);
+    mode = data.mode;
+    until = shearStep;
+    strain = 0;
+    work = shearOn;
+    goOn();
+  },
+  /// run, step or pause
+  turn(data) {
     const waited = mode === "pause";
-    mode = data.what;
-    if (waited) compressNext();
-  }
-});
+    if (data.mode === "step" && waited) until = strain + shearStep;
+    mode = data.mode;
+    if (waited) goOn();
+  },
+};
+
+onmessage = guarded(({ data }) => heard[data.what](data));

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculator's answer.
+// The calculator's answer, the ladder below it, and the way back from what was measured.
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <granum/core/error.hpp>
 #include <granum/effective/answer.hpp>
+#include <granum/effective/rungs.hpp>
+#include <granum/inverse/inference.hpp>
 
 #include "exports.hpp"
 
 namespace {
 
 using namespace granum;
+
+constexpr double none = effective::State::unset;
 
 effective::Preparation preparation_of(double number) {
   using Kind = effective::Preparation::Kind;
@@ -22,26 +27,39 @@ effective::Preparation preparation_of(double number) {
 }
 
 void add(const std::optional<effective::Range>& range) {
-  constexpr double none = effective::State::unset;
   const effective::Range of = range.value_or(effective::Range{none, none, none});
   web::numbers().insert(web::numbers().end(), {of.value, of.low, of.high});
 }
 
+void add(const Measured& number) {
+  web::numbers().insert(web::numbers().end(), {number.value, number.standard_error});
+}
+
+/// The state of a packing, but for its contacts.
+effective::State state_of(const web::PageGrain& grain, double void_ratio, double anisotropy, double stress_v,
+                          double stress_h) {
+  return {.law = web::law_of(grain),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+          .radius = grain.radius,
+          .void_ratio = void_ratio,
+          .fabric_anisotropy = anisotropy,
+          .stress_v = stress_v,
+          .stress_h = stress_h};
+}
+
 } // namespace
 
-/// Value, low and high of G, K, E, nu, V_s, V_p and z*; then the shares of the range, whose names are the
-/// first words. A mechanical coordination number that is not a number is not given; saturation is a share.
+/// Value, low and high of G_vh, G_hh, K, E_v, nu, V_s, V_p, z* and C_n; then the shares of the range, whose
+/// names are the first words. A mechanical coordination number that is not a number is not given; saturation
+/// is a share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-            double punch_radius, double void_ratio, double pressure, double preparation,
-            double mechanical_coordination_number, double grain_density, double saturation) {
+            double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
+            double preparation, double mechanical_coordination_number, double grain_density,
+            double saturation) {
   effective::PackingQuestion question{
-      .state = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
-                .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
-                .radius = radius,
-                .void_ratio = void_ratio,
-                .stress_v = pressure,
-                .stress_h = pressure},
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
+                        anisotropy, stress_v, stress_h),
       .preparation = preparation_of(preparation),
       .grain_density = grain_density,
       .saturation = saturation};
@@ -49,15 +67,77 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
     question.mechanical_coordination_number = mechanical_coordination_number;
   const effective::PackingAnswer found = effective::answer(question);
   for (const std::optional<effective::Range>& range :
-       {std::optional(found.shear_modulus), std::optional(found.bulk_modulus),
+       {std::optional(found.shear_modulus), std::optional(found.G_hh), std::optional(found.bulk_modulus),
         std::optional(found.young_modulus), std::optional(found.poisson_ratio), found.shear_wave_speed,
-        found.compression_wave_speed, std::optional(found.mechanical_coordination_number)})
+        found.compression_wave_speed, std::optional(found.mechanical_coordination_number),
+        std::optional(found.coordination_number)})
     add(range);
   web::say(found.validity);
   std::string names;
   for (const effective::Share& share : found.shares) {
     web::numbers().push_back(share.share);
     names += share.input + "\n";
+  }
+  web::words() = names + web::words();
+}
+
+/// G_vh and its relative error, or not a number where the rung states none, of every closed form, at the
+/// contacts that are said; the words are their labels.
+GRANUM_EXPORT(ladder)
+void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+            double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
+            double coordination_number, double mechanical_coordination_number) {
+  effective::RungInputs packing{
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
+                        anisotropy, stress_v, stress_h),
+      .mechanical_coordination_number = mechanical_coordination_number};
+  packing.state.coordination_number = coordination_number;
+  for (const effective::Rung& rung : effective::closed_forms()) {
+    const effective::RungAnswer found = effective::answer(rung, packing);
+    web::numbers().push_back(found.stiffness.G_vh());
+    web::numbers().push_back(found.relative_error ? found.relative_error->G_vh : none);
+    web::words() += effective::label(rung) + "\n";
+  }
+}
+
+/// What one measured number says of the contacts of an isotropic packing: 1 where contacts explain it, else 0
+/// and no more numbers; z*, C_n and, at another pressure, z* again, e, G, V_s and V_p, each but e with its
+/// standard error; then the shares of the variance of z*, whose names are the first words. Quantities by
+/// their place in inverse::quantities.
+GRANUM_EXPORT(infer)
+void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
+           double punch_radius, double void_ratio, double pressure, double grain_density, double quantity,
+           double value, double relative_error, double other_pressure) {
+  const auto place = static_cast<std::size_t>(quantity);
+  if (!(quantity >= 0) || place >= inverse::quantities().size())
+    throw InvalidArgument("quantity", quantity, "", "the place of one that can be measured");
+  const inverse::Measurement measured{
+      .quantity = inverse::quantities()[place].quantity,
+      .value = {value, relative_error * value},
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
+                        0, pressure, pressure)};
+  const inverse::InferenceAnswer found =
+      inverse::infer(std::span(&measured, 1), {.grain_density = grain_density});
+  web::say(found.validity);
+  web::numbers() = {found.together ? 1.0 : 0.0};
+  if (!found.together)
+    return;
+  const inverse::Inference& packing = *found.together;
+  effective::State there = measured.state;
+  there.stress_v = there.stress_h = other_pressure;
+  there.void_ratio = packing.void_ratio_at(other_pressure);
+  const inverse::InferredPacking contacts = packing.packing(measured.state);
+  add(contacts.mechanical_coordination_number);
+  add(contacts.coordination_number);
+  add(packing.packing(there).mechanical_coordination_number);
+  web::numbers().push_back(there.void_ratio);
+  for (const inverse::Quantity wanted :
+       {inverse::Quantity::G_vh, inverse::Quantity::V_s, inverse::Quantity::V_p})
+    add(packing.predict(wanted, there));
+  std::string names;
+  for (const inverse::ErrorShare& share : packing.error_shares()) {
+    web::numbers().push_back(share.share);
+    names += share.source + "\n";
   }
   web::words() = names + web::words();
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's experiment: one specimen, made and then compressed from pressure to pressure, measured at rest.
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -9,44 +8,18 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
-#include <granum/core/error.hpp>
 #include <granum/core/straight_line.hpp>
-#include <granum/dem/engine.hpp>
-#include <granum/triaxial/specimen.hpp>
 
-#include "exports.hpp"
-
-extern "C" {
-/// The page shows what the view holds; called some times a second while the experiment runs.
-__attribute__((import_module("page"), import_name("frame"))) void page_frame();
-}
+#include "experiment.hpp"
 
 namespace {
 
 using namespace granum;
-
-/// What is seen: grains, and the contacts that press.
-struct View {
-  std::vector<float> grains;   ///< x, y, z, radius, 1 for a rattler; lengths over the mean radius
-  std::vector<float> contacts; ///< x, y, z of one centre, x, y, z of the other, force over the mean force
-  float edge[3]{};             ///< of the cell
-};
-
-struct Experiment {
-  triaxial::SpecimenRecipe recipe;
-  triaxial::Density density = triaxial::Density::dense;
-  dem::Specimen state;
-  View view;
-  std::vector<double> ln_pressure, ln_network, ln_uniform_strain, ln_relaxed;
-};
+using web::Clock;
+using web::Experiment;
+using web::View;
 
 std::unique_ptr<Experiment> running;
-
-Experiment& experiment() {
-  if (!running)
-    throw Error("the experiment has not begun");
-  return *running;
-}
 
 void look_at(const packing::Assembly& packing, double unit, View& view) {
   const packing::MechanicalCoordination bearing =
@@ -76,29 +49,6 @@ void look_at(const packing::Assembly& packing, double unit, View& view) {
     view.edge[axis] = static_cast<float>(packing.cell(axis, axis) / unit);
 }
 
-/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its
-/// worker.
-class Clock {
- public:
-  template <class Tell>
-  bool tick(const Tell& tell) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ > std::chrono::milliseconds(100)) {
-      tell();
-      last_ = now;
-    }
-    return false;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-void draw(Experiment& e, const dem::Specimen& state) {
-  look_at(dem::contact_network(state, e.recipe.material), e.recipe.radius, e.view);
-  page_frame();
-}
-
 /// s of ln modulus against ln p and its error; not a number before the second pressure.
 void add_slope(const Experiment& e, const std::vector<double>& ln_modulus) {
   Measured slope{effective::State::unset, effective::State::unset};
@@ -118,6 +68,24 @@ double shear_modulus(const analysis::Measurement& found, effective::RungName nam
 }
 
 } // namespace
+
+namespace granum::web {
+
+Experiment& experiment() {
+  if (!running)
+    throw Error("the experiment has not begun");
+  return *running;
+}
+
+void draw(Experiment& e, const dem::Specimen& state) {
+  look_at(dem::contact_network(state, e.recipe.material), e.recipe.radius, e.view);
+  page_frame();
+}
+
+} // namespace granum::web
+
+using web::draw;
+using web::experiment;
 
 /// A new experiment in the place of the last. Sigma is that of lognormal sizes, 0 for equal grains. The
 /// random numbers follow from the seed.
@@ -162,6 +130,8 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   const dem::QuasistaticReport report = dem::equilibrate(engine, {pressure, pressure, pressure}, options);
   engine.rest();
   e.state = engine.state();
+  e.pressure = pressure;
+  e.shear.reset();
   draw(e, e.state);
 
   const packing::Assembly packing = dem::contact_network(e.state, e.recipe.material);

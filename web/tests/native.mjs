@@ -33,12 +33,12 @@ export function found(json, name) {
 /// The scripts and the module as the page carries them.
 const block = (id) => page.match(new RegExp(`<script id="${id}"[^>]*>([^]*?)</script>`))[1];
 export const texts = JSON.parse(block("texts"));
-const calculator = fs.readFileSync(path.join(root, "web/page/calculator.js"), "utf8");
-const { Granum, grain, answerOf, commandOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
+const script = (name) => fs.readFileSync(path.join(root, "web/page", name), "utf8");
+export const { Granum, grain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
   ${page.match(/const defaultGrain = \{[^]*?\};/)[0]}
-  ${calculator}
-  return { Granum, grain: defaultGrain, answerOf, commandOf }; })()`);
-export { answerOf, commandOf, grain };
+  ${script("same.js")}
+  ${script("calculator.js")}
+  return { Granum, grain: defaultGrain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint }; })()`);
 
 export async function startModule(onFrame) {
   const packed = new Blob([Buffer.from(block("wasm"), "base64")]).stream().pipeThrough(new DecompressionStream("gzip"));

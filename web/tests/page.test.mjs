@@ -76,14 +76,44 @@ test("the calculator answers as one types, and says what is wrong", async () => 
   assert.doesNotMatch(before, /NaN|undefined/);
   await page.fill("#cvoidRatio", "0.7");
   assert.notEqual(await answer(), before);
-  assert.match(await answer(), /granum estimate --void-ratio 0\.7 /);
+  assert.match(await page.textContent("#clines"), /granum estimate --void-ratio 0\.7 /);
   await page.fill("#cpoissonRatio", "0.7");
   assert.match(await answer(), /grain_poisson_ratio = 0\.7/);
   await page.fill("#cpoissonRatio", "0.2");
   await page.selectOption("#cpreparation", "loose");
-  assert.match(await answer(), /--preparation loose/);
+  assert.match(await page.textContent("#clines"), /--preparation loose/);
+  await page.check("input[name=csame][value=python]");
+  assert.match(await page.textContent("#clines"), /preparation="loose"/);
+  await page.check("input[name=csame][value=cpp]");
+  assert.match(await page.textContent("#clines"), /Kind::loose/);
+  assert.equal(await page.locator("#answer circle").count(), 6, "five closed forms and the answer");
+  const [ladder] = await Promise.all([page.waitForEvent("download"), page.locator("#answer button").click()]);
+  assert.match(fs.readFileSync(await ladder.path(), "utf8"), /^<svg[^>]*xmlns=/);
   assert.deepEqual(page.complaints, []);
   await page.context().close();
+});
+
+test("a measurement says how many contacts there are, and what follows elsewhere", async () => {
+  const page = await opened();
+  const said = () => page.textContent("#inference");
+  const before = await said();
+  assert.match(before, /z\* at 100 kPa\d\.\d+ ± 0\.0/);
+  assert.doesNotMatch(before, /NaN|undefined|{/);
+  await page.fill("#cotherPressure", "800");
+  assert.match(await said(), /V_s \[m\/s\] at 800 kPa/);
+  assert.match(await page.textContent("#ilines"), /granum infer .*--vs 280m\/s\+-2% --predict-pressure 800kPa/);
+  await page.selectOption("#cquantity", "G");
+  await page.fill("#cvalue", "120");
+  assert.match(await page.textContent("#ilines"), /--shear-modulus 120MPa\+-2%/);
+  const url = page.url(), now = await said();
+  const other = await opened({}, url.slice(url.indexOf("#")));
+  assert.equal(await other.textContent("#inference"), now, "the address does not hold the measurement");
+  await page.fill("#cvalue", "90000");
+  assert.match(await said(), /No number of contacts explains/);
+  assert.match(await said(), /with 12 contacts a grain/, "granum's own remark");
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+  await other.context().close();
 });
 
 test("hostile addresses do no harm", async () => {
@@ -143,7 +173,7 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
   const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
   assert.equal(rows.length, 11);
   assert.match(rows[0], /^p_Pa,e,C_n,z_star,/);
-  const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#experiment button", { hasText: texts.save }).click()]);
+  const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#experiment button", { hasText: texts.save }).first().click()]);
   assert.match(fs.readFileSync(await svg.path(), "utf8"), /^<svg[^>]*xmlns=/);
   assert.deepEqual(page.complaints, []);
   await page.context().close();
@@ -161,6 +191,40 @@ test("an experiment goes pressure by pressure, pauses and stops", async () => {
   await page.click("#xstop");
   assert.equal(await page.textContent("#xstatus"), texts.experiment.stopped);
   assert.equal(await rows(), 2);
+  assert.ok(await page.isDisabled("#xshear"), "what was stopped cannot be sheared");
   assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("after its compression a specimen is sheared step by step, to the end, and kept", async () => {
+  const page = await opened({}, "#xgrains=200&xdensity=dense");
+  const corners = (name) => page.$eval(`#${name} polyline`, (line) => line.getAttribute("points").split(" ").length).catch(() => 0);
+  const disabled = (name) => page.waitForFunction((id) => document.getElementById(id).disabled, name, { timeout: 240000 });
+  const enabled = (name) => page.waitForFunction((id) => !document.getElementById(id).disabled, name, { timeout: 240000 });
+  assert.ok(await page.isHidden("#xshearpart"));
+  await page.click("#xstart");
+  await enabled("xshear");
+  await page.click("#xstep"); // of shear: to an axial strain of 0.1 %
+  await page.waitForFunction((text) => document.getElementById("xstatus").textContent === text, texts.experiment.paused, { timeout: 240000 });
+  const first = await corners("xdeviator");
+  assert.ok(first > 5, `${first} points`);
+  await page.waitForTimeout(1000);
+  assert.equal(await corners("xdeviator"), first, "it went on by itself");
+  await page.click("#xpause"); // goes on
+  await disabled("xpause");
+  assert.ok((await corners("xdeviator")) > first);
+  assert.equal(await corners("xvolume"), await corners("xdeviator"));
+  const said = await page.textContent("#xstatus");
+  const angle = Number(said.match(/friction angle of ([\d.]+)°/)[1]);
+  assert.ok(angle > 15 && angle < 45, said);
+  assert.equal(await page.locator("#xdeviator .mark").count(), 1, "the peak is marked");
+  const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xshearcsv")]);
+  const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
+  assert.match(rows[0], /^axial_strain,volumetric_strain,q_Pa,/);
+  assert.ok(Number(rows.at(-1).split(",")[0]) >= 0.03, rows.at(-1));
+  assert.deepEqual(page.complaints, []);
+  await page.click("#xstart");
+  assert.ok(await page.isHidden("#xshearpart"), "a new specimen has no curve yet");
+  await page.click("#xstop");
   await page.context().close();
 });

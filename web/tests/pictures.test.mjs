@@ -185,3 +185,55 @@ test("a report gives values under the pointer, fades series, and shows one modul
   assert.deepEqual(page.complaints, []);
   await page.context().close();
 });
+
+/// Moves the pointer to a place in the coordinates of a picture, and reads what is said there.
+async function saidAt(page, svg, x, y) {
+  await svg.scrollIntoViewIfNeeded();
+  const [left, top] = await svg.evaluate((picture, at) => {
+    const box = picture.getBoundingClientRect(), per = picture.viewBox.baseVal.width / box.width;
+    return [box.left + at[0] / per, box.top + at[1] / per];
+  }, [x, y]);
+  await page.mouse.move(left, top);
+  return page.evaluate(() => (document.querySelector(".tip").hidden ? "" : document.querySelector(".tip").textContent));
+}
+
+test("roses and force chains give values under the pointer too", async () => {
+  const page = await opened(made("analyse", "report.html")[0]);
+  const rose = page.locator("svg:has(circle.rose)").first();
+  const { cx, cy, r, most } = await rose.locator("circle.rose").evaluate((circle) => ({
+    cx: Number(circle.getAttribute("cx")), cy: Number(circle.getAttribute("cy")), r: Number(circle.getAttribute("r")), most: Number(circle.dataset.most) }));
+  const csv = fs.readFileSync(made("analyse", "rose.csv")[0], "utf8").trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(","));
+  const column = (name) => csv[0].indexOf(name);
+  const bins = csv.slice(1);
+  assert.equal(bins.length % 18, 0);
+  for (const [bin, quadrant] of [[3, [1, -1]], [11, [-1, 1]]]) {
+    const row = bins[bins.length - 18 + bin].map(Number);
+    const angle = ((bin + 0.5) * Math.PI) / 36;
+    // Well inside of the bar, away from the lines.
+    const length = (0.5 * row[column("density")] * r) / most;
+    const said = await saidAt(page, rose, cx + quadrant[0] * length * Math.sin(angle), cy + quadrant[1] * length * Math.cos(angle));
+    const [, value, error, degrees] = said.match(/: ([\d.e-]+) ± ([\d.e-]+) at ([\d.]+)°$/).map(Number);
+    assert.ok(Math.abs(value / row[column("density")] - 1) < 1e-3, `${said}, expected ${row[column("density")]}`);
+    assert.ok(Math.abs(error / row[column("density_error")] - 1) < 1e-2, said);
+    assert.equal(degrees, 5 * bin + 2.5);
+  }
+  const curve = await rose.locator(".series path.line").first().getAttribute("d");
+  const [x, y] = curve.match(/^M([\d.]+),([\d.]+)/).slice(1).map(Number);
+  assert.match(await saidAt(page, rose, x, y), /^E\(γ; a = .*\): 0\.0\d+ at 0°$/);
+  assert.equal(await saidAt(page, rose, 2, 2), "");
+
+  const chains = page.locator("svg:has(line[data-f])").first();
+  const strong = await chains.locator("line[data-f]").evaluateAll((lines) => {
+    const number = (line, name) => Number(line.getAttribute(name));
+    const widest = lines.reduce((a, b) => (Number(b.dataset.f) > Number(a.dataset.f) ? b : a));
+    return { share: Number(widest.dataset.f), mean: Number(widest.parentElement.dataset.mean),
+      x: (number(widest, "x1") + number(widest, "x2")) / 2, y: (number(widest, "y1") + number(widest, "y2")) / 2 };
+  });
+  assert.ok(strong.share > 1.5 && strong.mean > 0);
+  const said = await saidAt(page, chains, strong.x, strong.y);
+  const [, newton, share] = said.match(/^([\d.e-]+) N, ([\d.]+) of the mean force$/).map(Number);
+  assert.equal(share, strong.share);
+  assert.ok(Math.abs(newton / (strong.share * strong.mean) - 1) < 1e-3, said);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});

@@ -50,6 +50,27 @@ struct LawCheck {
 [[nodiscard]] LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
                                  std::span<const contact::GrainMaterial> materials);
 
+/// The exponent x of f_n ~ d^x whatever the factor: contacts between grains of the same two types are
+/// compared with each other alone, as each pair of materials has a factor of its own.
+/// \param    type   of each grain; empty: all contacts are compared with each other
+/// \return   with its standard error; nothing for fewer than 10 contacts, or for overlaps that hardly differ
+/// \throws   InvalidArgument for an assembly that require_valid rejects, or unless there is one type a grain
+/// Checked by tests/analysis/test_law_check.cpp
+[[nodiscard]] std::optional<Measured> common_exponent(const packing::Assembly& assembly,
+                                                      std::span<const long> type = {});
+
+/// The one material whose k_n of spheres is, in the mean over the contacts, that of contacts with k_n = 1.5
+/// f/d: (G/(1-nu))^(2/3) is the mean of what force and overlap of each contact show.
+/// \return   nothing where no contact has both force and overlap
+/// \throws   InvalidArgument for an assembly that require_valid rejects or a Poisson's ratio out of range
+[[nodiscard]] std::optional<contact::GrainMaterial> mean_material_of_forces(const packing::Assembly& assembly,
+                                                                            double poisson_ratio);
+
+/// How far overlaps are rounded, as a part of their median.
+/// \param    rounding   of each overlap [m]
+/// \return   0 for no rounding, or where no contact has force and overlap
+[[nodiscard]] double rounded_share(const packing::Assembly& assembly, double rounding);
+
 /// The spring that all contacts have in common, where forces are linear in the overlaps.
 /// \return   k_n, the median of f_n/d [N/m]; nothing unless nine of ten contacts are within 1e-3 of it, and
 ///           for overlaps that hardly differ, of which every law is linear

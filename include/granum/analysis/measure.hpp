@@ -32,7 +32,8 @@ struct Given {
       {};                                ///< without it overlaps, or forces if those have few digits
   bool normal_forces = true;             ///< the contacts hold them
   bool tangential_forces = true;         ///< the contacts hold them
-  bool few_digits = false;               ///< overlaps come from rounded coordinates
+  double overlap_rounding = 0;           ///< by so much overlaps may be off, by the digits of the files [m]
+  std::vector<long> type = {};           ///< of each grain, where materials may differ by type; else empty
   std::optional<double> void_ratio = {}; ///< where it is known better than by a sum over the grains
   std::optional<stress::AxialStress> stress =
       {}; ///< of the closed forms' state; without it that of the contacts

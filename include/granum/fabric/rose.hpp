@@ -31,4 +31,19 @@ struct RoseBin {
 /// Accuracy  1e-14 relative to the density's mean.  Checked by tests/fabric/test_rose.cpp
 [[nodiscard]] std::vector<RoseBin> rose(std::span<const Vec3> normals, double anisotropy, std::size_t bins);
 
+/// The histogram of counts in bins of equal width over [0, pi/2], as rose() has it of normals.
+/// \param    counts   at least 1 bin, not all empty
+/// \throws   InvalidArgument outside these ranges, or for an anisotropy as above
+/// Accuracy  as rose().  Checked by tests/fabric/test_rose.cpp
+[[nodiscard]] std::vector<RoseBin> rose_of_counts(std::span<const std::size_t> counts, double anisotropy);
+
+/// A histogram as few contacts ask for: neighbours taken together until the bin around axis 3, the smallest
+/// solid angle, would hold 25 contacts if they had no preferred direction, so that its counting error is a
+/// fifth; but at least 3 bins stay, where there are so many.
+/// \param    anisotropy   a of the density to compare with, in [-1, 1]
+/// \return   of n bins the most that divide n and do that
+/// \throws   InvalidArgument as rose_of_counts
+/// Checked by tests/fabric/test_rose.cpp
+[[nodiscard]] std::vector<RoseBin> readable_rose(std::span<const std::size_t> counts, double anisotropy);
+
 } // namespace granum::fabric

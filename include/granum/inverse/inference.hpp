@@ -14,6 +14,7 @@
 #include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
 /// Calibrate once, predict elsewhere: the contact number that measured moduli or wave speeds imply through
@@ -37,21 +38,6 @@ struct SharedInputs {
       move;
 };
 
-/// How z* follows the mean stress p from state to state of one packing.
-enum class Growth {
-  as_packings, ///< as effective::carried_contacts, which own packings taught
-  fixed,       ///< the same at every stress
-  fitted       ///< (z* - isostatic point) ~ p^g, g fitted; asks for two stresses
-};
-
-/// Whose state it is that is asked about.
-enum class Specimen {
-  same, ///< the one that was measured
-  /// Another of the same grains at the void ratio of the state asked about: as far between the loosest and
-  /// the densest that effective::contact_prior knows there.
-  prepared_alike
-};
-
 struct InferenceOptions {
   std::optional<double> grain_density = std::nullopt; ///< of the solid; speeds ask for it [kg/m3]
   /// Of what fills the pores, 0: dry [kg/m3]. In wet ones no compression wave is asked for: it is that of the
@@ -59,7 +45,7 @@ struct InferenceOptions {
   double pore_density = 0;
   /// At the first measurement, where it is known; else that of effective::expected_rattlers.
   std::optional<double> rattler_fraction = std::nullopt;
-  Growth growth = Growth::as_packings;
+  Growth growth = Growth::packings;
   SharedInputs inputs = {};
   std::size_t iteration_limit = 100;
 };
@@ -103,7 +89,7 @@ class Inference {
   /// The packing as the table of rungs takes it, to ask any of them.
   [[nodiscard]] effective::RungInputs rung_inputs(effective::State at,
                                                   Specimen specimen = Specimen::same) const;
-  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it where z* grows as_packings;
+  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under Growth::packings;
   /// else it stays that of the first measurement.
   [[nodiscard]] double void_ratio_at(double mean_stress) const;
 

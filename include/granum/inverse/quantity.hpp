@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include <granum/effective/exponents.hpp>
 
@@ -31,5 +32,8 @@ struct QuantityRow {
 [[nodiscard]] std::span<const QuantityRow> quantities();
 /// The row of one.
 [[nodiscard]] const QuantityRow& row_of(Quantity quantity);
+/// The quantity of a key.
+/// \throws   InvalidArgument with all keys for another text
+[[nodiscard]] Quantity quantity_of(std::string_view key);
 
 } // namespace granum::inverse

@@ -43,6 +43,15 @@ struct ImportNote {
   std::string text;
 };
 
+/// How far numbers may be from those that the code had, by the digits that the files print: half a unit of
+/// the last digit of the largest number. 0 where there are more than 8 digits, which do not matter.
+struct Rounding {
+  double length = 0; ///< of coordinates [m]
+  double overlap =
+      0; ///< of overlaps: by their own digits where the files state them, else by those of lengths [m]
+  double force = 0; ///< relative [1]
+};
+
 /// One state of a packing, SI, compression positive, grains in the order of their ids.
 struct ImportedPacking {
   packing::Assembly assembly;
@@ -52,6 +61,7 @@ struct ImportedPacking {
   long step = 0;
   std::optional<double> time; ///< [s]
   std::vector<ImportNote> notes;
+  Rounding rounding = {};
 
   [[nodiscard]] bool has(Finding finding) const {
     for (const ImportNote& note : notes)

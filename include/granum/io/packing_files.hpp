@@ -49,6 +49,14 @@ class PackingFile {
   std::optional<TextSource> source_; ///< of a pipe
 };
 
+/// The files that some names stand for, in the order of the states that they hold: by the names of the files
+/// of grains, numbers in them by their value (p50 before p100). A name of a series of VTK files (.pvd) stands
+/// for its files in the order of their times. The first name of grains goes with the first of contacts, the
+/// second with the second, before they are sorted.
+/// \throws   FileError as recognise, or as read_collection for a series; InvalidArgument for series of grains
+///           and of contacts that do not go together: other numbers of files, or other times
+[[nodiscard]] std::vector<PackingFile> files_of_series(const std::vector<std::filesystem::path>& names);
+
 /// All states of a packing that some files hold, one after the other; in memory no more than one. Files of
 /// grains and of contacts may be mixed: the first file of grains goes with the first of contacts, the second
 /// with the second.
@@ -64,6 +72,10 @@ class PackingFiles {
   /// The next state; nothing at the end of the last file.
   /// \throws   FileError as the reader of the format
   [[nodiscard]] std::optional<ImportedPacking> next();
+
+  /// The file of grains that the last state came from.
+  /// Assumes   next() has been called.
+  [[nodiscard]] const std::filesystem::path& path() const { return grains_[opened_ - 1].path(); }
 
   /// Frames passed over so far because another file has none of that time step.
   [[nodiscard]] std::size_t skipped() const;

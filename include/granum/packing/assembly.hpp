@@ -9,11 +9,12 @@
 /// The one neutral value type that specimens of the verifier and imported packings become.
 namespace granum::packing {
 
-/// One contact, each pair once with i < j. Everything points from grain i to grain j.
+/// One contact, i < j. Everything points from grain i to grain j. A pair stands there once, but in cells
+/// narrower than two diameters, where it may touch through several periodic images, once for each of them.
 struct Contact {
   std::uint32_t i = 0;
   std::uint32_t j = 0;
-  Vec3 branch{};                   ///< centre of j (its nearest periodic image) minus centre of i [m]
+  Vec3 branch{};                   ///< centre of j (the periodic image that touches) minus centre of i [m]
   double overlap = 0;              ///< R_i + R_j - |branch|, full approach [m]
   double normal_force = 0;         ///< compression positive [N]
   Vec3 tangential_force{};         ///< exerted by i on j, perpendicular to branch [N]

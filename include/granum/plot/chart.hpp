@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <granum/plot/palette.hpp>
+
 /// Pictures of results: y over x, lines and markers, as SVG text that needs nothing from outside, and as a
 /// gnuplot script that redraws the picture from the CSV file with the numbers.
 /// Checked by tests/plot/test_chart.cpp
@@ -44,10 +46,11 @@ struct Series {
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> y_error = {}; ///< half lengths of error bars, one a point, or empty; NaN or 0: no bar
-  /// Colour, dashes and marker; without: the place in the chart. Series of one style look alike.
+  /// Dashes and marker, and the colour unless that is said; without: the place in the chart. Series of one
+  /// style look alike.
   std::optional<std::size_t> style = {};
   Tone tone = Tone::full;
-  std::optional<std::size_t> colour = {}; ///< another one than that of the style, 0 to 5
+  std::optional<Colour> colour = {}; ///< what the series is
   /// What several series of different colours are, such as "cyclic shear": listed once, in grey.
   std::string kind = {};
 };
@@ -58,8 +61,8 @@ struct SlopeTriangle {
   double x1 = 0;
   double y0 = 0;
   double slope = 0;
-  std::string text;                       ///< beside it; texts of triangles that end at one x keep apart
-  std::optional<std::size_t> colour = {}; ///< as that of a series; without: that of texts
+  std::string text;                  ///< beside it; texts of triangles that end at one x keep apart
+  std::optional<Colour> colour = {}; ///< as that of a series; without: that of texts
 };
 
 struct Chart {
@@ -74,7 +77,8 @@ struct Chart {
   std::string finding = {};
   std::vector<SlopeTriangle> triangles = {};
   /// Whether x are angles from the vertical, 0 to pi/2 [rad], and y distances from the centre of a rose, the
-  /// same in all four quadrants. Series of markers alone become bars as wide as their steps.
+  /// same in all four quadrants. Series of markers alone become bars as wide as their steps, those of both
+  /// markers and lines become markers. Errors stand in the upper right quadrant.
   bool rose = false;
 };
 

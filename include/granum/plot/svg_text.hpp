@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <granum/plot/palette.hpp>
+
 /// Pieces of SVG text.  Checked by tests/plot/test_chart.cpp
 namespace granum::plot {
 
@@ -26,7 +28,7 @@ using SvgAttributes = std::vector<std::pair<std::string_view, std::string>>;
 
 /// Class and colour of a group in a colour of the palette, as that of a series (plot/chart.hpp): its elements
 /// are drawn in "currentColor".
-[[nodiscard]] SvgAttributes svg_colour(std::size_t colour);
+[[nodiscard]] SvgAttributes svg_colour(Colour colour);
 
 /// A picture that is no chart, on the same paper.
 struct SvgPicture {

@@ -11,9 +11,11 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/effective/relaxation.hpp>
 #include <granum/elastic/projection.hpp>
 
 #include "analyse_paraview.hpp"
+#include "analyse_series.hpp"
 #include "analyse_stress.hpp"
 #include "cli/frame/frame.hpp"
 #include "studies/analyse/overlaps.hpp"
@@ -22,11 +24,22 @@ namespace granum::cli {
 
 namespace {
 
+/// Why rung 3 has no answer for a packing that is not rigid.
+std::string declined(const analysis::Measurement& packing) {
+  return fmt::format(
+      "declines: z* = {:.4g} is not above {:.4g}, the isostatic point; nothing holds such a network",
+      packing.microstructure().mechanical_coordination_number,
+      effective::isostatic_coordination_number(packing.state->tangential_ratio));
+}
+
 void add_closed_forms(FrameAnswer& frame) {
   for (const analysis::ClosedForm& form : frame.measured.packing.closed_forms) {
     RungResult result{
         .name = form.rung->column, .title = effective::label(*form.rung), .error = form.refusal};
-    if (form.answer) {
+    if (form.answer && declines(*form.answer)) {
+      result.error = declined(frame.measured.packing);
+      frame.validity.merge(form.answer->validity);
+    } else if (form.answer) {
       result.moduli = moduli_of(form.answer->stiffness);
       result.relative_error = form.answer->relative_error;
       frame.validity.merge(form.answer->validity);
@@ -64,28 +77,6 @@ FrameAnswer analyse_frame(const io::ImportedPacking& packing, const MeasureOptio
   return frame;
 }
 
-/// How each rung's G_vh grows over the frames.
-std::vector<RungSeries> series_of(const std::vector<FrameAnswer>& frames) {
-  std::vector<RungSeries> out;
-  if (frames.size() < 2)
-    return out;
-  const auto longest = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
-    return a.rungs.size() < b.rungs.size();
-  });
-  for (const RungResult& rung : longest->rungs) {
-    std::vector<hardin::MeasuredModulus> states;
-    for (const FrameAnswer& frame : frames)
-      for (const RungResult& other : frame.rungs)
-        if (other.name == rung.name && other.moduli && other.moduli->G_vh > 0 &&
-            frame.measured.packing.state) {
-          const effective::State& state = *frame.measured.packing.state;
-          states.push_back({other.moduli->G_vh, {state.stress_v, state.stress_h, state.void_ratio}});
-        }
-    out.push_back({rung.name, rung.title, studies::fit_series(states)});
-  }
-  return out;
-}
-
 /// Frames of one answer, all of which is in memory until it is written.
 constexpr std::size_t most_frames = 10'000;
 
@@ -100,6 +91,7 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
     const io::ImportedPacking packing = studies::with_overlap_contacts(std::move(read), given);
     out.push_back(analyse_frame(packing, options));
     out.back().number = at;
+    out.back().file = files.path().string();
     seen(packing, at);
   };
   std::optional<io::ImportedPacking> kept;
@@ -140,10 +132,13 @@ io::Existing existing(const AnalyseOptions& o) {
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const MeasureOptions options = measure_options(o);
-  AnalyseAnswer out{.files = o.files, .kinds = {}, .frames = {}, .series = {}, .skipped = 0};
-  std::vector<io::PackingFile> given;
-  for (const std::string& name : o.files)
-    out.kinds.push_back(given.emplace_back(name).kind());
+  AnalyseAnswer out{.files = {}, .kinds = {}, .frames = {}, .series = {}, .skipped = 0};
+  std::vector<io::PackingFile> given =
+      io::files_of_series(std::vector<std::filesystem::path>(o.files.begin(), o.files.end()));
+  for (const io::PackingFile& file : given) {
+    out.files.push_back(file.path().string());
+    out.kinds.push_back(file.kind());
+  }
   const io::FileKind& first = out.kinds.front();
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
     if (o.paraview)
@@ -162,7 +157,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   });
   if (o.paraview)
     pictures.finish();
-  out.series = series_of(out.frames);
+  out.series = series_of(out.frames, o.series == "all" ? SeriesBy::all : SeriesBy::name);
   out.skipped = files.skipped();
   return out;
 }
@@ -213,11 +208,15 @@ Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
   return moduli_of(elastic::transversely_isotropic_projection(stiffness));
 }
 
+const RungResult* find_rung(const FrameAnswer& frame, const std::string& name) {
+  const auto found = std::find_if(frame.rungs.begin(), frame.rungs.end(),
+                                  [&](const RungResult& rung) { return rung.name == name && rung.moduli; });
+  return found == frame.rungs.end() ? nullptr : &*found;
+}
+
 const Moduli* network_moduli(const FrameAnswer& frame) {
-  for (const RungResult& rung : frame.rungs)
-    if (rung.name == network_name && rung.moduli)
-      return &*rung.moduli;
-  return nullptr;
+  const RungResult* network = find_rung(frame, network_name);
+  return network == nullptr ? nullptr : &*network->moduli;
 }
 
 bool says_what_is_missing(io::Finding finding) {

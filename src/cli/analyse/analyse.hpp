@@ -58,6 +58,7 @@ inline double number(std::size_t count) { return static_cast<double>(count); }
 
 struct FrameAnswer {
   std::size_t number = 0;                ///< of the frame in the files, from 0
+  std::string file = {};                 ///< of its grains
   std::vector<io::ImportNote> read = {}; ///< what the reader noted
   studies::MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
@@ -67,21 +68,32 @@ struct FrameAnswer {
   double seconds = 0;                                    ///< reading left out
 };
 
+/// What a rung says of a frame; null if it says nothing.
+[[nodiscard]] const RungResult* find_rung(const FrameAnswer& frame, const std::string& name);
+
 /// The moduli that the network itself has, if they were found.
 [[nodiscard]] const Moduli* network_moduli(const FrameAnswer& frame);
 
-/// How the G_vh of one rung grows over the frames.
+/// How the moduli of one rung grow over the frames of a series.
 struct RungSeries {
   std::string name;
   std::string title;
-  studies::SeriesFit fit;
+  studies::SeriesFit fit;              ///< G over the mean stress
+  std::optional<hardin::Fit> separate; ///< G_vh over sigma_v and sigma_h, where their ratio varies
+};
+
+/// States that belong together: of one packing, or of packings that were made alike.
+struct StateSeries {
+  std::string name;
+  std::vector<std::size_t> frames; ///< places in the list of frames
+  std::vector<RungSeries> rungs;
 };
 
 struct AnalyseAnswer {
   std::vector<std::string> files;
   std::vector<io::FileKind> kinds;
   std::vector<FrameAnswer> frames;
-  std::vector<RungSeries> series;                            ///< for more than one frame
+  std::vector<StateSeries> series;                           ///< for more than one frame
   std::size_t skipped = 0;                                   ///< frames that stand in one file only
   std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
@@ -93,9 +105,9 @@ struct AnalyseAnswer {
 [[nodiscard]] std::string analyse_table(const AnalyseAnswer& answer);
 
 /// Names of the files that write_analysis writes.
-inline constexpr const char* analysis_files[] = {"frames.csv", "stiffness.csv", "rose.csv",
-                                                 "forces.csv", "rose.svg",      "forces.svg",
-                                                 "chains.svg", "report.html",   "analysis.json"};
+inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv", "rose.csv",   "forces.csv",
+                                                 "rose.svg",    "forces.svg",    "chains.svg", "states.svg",
+                                                 "report.html", "analysis.json"};
 /// Writes tables of all frames, and a report and pictures of the last one.
 /// \param    table   what the screen shows
 /// \throws   FileError if a file cannot be written, or exists and is to be kept

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "analyse_parts.hpp"
@@ -52,6 +53,7 @@ FrameColumns state_columns() {
   using analysis::Measurement;
   using io::ShownColumn;
   FrameColumns columns = {
+      {"file", [](const FrameAnswer& f) { return f.file; }},
       {"frame", "", [](const FrameAnswer& f) { return number(f.number); },
        ShownColumn{.heading = "frame", .width = 6, .digits = 10, .ahead = true}},
       {"step", "", [](const FrameAnswer& f) { return static_cast<double>(f.measured.step); },
@@ -111,18 +113,27 @@ void add_matrix_columns(FrameColumns& to, const FrameAnswer& first) {
 /// G of the network over that of rung 3.
 std::optional<double> network_over_relaxed(const FrameAnswer& frame) {
   const Moduli* network = network_moduli(frame);
-  const auto relaxed = std::find_if(frame.rungs.begin(), frame.rungs.end(), [](const RungResult& r) {
-    return r.name == relaxed_column() && r.moduli && r.moduli->G > 0;
-  });
-  if (network == nullptr || relaxed == frame.rungs.end())
+  const RungResult* relaxed = find_rung(frame, relaxed_column());
+  if (network == nullptr || relaxed == nullptr || !(relaxed->moduli->G > 0))
     return std::nullopt;
   return network->G / relaxed->moduli->G;
+}
+
+/// The name of the series that a frame is of.
+FrameColumns::value_type::Text series_names(const AnalyseAnswer& answer) {
+  std::map<std::size_t, std::string> names; // by the number of the frame
+  for (const StateSeries& series : answer.series)
+    for (const std::size_t k : series.frames)
+      names[answer.frames[k].number] = series.name;
+  return [names](const FrameAnswer& frame) { return names.at(frame.number); };
 }
 
 } // namespace
 
 io::Columns<FrameAnswer> frame_columns(const AnalyseAnswer& answer) {
   FrameColumns columns = state_columns();
+  if (answer.series.size() > 1)
+    columns.emplace(columns.begin() + 1, "series", series_names(answer));
   add_rung_columns(columns, answer.frames.front().rungs);
   add_matrix_columns(columns, answer.frames.front());
   columns.emplace_back("", "", network_over_relaxed, io::ShownColumn{"ratio", 9, 3, true, 1, "-"});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyse_parts.hpp"
+#include "analyse_series.hpp"
 #include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/json_members.hpp"
@@ -141,6 +142,7 @@ ordered_json window_json(const analysis::Window& window, const analysis::Interio
 ordered_json json_of(const FrameAnswer& frame) {
   const analysis::Measurement& a = frame.measured.packing;
   ordered_json json = {{"frame", frame.number},
+                       {"file", frame.file},
                        {"step", frame.measured.step},
                        {"time", or_null(frame.measured.time)},
                        {"found", read_json(frame, false)},
@@ -182,21 +184,6 @@ ordered_json json_of(const FrameAnswer& frame) {
   return json;
 }
 
-ordered_json json_of(const Measured& estimate) {
-  return {{"value", estimate.value}, {"standard_error", estimate.standard_error}};
-}
-
-ordered_json json_of(const studies::SeriesFit& fit) {
-  ordered_json json = {{"states", fit.states}, {"remark", fit.remark}};
-  if (fit.sum)
-    json.update({{"C", json_of(fit.sum->coefficient)}, {"s", json_of(fit.sum->exponent_sum)}});
-  if (fit.sum_with_void_ratio)
-    json["s_with_void_ratio_function"] = json_of(fit.sum_with_void_ratio->exponent_sum);
-  if (fit.separate)
-    json.update({{"m", json_of(*fit.separate->exponent_i)}, {"n", json_of(*fit.separate->exponent_j)}});
-  return json;
-}
-
 } // namespace
 
 ordered_json analyse_json(const AnalyseAnswer& answer) {
@@ -213,8 +200,8 @@ ordered_json analyse_json(const AnalyseAnswer& answer) {
   json["frames"] = ordered_json::array();
   for (const FrameAnswer& frame : answer.frames)
     json["frames"].push_back(json_of(frame));
-  for (const RungSeries& series : answer.series)
-    json["series"][series.name] = json_of(series.fit);
+  if (!answer.series.empty())
+    json["series"] = series_json(answer);
   return json;
 }
 

@@ -216,13 +216,6 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
     wanted.network.reset();
   MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
                          parse_window(o.window, o.depth)};
-  if (!options.materials.empty()) {
-    if (o.packing.grain_shear_modulus.given() || o.packing.grain_poisson_ratio.given())
-      throw InvalidArgument(
-          "--material says what --grain-shear-modulus and --grain-poisson-ratio say: leave these out");
-    if (o.packing.contact != contact::Shape::sphere)
-      throw InvalidArgument("--material goes with --contact sphere");
-  }
   return options;
 }
 
@@ -275,6 +268,13 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->type_name("LENGTHS");
   command.add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
       ->capture_default_str();
+  command
+      .add_option(
+          "--series", o.series,
+          "Which frames have exponents of their own: name, those of files whose names differ in numbers "
+          "alone (dense_p50, dense_p100); or all")
+      ->transform(one_of({"name", "all"}))
+      ->capture_default_str();
   command.add_flag("--no-network", o.no_network, "Leave rung 4 and its 6x6 out, which take the time");
   command.add_flag("--json", o.json, "Print one JSON object, SI units");
   command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
@@ -286,7 +286,7 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->needs(out);
   in_group(command, grains_group, {"--grain-density", "--friction-angle", "--material"});
   in_group(command, law_group, {"--tangential-ratio"});
-  in_group(command, "Files", {"--frames", "--column-map", "--box", "--stress"});
+  in_group(command, "Files", {"--frames", "--series", "--column-map", "--box", "--stress"});
   in_group(command, "What is measured", {"--window", "--depth", "--no-network", "--stiffness-from"});
   in_group(command, output_group, {"--json", "--strict", "--out", "--force", "--paraview"});
 }

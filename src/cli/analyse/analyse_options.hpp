@@ -26,6 +26,7 @@ struct AnalyseOptions {
   std::string column_map;
   std::string box;
   std::string frames = "all";
+  std::string series = "name";     ///< or all
   std::vector<std::string> stress; ///< one a frame, or the name of a file of them
   std::string stiffness_from;
   std::vector<std::string> materials; ///< one a type

@@ -10,6 +10,7 @@
 #include <granum/plot/chart.hpp>
 
 #include "analyse_page.hpp"
+#include "analyse_series.hpp"
 #include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 
@@ -91,6 +92,11 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   }
   if (answer.chains)
     add("chains.svg", answer.chains->svg);
+  std::vector<plot::Chart> states;
+  for (SeriesPicture& picture : series_pictures(answer))
+    states.push_back(std::move(picture.chart));
+  if (!states.empty())
+    add("states.svg", plot::svg(states, 3));
   add("report.html", analyse_page(answer, table));
   add("analysis.json", json_text(analyse_json(answer)));
   for (const auto& [name, text] : files)

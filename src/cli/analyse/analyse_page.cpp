@@ -12,6 +12,8 @@
 #include <granum/plot/page.hpp>
 #include <granum/plot/svg_text.hpp>
 
+#include "analyse_series.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -24,7 +26,7 @@ plot::Series density_curve(double anisotropy) {
                      .x = {},
                      .y = {},
                      .style = 0,
-                     .colour = 1};
+                     .colour = plot::Colour::closed_form};
   for (int k = 0; k <= points; ++k) {
     curve.x.push_back(std::numbers::pi / 2 * k / points);
     curve.y.push_back(fabric::density(curve.x.back(), anisotropy));
@@ -48,12 +50,6 @@ std::optional<int> rung_number(const RungResult& rung) {
   if (rung.name.size() != 5 || !rung.name.starts_with("rung"))
     return std::nullopt;
   return rung.name.back() - '0';
-}
-
-const RungResult* find_rung(const FrameAnswer& frame, const std::string& name) {
-  const auto found = std::find_if(frame.rungs.begin(), frame.rungs.end(),
-                                  [&](const RungResult& rung) { return rung.name == name && rung.moduli; });
-  return found == frame.rungs.end() ? nullptr : &*found;
 }
 
 std::string megapascal(double pascal) { return short_text(pascal / 1e6, 3) + " MPa"; }
@@ -104,6 +100,16 @@ std::string rungs_sentence(const FrameAnswer& frame) {
   return text + ".";
 }
 
+std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
+  const FrameAnswer& last = answer.frames.back();
+  std::vector<std::string> out{stiffness_sentence(last), contacts_sentence(last), rungs_sentence(last)};
+  if (answer.frames.size() > 1)
+    out.back() += fmt::format(" Shown is the last of {} frames.", answer.frames.size());
+  if (std::string growth = series_sentence(answer); !growth.empty())
+    out.push_back(std::move(growth));
+  return out;
+}
+
 std::string rungs_table(const FrameAnswer& frame) {
   std::vector<std::vector<std::string>> rows;
   for (const RungResult& rung : frame.rungs) {
@@ -128,7 +134,8 @@ std::string pictures(const AnalyseAnswer& answer) {
     out += plot::html_figure(
         {.caption =
              "Directions of the contacts: bars as long as there are contacts per solid angle around the "
-             "vertical, with their counting error.",
+             "vertical, with their counting error; as many bars as leave 25 contacts for the one around the "
+             "vertical, 3 to 18. rose.csv has all 18.",
          .pictures = {{.svg = plot::svg_in_page(rose_chart(last))}},
          .files = {{"rose.csv", "rose.csv"}}});
   if (answer.chains)
@@ -146,6 +153,17 @@ std::string pictures(const AnalyseAnswer& answer) {
   return out.empty()
              ? ""
              : plot::html_section("packing", "What it is made of", plot::html_element("div", out, "trio"));
+}
+
+std::string states_section(const AnalyseAnswer& answer) {
+  std::string out;
+  for (const SeriesPicture& picture : series_pictures(answer))
+    out += plot::html_figure({.caption = picture.caption,
+                              .pictures = {{.svg = plot::svg_in_page(picture.chart)}},
+                              .files = {{"frames.csv", "frames.csv"}, {"states.svg", "states.svg"}}});
+  return out.empty() ? ""
+                     : plot::html_section("states", "How it changes with stress",
+                                          plot::html_element("div", out, "trio"));
 }
 
 /// Line by line, since line ends are no characters that an element of SVG may have.
@@ -173,14 +191,21 @@ std::string warnings(const AnalyseAnswer& answer) {
 
 plot::Chart rose_chart(const FrameAnswer& frame) {
   const analysis::Fabric& f = *frame.measured.packing.fabric;
-  plot::Series bins{
-      .name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
-  for (const fabric::RoseBin& bin : f.rose) {
+  const double a = f.by_likelihood ? f.by_likelihood->anisotropy : f.by_moment.anisotropy;
+  std::vector<std::size_t> counts;
+  for (const fabric::RoseBin& bin : f.rose)
+    counts.push_back(bin.count);
+  plot::Series bins{.name = "contacts, \u221an bars",
+                    .mark = plot::Mark::marker,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::measured};
+  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0)) {
     bins.x.push_back((bin.low + bin.high) / 2);
     bins.y.push_back(bin.density);
     bins.y_error.push_back(bin.density_error);
   }
-  const double a = f.by_likelihood ? f.by_likelihood->anisotropy : f.by_moment.anisotropy;
   return {.title = "Directions of " + std::to_string(f.contacts) + " contacts, step " +
                    std::to_string(frame.measured.step),
           .x = {.title = "\u03b3 from the vertical"},
@@ -197,7 +222,12 @@ plot::Chart rose_chart(const FrameAnswer& frame) {
 
 plot::Chart force_chart(const FrameAnswer& frame) {
   const packing::ForceDistribution& d = frame.measured.packing.forces->distribution;
-  plot::Series bins{.name = "contacts, \u221an bars", .mark = plot::Mark::marker, .x = {}, .y = {}};
+  plot::Series bins{.name = "contacts, \u221an bars",
+                    .mark = plot::Mark::marker,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::measured};
   for (const packing::ForceBin& bin : d.bins) {
     if (bin.count == 0)
       continue; // the axis is logarithmic
@@ -245,7 +275,7 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
                             .x = {0, 4},
                             .y = {G, G},
                             .style = 0,
-                            .colour = 1});
+                            .colour = plot::Colour::measured});
     chart.finding += "; the network has " + megapascal(G);
   }
   return chart;
@@ -260,13 +290,11 @@ std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) 
     first.pictures = {{.svg = plot::svg_in_page(rungs)}};
   else
     first.caption = "No stiffness could be found; the table below says why.";
-  const std::string what =
-      answer.frames.size() > 1 ? fmt::format(" Shown is the last of {} frames.", answer.frames.size()) : "";
   const std::string body =
-      plot::html_first_screen(
-          "How stiff is this packing, and how near do the closed forms come?",
-          {stiffness_sentence(last), contacts_sentence(last), rungs_sentence(last) + what}, first) +
-      pictures(answer) + warnings(answer) + plot::html_section("rungs", "Every rung", rungs_table(last)) +
+      plot::html_first_screen("How stiff is this packing, and how near do the closed forms come?",
+                              first_sentences(answer), first) +
+      states_section(answer) + pictures(answer) + warnings(answer) +
+      plot::html_section("rungs", "Every rung", rungs_table(last)) +
       plot::html_section(
           "all", "All that was found",
           plot::html_folded("As the terminal shows it",

@@ -6,6 +6,7 @@
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 
+#include "analyse_series.hpp"
 #include "analyse_stiffness.hpp"
 #include "cli/options/size_options.hpp"
 
@@ -75,7 +76,9 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
 }
 
 std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
-  std::string text = "\nwindow, whose state the closed forms take; the network is that of the whole\n";
+  std::string text =
+      "\nwindow, whose state the closed forms take; the network is that of the whole, as the stiffness\n"
+      "of a part depends on what holds the grains at its faces\n";
   for (int k = 0; k < 3; ++k)
     text += item(std::string(1, "xyz"[k]), pretty(window.low[k], Dimension::length) + " to " +
                                                pretty(window.high[k], Dimension::length));
@@ -256,28 +259,19 @@ std::string frames_text(const AnalyseAnswer& answer) {
   return text;
 }
 
-std::string estimate_text(const Measured& e) { return with_error(e.value, e.standard_error); }
-
-/// How the moduli grow with stress.
-std::string series_text(const AnalyseAnswer& answer) {
-  const auto fitted = [](const RungSeries& series) { return series.fit.sum.has_value(); };
-  if (std::none_of(answer.series.begin(), answer.series.end(), fitted))
-    return answer.series.empty() ? "" : "\n" + answer.series.front().fit.remark + "\n";
-  std::string text = fmt::format("\n{:<24} {:<18} {:<18} {:<18} {:<18}\n", "G_vh ~ stress", "s",
-                                 "s with f(e)", "m (sigma_v)", "n (sigma_h)");
-  for (const RungSeries& series : answer.series) {
-    const studies::SeriesFit& fit = series.fit;
-    text += fmt::format("  {:<22}", series.title);
-    if (!fit.sum) {
-      text += " " + fit.remark + "\n";
+/// The files, one a line; of many the first and the last of each kind.
+std::string files_text(const AnalyseAnswer& answer) {
+  constexpr std::size_t many = 8;
+  std::string text;
+  std::size_t alike = 0; // files before this one of its kind, behind one another
+  for (std::size_t k = 0; k < answer.files.size(); ++k) {
+    alike = k > 0 && answer.kinds[k] == answer.kinds[k - 1] ? alike + 1 : 0;
+    const bool last = k + 1 == answer.files.size() || !(answer.kinds[k + 1] == answer.kinds[k]);
+    if (answer.files.size() > many && alike > 0 && !last)
       continue;
-    }
-    text += fmt::format(" {:<18} {:<18}", estimate_text(fit.sum->exponent_sum),
-                        fit.sum_with_void_ratio ? estimate_text(fit.sum_with_void_ratio->exponent_sum) : "-");
-    if (fit.separate)
-      text += fmt::format(" {:<18} {:<18}", estimate_text(*fit.separate->exponent_i),
-                          estimate_text(*fit.separate->exponent_j));
-    text += "\n";
+    if (answer.files.size() > many && alike > 1)
+      text += fmt::format("  ... {} more\n", alike - 1);
+    text += answer.files[k] + ": " + std::string(io::description(answer.kinds[k])) + "\n";
   }
   return text;
 }
@@ -285,9 +279,7 @@ std::string series_text(const AnalyseAnswer& answer) {
 } // namespace
 
 std::string analyse_table(const AnalyseAnswer& answer) {
-  std::string text;
-  for (std::size_t k = 0; k < answer.files.size(); ++k)
-    text += answer.files[k] + ": " + std::string(io::description(answer.kinds[k])) + "\n";
+  std::string text = files_text(answer);
   constexpr std::size_t whole = 2; // frames that are shown with all that is known
   if (answer.frames.size() > whole)
     text += fmt::format("\nthe last of {} frames:\n", answer.frames.size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyse_stiffness.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -68,14 +70,22 @@ double shown(const elastic::Matrix6& matrix, int row, int column) {
 
 std::string matrix_text(const NamedMatrix& named) {
   const NetworkMatrix& m = *named.matrix;
+  std::array<std::array<std::string, 6>, 6> entries;
+  std::size_t width = 11;
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column) {
+      std::string& entry = entries[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+      entry = fmt::format("{:.5g}", shown(m.stiffness.matrix, row, column));
+      width = std::max(width, entry.size() + 1);
+    }
   std::string text = fmt::format("  {:<10}", named.name);
   for (const char* const name : voigt_names)
-    text += fmt::format("{:>11}", name);
+    text += fmt::format("{:>{}}", name, width);
   text += "\n";
-  for (int row = 0; row < 6; ++row) {
+  for (std::size_t row = 0; row < 6; ++row) {
     text += fmt::format("{:>12}", voigt_names[row]);
-    for (int column = 0; column < 6; ++column)
-      text += fmt::format("{:>11.5g}", shown(m.stiffness.matrix, row, column));
+    for (const std::string& entry : entries[row])
+      text += fmt::format("{:>{}}", entry, width);
     text += "\n";
   }
   return text +

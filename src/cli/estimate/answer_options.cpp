@@ -9,6 +9,8 @@
 #include <granum/core/error.hpp>
 
 #include "cli/frame/command_line.hpp"
+#include "cli/frame/contradictions.hpp"
+#include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
 
@@ -41,7 +43,7 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
   if (!o.relative_density.given())
     return;
   if (packing.void_ratio.given() || packing.porosity.given() || packing.solid_fraction.given())
-    throw InvalidArgument("the density is given more than once: give --relative-density or --void-ratio");
+    throw InvalidArgument(said_twice::density);
   if (!o.least_void_ratio.given() || !o.largest_void_ratio.given())
     throw InvalidArgument(
         o.sand != nullptr
@@ -120,17 +122,21 @@ void add_answer_options(CLI::App& command, AnswerOptions& o) {
           },
           "How the grains came together, as it decides their contacts: dense, loose (friction 0.3 to 0.5), "
           "friction:0.3")
+      ->check(
+          taken_by([](const std::string& text) { (void)effective::preparation_of(in_small_letters(text)); }))
       ->type_name("dense|loose|friction:NUMBER");
   command
       .add_option_function<std::string>(
           "--grain", [&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
           "Solid of the grains: sets G_g, nu_g and density where they are not given")
+      ->check(taken_by([](const std::string& text) { (void)contact::mineral(in_small_letters(text)); }))
       ->type_name(keys_of(contact::minerals()));
   command
       .add_option_function<std::string>(
           "--sand", [&o](const std::string& text) { o.sand = &hardin::known_sand(in_small_letters(text)); },
           "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far as a "
           "source says")
+      ->check(taken_by([](const std::string& text) { (void)hardin::known_sand(in_small_letters(text)); }))
       ->type_name(keys_of(hardin::known_sands()));
   add_number_without_default(command, "--relative-density", o.relative_density,
                              "D_r instead of --void-ratio, 60%; with its limits or --sand");

@@ -37,7 +37,9 @@ ordered_json json_of(const effective::RungAnswer& answer) {
   json["m"] = exponents ? ordered_json(exponents->stress_h) : ordered_json();
   json["n"] = exponents ? ordered_json(exponents->stress_v) : ordered_json();
   json["s"] = exponents ? ordered_json(exponents->sum()) : ordered_json();
-  if (const auto& error = answer.relative_error)
+  if (declines(answer))
+    json.update({{"declines", true}, {"relative_error", nullptr}});
+  else if (const auto& error = answer.relative_error)
     json["relative_error"] = {{"K", error->bulk_modulus}, {"G_vh", error->G_vh}, {"G_hh", error->G_hh}};
   return json;
 }
@@ -188,7 +190,8 @@ std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rung
   text += row("", titles, "");
   for (const Label& m : moduli)
     text += row(m.label, cells([&m](const ordered_json& one) {
-                  return pressure_text(one[m.key]) + error_text(one, m.key);
+                  return one.contains("declines") ? "declines"
+                                                  : pressure_text(one[m.key]) + error_text(one, m.key);
                 }),
                 m.meaning);
   text += "\n  exponents of stress\n";

@@ -13,6 +13,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 
@@ -32,6 +33,7 @@ struct Options {
   std::string out;
   bool json = false;
   bool force = false;
+  bool strict = false;
 };
 
 /// One deck is one specimen of the scene.
@@ -109,7 +111,7 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
   manifest["seed"] = specimen.seed;
   manifest["density"] = studies::name(specimen.density);
   manifest["scene"] = json_of(scene);
-  files.push_back({"manifest.json", json_text(manifest)});
+  files.push_back({"manifest.json", json_text(with_warnings(manifest, likely_mistakes(scene)))});
   return files;
 }
 
@@ -130,6 +132,9 @@ void prepare_folders(studies::Scene scene, const Options& options) {
 ExitCode run(const Options& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::export_lammps);
   require_spheres(scene);
+  const Validity slips = likely_mistakes(scene);
+  if (refuses(slips, options.strict))
+    return ExitCode::not_converged;
   prepare_folders(scene, options);
 
   nlohmann::ordered_json json = json_head("export lammps");
@@ -146,7 +151,8 @@ ExitCode run(const Options& options) {
     table += fmt::format("{}: {} grains; run there  lmp -in in.all  or  mpirun -np N lmp -in in.all\n",
                          folder.string(), scene.study.grains);
   }
-  return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table, json, {});
+  return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table,
+                 with_warnings(json, slips), {});
 }
 
 } // namespace
@@ -180,6 +186,7 @@ Command add_export(CLI::App& program) {
       ->required();
   lammps->add_flag("--json", options->json, "Print one JSON object: the scene in SI and the files written");
   lammps->add_flag("--force", options->force, "Replace existing files");
+  add_strict_scene(*lammps, options->strict);
   in_group(*lammps, "Deck", {"--start", "--path", "--eta-step", "--largest-strain"});
   in_group(*lammps, output_group, {"--out", "--json", "--force"});
   return {command, [options] { return run(*options); }};

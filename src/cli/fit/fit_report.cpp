@@ -121,7 +121,12 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
   const double m = fit.equation.exponent_i, n = fit.equation.exponent_j;
   const std::string &i = question.stress_i_column, &j = question.stress_j_column;
   const bool separate = fit.exponent_i.has_value() && std::abs(s) > 1e-6;
-  plot::Series data{.name = "measured", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 1};
+  plot::Series data{.name = "measured",
+                    .mark = plot::Mark::marker,
+                    .x = {},
+                    .y = {},
+                    .style = 1,
+                    .colour = plot::Colour::measured};
   for (const hardin::MeasuredModulus& row : rows) {
     const double share = separate ? m / s : 0.5;
     const double log_x = share * std::log(row.state.stress_i) + (1 - share) * std::log(row.state.stress_j);
@@ -130,18 +135,20 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
     data.y.push_back(row.shear_modulus /
                      (by_void_ratio ? hardin::void_ratio_value(function, row.state.void_ratio) : 1));
   }
-  const auto [least, most] = std::minmax_element(data.x.begin(), data.x.end());
-  const double middle = std::sqrt(*least * *most);
+  const double least = *std::min_element(data.x.begin(), data.x.end());
+  const double most = *std::max_element(data.x.begin(), data.x.end());
+  const double middle = std::sqrt(least * most);
   const auto line = [&](const std::string& name, double exponent, std::size_t style, plot::Tone tone) {
     const auto at = [&](double x) {
       return fit.coefficient.value * p_a * std::pow(middle / p_a, s) * std::pow(x / middle, exponent);
     };
     return plot::Series{.name = name,
                         .mark = plot::Mark::line,
-                        .x = {*least, *most},
-                        .y = {at(*least), at(*most)},
+                        .x = {least, most},
+                        .y = {at(least), at(most)},
                         .style = style,
-                        .tone = tone};
+                        .tone = tone,
+                        .colour = plot::Colour::closed_form};
   };
   plot::Chart chart{
       .title = fmt::format("{} of {}", question.modulus_column, question.file),

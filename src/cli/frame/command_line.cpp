@@ -134,6 +134,19 @@ std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments) {
   return words;
 }
 
+CheckedValue checked(const CLI::Option& option, const std::string& value) {
+  CheckedValue out{.value = value, .complaint = {}};
+  auto& with_checks = const_cast<CLI::Option&>(option); // NOLINT: the parser shows them of such alone
+  for (int k = 0; out.complaint.empty(); ++k) {
+    try {
+      out.complaint = (*with_checks.get_validator(k))(out.value);
+    } catch (const CLI::OptionNotFound&) { // there are no more
+      break;
+    }
+  }
+  return out;
+}
+
 std::string in_small_letters(std::string text) {
   for (char& c : text)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -30,6 +30,14 @@ struct TypedArgument {
 /// The words for the parser.
 [[nodiscard]] std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments);
 
+/// A value as an option's own checks leave it, one of several choices in the letters of the choice; and what
+/// they say against it, empty where that is nothing.
+struct CheckedValue {
+  std::string value;
+  std::string complaint;
+};
+[[nodiscard]] CheckedValue checked(const CLI::Option& option, const std::string& value);
+
 [[nodiscard]] std::string in_small_letters(std::string text);
 
 /// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.

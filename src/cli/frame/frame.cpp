@@ -27,13 +27,6 @@ void print(const std::string& text) {
     throw FileError("standard output", 0, "cannot be written");
 }
 
-/// The warnings stand in the JSON too, so that its reader does not need standard error.
-nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity) {
-  if (json.is_object() && !validity.ok())
-    json["warnings"] = validity.notes;
-  return json;
-}
-
 } // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -99,6 +92,18 @@ CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& o
   return CLI::Validator(take, "{" + list + "}");
 }
 
+CLI::Validator taken_by(const std::function<void(const std::string&)>& read) {
+  const auto take = [read](std::string& text) -> std::string {
+    try {
+      read(text);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  return CLI::Validator(take, "");
+}
+
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {
   for (const char* name : names)
     if (!force && io::is_taken(folder / name))
@@ -127,6 +132,12 @@ nlohmann::ordered_json json_head(std::string_view command) {
 std::string json_text(const nlohmann::ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
          (indent >= 0 ? "\n" : "");
+}
+
+nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity) {
+  if (json.is_object() && !validity.ok())
+    json["warnings"] = validity.notes;
+  return json;
 }
 
 ExitCode deliver(const OutputOptions& options, const std::string& table, const nlohmann::ordered_json& json,

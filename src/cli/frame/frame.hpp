@@ -93,12 +93,19 @@ using OtherWords = std::vector<std::pair<std::string, std::string>>;
 /// of them is asked back.
 CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& others = {});
 
+/// For check() of an option whose text `read` takes, or refuses with InvalidArgument: what it says then is
+/// told beside other mistakes.
+CLI::Validator taken_by(const std::function<void(const std::string&)>& read);
+
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);
 
 /// A result as it is written, with U+FFFD for what is no UTF-8 in names and headings.
 /// \param    indent  of each level; -1 for one line without an end
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+
+/// The warnings stand in the JSON too, so that its reader does not need standard error.
+[[nodiscard]] nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity);
 
 /// Makes the folder that results go to, before any work is done.
 /// \param    names   of the files that will be written there

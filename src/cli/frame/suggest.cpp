@@ -2,6 +2,7 @@
 #include "suggest.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -10,6 +11,7 @@
 #include <granum/core/near_miss.hpp>
 #include <granum/core/number.hpp>
 
+#include "contradictions.hpp"
 #include "help.hpp"
 #include "studies/scene/scene_keys.hpp"
 
@@ -251,20 +253,50 @@ bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && word != "--" && !leading_number(word);
 }
 
-/// What is wrong with an option that the command knows; empty if nothing is.
-std::string fault_of_value(const TypedArgument& typed) {
-  const CLI::Option& option = *typed.option;
-  if (option.get_items_expected_min() > 0 && typed.values.empty())
-    return typed.word + " has no value";
-  const auto dimension = dimension_of(option);
-  if (!dimension || option.get_type_name() != type_name(*dimension) || option.get_items_expected_max() > 1)
-    return {};
+/// A text as a number with its unit; empty, or what is wrong.
+std::string fault_of_quantity(const std::string& name, const std::string& text, Dimension dimension) {
   try {
-    (void)parse_quantity(typed.word, typed.values.front(), *dimension);
+    (void)parse_quantity(name, text, dimension);
   } catch (const InvalidArgument& error) {
     const std::string what = error.what();
     const bool several = what.find("several values") != std::string::npos;
     return several ? what + "; granum sweep takes a path or a table of states" : what;
+  }
+  return {};
+}
+
+/// The same of a number without a unit, where the parser takes one.
+std::string fault_of_number(const std::string& name, const std::string& text, const std::string& type) {
+  const std::optional<double> number = parse_number(text);
+  const bool whole = type == "UINT" || type == "INT" || type == "N";
+  if ((!whole && type != "FLOAT") || (number && (!whole || *number == std::floor(*number))))
+    return {};
+  return fmt::format("{} = '{}': expected a {}number", name, text, whole ? "whole " : "");
+}
+
+/// What is wrong with one of the values of an option.
+std::string fault_of_one(const TypedArgument& typed, const std::string& value) {
+  const CLI::Option& option = *typed.option;
+  const std::string full = option.get_type_name(), type = full.substr(0, full.find(':'));
+  if (const auto dimension = dimension_of(option); dimension && type == type_name(*dimension))
+    if (const std::string fault = fault_of_quantity(typed.word, value, *dimension); !fault.empty())
+      return fault;
+  if (const std::string fault = fault_of_number(typed.word, value, type); !fault.empty())
+    return fault;
+  const std::string complaint = checked(option, value).complaint;
+  return complaint.empty() ? complaint : fmt::format("{}: {}", typed.word, complaint);
+}
+
+/// The first thing that is wrong with an option that the command knows; empty if nothing is.
+std::string fault_of_value(const TypedArgument& typed) {
+  const CLI::Option& option = *typed.option;
+  if (option.get_items_expected_min() > 0 && typed.values.empty())
+    return typed.word + " has no value";
+  for (const std::string& given : typed.values) {
+    const char delimiter = option.get_delimiter();
+    for (const std::string& value : delimiter == '\0' ? Names{given} : CLI::detail::split(given, delimiter))
+      if (const std::string fault = fault_of_one(typed, value); !fault.empty())
+        return fault;
   }
   return {};
 }
@@ -277,8 +309,10 @@ std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& comm
       !command.get_options([](const CLI::Option* o) { return o->get_positional(); }).empty();
   std::vector<std::string> faults;
   std::vector<const CLI::Option*> before;
+  Contradictions contradictions(command, arguments);
   bool of_unknown = false; // the word before is an option that nobody knows: this one may be its value
-  for (const TypedArgument& typed : arguments) {
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const TypedArgument& typed = arguments[k];
     std::string fault;
     const bool unknown = typed.option == nullptr && looks_like_option(typed.word);
     const bool once = typed.option != nullptr && typed.option->get_items_expected_max() == 1;
@@ -293,6 +327,8 @@ std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& comm
       fault = stray_word(program, command, typed.word);
     if (!fault.empty())
       faults.push_back(fault);
+    if (const std::string contradiction = contradictions.of(k); !contradiction.empty())
+      faults.push_back(contradiction);
     before.push_back(typed.option);
     of_unknown = unknown || (of_unknown && typed.option == nullptr);
   }

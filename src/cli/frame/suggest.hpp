@@ -11,7 +11,8 @@
 namespace granum::cli {
 
 /// One sentence for each option that the command does not know, each word that belongs to no option where the
-/// command takes none, each option without its value and each number that cannot be read.
+/// command takes none, each option without its value, each number or choice that cannot be taken, and each
+/// option that contradicts one before it or lacks one that it needs.
 /// \param    program  with all commands, of which another may know the option
 [[nodiscard]] std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& command,
                                                  const std::vector<TypedArgument>& arguments);

@@ -46,12 +46,19 @@ void add_measured_options(CLI::App& command, InferOptions& o) {
             "--vp", "--compression-wave-speed-h", "--measurement-error", "--table"});
 }
 
+std::vector<std::string> growth_names() {
+  std::vector<std::string> names;
+  for (const inverse::Growth growth : inverse::all_growths)
+    names.emplace_back(name(growth));
+  return names;
+}
+
 void add_prediction_options(CLI::App& command, InferOptions& o) {
   command
       .add_option(
           "--growth", o.growth,
           "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the measurements")
-      ->transform(one_of({"packings", "fixed", "fitted"}))
+      ->transform(one_of(growth_names()))
       ->capture_default_str();
   command
       .add_option("--predict-pressure", o.predict_pressure,

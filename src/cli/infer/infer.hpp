@@ -35,7 +35,7 @@ struct InferOptions {
   Number measurement_error;            ///< relative, of those that state none
   AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
-  std::string growth = "packings";
+  std::string growth{name(inverse::Growth::packings)};
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;

@@ -270,12 +270,6 @@ std::vector<PredictedState> predicted_states(const InferOptions& o, const State&
   return states;
 }
 
-inverse::Growth growth_of(const std::string& name) {
-  if (name == "fixed")
-    return inverse::Growth::fixed;
-  return name == "fitted" ? inverse::Growth::fitted : inverse::Growth::as_packings;
-}
-
 } // namespace
 
 Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
@@ -322,7 +316,7 @@ InferCase infer_case(const InferOptions& given) {
   question.packing.erase("coordination_number");
   question.options = {.grain_density = o.grains.grain_density.value,
                       .pore_density = elastic::water_density * require_share(o.grains.saturation),
-                      .growth = growth_of(o.growth),
+                      .growth = inverse::growth_of(o.growth),
                       .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
   if (o.packing.rattler_fraction.given())
     question.options.rattler_fraction = o.packing.rattler_fraction.value;

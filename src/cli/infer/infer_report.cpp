@@ -304,13 +304,19 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
                           .scale = plot::Scale::logarithmic,
                           .unit = row.speed ? 1 : 1e6},
                     .series = {}};
-  plot::Series data{.name = "measured", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 1};
+  plot::Series data{.name = "measured",
+                    .mark = plot::Mark::marker,
+                    .x = {},
+                    .y = {},
+                    .style = 1,
+                    .colour = plot::Colour::measured};
   plot::Series points{.name = "predicted",
                       .mark = plot::Mark::marker,
                       .x = {},
                       .y = {},
                       .style = 1,
-                      .tone = plot::Tone::hollow};
+                      .tone = plot::Tone::hollow,
+                      .colour = plot::Colour::closed_form};
   double least = mean_stress(question.measurements.front().state), most = least;
   for (const inverse::Measurement& m : question.measurements) {
     least = std::min(least, mean_stress(m.state));
@@ -335,13 +341,19 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
   }
   if (least >= 1e6)
     chart.x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6};
-  plot::Series curve{.name = "fit", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0};
+  plot::Series curve{.name = "fit",
+                     .mark = plot::Mark::line,
+                     .x = {},
+                     .y = {},
+                     .style = 0,
+                     .colour = plot::Colour::closed_form};
   plot::Series low{.name = "its standard error",
                    .mark = plot::Mark::line,
                    .x = {},
                    .y = {},
                    .style = 0,
-                   .tone = plot::Tone::faint};
+                   .tone = plot::Tone::faint,
+                   .colour = plot::Colour::closed_form};
   plot::Series high = low;
   high.name.clear();
   const State& first = question.measurements.front().state;

@@ -10,7 +10,9 @@
 namespace granum::cli {
 
 void add_strict(CLI::App& app, bool& strict) {
-  app.add_flag("--strict", strict, "Fail (exit code 1) if a finding differs from the paper's");
+  app.add_flag("--strict", strict,
+               "Fail (exit code 1) if a finding differs from the paper's; do not begin (exit code 4) where a "
+               "key of the scene is likely a slip");
   in_group(app, output_group, {"--strict"});
 }
 

@@ -114,6 +114,32 @@ Validity likely_mistakes(const Number& grain_density) {
   return validity;
 }
 
+namespace {
+
+Number key_of_scene(const char* name, double value, Dimension dimension) {
+  Number number{value, dimension};
+  number.name = name;
+  number.in_table = true;
+  return number;
+}
+
+} // namespace
+
+Validity likely_mistakes(const studies::Scene& scene) {
+  Validity validity;
+  judge_length(key_of_scene("grain.radius", scene.grain.radius, Dimension::length), validity);
+  judge_modulus(key_of_scene("grain.shear_modulus", scene.grain.shear_modulus, Dimension::pressure),
+                validity);
+  validity.merge(likely_mistakes(key_of_scene("grain.density", scene.grain.density, Dimension::density)));
+  for (const double pressure : scene.study.pressures) {
+    const std::size_t before = validity.notes.size();
+    judge_stress(key_of_scene("study.pressures", pressure, Dimension::pressure), validity);
+    if (validity.notes.size() > before)
+      break; // the others are of the same unit
+  }
+  return validity;
+}
+
 double require_share(const Number& number, double most) {
   const double value = number.value;
   const std::string range = fmt::format("[0, {}]", short_text(most));

@@ -5,6 +5,7 @@
 #include <granum/effective/state.hpp>
 
 #include "packing_options.hpp"
+#include "studies/scene/scene.hpp"
 
 /// Inputs that are possible, but more likely a slip of unit or symbol: warnings that name the slip.
 /// Checked by tests/cli/people.cmake
@@ -17,6 +18,9 @@ namespace granum::cli {
 
 /// The same of the density of the grains' solid.
 [[nodiscard]] Validity likely_mistakes(const Number& grain_density);
+
+/// The same of a scene's grains and pressures, by the names of its keys.
+[[nodiscard]] Validity likely_mistakes(const studies::Scene& scene);
 
 /// A share of 0 to `most` [1]; one in per cent without its sign gets a hint.
 /// \throws   InvalidArgument

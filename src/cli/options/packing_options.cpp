@@ -10,6 +10,7 @@
 #include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 
+#include "cli/frame/contradictions.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "likely_mistakes.hpp"
@@ -33,8 +34,7 @@ void require_belongs_to_contact(const PackingOptions& o) {
                                                     {&o.profile_constant, Shape::power_law}};
   for (const auto& [number, shape] : owners)
     if (number->given() && o.contact != shape)
-      throw InvalidArgument(fmt::format("{} goes with --contact {}, not with --contact {}", number->name,
-                                        name(shape), name(o.contact)));
+      throw InvalidArgument(belongs_to_other_contact(number->name, name(shape), name(o.contact)));
 }
 
 } // namespace
@@ -65,10 +65,10 @@ double require_open_share(const Number& number) {
 
 double resolve_void_ratio(const PackingOptions& o) {
   const int times_given = o.void_ratio.given() + o.porosity.given() + o.solid_fraction.given();
-  if (times_given != 1)
-    throw InvalidArgument(fmt::format("the density is {}: give one of --void-ratio, --porosity, "
-                                      "--solid-fraction",
-                                      times_given == 0 ? "missing" : "given more than once"));
+  if (times_given == 0)
+    throw InvalidArgument("the density is missing: give one of --void-ratio, --porosity, --solid-fraction");
+  if (times_given > 1)
+    throw InvalidArgument(said_twice::density);
   if (o.porosity.given()) {
     const double porosity = require_open_share(o.porosity);
     return porosity / (1 - porosity);
@@ -189,7 +189,7 @@ void require_density_or_stress(const PackingOptions& o) {
 stress::AxialStress resolve_stresses(const PackingOptions& o) {
   if (o.pressure.given()) {
     if (o.stress_v.given() || o.stress_h.given())
-      throw InvalidArgument("--pressure sets both stresses: leave out --stress-v and --stress-h");
+      throw InvalidArgument(said_twice::stress);
     if (o.pressure.value < 0)
       throw InvalidArgument("--pressure", o.pressure.value, "Pa", "[0, inf): compression is positive");
     return {o.pressure.value, o.pressure.value};
@@ -222,7 +222,7 @@ State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) 
 std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& o) {
   const bool one_table = o.mechanical_coordination_number.in_table && o.rattler_fraction.in_table;
   if (o.mechanical_coordination_number.given() && o.rattler_fraction.given() && !one_table)
-    throw InvalidArgument("--mechanical-coordination-number and --rattler-fraction say the same: give one");
+    throw InvalidArgument(said_twice::rattlers);
   if (o.mechanical_coordination_number.given())
     return require_non_negative(o.mechanical_coordination_number.name,
                                 o.mechanical_coordination_number.value);
@@ -304,6 +304,11 @@ ordered_json packing_json(const PackingOptions& o, const State& s) {
                {"fabric", s.fabric_anisotropy}});
   json.update(sizes_json(o, s.contacts));
   return json;
+}
+
+bool declines(const effective::RungAnswer& answer) {
+  const auto& error = answer.relative_error; // a rung that answers states one, under zero stress as well
+  return error && error->bulk_modulus == 0 && error->G_hh == 0 && error->G_vh == 0;
 }
 
 } // namespace granum::cli

@@ -8,6 +8,7 @@
 
 #include <granum/contact/shape.hpp>
 #include <granum/core/units.hpp>
+#include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/stress/axial_stress.hpp>
@@ -119,5 +120,9 @@ void require_density_or_stress(const PackingOptions& options);
 /// Contact, grains and packing in SI, without the stress.
 [[nodiscard]] nlohmann::ordered_json packing_json(const PackingOptions& options,
                                                   const effective::State& state);
+
+/// Whether a calibrated rung declines: z* is not above the isostatic point, where a network of contacts is
+/// not rigid. Its moduli are then zero, and it states no error of them.
+[[nodiscard]] bool declines(const effective::RungAnswer& answer);
 
 } // namespace granum::cli

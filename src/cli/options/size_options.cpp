@@ -11,6 +11,7 @@
 #include <granum/io/csv/sieve.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
+#include "cli/frame/contradictions.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 
 void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
   if (o.sizes)
-    throw InvalidArgument("--sizes, --sieve and --uniformity say the same: give one of them, once");
+    throw InvalidArgument(said_twice::sizes);
   o.sizes = std::move(distribution);
 }
 
@@ -34,6 +35,7 @@ void add_size_options(CLI::App& command, PackingOptions& o) {
       .add_option_function<std::string>(
           "--sizes", [&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
           "Grains of many sizes: " + sizes::distribution_forms())
+      ->check(taken_by([](const std::string& text) { (void)sizes::parse_distribution(text); }))
       ->type_name("DISTRIBUTION");
   command
       .add_option_function<std::string>(
@@ -57,7 +59,7 @@ void add_size_options(CLI::App& command, PackingOptions& o) {
 
 double resolve_radius(const PackingOptions& o) {
   if (o.radius.given() && o.d50.given())
-    throw InvalidArgument("--radius and --d50 say the same: give one");
+    throw InvalidArgument(said_twice::size);
   const std::optional<double> of_sieve = o.sizes ? o.sizes->mean_radius() : std::nullopt;
   if (of_sieve && (o.radius.given() || o.d50.given()))
     throw InvalidArgument(fmt::format("the sieve curve says how large the grains are: leave out {}",

@@ -6,6 +6,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/messages.hpp"
 #include "scene_file.hpp"
 
 namespace granum::cli {
@@ -48,6 +49,17 @@ void add_result_options(CLI::App& app, ResultOptions& options, const std::string
   app.add_flag("--force", options.force, "Let --out replace " + replaced);
   app.add_flag("--quiet", options.quiet, "No progress line on a terminal");
   in_group(app, output_group, {"--out", "--json", "--force", "--quiet"});
+}
+
+void add_strict_scene(CLI::App& app, bool& strict) {
+  app.add_flag("--strict", strict, "Do not begin (exit code 4) where a key of the scene is likely a slip");
+  in_group(app, output_group, {"--strict"});
+}
+
+bool refuses(const Validity& slips, bool strict) {
+  for (const std::string& slip : slips.notes)
+    say(strict ? "error" : "warning", slip);
+  return strict && !slips.ok();
 }
 
 studies::Scene resolve(const StudyOptions& options, studies::SceneCommand command,

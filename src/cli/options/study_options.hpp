@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/scene/scene_keys.hpp"
+#include <granum/core/validity.hpp>
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,13 @@ void add_result_options(CLI::App& app, ResultOptions& options, const std::string
                         const std::string& json_help = "Print one JSON object, SI units; writes files only "
                                                        "with --out",
                         const std::string& replaced = "existing results");
+
+/// --strict of a command that compares with nothing: it does not begin where a key is likely a slip.
+void add_strict_scene(CLI::App& app, bool& strict);
+
+/// Says what in a scene is possible, but likely a slip, before any work is done.
+/// \return   true where that ends the command, with exit code not_converged: under strict
+[[nodiscard]] bool refuses(const Validity& slips, bool strict);
 
 /// `base`, then the scene file, then --set, then --grains, --seeds and --threads.
 /// \throws   FileError, InvalidArgument

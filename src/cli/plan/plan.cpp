@@ -10,6 +10,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 
@@ -92,7 +93,7 @@ ExitCode run(const Options& options) {
       plan.packings, scene.study.grains, plan.specimens, scene.study.pressures.size(), plan.network_solutions,
       plan.probes, plan.grain_steps, plan.seconds, 1e9 * plan.seconds_per_grain_step,
       studies::thread_count(scene), plan.memory / 1e6);
-  return deliver(options.output, table + rule_lines(options, scene), json, {});
+  return deliver(options.output, table + rule_lines(options, scene), json, likely_mistakes(scene));
 }
 
 } // namespace

@@ -19,6 +19,7 @@
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/judgement.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 #include "reproduce_output.hpp"
@@ -81,12 +82,13 @@ void suggest_resume(const ResultOptions& results) {
                     results.out));
 }
 
-Place new_place(const Options& options) {
-  if (options.paper && !options.study.scene_file.empty())
-    throw InvalidArgument("--paper is a scene of its own; give it or --scene");
-  Place place{.scene = resolve(options.study, studies::SceneCommand::reproduce,
-                               options.paper ? paper_scene() : studies::Scene{}),
-              .folder = {}};
+studies::Scene new_scene(const Options& options) {
+  return resolve(options.study, studies::SceneCommand::reproduce,
+                 options.paper ? paper_scene() : studies::Scene{});
+}
+
+Place new_place(const Options& options, const studies::Scene& scene) {
+  Place place{.scene = scene, .folder = {}};
   std::vector<const char*> names(result_names().begin(), result_names().end());
   names.push_back(scene_name);
   names.push_back(checkpoints_name);
@@ -100,10 +102,6 @@ Place new_place(const Options& options) {
 /// A run that was stopped, or a finished one whose tables and pictures are to be written again.
 Place old_place(const Options& options) {
   const StudyOptions& study = options.study;
-  if (options.paper || !study.scene_file.empty() || !study.settings.empty() || study.grains || study.seeds ||
-      !options.results.out.empty())
-    throw InvalidArgument("--resume takes its scene and folder from the earlier run; only --threads may "
-                          "be given with it");
   const fs::path folder = options.resume;
   Place place{.scene = read_scene((folder / scene_name).string(), studies::SceneCommand::reproduce),
               .folder = folder};
@@ -117,7 +115,11 @@ Place old_place(const Options& options) {
 ExitCode run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::atomic<bool>& stop = listen_for_stop();
-  const Place place = options.resume.empty() ? new_place(options) : old_place(options);
+  const bool anew = options.resume.empty();
+  const studies::Scene scene = anew ? new_scene(options) : studies::Scene{};
+  if (anew && refuses(likely_mistakes(scene), options.strict))
+    return ExitCode::not_converged;
+  const Place place = anew ? new_place(options, scene) : old_place(options);
   const fs::path checkpoints = place.folder / checkpoints_name;
   fs::create_directories(checkpoints);
   studies::Experiment experiment;
@@ -132,8 +134,9 @@ ExitCode run(const Options& options) {
     return exit_code_of_stop();
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
-  const RunFigures figures{.seconds = seconds_since(start), .resumed = !options.resume.empty()};
-  const nlohmann::ordered_json manifest = manifest_of(experiment, verdicts, figures);
+  const RunFigures figures{.seconds = seconds_since(start), .resumed = !anew};
+  const nlohmann::ordered_json manifest =
+      with_warnings(manifest_of(experiment, verdicts, figures), likely_mistakes(place.scene));
   write_results(place.folder, experiment, verdicts, manifest);
   options.results.print(report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
                             place.folder.string() + "\n",

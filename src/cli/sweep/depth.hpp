@@ -24,8 +24,6 @@ struct GroundCase {
 };
 
 void add_ground_options(CLI::App& command, GroundOptions& options);
-/// All numbers of the ground.
-[[nodiscard]] std::vector<const Number*> numbers(const GroundOptions& options);
 
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] GroundCase resolve_ground(const SweepOptions& options);

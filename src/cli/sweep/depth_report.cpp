@@ -81,9 +81,15 @@ plot::Chart panel(const std::string& title, const std::string& x, double unit) {
           .legend_below = true};
 }
 
-void add_line(plot::Chart& chart, const DepthSweep& sweep, const std::string& name, std::size_t style,
-              double (*of)(const DepthAnswer& at)) {
-  plot::Series line{.name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = style};
+void add_line(plot::Chart& chart, const DepthSweep& sweep, const std::string& name,
+              std::optional<plot::Colour> colour, double (*of)(const DepthAnswer& at)) {
+  plot::Series line{.name = name,
+                    .mark = plot::Mark::line,
+                    .x = {},
+                    .y = {},
+                    .style = chart.series.size(), // of dashes
+                    .tone = colour ? plot::Tone::full : plot::Tone::grey,
+                    .colour = colour};
   for (const DepthAnswer& at : sweep.answers) {
     line.x.push_back(of(at));
     line.y.push_back(at.depth);
@@ -95,8 +101,18 @@ void add_line(plot::Chart& chart, const DepthSweep& sweep, const std::string& na
 plot::Chart range_panel(const DepthSweep& sweep, const std::string& title, const std::string& x, double unit,
                         Range (*of)(const effective::PackingAnswer& answer)) {
   plot::Chart chart = panel(title, x, unit);
-  plot::Series line{.name = "answer", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0};
-  plot::Series band{.name = "range", .mark = plot::Mark::area, .x = {}, .y = {}, .style = 0};
+  plot::Series line{.name = "answer",
+                    .mark = plot::Mark::line,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::closed_form};
+  plot::Series band{.name = "range",
+                    .mark = plot::Mark::area,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::closed_form};
   for (const DepthAnswer& at : sweep.answers) {
     const Range range = of(at.answer.answer);
     line.x.push_back(range.value);
@@ -180,10 +196,12 @@ ordered_json depth_json(const DepthSweep& sweep) {
 
 std::vector<plot::Chart> depth_charts(const DepthSweep& sweep) {
   plot::Chart stresses = panel("stress", "stress [kPa]", 1e3);
-  add_line(stresses, sweep, "\u03c3_v", 1, [](const DepthAnswer& at) { return at.stress.total.v; });
-  add_line(stresses, sweep, "u", 5, [](const DepthAnswer& at) { return at.stress.pore_pressure; });
-  add_line(stresses, sweep, "\u03c3'_v", 0, [](const DepthAnswer& at) { return at.stress.effective.v; });
-  add_line(stresses, sweep, "\u03c3'_h", 2, [](const DepthAnswer& at) { return at.stress.effective.h; });
+  const auto line = [&](const char* name, std::optional<plot::Colour> colour,
+                        double (*of)(const DepthAnswer&)) { add_line(stresses, sweep, name, colour, of); };
+  line("\u03c3'_v", plot::Colour::vertical, [](const DepthAnswer& at) { return at.stress.effective.v; });
+  line("\u03c3'_h", plot::Colour::horizontal, [](const DepthAnswer& at) { return at.stress.effective.h; });
+  line("u", std::nullopt, [](const DepthAnswer& at) { return at.stress.pore_pressure; });
+  line("\u03c3_v", std::nullopt, [](const DepthAnswer& at) { return at.stress.total.v; });
   return {std::move(stresses),
           range_panel(sweep, "shear modulus", "G [MPa]", 1e6, [](const auto& a) { return a.shear_modulus; }),
           range_panel(sweep, "shear wave", "V_s [m/s]", 1, [](const auto& a) { return *a.shear_wave_speed; }),

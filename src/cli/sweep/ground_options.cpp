@@ -90,11 +90,8 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
 
 void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
   const GroundOptions& g = o.ground;
-  if (!g.water_table.given()) {
-    refuse(g.saturated_unit_weight, "goes with --water-table, below which it holds");
-    refuse(g.water_unit_weight, "goes with --water-table");
+  if (!g.water_table.given())
     return;
-  }
   c.ground.water_table = g.water_table.value;
   const double full = mass.unit_weight(1);
   if (g.saturated_unit_weight.given()) {
@@ -124,11 +121,6 @@ void add_ground_options(CLI::App& command, GroundOptions& o) {
              "K_0, horizontal over vertical effective stress in the ground");
   add_number(command, "--surcharge", o.surcharge, "Pressure on the surface of the ground");
   add_number(command, "--water-unit-weight", o.water_unit_weight, "Of the water in the ground");
-}
-
-std::vector<const Number*> numbers(const GroundOptions& o) {
-  return {&o.unit_weight,       &o.saturated_unit_weight,  &o.water_table,
-          &o.water_unit_weight, &o.earth_pressure_at_rest, &o.surcharge};
 }
 
 GroundCase resolve_ground(const SweepOptions& o) {

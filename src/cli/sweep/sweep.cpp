@@ -71,11 +71,10 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
 
 void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth, CLI::Option* table) {
   CLI::Option* picture =
-      add_path(
-          command, "--picture", o.picture,
+      add_picture(
+          command, o.picture,
           "Draw the path, with a gnuplot script beside it that draws --out; stresses and answers over depth; "
           "or G of a table's rows")
-          ->type_name("FILE.svg")
           ->excludes("--json");
   command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
       ->transform(one_of(names_of(swept_quantities(), &SweptQuantity::name)))
@@ -123,23 +122,8 @@ void group_sweep_options(CLI::App& command) {
   in_group(command, output_group, {"--picture", "--picture-of"});
 }
 
-/// What only the answer of a depth or a row takes.
-void require_no_answer_options(const SweepOptions& o) {
-  if (o.answer.preparation != effective::Preparation{})
-    throw InvalidArgument("--preparation goes with --depth or --table: a path keeps its contacts");
-  for (const Number* number : {&o.answer.saturation, &o.answer.grain_density})
-    refuse(*number, "goes with --depth or --table: a path tells moduli alone");
-  if (o.all_columns)
-    throw InvalidArgument("--columns goes with --depth or --table; a path has those of --rungs");
-}
-
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
-  if (by_path)
-    require_no_answer_options(o);
-  if (o.ground.depth.empty())
-    for (const Number* number : numbers(o.ground))
-      refuse(*number, "goes with --depth");
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
   apply_presets(o.packing, o.answer);

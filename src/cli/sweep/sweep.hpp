@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,6 +68,7 @@ struct SweptQuantity {
 struct StateResult {
   std::vector<std::optional<effective::RungAnswer>> answers; ///< one a rung
   std::vector<std::string> notes;                            ///< of validity, each once
+  std::vector<std::string> slips;                            ///< inputs that are likely mistakes
   std::string error;                                         ///< empty: none
 };
 
@@ -93,7 +95,7 @@ class Tally {
  public:
   /// \param    where   the state in words, "line 4"
   void count(const StateResult& result, const std::string& where);
-  /// One note for all states outside a formula's validity.
+  /// One note for all states outside a formula's validity, and one for each kind of likely mistake.
   [[nodiscard]] Validity validity() const;
   /// Says on standard error how many states failed, if any.
   /// \return   code, or fell_short if it is ok and states failed
@@ -105,6 +107,11 @@ class Tally {
   std::size_t noted_ = 0;
   std::string first_failure_;
   std::string first_note_;
+  struct Slips {
+    std::size_t states = 0;
+    std::string first;
+  };
+  std::map<std::string, Slips> slips_; ///< by the input
 };
 
 using Notes = std::vector<std::pair<std::string, std::string>>;
@@ -129,8 +136,6 @@ ExitCode sweep_depth(const SweepOptions& options);
 /// n values from first to last, both to the bit.
 [[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
 
-/// \throws   InvalidArgument with that reason if the number is given
-void refuse(const Number& number, const std::string& reason);
 /// \throws   InvalidArgument if the picture's name does not end in .svg
 void require_svg(const std::string& picture);
 

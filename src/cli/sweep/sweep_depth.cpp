@@ -61,8 +61,6 @@ std::vector<std::string> remarks_on(const SweepOptions& o, const DepthSweep& swe
 }
 
 DepthSweep solve(const SweepOptions& o) {
-  for (const Number* stress : {&o.packing.pressure, &o.packing.stress_v, &o.packing.stress_h})
-    refuse(*stress, "goes with --table; in the ground the weight above is the stress");
   DepthSweep sweep{.ground = resolve_ground(o), .packing = {}, .answers = {}, .remarks = {}};
   sweep.answers = answers_at(o, sweep.ground, sweep.ground.depths);
   sweep.packing = packing_json(o.packing, sweep.answers.back().answer.question.state);
@@ -99,7 +97,7 @@ Validity validity_of(const SweepOptions& o, const DepthSweep& sweep) {
   validity.merge(sweep.ground.validity);
   Tally tally;
   for (const DepthAnswer& at : sweep.answers)
-    tally.count({.answers = {}, .notes = at.answer.answer.validity.notes, .error = ""},
+    tally.count({.answers = {}, .notes = at.answer.answer.validity.notes, .slips = {}, .error = ""},
                 pretty(at.depth, Dimension::length));
   validity.merge(tally.validity());
   return validity;

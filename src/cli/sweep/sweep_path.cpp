@@ -39,8 +39,6 @@ struct Path {
 };
 
 Path isotropic_path(const SweepOptions& o) {
-  refuse(o.eta, "goes with --path txc, rtxc, rtxe and txe, not with iso");
-  refuse(o.friction_angle, "goes with --path txc, rtxc, rtxe and txe, not with iso");
   if (!o.to.given())
     throw InvalidArgument("--to is missing: the mean stress at which the path ends");
   const bool logarithmic = o.spacing != "linear";
@@ -69,10 +67,9 @@ ShearPath shear_path(const std::string& option) {
 }
 
 Path path_to_ratio(const SweepOptions& o) {
-  refuse(o.to, "goes with --path iso; other paths end at --eta or --friction-angle");
   if (o.spacing == "log")
     throw InvalidArgument("--spacing log goes with --path iso: other paths start at eta = 0");
-  if (o.eta.given() == o.friction_angle.given())
+  if (!o.eta.given() && !o.friction_angle.given())
     throw InvalidArgument("give one of --eta and --friction-angle, where the path ends");
   const ShearPath kind = shear_path(o.path);
   const double end = o.eta.given() ? o.eta.value : stress::failure_ratio(kind, o.friction_angle.value);
@@ -88,8 +85,6 @@ Path path_to_ratio(const SweepOptions& o) {
 }
 
 Path make_path(const SweepOptions& o) {
-  for (const Number* stress : {&o.packing.pressure, &o.packing.stress_v, &o.packing.stress_h})
-    refuse(*stress, "goes with --table; a path takes its stress from --from");
   if (!o.from.given())
     throw InvalidArgument("--from is missing: the mean stress at which the path begins, or --table");
   return o.path == "iso" ? isotropic_path(o) : path_to_ratio(o);
@@ -174,7 +169,13 @@ plot::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuan
   if (modulus)
     chart.y = {.title = quantity.name + std::string(" [MPa]"), .scale = scale, .unit = 1e6};
   for (std::size_t r = 0; r < rungs.size(); ++r) {
-    plot::Series series{.name = effective::label(*rungs[r]), .x = {}, .y = {}};
+    plot::Series series{.name = effective::label(*rungs[r]),
+                        .x = {},
+                        .y = {},
+                        .style = r,
+                        .colour = plot::Colour::uniform_strain};
+    if (rungs[r]->name == effective::RungName::relaxed)
+      series.colour = plot::Colour::closed_form;
     for (std::size_t k = 0; k < sweep.results.size(); ++k) {
       const PathPoint& point = sweep.path.points[k];
       const auto& answer = sweep.results[k].answers[r];

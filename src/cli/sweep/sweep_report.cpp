@@ -56,6 +56,13 @@ std::string joined(const std::vector<std::string>& texts) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+/// Likely mistakes first: what follows is of these numbers.
+std::vector<std::string> remarks_of(const StateResult& result) {
+  std::vector<std::string> all = result.slips;
+  all.insert(all.end(), result.notes.begin(), result.notes.end());
+  return all;
+}
+
 } // namespace
 
 std::span<const SweptQuantity> swept_quantities() { return quantities; }
@@ -92,6 +99,7 @@ StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs, b
 StateResult failed(const std::string& error, const Rungs& rungs) {
   return {.answers = std::vector<std::optional<effective::RungAnswer>>(rungs.size()),
           .notes = {},
+          .slips = {},
           .error = error};
 }
 
@@ -122,7 +130,7 @@ void append_rung_cells(std::vector<io::CsvCell>& row, const StateResult& result)
 }
 
 void append_remark_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
-  row.emplace_back(joined(result.notes));
+  row.emplace_back(joined(remarks_of(result)));
   row.emplace_back(result.error);
 }
 
@@ -139,7 +147,7 @@ void add_result(ordered_json& json, const StateResult& result, const Rungs& rung
       of_rung[quantity.name] = value ? ordered_json(*value) : ordered_json();
     }
   }
-  json["notes"] = result.notes;
+  json["notes"] = remarks_of(result);
   json["error"] = result.error.empty() ? ordered_json() : ordered_json(result.error);
 }
 
@@ -149,6 +157,11 @@ void Tally::count(const StateResult& result, const std::string& where) {
     first_failure_ = where + ": " + result.error;
   if (!result.notes.empty() && ++noted_ == 1)
     first_note_ = where + ": " + joined(result.notes);
+  for (const std::string& slip : result.slips) {
+    Slips& of_input = slips_[slip.substr(0, slip.find(' '))];
+    if (++of_input.states == 1)
+      of_input.first = where + ": " + slip;
+  }
 }
 
 Validity Tally::validity() const {
@@ -156,6 +169,9 @@ Validity Tally::validity() const {
   if (noted_ > 0)
     validity.add(fmt::format("{} of {} states lie outside a formula's validity, see notes; {}", noted_,
                              states_, first_note_));
+  for (const auto& [input, slips] : slips_)
+    validity.add(fmt::format("{} of {} states have a likely mistake, see notes; {}", slips.states, states_,
+                             slips.first));
   return validity;
 }
 
@@ -184,11 +200,6 @@ ordered_json sweep_json_head(const ordered_json& inputs, const Rungs& rungs) {
   for (const Rung* rung : rungs)
     json["rungs"][rung->column] = rung->description;
   return json;
-}
-
-void refuse(const Number& number, const std::string& reason) {
-  if (number.given())
-    throw InvalidArgument(number.name + " " + reason);
 }
 
 void require_svg(const std::string& picture) {

@@ -9,6 +9,7 @@
 #include "answer_columns.hpp"
 #include "answer_rows.hpp"
 #include "cli/estimate/answer_report.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -79,10 +80,17 @@ class TableSweep {
         remarks_ = solve_answer(question.packing, question.answer, {}).assumptions;
       RowResult result{.answer = bare_answer(question.packing, question.answer), .rungs = {}};
       result.rungs = rungs_at(question.packing, result.answer->answer);
+      result.rungs.slips = slips_in(question, result.answer->question.state);
       return result;
     } catch (const Error& error) {
       return {.answer = std::nullopt, .rungs = failed(error.what(), rungs_)};
     }
+  }
+
+  static std::vector<std::string> slips_in(const AnswerRow& row, const effective::State& state) {
+    Validity slips = likely_mistakes(row.packing, state);
+    slips.merge(likely_mistakes(row.answer.grain_density));
+    return slips.notes;
   }
 
   /// The rungs take the contacts of the answer where the row does not give them.
@@ -172,9 +180,19 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
                     .series = {}};
   if (one_stress)
     chart.x = {.title = "void ratio"};
-  plot::Series ranges{
-      .name = "range", .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0, .tone = plot::Tone::faint};
-  plot::Series answers{.name = "answer", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  plot::Series ranges{.name = "range",
+                      .mark = plot::Mark::line,
+                      .x = {},
+                      .y = {},
+                      .style = 0,
+                      .tone = plot::Tone::faint,
+                      .colour = plot::Colour::closed_form};
+  plot::Series answers{.name = "answer",
+                       .mark = plot::Mark::marker,
+                       .x = {},
+                       .y = {},
+                       .style = 0,
+                       .colour = plot::Colour::closed_form};
   for (const RowPoint& point : points) {
     const double x = one_stress ? point.void_ratio : point.mean_stress;
     answers.x.push_back(x);

@@ -17,6 +17,7 @@
 #include "cli/frame/messages.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/study_options.hpp"
 #include "trade_report.hpp"
 
@@ -32,6 +33,8 @@ struct Options {
   bool quick = false;
   bool full = false;
   std::optional<double> budget; ///< [s]
+  bool strict = false;
+  std::string redraw;
   ResultOptions results;
 };
 
@@ -53,8 +56,6 @@ struct Outcome {
 };
 
 studies::TradeScene scene_of(const Options& options) {
-  if (options.quick && (options.full || options.budget))
-    throw InvalidArgument("--quick cannot go with --full or --budget");
   studies::TradeScene trade = options.quick  ? studies::quick_trade()
                               : options.full ? studies::full_trade()
                                              : studies::default_trade();
@@ -90,7 +91,7 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
   json["threads_used"] = studies::thread_count(outcome.trade.scene);
   json["rows"] = json_of(outcome.rows);
   json["laws"] = json_of(studies::laws_of(outcome.rows));
-  return json;
+  return with_warnings(std::move(json), likely_mistakes(outcome.trade.scene));
 }
 
 std::string report_of(const Outcome& outcome) {
@@ -107,8 +108,25 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
   io::write_file(folder / file_names[3], json_text(manifest_of(outcome, options)), existing);
 }
 
+/// The picture of a finished run by the drawing of today.
+ExitCode draw_again(const Options& options) {
+  const StudyOptions& study = options.study;
+  if (options.quick || options.full || options.budget || !study.scene_file.empty() ||
+      !study.settings.empty() || study.grains || study.seeds || !options.results.out.empty())
+    throw InvalidArgument("--redraw takes all from the earlier run; no scene, extent or other folder may be "
+                          "given with it");
+  const fs::path folder = options.redraw, picture = folder / file_names[2];
+  io::write_file(picture, trade_picture(read_trade_rows(folder / file_names[0])), io::Existing::replace);
+  options.results.print("picture in " + picture.string() + "\n", {{"picture", picture.string()}});
+  return ExitCode::ok;
+}
+
 ExitCode run(const Options& options) {
+  if (!options.redraw.empty())
+    return draw_again(options);
   const studies::TradeScene trade = scene_of(options);
+  if (refuses(likely_mistakes(trade.scene), options.strict))
+    return ExitCode::not_converged;
   const std::atomic<bool>& stop = listen_for_stop();
   const ResultOptions& results = options.results;
   const bool writes = results.writes_files();
@@ -138,7 +156,11 @@ Command add_trade(CLI::App& program) {
   command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
   add_quantity(*command, "--budget", options->budget, Dimension::time,
                "As far up in grains as this wall time allows: --budget 600s");
+  add_path(*command, "--redraw", options->redraw, "Draw trade.svg again from the finished run of this folder")
+      ->type_name("DIR");
   in_group(*command, "Extent", {"--quick", "--full", "--budget"});
+  in_group(*command, "Run", {"--redraw"});
+  add_strict_scene(*command, options->strict);
   add_result_options(*command, options->results, "Folder for results; by default a new granum-trade-N");
   return {command, [options] { return run(*options); }};
 }

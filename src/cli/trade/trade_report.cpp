@@ -109,7 +109,7 @@ void add_row(plot::Chart& panel, const TradeRow& row) {
                                                       .y = {},
                                                       .style = dense ? 0 : 1,
                                                       .tone = dense ? plot::Tone::full : plot::Tone::hollow,
-                                                      .colour = 0});
+                                                      .colour = plot::Colour::measured});
   }
   series->x.push_back(row.cpu_seconds);
   series->y.push_back(error_of(row));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ namespace granum::cli {
 [[nodiscard]] std::string trade_csv(const std::vector<studies::TradeRow>& rows);
 [[nodiscard]] std::string samples_csv(const studies::TradeScene& trade,
                                       const std::vector<studies::TradeSample>& samples);
+
+/// The rows again from the file that trade_csv was written to.
+/// \throws   FileError if it cannot be read or holds what trade never writes
+[[nodiscard]] std::vector<studies::TradeRow> read_trade_rows(const std::filesystem::path& csv);
 
 /// Error of G against cost, one curve for each varied quantity and density, as SVG.
 [[nodiscard]] std::string trade_picture(const std::vector<studies::TradeRow>& rows);

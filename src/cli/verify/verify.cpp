@@ -13,6 +13,7 @@
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/judgement.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "cli/options/study_options.hpp"
 #include "verify_output.hpp"
 
@@ -44,11 +45,6 @@ StudyOutcome run_and_judge(const studies::Scene& scene, const std::atomic<bool>&
 }
 
 ExitCode report_again(const Options& options) {
-  const StudyOptions& study = options.study;
-  if (!study.scene_file.empty() || !study.settings.empty() || study.grains || study.seeds || study.threads ||
-      !options.results.out.empty())
-    throw InvalidArgument(
-        "--report takes all from the earlier run; no scene and no other folder may be given with it");
   rewrite_report(options.report);
   options.results.print(fmt::format("report.html and figures in {}\n", options.report),
                         {{"report", (fs::path(options.report) / "report.html").string()}});
@@ -71,6 +67,9 @@ ExitCode run(const Options& options) {
   if (!options.report.empty())
     return report_again(options);
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::verify);
+  const Validity slips = likely_mistakes(scene);
+  if (refuses(slips, options.strict))
+    return ExitCode::not_converged;
   const std::atomic<bool>& stop = listen_for_stop();
   const ResultOptions& results = options.results;
   const bool writes = results.writes_files();
@@ -78,7 +77,7 @@ ExitCode run(const Options& options) {
       writes ? results_folder(results.out, "verify", study_file_names(), results.force) : fs::path();
   const StudyOutcome outcome = run_and_judge(scene, stop, results.quiet);
   const nlohmann::ordered_json manifest =
-      manifest_of(outcome, options.study.scene_file, options.study.settings);
+      with_warnings(manifest_of(outcome, options.study.scene_file, options.study.settings), slips);
   if (writes)
     write_results(folder, outcome, manifest, results.existing());
   const std::string where =

@@ -7,6 +7,7 @@
 
 #include <granum/core/error.hpp>
 
+#include "io/array_errors.hpp"
 #include "io/packing_builder.hpp"
 
 namespace granum::io {
@@ -63,10 +64,11 @@ void split_force(PairRow& row, const ContactArrays& c, std::size_t k) {
   row.tangential_force = c.force[k] + -row.normal_force * n;
 }
 
-PairRow pair_row(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
+PairRow pair_row(PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
   PairRow row = row_from(builder, c, k);
   row.b = builder.index(c.grains[k][1], k + 1);
-  row.branch = c.branch.empty() ? builder.nearest(builder.straight(row.a, row.b)) : c.branch[k];
+  row.branch = c.branch.empty() ? builder.touching_image(row.a, row.b, element(c.force, k), std::nullopt)
+                                : c.branch[k];
   row.overlap = c.overlap.empty() ? builder.radius_sum(row.a, row.b) - norm(row.branch) : c.overlap[k];
   if (!c.branch.empty())
     builder.require_agreement(row);
@@ -128,15 +130,6 @@ ImportedPacking build(const PackingArrays& arrays) {
   builder.expect_contacts(contacts.grains.size());
   add_contacts(builder, contacts);
   return builder.finish(0, std::nullopt);
-}
-
-/// The message of the builder, which names a line of a file, with the name of an array's element in its
-/// place.
-InvalidArgument in_arrays(const FileError& error) {
-  const bool numbered = error.line() > 0;
-  const std::string place = error.path() + (numbered ? ":" + std::to_string(error.line()) : "") + ": ";
-  const std::string element = numbered ? "[" + std::to_string(error.line() - 1) + "]" : "";
-  return InvalidArgument(error.path() + element + ": " + std::string(error.what()).substr(place.size()));
 }
 
 } // namespace

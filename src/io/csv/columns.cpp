@@ -23,9 +23,10 @@ std::string number_text(const ShownColumn& column, const std::optional<double>& 
   if (!number)
     return to_the_right(column.absent, column.width);
   const double shown = *number / column.unit;
-  return to_the_right(column.fixed ? detail::formatted("%.*f", column.digits, shown)
-                                   : detail::formatted("%.*g", column.digits, shown),
-                      column.width);
+  const std::string text = column.fixed ? detail::formatted("%.*f", column.digits, shown)
+                                        : detail::formatted("%.*g", column.digits, shown);
+  const bool fills = text.size() >= static_cast<std::size_t>(column.width);
+  return (fills ? " " : "") + to_the_right(text, column.width);
 }
 
 } // namespace granum::io

@@ -17,18 +17,21 @@ namespace granum::io {
 namespace {
 
 /// A table whose columns come in as SI, by the units of the headings or of a line "# units: SI".
-class Columns {
+class TableColumns {
  public:
-  explicit Columns(TextSource source) : Columns(source.name(), whole(source)) {}
+  explicit TableColumns(TextSource source) : TableColumns(source.name(), whole(source)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const CsvTable& table() const { return table_; }
   [[nodiscard]] bool has(const char* quantity) const { return table_.has(quantity); }
 
   [[nodiscard]] std::vector<double> numbers(const char* quantity, Dimension dimension) const {
-    const auto& headings = table_.headings();
-    const bool bare = std::find(headings.begin(), headings.end(), quantity) != headings.end();
-    return table_.numbers(quantity, bare && si_ ? Dimension::dimensionless : dimension);
+    return table_.numbers(quantity, stated(quantity, dimension));
+  }
+
+  /// Where a column stands, and what its numbers are multiplied by to give SI.
+  [[nodiscard]] CsvTable::Column place(const char* quantity, Dimension dimension) const {
+    return table_.column(quantity, stated(quantity, dimension));
   }
 
   /// Integers, such as ids.
@@ -61,7 +64,7 @@ class Columns {
   }
 
  private:
-  Columns(std::string name, const std::string& text)
+  TableColumns(std::string name, const std::string& text)
       : name_(name), si_(states_si(name, text)), table_(name, text) {}
 
   static std::string whole(TextSource& source) {
@@ -71,6 +74,13 @@ class Columns {
       text += '\n';
     }
     return text;
+  }
+
+  /// The dimension that the heading of a column tells: none where a line above stands for SI.
+  [[nodiscard]] Dimension stated(const char* quantity, Dimension dimension) const {
+    const auto& headings = table_.headings();
+    const bool bare = std::find(headings.begin(), headings.end(), quantity) != headings.end();
+    return bare && si_ ? Dimension::dimensionless : dimension;
   }
 
   static bool states_si(const std::string& name, const std::string& text) {
@@ -92,31 +102,59 @@ class Columns {
   CsvTable table_;
 };
 
-std::vector<double> optional_numbers(const Columns& columns, const char* quantity, Dimension dimension) {
+std::vector<double> optional_numbers(const TableColumns& columns, const char* quantity, Dimension dimension) {
   return columns.has(quantity) ? columns.numbers(quantity, dimension) : std::vector<double>{};
 }
 
-std::vector<GrainRow> grain_rows(const Columns& columns) {
+std::vector<GrainRow> grain_rows(const TableColumns& columns) {
   const auto place = columns.vectors({"x", "y", "z"}, Dimension::length);
   if (place.empty())
     throw FileError(columns.name(), 0, "expected columns x, y, z with a unit of length");
   const bool diameters = !columns.has("radius") && columns.has("diameter");
   const auto size = columns.numbers(diameters ? "diameter" : "radius", Dimension::length);
   const auto ids = columns.has("id") ? columns.integers("id") : std::vector<long>{};
+  const auto types = columns.has("type") ? columns.integers("type") : std::vector<long>{};
   std::vector<GrainRow> rows;
   rows.reserve(place.size());
   for (std::size_t k = 0; k < place.size(); ++k)
     rows.push_back({ids.empty() ? static_cast<long>(k) : ids[k], place[k], diameters ? size[k] / 2 : size[k],
-                    columns.table().line(k)});
+                    columns.table().line(k), types.empty() ? std::nullopt : std::optional(types[k])});
   return rows;
 }
 
-PackingBuilder grains_built(const Columns& columns, const std::string& contact_file,
+/// Notes how many digits the coordinates are written with.
+void note_digits(PackingBuilder& builder, const TableColumns& columns) {
+  DigitWatch watch;
+  double unit = 1;
+  for (const char* const axis : {"x", "y", "z"}) {
+    const CsvTable::Column column = columns.place(axis, Dimension::length);
+    unit = column.factor;
+    for (std::size_t row = 0; row < columns.table().row_count(); ++row)
+      watch.see(columns.table().fields(row)[column.index]);
+  }
+  builder.note_digits(watch, "coordinates", unit);
+}
+
+/// The same of the overlaps and forces that a table of contacts states.
+void note_digits(PackingBuilder& builder, const ContactTable& table) {
+  DigitWatch overlaps, forces;
+  for (const double overlap : table.overlap)
+    overlaps.see(exact_text(overlap));
+  for (const double force : table.normal_force)
+    forces.see(exact_text(force));
+  for (const Vec3& force : table.force)
+    forces.see(exact_text(force.x));
+  builder.note_overlap_digits(overlaps, "overlaps");
+  builder.note_force_digits(forces);
+}
+
+PackingBuilder grains_built(const TableColumns& columns, const std::string& contact_file,
                             const std::optional<CsvBox>& box) {
   PackingBuilder builder(columns.name(), contact_file);
   if (box)
     builder.set_cell(box->cell, box->periodic, 0);
   builder.set_grains(grain_rows(columns));
+  note_digits(builder, columns);
   if (!columns.has("id"))
     builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their rows");
   if (!box)
@@ -126,12 +164,18 @@ PackingBuilder grains_built(const Columns& columns, const std::string& contact_f
   return builder;
 }
 
-PairRow pair_row(const PackingBuilder& builder, const ContactTable& table, std::size_t k) {
+PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t k) {
   PairRow pair;
   pair.line = table.line[k];
   pair.a = builder.index(table.id[k][0], pair.line);
   pair.b = builder.index(table.id[k][1], pair.line);
-  pair.branch = table.branch.empty() ? builder.nearest(builder.straight(pair.a, pair.b)) : table.branch[k];
+  pair.branch =
+      table.branch.empty()
+          ? builder.touching_image(pair.a, pair.b, table.normal[k],
+                                   table.overlap.empty()
+                                       ? std::nullopt
+                                       : std::optional(builder.radius_sum(pair.a, pair.b) - table.overlap[k]))
+          : table.branch[k];
   const double length = norm(pair.branch);
   if (pair.a == pair.b || !(length > 0))
     return pair;
@@ -157,7 +201,7 @@ bool names_a_normal(std::string_view heading) {
 } // namespace
 
 ContactTable read_contact_csv(TextSource source) {
-  const Columns columns(std::move(source));
+  const TableColumns columns(std::move(source));
   ContactTable table;
   table.normal = columns.vectors({"nx", "ny", "nz"}, Dimension::dimensionless);
   if (table.normal.empty())
@@ -193,7 +237,7 @@ ContactTable read_contact_csv(TextSource source) {
 ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts,
                                  const std::optional<CsvBox>& box) {
   const std::string contact_file = contacts ? contacts->name() : "";
-  PackingBuilder builder = grains_built(Columns(std::move(grains)), contact_file, box);
+  PackingBuilder builder = grains_built(TableColumns(std::move(grains)), contact_file, box);
   if (!contacts) {
     builder.note(Finding::contacts_unknown, "no table of contacts was given");
     return builder.finish(0, std::nullopt);
@@ -209,6 +253,7 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
   } else if (table.force.empty()) {
     builder.note(Finding::tangential_unknown, "fn and ft do not tell the direction of the tangential force");
   }
+  note_digits(builder, table);
   for (std::size_t k = 0; k < table.id.size(); ++k)
     builder.add(pair_row(builder, table, k));
   return builder.finish(0, std::nullopt);

@@ -108,26 +108,36 @@ class LocalJoin {
   void run() {
     const bool swapped = swapped_forces();
     for (const LocalRow& row : locals_.rows) {
-      PairRow pair = geometry(row);
+      PairRow pair = geometry(row, swapped);
       set_forces(pair, row, swapped);
       builder_.add(pair);
     }
   }
 
  private:
-  PairRow geometry(const LocalRow& row) const {
-    PairRow pair;
-    pair.line = row.line;
-    pair.a = builder_.index(row.id1, row.line);
-    pair.b = builder_.index(row.id2, row.line);
+  PairRow geometry(const LocalRow& row, bool swapped) {
     const ContactLayout& layout = *locals_.layout;
-    if (layout.difference || layout.first)
+    PairRow pair = grains_of(row);
+    if (layout.difference || layout.first) {
       pair.branch = row.through ? builder_.nearest(-row.difference) : -row.difference;
-    else
-      pair.branch = builder_.nearest(builder_.straight(pair.a, pair.b));
-    builder_.require_agreement(pair);
+      builder_.require_agreement(pair);
+    }
+    if (!layout.difference && (row.through || !layout.first) && pair.a != pair.b)
+      pair.branch = builder_.touching_image(pair.a, pair.b, -(swapped ? row.tangential : row.normal),
+                                            distance(pair, row));
     pair.overlap = layout.overlap ? row.overlap : builder_.radius_sum(pair.a, pair.b) - norm(pair.branch);
     return pair;
+  }
+
+  PairRow grains_of(const LocalRow& row) const {
+    return {.a = builder_.index(row.id1, row.line), .b = builder_.index(row.id2, row.line), .line = row.line};
+  }
+
+  /// Of the centres, where the row tells it.
+  std::optional<double> distance(const PairRow& pair, const LocalRow& row) const {
+    if (!locals_.layout->overlap)
+      return std::nullopt;
+    return builder_.radius_sum(pair.a, pair.b) - row.overlap;
   }
 
   static Vec3 direction(const PairRow& pair) { return (1 / norm(pair.branch)) * pair.branch; }
@@ -138,7 +148,10 @@ class LocalJoin {
       return false;
     NormalMisfit misfit;
     for (const LocalRow& row : locals_.rows) {
-      const PairRow pair = geometry(row);
+      const PairRow ends = grains_of(row);
+      if (!layout.difference && ends.a != ends.b && builder_.ambiguous(ends.a, ends.b))
+        continue; // the vectors tell which image is meant, once it is known which of them is which
+      const PairRow pair = geometry(row, false);
       if (norm(pair.branch) > 0)
         misfit.add(direction(pair), row.normal, row.tangential,
                    layout.force ? std::optional(row.force) : std::nullopt);
@@ -173,7 +186,7 @@ class LocalJoin {
   const LocalFrame& locals_;
 };
 
-/// The layout that the values of the frame tell, and its rows by it.
+/// The layout that the values of the frame tell.
 void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
   const ToldLayout told = layout_by_values(locals.unnamed, builder, units.length);
   locals.layout = told.layout;
@@ -183,6 +196,10 @@ void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& 
   if (told.swapped)
     builder.note(Finding::forces_swapped,
                  "the first force vector is the tangential one, the second the normal");
+}
+
+/// Makes rows of the unnamed table.
+void take_unnamed(PackingBuilder& builder, LocalFrame& locals) {
   for (std::size_t row = 0; row < locals.unnamed.rows(); ++row)
     locals.rows.push_back(
         local_row(NumberRow(locals.unnamed, row, builder), locals.unnamed.lines[row], *locals.layout));
@@ -211,6 +228,10 @@ std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
     if (layout.difference)
       for (const std::size_t k : *layout.difference)
         locals.digits.see(row[k]);
+    if (layout.force)
+      locals.force_digits.see(row[*layout.force]);
+    else if (layout.normal || layout.whole)
+      locals.force_digits.see(row[(layout.normal ? *layout.normal : *layout.whole)[0]]);
     locals.rows.push_back(local_row(row, line, layout));
   };
   auto frame = file.next(sink);
@@ -221,15 +242,34 @@ std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
 }
 
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
-  builder.note_digits(locals.digits, "overlaps or lines of centres");
+  builder.note_overlap_digits(locals.digits, "overlaps or lines of centres", units.length);
+  builder.note_force_digits(locals.force_digits);
   if (!locals.layout)
     name_columns(builder, locals, units);
+  take_unnamed(builder, locals);
   to_si(locals.rows, units);
   if (!locals.layout->has_forces())
     builder.expect_no_forces();
   builder.expect_contacts(locals.rows.size());
   LocalJoin(builder, locals).run();
   locals.rows = {};
+}
+
+void note_unknown_contacts(PackingBuilder& builder, const LocalFrame* contacts, const std::string& where) {
+  builder.note(Finding::law_unknown, "contact law and grain material are not " + where);
+  if (contacts == nullptr) {
+    builder.note(Finding::contacts_unknown,
+                 where == "in a dump" ? "no dump of contacts was given" : "no contacts were given");
+    return;
+  }
+  builder.note(Finding::stiffness_unknown, "stiffnesses are not " + where);
+  builder.note(Finding::history_unknown, "the loading history of the contacts is not " + where);
+  if (!contacts->layout->has_forces())
+    builder.note(Finding::forces_unknown, "no column of forces");
+  else if (!contacts->layout->has_tangential())
+    builder.note(Finding::tangential_unknown, "no columns of tangential forces");
+  if (contacts->layout->has_forces())
+    builder.note(Finding::viscous_forces, "forces include viscous damping where grains move");
 }
 
 } // namespace granum::io

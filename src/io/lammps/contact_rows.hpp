@@ -29,16 +29,22 @@ struct LocalFrame {
   DumpFrame frame;
   std::optional<ContactLayout> layout; ///< nothing until the values have told it
   std::vector<LocalRow> rows;
-  UnnamedTable unnamed; ///< the rows where there is no layout
-  DigitWatch digits;
+  UnnamedTable unnamed; ///< rows of which nobody knows yet what they hold, or that are numbers already
+  DigitWatch digits, force_digits;
 };
 
 /// Reads the next frame; nothing at the end of the file.
 /// \throws   FileError as DumpFile::next, contact_layout, or for text where a number should be
 [[nodiscard]] std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map);
 
-/// Adds the contacts of a frame to the packing, with a note on what they were taken for. Empties the rows.
+/// Adds the contacts of a frame to the packing, with a note on what they were taken for: its rows, or its
+/// unnamed table, of which it makes rows. Empties the rows.
 /// \throws   FileError as layout_by_values and PackingBuilder::add
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units);
+
+/// Notes what a state of LAMMPS does not tell of its contacts, of which there may be none.
+/// Assumes   the contacts were joined
+/// \param    where   "in a dump"
+void note_unknown_contacts(PackingBuilder& builder, const LocalFrame* contacts, const std::string& where);
 
 } // namespace granum::io

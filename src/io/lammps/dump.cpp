@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/lammps/dump.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <granum/io/packing_format.hpp>
@@ -95,6 +96,7 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
   if (!frame)
     return std::nullopt;
   atoms.frame = *frame;
+  atoms.scaled = layout.scaled;
   const double unit = file.units().length;
   for (GrainRow& grain : atoms.grains) {
     if (layout.scaled)
@@ -111,19 +113,7 @@ void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox&
     builder.note(Finding::boundary_unknown, "the box has no boundary flags: taken as periodic");
   if (!atoms.units().stated)
     builder.note(Finding::units_unknown, "no ITEM: UNITS: taken as SI");
-  builder.note(Finding::law_unknown, "contact law and grain material are not in a dump");
-  if (!locals) {
-    builder.note(Finding::contacts_unknown, "no dump of contacts was given");
-    return;
-  }
-  builder.note(Finding::stiffness_unknown, "stiffnesses are not in a dump");
-  builder.note(Finding::history_unknown, "the loading history of the contacts is not in a dump");
-  if (!locals->layout->has_forces())
-    builder.note(Finding::forces_unknown, "no column of forces");
-  else if (!locals->layout->has_tangential())
-    builder.note(Finding::tangential_unknown, "no columns of tangential forces");
-  if (locals->layout->has_forces())
-    builder.note(Finding::viscous_forces, "forces include viscous damping where grains move");
+  note_unknown_contacts(builder, locals, "in a dump");
 }
 
 /// The packing of one frame; units that one of the two files states hold for both.
@@ -134,7 +124,9 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   const DumpUnits& units = atom_file.units();
   builder.set_cell(units.length * box.edges, box.periodic, box.line);
   builder.set_grains(std::move(atoms.grains));
-  builder.note_digits(atoms.digits, "coordinates");
+  const double widest =
+      std::max({norm(column(box.edges, 0)), norm(column(box.edges, 1)), norm(column(box.edges, 2))});
+  builder.note_digits(atoms.digits, "coordinates", units.length * (atoms.scaled ? widest : 1));
   join_walls(builder, atoms.walls, units);
   if (locals) {
     join(builder, *locals, local_file->units().stated ? local_file->units() : units);

@@ -41,6 +41,18 @@ std::optional<std::size_t> find_column(const std::vector<std::string>& columns, 
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+std::optional<DumpUnits> dump_units(std::string_view style) {
+  if (style == "si")
+    return DumpUnits{1, 1, 1, true};
+  if (style == "cgs")
+    return DumpUnits{1e-2, 1e-5, 1, true};
+  if (style == "micro")
+    return DumpUnits{1e-6, 1e-9, 1e-6, true};
+  if (style == "nano")
+    return DumpUnits{1e-9, 1e-12, 1e-9, true};
+  return std::nullopt;
+}
+
 bool DumpFile::at_item() const { return source_.line().starts_with(item); }
 
 void DumpFile::read_value(const char* what, TextRow& row) {
@@ -92,17 +104,10 @@ DumpBox DumpFile::read_box(const std::vector<std::string_view>& words) {
 void DumpFile::read_units() {
   TextRow row(source_);
   read_value("a unit style", row);
-  const std::string_view style = row[0];
-  if (style == "si")
-    units_ = {1, 1, 1, true};
-  else if (style == "cgs")
-    units_ = {1e-2, 1e-5, 1, true};
-  else if (style == "micro")
-    units_ = {1e-6, 1e-9, 1e-6, true};
-  else if (style == "nano")
-    units_ = {1e-9, 1e-12, 1e-9, true};
-  else
-    source_.fail("units " + shown(style) + " have no values in SI here; expected si, cgs, micro or nano");
+  const std::optional<DumpUnits> units = dump_units(row[0]);
+  if (!units)
+    source_.fail("units " + shown(row[0]) + " have no values in SI here; expected " + known_dump_units);
+  units_ = *units;
 }
 
 /// Memory is reserved for at most so many rows: the number that a file states may be false.

@@ -29,6 +29,11 @@ struct DumpUnits {
   bool stated = false;
 };
 
+/// Factors of a unit style of LAMMPS; nothing for one whose units are not those of SI but for powers of ten.
+[[nodiscard]] std::optional<DumpUnits> dump_units(std::string_view style);
+/// The styles that have them, for messages.
+inline constexpr const char* known_dump_units = "si, cgs, micro or nano";
+
 /// What the sections of one frame say, apart from the table.
 struct DumpFrame {
   std::optional<long> step;

@@ -131,6 +131,8 @@ class Pairs {
       const auto a = grain(row, id1, grains), b = grain(row, id2, grains);
       if (!a || !b || *a == *b)
         return false;
+      if (grains.ambiguous(*a, *b))
+        continue; // it is not known which image the values are of
       const Vec3 branch = grains.nearest(grains.straight(*a, *b));
       if (norm(branch) > 0) {
         row_.push_back(row);

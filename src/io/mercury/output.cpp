@@ -35,7 +35,7 @@ struct StatRow {
 struct StatFrame {
   double time = 0;
   std::vector<StatRow> rows;
-  DigitWatch digits;
+  DigitWatch digits, force_digits;
 };
 
 /// Goes to the next line that is not blank, and splits it; false at the end.
@@ -46,6 +46,15 @@ bool next_row(TextSource& source, TextRow& row) {
       return true;
   }
   return false;
+}
+
+/// The last column, user-specified: the species of the grain unless a driver writes something else there.
+std::optional<long> species(const TextRow& row) {
+  constexpr double largest = 1e9;
+  const double info = row.number(13, "info");
+  if (!(std::abs(info) <= largest) || info != std::floor(info))
+    return std::nullopt;
+  return static_cast<long>(info);
 }
 
 std::optional<DataFrame> read_data(TextSource& source, long number) {
@@ -70,7 +79,7 @@ std::optional<DataFrame> read_data(TextSource& source, long number) {
     for (std::size_t k = 0; k < 3; ++k)
       frame.digits.see(row[k]);
     frame.grains.push_back({static_cast<long>(frame.grains.size()), row.vector(0, "coordinate"),
-                            row.number(6, "radius"), source.line_number()});
+                            row.number(6, "radius"), source.line_number(), species(row)});
   }
   return frame;
 }
@@ -107,6 +116,7 @@ std::optional<StatFrame> read_stat(TextSource& source) {
     }
     row.require_size(16, "numbers: time i j x y z delta deltat fn ft nx ny nz tx ty tz");
     frame.digits.see(row[6]);
+    frame.force_digits.see(row[8]);
     frame.rows.push_back(stat_row(row, source.line_number()));
   }
   return frame;
@@ -175,7 +185,8 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
     return builder.finish(grains.number, grains.time);
   }
   builder.expect_both_sides();
-  builder.note_digits(stat->digits, "overlaps");
+  builder.note_overlap_digits(stat->digits, "overlaps");
+  builder.note_force_digits(stat->force_digits);
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
   builder.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
   builder.note(Finding::viscous_forces, "forces include viscous damping where grains move");

@@ -47,6 +47,14 @@ void set_cell(const VtkDocument& file, PackingBuilder& builder) {
                "a VTK file does not tell which faces are periodic: all are taken so");
 }
 
+/// Numbers of materials, as LIGGGHTS, YADE and others call them.
+std::optional<VtkNumbers> types_of(const VtkDocument& file) {
+  for (const char* const name : {"type", "materialid", "material"})
+    if (auto types = file.numbers("PointData", name, file.count("NumberOfPoints"), 1))
+      return types;
+  return std::nullopt;
+}
+
 void set_grains(const VtkDocument& file, PackingBuilder& builder) {
   const std::size_t count = file.count("NumberOfPoints");
   const VtkNumbers points = points_of(file);
@@ -56,16 +64,17 @@ void set_grains(const VtkDocument& file, PackingBuilder& builder) {
   if (!radius)
     file.fail(0, "expected point data radius or radii");
   const auto id = file.numbers("PointData", "id", count, 1);
+  const auto type = types_of(file);
   std::vector<GrainRow> rows;
   for (std::size_t k = 0; k < count; ++k)
     rows.push_back({.id = id ? integer(file, *id, k, "id") : static_cast<long>(k),
                     .position = points.vector(k),
                     .radius = radius->values[k],
-                    .line = points.line});
+                    .line = points.line,
+                    .type = type ? std::optional(integer(file, *type, k, "type")) : std::nullopt});
   builder.set_grains(std::move(rows));
   if (points.single_precision)
-    builder.note(Finding::few_digits, "coordinates are of single precision, 7 significant digits: overlaps "
-                                      "taken from them are rough");
+    builder.note_single_precision("coordinates are of single precision, 7 significant digits");
   else
     builder.note_digits(points.digits, "coordinates");
   if (!id)

@@ -110,13 +110,23 @@ class GrainFile {
     const std::size_t radius = needed(source_, columns_, "r");
     const auto id = find_column(columns_, "id");
     numbered_ = numbered_ || !id;
+    const auto type = type_column();
     for (const std::size_t k : at)
       digits_.see(row_[k]);
     grains_.push_back({id ? row_.integer(*id, "id") : static_cast<long>(grains_.size()),
                        {row_.number(at[0], "coordinate"), row_.number(at[1], "coordinate"),
                         row_.number(at[2], "coordinate")},
                        row_.number(radius, "radius"),
-                       source_.line_number()});
+                       source_.line_number(),
+                       type ? std::optional(row_.integer(*type, "type")) : std::nullopt});
+  }
+
+  /// Numbers of materials, as the script writes them or an attribute of textExt may be called.
+  [[nodiscard]] std::optional<std::size_t> type_column() const {
+    for (const char* const name : {"material", "mat", "materialId", "type"})
+      if (const auto column = find_column(columns_, name))
+        return column;
+    return std::nullopt;
   }
 
   TextSource source_;
@@ -151,7 +161,8 @@ class ContactFile {
     }
     if (columns_.empty())
       source_.fail("holds no contacts; expected a heading '# id1 id2 ...'");
-    builder_.note_digits(digits_, "overlaps");
+    builder_.note_overlap_digits(digits_, "overlaps");
+    builder_.note_force_digits(force_digits_);
     if (left_out_ > 0)
       builder_.note(Finding::walls_unknown,
                     std::to_string(left_out_) +
@@ -213,6 +224,8 @@ class ContactFile {
     if (!wall)
       pair.b = builder_.index(second, line);
     digits_.see(row_[overlap_]);
+    for (const std::size_t k : normal_force_)
+      force_digits_.see(row_[k]);
     pair.overlap = row_.number(overlap_, "overlap pd");
     const Vec3 direction = vector(normal_, "normal");
     if (!(std::abs(norm(direction) - 1) <= 1e-3))
@@ -257,7 +270,7 @@ class ContactFile {
   std::optional<std::array<std::size_t, 3>> shift_;
   std::optional<std::pair<std::size_t, std::size_t>> stiffness_;
   std::size_t left_out_ = 0;
-  DigitWatch digits_;
+  DigitWatch digits_, force_digits_;
 };
 
 } // namespace

@@ -2,8 +2,10 @@
 #include <granum/io/yade/vtk.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include <granum/core/number.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/packing_builder.hpp"
@@ -23,7 +25,7 @@ struct Attribute {
   }
 };
 
-/// The parts of a legacy VTK file of data set POLYDATA that spheres and their contacts need.
+/// The parts of a legacy VTK file that spheres and their contacts need.
 class LegacyVtk {
  public:
   explicit LegacyVtk(TextSource source) : source_(std::move(source)), row_(source_) { read(); }
@@ -68,15 +70,22 @@ class LegacyVtk {
   void section() {
     const std::string name(row_[0]);
     if (name == "DATASET") {
-      if (row_.size() < 2 || row_[1] != "POLYDATA")
-        source_.fail("expected DATASET POLYDATA");
+      if (row_.size() < 2 || (row_[1] != "POLYDATA" && row_[1] != "UNSTRUCTURED_GRID"))
+        source_.fail("expected DATASET POLYDATA or UNSTRUCTURED_GRID");
     } else if (name == "POINTS") {
       read_points(row_.count(1, "points"));
     } else if (name == "LINES") {
       read_lines(row_.count(1, "lines"));
+    } else if (name == "VERTICES" || name == "CELLS") {
+      skip(row_.count(2, "numbers"));
+    } else if (name == "CELL_TYPES") {
+      cells_ = row_.count(1, "cells");
+      skip(cells_);
+    } else if (name == "FIELD") {
+      read_field(row_.count(2, "arrays"));
     } else if (name == "POINT_DATA" || name == "CELL_DATA") {
       size_ = row_.count(1, "values");
-      if (size_ != (name == "POINT_DATA" ? points_.size() : lines_.size()))
+      if (size_ != (name == "POINT_DATA" ? points_.size() : std::max(lines_.size(), cells_)))
         source_.fail("expected as many values as there are points or lines, found " + std::to_string(size_));
     } else if (name == "VECTORS") {
       read_attribute(3);
@@ -132,6 +141,30 @@ class LegacyVtk {
     at_ = row_.size();
   }
 
+  /// Numbers that say nothing of the grains: that each point is a vertex.
+  void skip(std::size_t count) {
+    at_ = row_.size();
+    for (std::size_t k = 0; k < count; ++k)
+      (void)number("number of a point");
+    require_line_end();
+  }
+
+  /// Arrays "name components tuples type" with their values, as LIGGGHTS' dump custom/vtk writes them.
+  void read_field(std::size_t arrays) {
+    constexpr std::size_t most_components = 16;
+    for (std::size_t k = 0; k < arrays; ++k) {
+      if (!next_row())
+        source_.fail("the file ends; expected " + std::to_string(arrays) + " arrays of a FIELD");
+      row_.require_size(4, "fields: name components tuples type");
+      const std::string name(row_[0]);
+      const std::size_t components = row_.count(1, "components"), tuples = row_.count(2, "tuples");
+      if (components < 1 || components > most_components || tuples != size_)
+        source_.fail("expected as many tuples of 1 to 16 components as there are points or lines");
+      at_ = row_.size();
+      read_values(name, components);
+    }
+  }
+
   void read_attribute(std::size_t components) {
     if (row_.size() < 3)
       source_.fail("expected the name and the type of an attribute");
@@ -140,6 +173,10 @@ class LegacyVtk {
     if (scalars && (!next_row() || row_[0] != "LOOKUP_TABLE"))
       source_.fail("expected LOOKUP_TABLE");
     at_ = row_.size();
+    read_values(name, components);
+  }
+
+  void read_values(const std::string& name, std::size_t components) {
     Attribute attribute;
     attribute.components = components;
     for (std::size_t k = 0; k < size_ * components; ++k)
@@ -152,6 +189,7 @@ class LegacyVtk {
   TextRow row_;
   std::size_t at_ = 0;   ///< next field of the row
   std::size_t size_ = 0; ///< values of each attribute from here on
+  std::size_t cells_ = 0;
   std::vector<Vec3> points_;
   std::vector<std::size_t> point_place_;
   std::vector<std::array<std::size_t, 2>> lines_;
@@ -160,17 +198,32 @@ class LegacyVtk {
   DigitWatch digits_;
 };
 
+long integer(const LegacyVtk& file, double value, const char* what) {
+  constexpr double largest = 9e15;
+  if (!(std::abs(value) <= largest) || value != std::floor(value))
+    file.source().fail("expected integers as " + std::string(what) + ", found " + short_text(value, 17));
+  return static_cast<long>(value);
+}
+
 PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact_file) {
   const Attribute* radius = spheres.attribute("radius", 1);
   if (!radius || radius->values.size() != spheres.points().size())
     spheres.source().fail("expected point data SCALARS radius, one for each point");
+  const auto integers = [&](const char* name) {
+    const Attribute* found = spheres.attribute(name, 1);
+    return found && found->values.size() == spheres.points().size() ? found : nullptr;
+  };
+  const Attribute *id = integers("id"), *type = integers("type");
   std::vector<GrainRow> rows;
   for (std::size_t k = 0; k < spheres.points().size(); ++k)
-    rows.push_back({static_cast<long>(k), spheres.points()[k], radius->values[k], spheres.place_of_point(k)});
+    rows.push_back({id ? integer(spheres, id->values[k], "id") : static_cast<long>(k), spheres.points()[k],
+                    radius->values[k], spheres.place_of_point(k),
+                    type ? std::optional(integer(spheres, type->values[k], "type")) : std::nullopt});
   PackingBuilder builder(spheres.source().name(), contact_file);
   builder.set_grains(std::move(rows));
   builder.note_digits(spheres.digits(), "coordinates");
-  builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their points");
+  if (!id)
+    builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their points");
   builder.note(Finding::boundary_unknown,
                "a VTK file does not tell which faces are periodic: none is taken so");
   builder.note(Finding::units_unknown, "a VTK file has no units: taken as SI");
@@ -222,9 +275,9 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
 }
 
 const PackingFormat yade_vtk_format{
-    .name = "YADE's VTK",
-    .sign = "a first line # vtk DataFile, of export.VTKExporter",
-    .grains = "grains of YADE as VTK",
+    .name = "VTK of YADE and LIGGGHTS",
+    .sign = "a first line # vtk DataFile: export.VTKExporter, dump custom/vtk",
+    .grains = "grains as legacy VTK",
     .contacts = "contacts of YADE as VTK",
     .recognise = [](TextSource& source) -> std::optional<Holds> {
       if (!source.next() || !source.line().starts_with("# vtk DataFile"))

@@ -18,7 +18,6 @@ constexpr double edge_width = 12;   // around what is drawn
 constexpr double slice_radii = 4;   // thickness in mean radii
 constexpr double mean_width = 2.2;  // of the line of a mean force
 constexpr double most_width = 9;
-constexpr std::size_t strong_colour = 1;
 constexpr std::size_t most_contacts = 10'000; // of a slice that is drawn whole, and not its chains alone
 
 double average(const std::vector<double>& values) {
@@ -87,11 +86,14 @@ class Slice {
                    {"y1", y(from)},
                    {"x2", x(to)},
                    {"y2", y(to)},
-                   {"stroke-width", plot::svg_number(std::min(most_width, mean_width * share))}});
+                   {"stroke-width", plot::svg_number(std::min(most_width, mean_width * share))},
+                   {"data-f", short_text(share, 3)}});
     }
-    plot::SvgAttributes group{{"stroke", "currentColor"}, {"stroke-linecap", "round"}};
+    plot::SvgAttributes group{{"stroke", "currentColor"},
+                              {"stroke-linecap", "round"},
+                              {"data-mean", short_text(mean_force, 4)}}; // [N], for the page's script
     if (strong)
-      for (auto& attribute : plot::svg_colour(strong_colour))
+      for (auto& attribute : plot::svg_colour(plot::Colour::force))
         group.push_back(std::move(attribute));
     else
       group.emplace_back("opacity", "0.5");

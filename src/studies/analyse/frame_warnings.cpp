@@ -21,7 +21,6 @@ using io::Finding;
 void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   for (const io::ImportNote& note : packing.notes)
     switch (note.finding) {
-    case Finding::few_digits:
     case Finding::duplicated:
     case Finding::one_sided:
     case Finding::cell_unknown:
@@ -34,6 +33,19 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     default:
       break;
     }
+}
+
+/// Few digits of lengths, where they matter.
+void judge_digits(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+  constexpr double matters = 0.01;
+  const double share = analysis::rounded_share(packing.assembly, packing.rounding.overlap);
+  const bool contacts = !packing.assembly.contacts.empty();
+  for (const io::ImportNote& note : packing.notes)
+    if (note.finding == Finding::few_digits && (share > matters || !contacts))
+      out.push_back(note.text + (contacts
+                                     ? ": overlaps are known to " + short_text(packing.rounding.overlap, 2) +
+                                           " m, " + percent(share) + " of their median"
+                                     : ""));
 }
 
 /// Files of grains alone.
@@ -102,8 +114,20 @@ std::string vector_text(const Vec3& v) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
-void judge_forces(const analysis::Forces& forces, std::vector<std::string>& out) {
-  constexpr double at_rest = 1e-3;
+/// What digits alone may leave on a grain of some contacts, over the mean force: their own, and those of the
+/// directions.
+double unbalance_by_rounding(const io::ImportedPacking& packing) {
+  constexpr double contacts = 5;
+  const packing::Assembly& assembly = packing.assembly;
+  if (assembly.contacts.empty())
+    return 0;
+  return contacts *
+         (packing.rounding.force + packing.rounding.length / norm(assembly.contacts.front().branch));
+}
+
+void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& forces,
+                  std::vector<std::string>& out) {
+  const double at_rest = 1e-3 + unbalance_by_rounding(packing);
   if (forces.distribution.in_tension > 0)
     out.push_back(std::to_string(forces.distribution.in_tension) +
                   " contacts are in tension: forces with viscous or cohesive parts");
@@ -144,12 +168,16 @@ std::string cause_of_misfit(const analysis::LawCheck& check, bool several_types)
   return "viscous parts, another law, or a history";
 }
 
-void judge_law(const analysis::LawCheck& check, bool few_digits, bool several_types,
+/// \param    rounded   share of the overlaps by which they may be off: forces by 1.5 times as much, and those
+///                     of small overlaps by more
+/// \param    law_known   not its shape alone
+void judge_law(const analysis::LawCheck& check, double rounded, bool law_known, bool several_types,
                std::vector<std::string>& out) {
-  constexpr double scatter = 1e-2;
+  constexpr double too_rough = 0.1, small_overlaps = 3;
+  const double scatter = 1e-2 + small_overlaps * 1.5 * rounded;
   if (check.contacts == 0)
     return;
-  if (few_digits) {
+  if (rounded > too_rough) {
     out.emplace_back("forces against overlaps say little: the overlaps are rounded");
     return;
   }
@@ -157,7 +185,7 @@ void judge_law(const analysis::LawCheck& check, bool few_digits, bool several_ty
     out.push_back(
         "forces are no function of the overlap as the law has it: 10 % of the contacts are off by " +
         percent(check.misfit_90) + " or more (" + cause_of_misfit(check, several_types) + ")");
-  else if (std::abs(check.coefficient_ratio - 1) > scatter)
+  else if (law_known && std::abs(check.coefficient_ratio - 1) > scatter)
     out.push_back("forces are " + short_text(check.coefficient_ratio) +
                   " times those of the given law: the grains are of another material");
 }
@@ -222,8 +250,8 @@ void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out)
 void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   std::vector<std::string>& out = frame.warnings;
   const analysis::Measurement& measured = frame.packing;
-  const bool few_digits = packing.has(Finding::few_digits);
   pass_on(packing, out);
+  judge_digits(packing, out);
   judge_contacts(packing, frame, out);
   judge_mistakes(packing, frame, out);
   judge_boundary(packing, out);
@@ -231,9 +259,10 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.fabric)
     judge_fabric(*measured.fabric, out);
   if (measured.forces)
-    judge_forces(*measured.forces, out);
+    judge_forces(packing, *measured.forces, out);
   if (measured.law_check)
-    judge_law(*measured.law_check, few_digits,
+    judge_law(*measured.law_check, analysis::rounded_share(packing.assembly, packing.rounding.overlap),
+              measured.law.has_value(),
               std::adjacent_find(packing.type.begin(), packing.type.end(), std::not_equal_to<>()) !=
                       packing.type.end() &&
                   !frame.materials_given,

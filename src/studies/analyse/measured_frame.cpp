@@ -43,7 +43,8 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   using io::Finding;
   given.normal_forces = !packing.has(Finding::forces_unknown);
   given.tangential_forces = !packing.has(Finding::tangential_unknown);
-  given.few_digits = packing.has(Finding::few_digits);
+  given.overlap_rounding = packing.rounding.overlap;
+  given.type = packing.type;
   const bool by_overlaps = packing.has(Finding::contacts_from_overlaps);
   analysis::Wanted measured = wanted;
   measured.law_check = wanted.law_check && !by_overlaps; // forces by the law would agree with it

@@ -75,14 +75,16 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
   constexpr double clear = 0.1, share = 0.05;
   const packing::Assembly& assembly = packing.assembly;
   if (assembly.contacts.empty() || packing.has(Finding::contacts_from_overlaps) ||
-      packing.has(Finding::few_digits) || packing.has(Finding::cell_unknown))
+      packing.has(Finding::cell_unknown))
     return;
   std::vector<double> overlaps;
   for (const Contact& c : assembly.contacts)
     overlaps.push_back(c.overlap);
   const double deep = clear * median(std::move(overlaps));
+  if (!(deep > 2 * packing.rounding.length)) // positions of few digits do not tell
+    return;
   const auto found = overlapping_pairs(assembly, packing.periodic);
-  if (!found || !(deep > 0))
+  if (!found)
     return;
   const auto listed = [&](const Contact& pair) {
     return std::binary_search(

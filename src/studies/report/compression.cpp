@@ -291,18 +291,18 @@ std::string plural(contact::Shape shape) {
   return "power-law contacts";
 }
 
-std::size_t colour_of(contact::Shape shape) {
+plot::Colour colour_of(contact::Shape shape) {
   switch (shape) {
   case contact::Shape::sphere:
-    return 0;
+    return plot::Colour::sphere;
   case contact::Shape::cone:
-    return 1;
+    return plot::Colour::cone;
   case contact::Shape::flat:
-    return 2;
+    return plot::Colour::flat;
   case contact::Shape::power_law:
     break;
   }
-  return 3;
+  return plot::Colour::power_law;
 }
 
 std::vector<std::string> compression_answer(const std::vector<Compression>& all) {

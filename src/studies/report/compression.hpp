@@ -67,6 +67,6 @@ struct CompressionStory {
 [[nodiscard]] std::string plural(contact::Shape shape);
 
 /// Colour of a shape in all pictures of a report (plot::Series::colour).
-[[nodiscard]] std::size_t colour_of(contact::Shape shape);
+[[nodiscard]] plot::Colour colour_of(contact::Shape shape);
 
 } // namespace granum::studies

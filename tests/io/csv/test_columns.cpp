@@ -56,7 +56,9 @@ TEST_CASE("a column of texts stands in the CSV, below the notes") {
 TEST_CASE("what is wider than its column is shown whole") {
   const ShownColumn narrow{"a long heading", 3, 6};
   CHECK(heading_text(narrow) == "a long heading");
-  CHECK(number_text(narrow, 123456) == "123456");
+  CHECK(number_text(narrow, 123456) == " 123456"); // apart from the number before
+  CHECK(number_text(narrow, 123) == " 123");
+  CHECK(number_text(narrow, 12) == " 12");
   CHECK(number_text(narrow, std::nullopt) == "   ");
   CHECK(number_text({"a", 3, 4, false, 1, "-"}, std::nullopt) == "  -");
 }

@@ -28,8 +28,8 @@ class Matrix3:
         return self.rows[index[0]][index[1]]
 
 
-def body(number, position, shape):
-    return Record(id=number, state=Record(pos=position), shape=shape)
+def body(number, position, shape, material=0):
+    return Record(id=number, state=Record(pos=position), shape=shape, material=Record(id=material))
 
 
 def interaction(first, second, point, normal, overlap, normal_force, shear_force, kn):
@@ -53,7 +53,7 @@ scene = Record(
         None,
         body(2, (1.9999e-3, 2e-3, 2e-3), Sphere(radius=5e-4)),
         body(3, (0, 0, 0), Box()),
-        body(4, (1.9999e-3, 2e-3, 2.9998e-3), Sphere(radius=5e-4)),
+        body(4, (1.9999e-3, 2e-3, 2.9998e-3), Sphere(radius=5e-4), material=3),
     ],
     interactions=[
         interaction(0, 2, (1.49995e-3, 2e-3, 2e-3), (1, 0, 0), 1e-7, (0.0235294118, 0, 0), (0, 0.01 / 3, 0), 352941.177),

@@ -35,7 +35,7 @@ struct PackingArrays {
   std::optional<ContactArrays> contacts = {};
 };
 
-/// The packing, checked and sorted as one out of files: each pair once with i < j, notes on what was found
+/// The packing, checked and sorted as one out of files: each contact once with i < j, notes on what was found
 /// and what is not there. Without a cell the smallest upright box stands for it, and nothing is periodic.
 /// \throws   InvalidArgument naming the array and its element: lengths that differ, a radius that is not
 ///           positive, a cell without volume, an unknown grain, a grain in contact with itself or across a

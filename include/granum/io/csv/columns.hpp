@@ -79,7 +79,8 @@ template <class Row>
   return csv_text(csv);
 }
 
-/// A heading, or a number in its unit, to the right of the column; what is shown for nothing.
+/// A heading, or a number in its unit, to the right of the column; what is shown for nothing. A number that
+/// fills its column has a blank in front, so that it never runs into the one before.
 [[nodiscard]] std::string heading_text(const ShownColumn& column);
 [[nodiscard]] std::string number_text(const ShownColumn& column, const std::optional<double>& number);
 

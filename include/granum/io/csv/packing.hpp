@@ -20,6 +20,7 @@
 ///            delta                   overlap
 /// Grains:    x, y, z                 needed
 ///            radius or diameter      needed
+///            type                    of the material, an integer
 ///            id                      numbers from 0 in the order of the rows where it is missing
 /// Checked by tests/io/csv/test_packing.cpp
 namespace granum::io {

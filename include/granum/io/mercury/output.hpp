@@ -19,6 +19,9 @@ namespace granum::io {
 /// wall; its normal points from the grain to the wall, as the code prints it,
 /// and is turned if the contact point says otherwise. `step` counts the frames of the .data file from 0.
 ///
+/// The last column of .data, "info", which is the species unless a driver writes something else there,
+/// becomes the type of the grain where it is an integer.
+///
 /// Not in these files, and so noted: which faces are periodic, units, contact law, stiffnesses, history.
 /// Checked by tests/io/mercury/test_output.cpp
 class MercuryOutput {

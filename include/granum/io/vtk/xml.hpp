@@ -13,10 +13,11 @@
 namespace granum::io {
 
 /// The grains: Points; point data "radius" or "radii"; their ids from point data "id", else they are
-/// numbered from 0; the cell from field data "cell", its three edges one after the other, else the smallest
-/// upright box stands for it; the time from field data "TimeValue". Not in such files, and so noted: which
-/// faces are periodic (all are taken so if there is a cell, else none), units, contact law. Points of single
-/// precision, which YADE writes, are good for the geometry, not for overlaps.
+/// numbered from 0; their types from point data "type", "materialId" or "material"; the cell from field data
+/// "cell", its three edges one after the other, else the smallest upright box stands for it; the time from
+/// field data "TimeValue". Not in such files, and so noted: which faces are periodic (all are taken so if
+/// there is a cell, else none), units, contact law. Points of single precision, which YADE writes, are good
+/// for the geometry, not for overlaps.
 /// \throws   FileError with path and line for what is no such file or no XML; more than one piece; arrays
 ///           that are missing, too short or too long, damaged, compressed otherwise; a radius that is not
 ///           positive, an id that is not an integer or occurs twice

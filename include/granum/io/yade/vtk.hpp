@@ -8,9 +8,10 @@
 
 namespace granum::io {
 
-/// The grains of a legacy VTK file in text form as YADE's VTKExporter.exportSpheres writes it: POINTS, and
-/// the point data "radius". Six digits: good for the geometry, not for overlaps; grains are numbered in their
-/// order.
+/// The grains of a legacy VTK file in text form as YADE's VTKExporter.exportSpheres and LIGGGHTS' dump
+/// custom/vtk write it: POINTS, and the point data "radius", as SCALARS or in a FIELD; "id" and "type", where
+/// they are there, else grains are numbered in their order. Six digits: good for the geometry, not for
+/// overlaps.
 /// \throws   FileError with path and line for text that is no such file, fields that are not numbers or
 ///           too few, no radii, a radius that is not positive
 ///

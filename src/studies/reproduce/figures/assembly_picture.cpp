@@ -95,17 +95,31 @@ std::vector<Vec3> grains_in_cell(const dem::Specimen& state) {
   return centres;
 }
 
+struct Drawn {
+  Seen centre;
+  double radius = 0;
+};
+
 /// Farthest first.
-std::vector<Seen> drawn_grains(const dem::Specimen& state) {
+std::vector<Drawn> drawn_grains(const dem::Specimen& state) {
   const Vec3 corner = state.cell * Vec3{1, 1, 1};
-  std::vector<Seen> out;
-  for (const Vec3& centre : grains_in_cell(state)) {
-    const Vec3 behind = corner - centre; // the faces at x, y and z of the far corner are seen
+  const std::vector<Vec3> centres = grains_in_cell(state);
+  std::vector<Drawn> out;
+  for (std::size_t g = 0; g < centres.size(); ++g) {
+    const Vec3 behind = corner - centres[g]; // the faces at x, y and z of the far corner are seen
     if (std::min({behind.x, behind.y, behind.z}) < hidden * state.radius)
-      out.push_back(seen(centre));
+      out.push_back({seen(centres[g]), state.radius_of(g)});
   }
-  std::stable_sort(out.begin(), out.end(), [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Drawn& a, const Drawn& b) { return a.centre.depth < b.centre.depth; });
   return out;
+}
+
+/// "1.2 mm", or "0.8 to 2.1 mm": diameters.
+std::string diameters(const dem::Specimen& state) {
+  const double least = smallest_size(state), most = largest_size(state);
+  const auto text = [&](double times) { return short_text(2e3 * state.radius * times, 3); };
+  return (least == most ? "" : text(least) + " to ") + text(most) + " mm";
 }
 
 std::string edge(const View& view, const Vec3& from, const Vec3& to) {
@@ -138,26 +152,27 @@ std::string edges(const View& view, const Mat3& cell, bool far) {
 plot::SvgPicture assembly_drawing(const dem::Specimen& state) {
   if (state.position.empty())
     throw InvalidArgument("a picture of a specimen without grains was asked for");
-  const View view(state.cell, state.radius);
+  const View view(state.cell, state.radius * largest_size(state));
   std::string svg = gradients() + edges(view, state.cell, true);
-  const std::vector<Seen> grains = drawn_grains(state);
+  const std::vector<Drawn> grains = drawn_grains(state);
   if (grains.empty())
     throw InvalidArgument("a picture was asked for of a specimen with no grain near the faces that are seen");
-  const double far = grains.front().depth, near = grains.back().depth;
-  const std::string radius = plot::svg_number(state.radius * view.scale());
+  const double far = grains.front().centre.depth, near = grains.back().centre.depth;
   std::string painted, same_shade;
   int shade = shades - 1;
   const auto finish_shade = [&] {
     painted += plot::svg_group({{"fill", "url(#" + shade_name(shade) + ")"}}, same_shade);
     same_shade.clear();
   };
-  for (const Seen& grain : grains) {
-    const double behind = near > far ? (near - grain.depth) / (near - far) : 0;
+  for (const auto& [centre, radius] : grains) {
+    const double behind = near > far ? (near - centre.depth) / (near - far) : 0;
     const int own = std::min(shades - 1, static_cast<int>(behind * shades));
     if (own != shade)
       finish_shade();
     shade = own;
-    same_shade += plot::svg_element("circle", {{"cx", view.x(grain)}, {"cy", view.y(grain)}, {"r", radius}});
+    same_shade += plot::svg_element(
+        "circle",
+        {{"cx", view.x(centre)}, {"cy", view.y(centre)}, {"r", plot::svg_number(radius * view.scale())}});
   }
   finish_shade();
   svg += plot::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
@@ -190,7 +205,7 @@ std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
   plot::SvgPicture drawing = assembly_drawing(state);
   drawing.finding = "The specimen " + kind.title() +
                     " at the end of isotropic compression: " + std::to_string(state.grain_count()) +
-                    " grains of " + short_text(2e3 * state.radius, 3) + " mm in " +
+                    " grains of " + diameters(state) + " in " +
                     (state.walls ? "a box of six rigid walls of " : "a periodic cell of ") + edge_lengths +
                     (state.walls ? "." : "; grains that stick out at one face come in at the opposite one.");
   return AssemblyPicture{.stem = "fig03_" + kind.key(),

@@ -67,6 +67,23 @@ std::size_t style_of(const std::optional<stress::ShearPath>& path) {
               : paths.size();
 }
 
+plot::Colour colour_of(const std::optional<stress::ShearPath>& path) {
+  using plot::Colour;
+  if (!path)
+    return Colour::measured;
+  switch (*path) {
+  case stress::ShearPath::txc:
+    return Colour::txc;
+  case stress::ShearPath::rtxc:
+    return Colour::rtxc;
+  case stress::ShearPath::rtxe:
+    return Colour::rtxe;
+  case stress::ShearPath::txe:
+    break;
+  }
+  return Colour::txe;
+}
+
 std::vector<const StateRecord*> up_to_peak(const PathRun& run) { return part(run, 0, rising(run)); }
 std::vector<const StateRecord*> past_peak(const PathRun& run) {
   return part(run, rising(run), run.points.size());
@@ -87,7 +104,11 @@ std::optional<double> mean_stress_of(const StateRecord& point) { return point.at
 
 plot::Series series_of(const PathRun& run, const std::vector<const StateRecord*>& points, const Coordinate& x,
                        const Coordinate& y) {
-  plot::Series out{.name = std::string(name(run.path)), .x = {}, .y = {}, .style = style_of(run.path)};
+  plot::Series out{.name = std::string(name(run.path)),
+                   .x = {},
+                   .y = {},
+                   .style = style_of(run.path),
+                   .colour = colour_of(run.path)};
   for (const StateRecord* point : points) {
     const std::optional<double> across = x(*point), up = y(*point);
     if (across && up) {

@@ -18,10 +18,11 @@ struct ShownExponent {
   const char* legend;
   double aside; ///< shift along the axis, so that equal values do not hide one another
   std::size_t style;
+  plot::Colour colour;
 };
 
-constexpr ShownExponent shown_exponents[] = {{"s of G_hh", "G_hh", -0.008, 0},
-                                             {"s of G_hv", "G_hv", 0.008, 1}};
+constexpr ShownExponent shown_exponents[] = {{"s of G_hh", "G_hh", -0.008, 0, plot::Colour::horizontal},
+                                             {"s of G_hv", "G_hv", 0.008, 1, plot::Colour::vertical}};
 
 /// 1/(1 + alpha): the power of force that a contact's stiffness has.
 double contact_exponent(const Scene& scene, contact::Shape contact) {
@@ -38,7 +39,8 @@ Panel exponent_panel(const Experiment& experiment, const std::vector<TableRow>& 
                       .mark = plot::Mark::marker,
                       .x = {},
                       .y = {},
-                      .style = row.style};
+                      .style = row.style,
+                      .colour = row.colour};
     plot::Series paper = ours;
     paper.name = std::string(row.legend) + ", paper";
     paper.tone = plot::Tone::hollow;

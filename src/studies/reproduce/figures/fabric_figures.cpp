@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <granum/fabric/orientation.hpp>
+#include <granum/fabric/rose.hpp>
 
 #include "figure_parts.hpp"
 
@@ -12,25 +13,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two bins of the histogram in one, so that few contacts fall in none but the first.
-constexpr std::size_t merged = 2;
-constexpr std::size_t directions = polar_bins / merged;
-
 /// Contacts per solid angle with errors sqrt(n), over polar angle.
 plot::Series histogram(const StateRecord& point) {
-  plot::Series out{.name = {}, .mark = plot::Mark::marker, .x = {}, .y = {}};
-  constexpr double width = pi / 2 / static_cast<double>(directions);
-  for (std::size_t k = 0; k < directions; ++k) {
-    double count = 0;
-    for (std::size_t j = 0; j < merged; ++j)
-      count += point.polar_counts[k * merged + j];
-    const double low = static_cast<double>(k) * width;
-    // Both senses of a normal count: two bands of the sphere.
-    const double band = 4 * pi * (std::cos(low) - std::cos(low + width));
-    const double scale = 1 / (point.contacts * band);
-    out.x.push_back(low + width / 2);
-    out.y.push_back(count * scale);
-    out.y_error.push_back(std::sqrt(count) * scale);
+  plot::Series out{.name = {}, .mark = plot::Mark::both, .x = {}, .y = {}};
+  const std::vector<std::size_t> counts(point.polar_counts.begin(), point.polar_counts.end());
+  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0)) {
+    out.x.push_back((bin.low + bin.high) / 2);
+    out.y.push_back(bin.density);
+    out.y_error.push_back(bin.density_error);
   }
   return out;
 }
@@ -56,9 +46,11 @@ const StateRecord* last_up_to_peak(const PathRun& run) {
 }
 
 Panel direction_panel(const Kind& kind) {
-  Panel out = panel("fig16_" + kind.key(), kind.title(),
-                    {"gamma_rad", {.title = "\u03b3 from the vertical [deg]", .unit = pi / 180}},
-                    {"E_per_sr", {.title = "E(\u03b3) [1/sr]"}});
+  Panel out = panel("fig16_" + kind.key(), kind.title(), {"gamma_rad", {.title = "\u03b3 from the vertical"}},
+                    {"E_per_sr", {.title = "E [1/sr]"}});
+  out.chart.rose = true;
+  out.chart.width = out.chart.height = 300;
+  out.chart.legend_below = true;
   for (const PathRun& run : kind.specimen->runs) {
     const bool drawn =
         !run.path || *run.path == stress::ShearPath::txc || *run.path == stress::ShearPath::rtxe;
@@ -68,6 +60,7 @@ Panel direction_panel(const Kind& kind) {
     const std::string path(name(run.path));
     plot::Series bars = histogram(*point), line = fitted(*point);
     bars.style = line.style = style_of(run.path);
+    bars.colour = line.colour = colour_of(run.path);
     bars.name = run.path ? path + " near its peak" : "isotropic";
     add(out, std::move(line), path + " fitted");
     add(out, std::move(bars), path + " counted");
@@ -117,10 +110,11 @@ void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment)
       .name = "Fig. 16",
       .title = "Directions of the contacts",
       .caption =
-          "Contact normals per solid angle, counted in " + std::to_string(directions) +
-          " bins of the angle from the vertical, with \u221an as error, and the density E(\u03b3; a) = 3(1 "
-          "+ a cos 2\u03b3)/(4\u03c0(3 - a)) with the a of the same contacts. Isotropic contacts have "
-          "1/(4\u03c0) = 0.080 everywhere." +
+          "Contact normals per solid angle around the vertical: markers count them, with \u221an as error, "
+          "in as "
+          "many bins of the angle as leave 25 for the one around the vertical; lines are the density "
+          "E(\u03b3; a) = 3(1 + a cos 2\u03b3)/(4\u03c0(3 - a)) with the a of the same contacts. Isotropic "
+          "contacts have 1/(4\u03c0) = 0.080 everywhere, a circle." +
           seeds_note(experiment),
       .panels = {}};
   for (const Kind& kind : kinds(experiment))

@@ -37,8 +37,9 @@ struct Kind {
 /// " (first of 3 specimens of a kind)"; nothing with one seed.
 [[nodiscard]] std::string seeds_note(const Experiment& experiment);
 
-/// Each path keeps its colour, dashes and marker in all figures.
+/// Each path keeps its dashes and marker, and its colour, in all figures; isotropic compression too.
 [[nodiscard]] std::size_t style_of(const std::optional<stress::ShearPath>& path);
+[[nodiscard]] plot::Colour colour_of(const std::optional<stress::ShearPath>& path);
 
 /// Frozen states of a run until |eta| falls for the first time, or those behind it: past the first peak eta
 /// goes up and down. Isotropic compression has no peak.

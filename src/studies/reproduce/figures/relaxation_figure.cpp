@@ -6,6 +6,7 @@
 #include <granum/elastic/projection.hpp>
 
 #include "figure_parts.hpp"
+#include "studies/report/compression.hpp"
 
 namespace granum::studies {
 
@@ -38,7 +39,13 @@ namespace {
 
 /// All states of all seeds of a contact and density.
 plot::Series states(const Experiment& experiment, const Kind& kind) {
-  plot::Series out{.name = kind.title(), .mark = plot::Mark::marker, .x = {}, .y = {}};
+  plot::Series out{.name = kind.title(),
+                   .mark = plot::Mark::marker,
+                   .x = {},
+                   .y = {},
+                   .style = kind.density == triaxial::Density::dense ? 0 : 1,
+                   .tone = plot::Tone::faint,
+                   .colour = colour_of(kind.contact)};
   for (const ExperimentSpecimen& specimen : experiment.specimens)
     if (specimen.contact == kind.contact && specimen.density == kind.density)
       for (const PathRun& run : specimen.runs)
@@ -74,22 +81,18 @@ void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment
   all.chart.width = 520;
   all.chart.height = 380;
   std::vector<double> found;
-  std::size_t style = 0;
   for (const Kind& kind : kinds(experiment)) {
     plot::Series series = states(experiment, kind);
     found.insert(found.end(), series.x.begin(), series.x.end());
-    series.style = style++;
-    series.tone = plot::Tone::faint;
     add(all, std::move(series), kind.key());
   }
   if (found.empty())
     return;
   const auto [low, high] = std::minmax_element(found.begin(), found.end());
-  style = 0;
   for (const contact::Shape contact : experiment.scene.study.contacts) {
     plot::Series line = closed_form(experiment.scene, contact, *low, *high);
-    line.tone = plot::Tone::grey;
-    line.style = style++;
+    line.style = 0;
+    line.colour = colour_of(contact);
     add(all, std::move(line), "closed form " + std::string(name(contact)));
   }
   Figure figure{

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/growth.hpp>
+
+#include <string>
+
+#include <granum/core/error.hpp>
+
+namespace granum::inverse {
+
+namespace {
+
+/// The value of that name among all of them.
+template <class Values>
+typename Values::value_type named_value(const char* what, const Values& all, std::string_view text) {
+  std::string names;
+  for (const auto value : all) {
+    if (name(value) == text)
+      return value;
+    names += (names.empty() ? "" : ", ") + std::string(name(value));
+  }
+  throw InvalidArgument(std::string(what) + " is one of " + names + ", not " + std::string(text));
+}
+
+} // namespace
+
+std::string_view name(Growth growth) {
+  switch (growth) {
+  case Growth::packings:
+    return "packings";
+  case Growth::fixed:
+    return "fixed";
+  case Growth::fitted:
+    return "fitted";
+  }
+  throw InvalidArgument("growth is none of the known ones");
+}
+
+std::string_view name(Specimen specimen) {
+  switch (specimen) {
+  case Specimen::same:
+    return "same";
+  case Specimen::prepared_alike:
+    return "prepared_alike";
+  }
+  throw InvalidArgument("specimen is none of the known ones");
+}
+
+Growth growth_of(std::string_view text) { return named_value("growth", all_growths, text); }
+
+Specimen specimen_of(std::string_view text) { return named_value("specimen", all_specimens, text); }
+
+} // namespace granum::inverse

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/lammps/arrays.hpp>
+
+#include <granum/core/error.hpp>
+
+#include "contact_rows.hpp"
+#include "dump_file.hpp"
+#include "io/array_errors.hpp"
+#include "io/packing_builder.hpp"
+
+namespace granum::io {
+
+namespace {
+
+/// What stands for the files of grains and contacts in messages.
+constexpr const char *grains_name = "grains", *contacts_name = "contacts";
+
+DumpUnits units_in_memory(const std::string& style) {
+  if (style == "lj")
+    return {};
+  if (const std::optional<DumpUnits> units = dump_units(style))
+    return *units;
+  throw InvalidArgument("units '" + style + "' have no values in SI here; expected " + known_dump_units);
+}
+
+void require_one_each(const char* name, std::size_t length, std::size_t expected) {
+  if (length != expected)
+    throw InvalidArgument(std::string(name) + " has " + std::to_string(length) + " elements, id has " +
+                          std::to_string(expected));
+}
+
+std::vector<GrainRow> rows_of_grains(const LammpsArrays& arrays, double length) {
+  std::vector<GrainRow> rows(arrays.id.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k] = {.id = arrays.id[k],
+               .position = length * arrays.position[k],
+               .radius = length * arrays.radius[k],
+               .line = k + 1};
+    if (!arrays.type.empty())
+      rows[k].type = arrays.type[k];
+  }
+  return rows;
+}
+
+LocalFrame frame_in_memory(const LammpsLocals& given) {
+  const std::size_t width = given.columns.size();
+  if (width == 0 || given.values.size() % width != 0)
+    throw InvalidArgument("contacts: " + std::to_string(given.values.size()) + " values in rows of " +
+                          std::to_string(width));
+  LocalFrame frame;
+  frame.layout =
+      contact_layout(given.columns, given.map, TextSource::of_text(contacts_name, std::string_view()));
+  frame.unnamed = {.columns = given.columns,
+                   .computes = column_groups(given.columns, "c_"),
+                   .numbers = {given.values.begin(), given.values.end()},
+                   .lines = {}};
+  for (std::size_t row = 0; row < given.values.size() / width; ++row)
+    frame.unnamed.lines.push_back(row + 1);
+  return frame;
+}
+
+ImportedPacking join_arrays(const LammpsArrays& arrays) {
+  const DumpUnits units = units_in_memory(arrays.units);
+  PackingBuilder builder(grains_name, contacts_name);
+  builder.set_cell(units.length * arrays.cell, arrays.periodic, 0);
+  builder.set_grains(rows_of_grains(arrays, units.length));
+  std::optional<LocalFrame> contacts;
+  if (arrays.contacts) {
+    contacts = frame_in_memory(*arrays.contacts);
+    join(builder, *contacts, units);
+  }
+  if (!units.stated)
+    builder.note(Finding::units_unknown, "units lj: taken as SI");
+  note_unknown_contacts(builder, contacts ? &*contacts : nullptr, "among what LAMMPS hands over");
+  return builder.finish(arrays.step, std::nullopt);
+}
+
+} // namespace
+
+ImportedPacking lammps_packing(const LammpsArrays& arrays) {
+  require_one_each("position", arrays.position.size(), arrays.id.size());
+  require_one_each("radius", arrays.radius.size(), arrays.id.size());
+  if (!arrays.type.empty())
+    require_one_each("type", arrays.type.size(), arrays.id.size());
+  try {
+    return join_arrays(arrays);
+  } catch (const FileError& error) {
+    throw in_arrays(error);
+  }
+}
+
+} // namespace granum::io

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/io/vtk/collection.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::vector<SeriesEntry> entries{{20, "grains-20.vtu"}, {-0.5, "a & b/grains.vtu"}, {3.25, "c.vtu"}};
+
+std::vector<SeriesEntry> read(const std::string& text) { return read_collection(text_source("s.pvd", text)); }
+std::string refused(const std::string& text) {
+  return refusal([&] { (void)read(text); });
+}
+
+} // namespace
+
+TEST_CASE("VTK series: what granum writes is read back in the order of the times") {
+  const std::vector<SeriesEntry> back = read(pvd(entries));
+  REQUIRE(back.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeriesEntry& expected = entries[(k + 1) % 3 == 0 ? 0 : k + 1];
+    CHECK(back[k].time == expected.time);
+    CHECK(back[k].file == expected.file);
+  }
+}
+
+TEST_CASE("VTK series: as other programs write them") {
+  const std::vector<SeriesEntry> back = read(
+      "<?xml version='1.0'?>\r\n<!-- by hand -->\r\n<VTKFile byte_order='LittleEndian' type='Collection'>\r\n"
+      "<Collection><DataSet group='' file='b.vtp' timestep='1e-3' part='0'></DataSet>\r\n"
+      "<DataSet timestep='0' file='a.vtp'/></Collection></VTKFile>");
+  REQUIRE(back.size() == 2);
+  CHECK((back[0].file == "a.vtp" && back[1].file == "b.vtp" && back[1].time == 1e-3));
+}
+
+TEST_CASE("VTK series: told from other files") {
+  const auto told = [](const std::string& text) {
+    TextSource source = text_source("s", text);
+    return is_collection(source);
+  };
+  CHECK(told(pvd(entries)));
+  CHECK(told("<VTKFile type=\"Collection\">\n"));
+  CHECK_FALSE(told(data_text("yade_chain.vtu")));
+  CHECK_FALSE(told("a <VTKFile type=\"Collection\">\n"));
+  CHECK_FALSE(told("<?xml?>\n<html/>\n"));
+  CHECK_FALSE(told(""));
+}
+
+TEST_CASE("VTK series: what is damaged is refused with its line") {
+  const std::string good = pvd(entries);
+  CHECK(refused(good.substr(0, good.size() - 12)).find("is no XML") != std::string::npos);
+  CHECK(refused(with(good, "timestep=\"20\"", "timestep=\"nan\""))
+            .find("s.pvd:4: expected a number as timestep of a DataSet") != std::string::npos);
+  CHECK(refused(with(good, " timestep=\"20\"", "")).find("expected a number as timestep") !=
+        std::string::npos);
+  CHECK(refused(with(good, " file=\"c.vtu\"", "")).find("s.pvd:6: expected the name of a file") !=
+        std::string::npos);
+  CHECK(refused(with(good, "3.25", "20")).find("several of timestep 20") != std::string::npos);
+  CHECK(refused(pvd({})).find("expected elements DataSet, found none") != std::string::npos);
+  CHECK(refused(with(good, "Collection\"", "PolyData\"")).find("s.pvd:2: expected an element VTKFile") !=
+        std::string::npos);
+  CHECK(refused(with(good, "<VTKFile", "<!DOCTYPE VTKFile><VTKFile")).find("found a document type") !=
+        std::string::npos);
+  CHECK(refused("").find("is no XML") != std::string::npos);
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The specimen of the page's experiment, which one source makes and compresses and another one shears.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/dem/engine.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "exports.hpp"
+
+extern "C" {
+/// The page shows what the view holds; called some times a second while the experiment runs.
+__attribute__((import_module("page"), import_name("frame"))) void page_frame();
+}
+
+namespace granum::web {
+
+/// What is seen: grains, and the contacts that press.
+struct View {
+  std::vector<float> grains;   ///< x, y, z, radius, 1 for a rattler; lengths over the mean radius
+  std::vector<float> contacts; ///< x, y, z of one centre, x, y, z of the other, force over the mean force
+  float edge[3]{};             ///< of the cell
+};
+
+struct Experiment {
+  triaxial::SpecimenRecipe recipe;
+  triaxial::Density density = triaxial::Density::dense;
+  dem::Specimen state;
+  double pressure = 0; ///< that it was compressed to last; 0 before [Pa]
+  View view;
+  std::vector<double> ln_pressure, ln_network, ln_uniform_strain, ln_relaxed;
+  std::optional<triaxial::ShearTest> shear; ///< once it has begun
+};
+
+/// The experiment that runs.
+/// \throws   Error where none has begun
+Experiment& experiment();
+
+/// Fills the view, and lets the page show it.
+void draw(Experiment& experiment, const dem::Specimen& state);
+
+/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its
+/// worker.
+class Clock {
+ public:
+  template <class Tell>
+  bool tick(const Tell& tell) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ > std::chrono::milliseconds(100)) {
+      tell();
+      last_ = now;
+    }
+    return false;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+} // namespace granum::web
