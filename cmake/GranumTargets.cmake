@@ -83,9 +83,10 @@ function(granum_tests module)
   list(TRANSFORM libraries PREPEND granum::)
   target_link_libraries(test_${module} PRIVATE ${libraries} granum_doctest_main Eigen3::Eigen $<BUILD_INTERFACE:Boost::headers>)
   target_include_directories(test_${module} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  # Tests that compute much themselves would take minutes unoptimised, as the sanitized ones are otherwise.
+  # Tests that compute much themselves would take minutes unoptimised, as tests are otherwise where they are many.
   set(headers granum_test_headers)
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND module MATCHES "^(effective|fabric|network|dem|triaxial|studies)$")
+  if((CMAKE_BUILD_TYPE STREQUAL "Debug" OR "-O0" IN_LIST GRANUM_TEST_COMPILE_OPTIONS)
+      AND module MATCHES "^(effective|fabric|network|dem|triaxial|studies)$")
     target_compile_options(test_${module} PRIVATE -O1)
     set(headers granum_optimised_test_headers)
   endif()

@@ -9,12 +9,16 @@ cd web/tests
   npm ci --no-audit --no-fund
   cp package-lock.json node_modules/granum-lock.json
 }
-# Two runners side by side, for node starts the files of one in turn where there are two cores.
-pictures=$(mktemp)
-trap 'rm -f "$pictures"' EXIT
-node --test pictures.test.mjs >"$pictures" 2>&1 &
+# Runners side by side, for node starts the files of one in turn where there are two cores.
+logs=$(mktemp -d)
+trap 'rm -rf "$logs"' EXIT
+for part in numbers pictures; do
+  node --test "$part.test.mjs" >"$logs/$part" 2>&1 &
+done
 code=0
-node --test numbers.test.mjs page.test.mjs || code=$?
-wait $! || code=$?
-cat "$pictures"
+node --test page.test.mjs || code=$?
+for _ in numbers pictures; do
+  wait -n || code=$?
+done
+cat "$logs/numbers" "$logs/pictures"
 exit "$code"

@@ -100,33 +100,43 @@ function faults() {
   return out;
 }
 
-async function opened(file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+/// Lets a page note what it should not do.
+async function watched(context) {
   const page = await context.newPage();
   page.complaints = [];
   page.on("console", (message) => page.complaints.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => page.complaints.push(`error: ${error.message}`));
   page.on("request", (request) => /^(file|data):/.test(request.url()) || page.complaints.push(`request: ${request.url()}`));
+  return page;
+}
+
+async function opened(file, options = {}) {
+  const page = await watched(await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options }));
   await page.goto(pathToFileURL(file).href);
   return page;
 }
 
-/// All pictures that a file holds, in the light and in the dark.
-async function check(file, options = {}) {
-  for (const colorScheme of ["light", "dark"]) {
-    const page = await opened(file, { colorScheme, ...options });
+/// All pictures that the files hold, in the light and in the dark.
+async function check(...files) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await watched(context);
+  for (const file of files) {
+    await page.goto(pathToFileURL(file).href);
     await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
-    assert.deepEqual(await page.evaluate(faults), [], `${path.basename(file)}, ${colorScheme}`);
-    assert.deepEqual(page.complaints, []);
-    await page.context().close();
+    for (const colorScheme of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme });
+      assert.deepEqual(await page.evaluate(faults), [], `${path.basename(file)}, ${colorScheme}`);
+      assert.deepEqual(page.complaints, [], path.basename(file));
+    }
   }
+  await context.close();
 }
 
 for (const [name] of commands)
   test(`pictures of ${name}: texts inside, apart, and to be read`, async () => {
     const files = made(name, ".svg");
     assert.ok(files.length > 0, "nothing was drawn");
-    for (const file of files) await check(file);
+    await check(...files);
   });
 
 test("the picture of the ladder", async () => {
