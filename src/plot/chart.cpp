@@ -10,6 +10,7 @@
 #include <granum/core/number.hpp>
 #include <granum/plot/svg_text.hpp>
 
+#include "coinciding.hpp"
 #include "look.hpp"
 #include "picture.hpp"
 #include "ticks.hpp"
@@ -302,7 +303,8 @@ std::string described(const Chart& chart) {
 
 Canvas canvas_of(const Chart& chart) {
   require_valid(chart);
-  Canvas out = chart.rose ? rose_canvas(chart) : Picture(chart).canvas();
+  const Chart drawn = chart.rose ? chart : with_coinciding_once(chart);
+  Canvas out = chart.rose ? rose_canvas(chart) : Picture(drawn).canvas();
   out.finding = chart.finding.empty() ? described(chart) : chart.finding;
   return out;
 }

@@ -86,8 +86,8 @@ if(NOT (code EQUAL 0 AND out STREQUAL "" AND err STREQUAL "" AND "${written}" ST
   fail("a picture is drawn: files are ${written}")
 endif()
 file(READ "${FOLDER}/iso.svg" svg)
-if(NOT (svg MATCHES ">p' \\[kPa\\]<" AND svg MATCHES ">G_hv \\[MPa\\]<" AND svg MATCHES ">rung 2<"
-    AND svg MATCHES ">uniform-stress<" AND svg MATCHES "</svg>\n$"))
+if(NOT (svg MATCHES ">p' \\[kPa\\]<" AND svg MATCHES ">G_hv \\[MPa\\]<"
+    AND svg MATCHES ">rung 1, rung 2: one curve<" AND svg MATCHES ">uniform-stress<" AND svg MATCHES "</svg>\n$"))
   fail("the picture lacks its titles")
 endif()
 string(REGEX MATCHALL "<circle" circles "${svg}")

@@ -298,6 +298,7 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
   for (int k = 0; k < 6; ++k) {
     chart.series.push_back(chart.series[0]);
     chart.series.back().name = "a series of number " + std::to_string(k);
+    chart.series.back().y[0] = 1 + 0.1 * k;
   }
   const std::string picture = svg(chart);
   CHECK(attribute(picture, "width") == width);
@@ -415,4 +416,39 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
   CHECK(attribute(svg(both, 1), "height") == attribute(svg(one), "height") + attribute(svg(two), "height"));
   CHECK(attribute(svg(both, 1), "width") ==
         std::max(attribute(svg(one), "width"), attribute(svg(two), "width")));
+}
+
+TEST_CASE("lines that lie on each other are drawn once, and the legend says so") {
+  using Texts = std::vector<std::string>;
+  Chart chart = chart_of({1, 2, 3}, {10, 30, 20}); // 380 pixels for 20
+  chart.series[0].name = "G_hh";
+  chart.series.push_back({.name = "G_hv", .x = {1, 2, 3}, .y = {10.07, 30, 20}});
+  chart.series.push_back({.name = "E_v", .x = {1, 2, 3}, .y = {10.14, 30, 20}});
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh, G_hv: one curve", "E_v"});
+  chart.series[1].y[0] = 10.1; // nearer to the last one
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh", "G_hv, E_v: one curve"});
+  chart.y.scale = Scale::logarithmic; // 346 pixels for a factor of e
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh", "G_hv, E_v: one curve"});
+  chart.series[2].y[0] = 10.04;
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh, E_v: one curve", "G_hv"});
+
+  // What stands for data is drawn as often as it is there.
+  const Texts each{"G_hh", "G_hv", "E_v"};
+  for (Series& series : chart.series)
+    series.mark = Mark::marker;
+  CHECK(texts(svg(chart), "legend") == each);
+  for (Series& series : chart.series) {
+    series.mark = Mark::both;
+    series.y_error = {1, 1, 1};
+  }
+  CHECK(texts(svg(chart), "legend") == each);
+  // Gaps belong to the curve; curves without any point are left as they are.
+  for (Series& series : chart.series)
+    series = {.name = series.name, .x = {1, 2, 3}, .y = {10, nothing, 20}};
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh, G_hv, E_v: one curve"});
+  chart.series[1].y = {10, 15, 20};
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh, E_v: one curve", "G_hv"});
+  for (Series& series : chart.series)
+    series.y = {nothing, nothing, nothing};
+  CHECK(texts(svg(chart), "legend") == each);
 }

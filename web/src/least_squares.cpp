@@ -1,43 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes the place of GSL, which the page does not have: the one function that granum::inverse asks it
-// for. The contact model goes on from here to the minimum by a step of its own, so that its numbers are those
-// of the native program (web/tests/numbers.test.mjs).
-#include <algorithm>
-#include <cmath>
-
-#include <Eigen/Cholesky>
+// for, by Eigen's port of MINPACK. The contact model goes on from here to the minimum by a step of its own,
+// so that its numbers are those of the native program (web/tests/numbers.test.mjs).
+#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "hardin/nonlinear_fit.hpp"
 
 namespace granum::hardin {
 
-/// Levenberg-Marquardt, damped by the diagonal of the normal equations.
+namespace {
+
+/// The problem as Eigen asks for it; 0 says that a call succeeded.
+struct Residuals {
+  const NonlinearProblem& problem;
+  Eigen::Index count;
+
+  [[nodiscard]] int values() const { return static_cast<int>(count); }
+  int operator()(const Eigen::VectorXd& theta, Eigen::VectorXd& misfit) const {
+    misfit = problem.residuals(theta);
+    return 0;
+  }
+  int df(const Eigen::VectorXd& theta, Eigen::MatrixXd& jacobian) const {
+    jacobian = problem.jacobian(theta);
+    return 0;
+  }
+};
+
+} // namespace
+
 NonlinearSolution solve(const NonlinearProblem& problem, const Eigen::VectorXd& start,
                         std::size_t iteration_limit, const char* /*what*/) {
-  constexpr double no_step = 1e-13, most_damping = 1e15;
+  namespace status = Eigen::LevenbergMarquardtSpace;
+  Residuals residuals{problem, problem.residuals(start).size()};
+  Eigen::LevenbergMarquardt<Residuals> search(residuals);
+  search.parameters.ftol = search.parameters.xtol = 1e-13;
   NonlinearSolution found{FitStatus::iteration_limit, 0, start};
-  Eigen::VectorXd misfit = problem.residuals(found.theta);
-  double damping = 1e-3;
-  for (; found.iterations < iteration_limit; ++found.iterations) {
-    const Eigen::MatrixXd jacobian = problem.jacobian(found.theta);
-    const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    for (bool better = false; !better; damping *= better ? 0.1 : 10) {
-      Eigen::MatrixXd damped = normal;
-      damped.diagonal() *= 1 + damping;
-      const Eigen::VectorXd step = damped.ldlt().solve(-jacobian.transpose() * misfit);
-      const Eigen::VectorXd theta = found.theta + step, there = problem.residuals(theta);
-      better = there.squaredNorm() < misfit.squaredNorm();
-      if (better) {
-        found.theta = theta;
-        misfit = there;
-      }
-      // Where no step helps this is the minimum, to rounding.
-      if (step.norm() <= no_step * (1 + found.theta.norm()) || damping > most_damping) {
-        found.status = FitStatus::converged;
-        return found;
-      }
-    }
-  }
+  if (search.minimizeInit(found.theta) == status::ImproperInputParameters)
+    return found;
+  auto outcome = status::Running;
+  for (; outcome == status::Running && found.iterations < iteration_limit; ++found.iterations)
+    outcome = search.minimizeOneStep(found.theta);
+  if (outcome != status::Running && outcome != status::TooManyFunctionEvaluation)
+    found.status = FitStatus::converged;
   return found;
 }
 
