@@ -432,6 +432,10 @@ TEST_CASE("lines that lie on each other are drawn once, and the legend says so")
   chart.series[2].y[0] = 10.04;
   CHECK(texts(svg(chart), "legend") == Texts{"G_hh, E_v: one curve", "G_hv"});
 
+  chart.series[2].tone = Tone::faint; // what looks otherwise is another thing
+  CHECK(texts(svg(chart), "legend") == Texts{"G_hh", "G_hv", "E_v"});
+  chart.series[2].tone = Tone::full;
+
   // What stands for data is drawn as often as it is there.
   const Texts each{"G_hh", "G_hv", "E_v"};
   for (Series& series : chart.series)

@@ -123,6 +123,12 @@ TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
     CHECK(of_cgs.contacts[k].normal_force == relative(1e-5 * of_file.contacts[k].normal_force, 1e-12));
     check_vector(of_cgs.contacts[k].branch, of_file.contacts[k].branch, 1e-9);
   }
+  for (std::size_t k = 0; k < of_file.radius.size(); ++k) {
+    CHECK(of_cgs.radius[k] == relative(of_file.radius[k], 1e-12));
+    check_vector(of_cgs.position[k], of_file.position[k], 1e-12);
+  }
+  for (int k = 0; k < 3; ++k)
+    CHECK(of_cgs.cell(k, k) == relative(of_file.cell(k, k), 1e-12));
   memory.arrays.units = "lj";
   CHECK(lammps_packing(memory.arrays).has(Finding::units_unknown));
   memory.arrays.units = "real";
