@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass, q = sqrt(W) ln(size),
-// where W sets how fast the cell answers beside the grains. Time is measured in sqrt(mass/stiffness). Forces
-// are those of the engine's sweep, without friction.
+// FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass where all grains are equal
+// and with the masses of sizes_for_descent where not, q = sqrt(W) ln(size), where W sets how fast the cell
+// answers beside the grains. Time is measured in sqrt(mass/stiffness). Forces are those of the engine's
+// sweep, without friction.
 #include <granum/dem/minimise.hpp>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ class Minimiser {
         cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
                       state.radius * state.radius) {
     grains_.resize(state_.grain_count());
-    grains_.set_sizes(own_sizes(state_, 1));
+    grains_.set_sizes(sizes_for_descent(state_));
     if (state_.walls)
       walls_.emplace(0.0);
     list_pairs();
@@ -192,7 +193,8 @@ class Minimiser {
     const double volume = determinant(state_.cell);
     const double cell_force =
         pressure_ ? (balance.virial() - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
-    // Unit mass: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen lately.
+    // No mass is below 1: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen
+    // lately.
     stiffness_scale_ = std::max(balance.contacts.stiffest, 0.98 * stiffness_scale_);
     if (!(stiffness_scale_ > 0))
       stiffness_scale_ = pressure_ ? *pressure_ * state_.radius : 1.0;
@@ -243,7 +245,7 @@ class Minimiser {
   std::vector<LoadRow> load_;
   double travelled_ = 0; ///< upper bound of own displacement since the list was built [m]
   double strained_ = 0;  ///< upper bound of the cell's strain since then [1]
-  double speed_ = 0;     ///< sum of v^2
+  double speed_ = 0;     ///< sum of m v^2
   double cell_velocity_ = 0;
   double cell_inertia_;
   double stiffness_scale_ = 0;

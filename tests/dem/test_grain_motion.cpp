@@ -34,6 +34,18 @@ std::vector<LoadRow> forces() {
   return load;
 }
 
+/// One of each grain's own, from 1 to 4.
+double mass_of(std::size_t g) { return 1 + 0.5 * static_cast<double>(g); }
+
+Grains unequal_grains() {
+  Grains grains = moving_grains();
+  std::vector<OwnSize> own;
+  for (std::size_t g = 0; g < count; ++g)
+    own.push_back({.size = 1, .radius = 1, .mass = mass_of(g), .per_mass = 1 / mass_of(g)});
+  grains.set_sizes(own);
+  return grains;
+}
+
 } // namespace
 
 TEST_CASE("sums over forces count what spare rows hold") {
@@ -74,5 +86,29 @@ TEST_CASE("grains glide with their new velocities, which have a largest length, 
   CHECK(fastest > 1.2); // some were too fast, and some were not
   CHECK(norm(grains.velocity(0)) < 1);
   CHECK(sums.fastest == relative(fastest, 1e-14));
+  CHECK(sums.squares == relative(squares, 1e-14));
+}
+
+TEST_CASE("grains of masses of their own glide as much less as they are heavier") {
+  const Grains before = unequal_grains();
+  std::vector<LoadRow> load = forces();
+  const Chunk all{.grains = {0, count}, .pairs = {}, .spare_rows = {}, .additions = {0, 0}};
+  const PushSums pushes = settle_pushes(before, all, {}, load);
+  const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
+  Grains grains = before;
+  const GlideSums sums = glide_grains(grains, load, glide);
+  double power = 0, pull = 0, squares = 0;
+  for (std::size_t g = 0; g < count; ++g) {
+    const Vec3 f = force(load[g]);
+    Vec3 v = glide.keep * before.velocity(g) + glide.push / mass_of(g) * f;
+    if (norm(v) > glide.largest)
+      v *= glide.largest / norm(v);
+    power += dot(f, before.velocity(g));
+    pull += dot(f, f) / mass_of(g);
+    squares += mass_of(g) * dot(v, v);
+    CHECK(norm(grains.velocity(g) - v) < 1e-15);
+  }
+  CHECK(pushes.power == relative(power, 1e-14));
+  CHECK(pushes.squares == relative(pull, 1e-14));
   CHECK(sums.squares == relative(squares, 1e-14));
 }

@@ -121,6 +121,17 @@ TEST_CASE("unequal grains are drawn from their distribution, keep their sizes, a
   CHECK(drawn_sizes(small_recipe()).empty());
 }
 
+TEST_CASE("grains of widely different sizes come to rest without friction") {
+  // With unit masses in the minimiser this took 50,000 to 70,000 steps, and stopped far from the balance.
+  SpecimenRecipe recipe = small_recipe();
+  recipe.sizes = sizes::parse_distribution("power-law:4:7");
+  recipe.grains = 900;
+  recipe.first_pressure = 10e6;
+  const Preparation jammed = frictionless_specimen(recipe);
+  CHECK(jammed.last.unbalanced_force_ratio < 1e-5);
+  CHECK(jammed.minimiser_steps < 25000);
+}
+
 TEST_CASE("impossible recipes are refused by name") {
   SpecimenRecipe recipe = small_recipe();
   const auto refused = [&](auto change) {

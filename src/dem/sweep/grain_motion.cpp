@@ -56,7 +56,7 @@ GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk,
 /// Sum of the three parts that a vector has.
 GRANUM_INLINE double sum_of_three(const Four& row) { return row[0] + row[1] + row[2]; }
 
-template <class Level>
+template <class Level, bool equal>
 GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
                                        const std::vector<Addition>& additions, std::vector<LoadRow>& load) {
   add_spare_rows<Level>(chunk.additions, additions, load);
@@ -66,24 +66,35 @@ GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
     const Four push = load[g].push;
     const Four square = push * push;
     power += push * grains.row[g].rate;
-    squares += square;
+    if constexpr (equal)
+      squares += square;
+    else
+      squares += square * all(grains.own[g].per_mass);
     lengths += std::sqrt(sum_of_three(square));
   }
   return {.power = sum_of_three(power), .squares = sum_of_three(squares), .lengths = lengths};
 }
 
+template <bool equal>
 GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
   const Four keep = all(glide.keep), push = all(glide.push), dt = all(glide.dt), growth = all(glide.growth);
   Four squares{};
   double fastest = 0;
   for (std::size_t g = 0; g < grains.size(); ++g) {
     MotionRow& grain = grains.row[g];
-    Four rate = keep * grain.rate + push * load[g].push;
+    Four rate;
+    if constexpr (equal)
+      rate = keep * grain.rate + push * load[g].push;
+    else
+      rate = keep * grain.rate + push * (load[g].push * all(grains.own[g].per_mass));
     const double square = sum_of_three(rate * rate);
     fastest = std::max(fastest, square);
     if (square > glide.largest * glide.largest)
       rate *= all(glide.largest / std::sqrt(square));
-    squares += rate * rate;
+    if constexpr (equal)
+      squares += rate * rate;
+    else
+      squares += rate * rate * all(grains.own[g].mass);
     grain.rate = rate;
     grain.place = growth * (grain.place + dt * rate);
   }
@@ -181,14 +192,18 @@ PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vect
                        std::vector<LoadRow>& load) {
   PushSums sums;
   at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    sums = pushes_at_level<Rows<level>>(grains, chunk, additions, load);
+    sums = grains.own.empty() ? pushes_at_level<Rows<level>, true>(grains, chunk, additions, load)
+                              : pushes_at_level<Rows<level>, false>(grains, chunk, additions, load);
   });
   return sums;
 }
 
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
   GlideSums sums;
-  at_vector_level([&](auto) __attribute__((always_inline)) { sums = glide_at_level(grains, load, glide); });
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    sums = grains.own.empty() ? glide_at_level<true>(grains, load, glide)
+                              : glide_at_level<false>(grains, load, glide);
+  });
   return sums;
 }
 

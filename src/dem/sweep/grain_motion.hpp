@@ -27,19 +27,19 @@ struct Kick {
   double turn; ///< [s/(kg m^2)]
 };
 
-/// Sums over the forces on grains, before anything moves.
+/// Sums over the forces on grains, before anything moves. Masses m are 1 where all grains are equal.
 struct PushSums {
   double power = 0;   ///< sum of f v [W]
-  double squares = 0; ///< sum of f^2 [N^2]
+  double squares = 0; ///< sum of f^2/m [N^2]
   double lengths = 0; ///< sum of |f| [N]
 
   PushSums& operator+=(const PushSums& other);
 };
 
-/// A step of a minimiser: v becomes keep v + push f, no longer than largest; x becomes growth (x + dt v).
+/// A step of a minimiser: v becomes keep v + push f/m, no longer than largest; x becomes growth (x + dt v).
 struct Glide {
   double keep; ///< [1]
-  double push; ///< [s/kg]
+  double push; ///< [s]
   double dt;
   double growth;  ///< of the cell [1]
   double largest; ///< [m/s]
@@ -47,7 +47,7 @@ struct Glide {
 
 /// Velocities after a step of a minimiser.
 struct GlideSums {
-  double squares = 0; ///< sum of v^2
+  double squares = 0; ///< sum of m v^2
   double fastest = 0; ///< the largest |v| that was asked for, cut or not
 };
 
