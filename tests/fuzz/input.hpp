@@ -49,8 +49,10 @@ inline void check(const io::ImportedPacking& packing) {
   for (std::size_t k = 1; k < packing.id.size(); ++k)
     demand(packing.id[k - 1] < packing.id[k]);
   for (std::size_t k = 1; k < a.contacts.size(); ++k) {
+    // A pair of a narrow cell may touch through several images, which stand in the order of their branches.
     const packing::Contact &before = a.contacts[k - 1], &here = a.contacts[k];
-    demand(std::tie(before.i, before.j) < std::tie(here.i, here.j));
+    const Vec3 &from = before.branch, &to = here.branch;
+    demand(std::tie(before.i, before.j, from.x, from.y, from.z) < std::tie(here.i, here.j, to.x, to.y, to.z));
   }
 }
 
