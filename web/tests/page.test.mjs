@@ -68,6 +68,17 @@ test("the address holds the sliders", async () => {
   await other.context().close();
 });
 
+/// What a place of a chart stands for on its linear axes, read off the labels.
+async function axesOf(page, chart) {
+  const labels = await page.$$eval(`${chart} svg text.tick`, (all) => all.map((text) => ({
+    value: Number(text.textContent), x: Number(text.getAttribute("x")), y: Number(text.getAttribute("y")) - 5, up: text.getAttribute("text-anchor") === "end" })));
+  const axis = (marks, at) => {
+    const [first, last] = [marks[0], marks.at(-1)];
+    return (place) => first.value + ((place - at(first)) * (last.value - first.value)) / (at(last) - at(first));
+  };
+  return { x: axis(labels.filter(({ up }) => !up), ({ x }) => x), y: axis(labels.filter(({ up }) => up), ({ y }) => y) };
+}
+
 test("the calculator answers as one types, and says what is wrong", async () => {
   const page = await opened();
   const answer = () => page.textContent("#answer");
@@ -87,6 +98,11 @@ test("the calculator answers as one types, and says what is wrong", async () => 
   await page.check("input[name=csame][value=cpp]");
   assert.match(await page.textContent("#clines"), /Kind::loose/);
   assert.equal(await page.locator("#answer circle").count(), 6, "five closed forms and the answer");
+  const { y } = await axesOf(page, "#answer");
+  const [low, high] = (await page.locator("#answer svg").getAttribute("aria-label")).match(/from ([\d.]+) to ([\d.]+)\.$/).slice(1).map(Number);
+  const bars = await page.$$eval("#answer svg path.bar", (all) => all.map((bar) => bar.getAttribute("d").match(/V([\d.]+)|[\d.]+ ([\d.]+)h/g).map((part) => Number(part.match(/[\d.]+(?=h)|(?<=V)[\d.]+/)[0]))));
+  const ranges = bars.map(([head, foot]) => [y(foot), y(head)]);
+  assert.ok(ranges.some(([foot, head]) => Math.abs(foot / low - 1) < 0.01 && Math.abs(head / high - 1) < 0.01), `${JSON.stringify(ranges)} without ${low} to ${high}`);
   const [ladder] = await Promise.all([page.waitForEvent("download"), page.locator("#answer button").click()]);
   assert.match(fs.readFileSync(await ladder.path(), "utf8"), /^<svg[^>]*xmlns=/);
   assert.deepEqual(page.complaints, []);
@@ -222,6 +238,14 @@ test("after its compression a specimen is sheared step by step, to the end, and 
   const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
   assert.match(rows[0], /^axial_strain,volumetric_strain,q_Pa,/);
   assert.ok(Number(rows.at(-1).split(",")[0]) >= 0.03, rows.at(-1));
+  // The drawn curve is that of the file; the last point within the axis is the last but one or the last.
+  const { x, y } = await axesOf(page, "#xdeviator");
+  const drawn = (await page.$eval("#xdeviator polyline", (line) => line.getAttribute("points"))).split(" ").map((point) => point.split(",").map(Number));
+  for (const k of [1, Math.floor(drawn.length / 2), drawn.length - 1]) {
+    const [strain, , q] = rows[k].split(",").map(Number);
+    assert.ok(Math.abs(x(drawn[k][0]) - 100 * strain) < 0.01, `${x(drawn[k][0])} % where the file has ${strain}`);
+    assert.ok(Math.abs(y(drawn[k][1]) - q / 1e3) < 0.005 * Math.max(...drawn.map((point) => y(point[1]))), `${y(drawn[k][1])} kPa where the file has ${q} Pa`);
+  }
   assert.deepEqual(page.complaints, []);
   await page.click("#xstart");
   assert.ok(await page.isHidden("#xshearpart"), "a new specimen has no curve yet");
