@@ -30,6 +30,8 @@ constexpr double largest_overlap = 0.01;
 /// Far beyond, the factors no longer change, and powers of larger numbers would overflow.
 constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
+/// Of the lengths of branches over their mean: C_u = 4.
+constexpr double largest_branch_deviation = 0.51;
 
 /// A factor with its slopes by its n coefficients, then by z*, r and b.
 template <std::size_t n>
@@ -72,6 +74,17 @@ RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& recipe
   if (factor.value > 0)
     for (const kernel::Scatter& scatter : {recipes, packings})
       factor.error = std::hypot(factor.error, scatter.base, scatter.gain * leverage / factor.value);
+  return factor;
+}
+
+/// The same with what unequal grains add.
+RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& sizes, double shift_error,
+                                 double leverage, double variance) {
+  if (factor.value > 0 && variance > 0) {
+    const double deviation = std::sqrt(variance), relative = leverage / factor.value;
+    factor.error = std::hypot(factor.error, deviation * sizes.base, deviation * sizes.gain * relative);
+    factor.error = std::hypot(factor.error, variance * shift_error * relative);
+  }
   return factor;
 }
 
@@ -159,6 +172,15 @@ void note_state(const State& s, double z, Validity& validity) {
                           ratio, s.fabric_anisotropy));
 }
 
+void note_sizes(const State& s, Validity& validity) {
+  const double deviation = std::sqrt(kernel::branch_variance(s.contacts));
+  if (deviation > largest_branch_deviation)
+    validity.add(detail::formatted(
+        "the lengths of branches scatter by %.2g of their mean: the relaxation factors are calibrated up to "
+        "0.51, a C_u of about 4",
+        deviation));
+}
+
 void note_bound(const kernel::RelaxedConstants<double>& strained,
                 const kernel::RelaxedConstants<double>& unbounded, Validity& validity) {
   const double excess = kernel::bulk_modulus(unbounded) / kernel::bulk_modulus(strained) - 1;
@@ -175,15 +197,20 @@ RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value,
 
 namespace kernel {
 
-RelaxingFactors relaxing_factors(double z, double r, double b) {
+RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance) {
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
-  return {.shear = shear_factor(near_z, near_r, b), .bulk = bulk_factor(near_z, near_r, b)};
+  const RelaxingFactor shear = shear_factor(coordination_of_equal(near_z, branch_variance), near_r, b);
+  const RelaxingFactor bulk = bulk_factor(near_z, near_r, b);
+  return {.shear =
+              with_size_scatter(shear, shear_sizes, size_shift_error, shear.by_coordination, branch_variance),
+          .bulk = with_size_scatter(bulk, bulk_sizes, 0, near_r * bulk.by_ratio, branch_variance)};
 }
 
 RelaxedParts relaxed_parts(const State& s, double z) {
-  auto [shear, bulk] = relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent());
+  auto [shear, bulk] =
+      relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent(), branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
   shear.error = std::hypot(shear.error, shear_by_stress * stresses);
   bulk.error = std::hypot(bulk.error, bulk_by_stress * stresses);
@@ -208,7 +235,7 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 0.5);
-  const kernel::RelaxingFactors factors = kernel::relaxing_factors(z, r, b);
+  const kernel::RelaxingFactors factors = kernel::relaxing_factors(z, r, b, 0);
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }
 
@@ -219,6 +246,7 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
   estimate.validity.merge(notes_of(z, state.tangential_ratio));
   note_state(state, z, estimate.validity);
+  note_sizes(state, estimate.validity);
   if (!(shear.value > 0))
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Written by `relaxation_fit coefficients states.csv` from validation/relaxation/states.csv; the test
+// Written by `relaxation_fit coefficients states.csv unequal.csv` in validation/relaxation; the test
 // "validation: relaxation" fits them again and compares. Not to be edited by hand.
 // clang-format off
 #pragma once
@@ -51,6 +51,12 @@ inline constexpr Scatter shear_recipes{0.0189100323, 0.00569109521};
 inline constexpr Scatter shear_packings{0.0222611579, 0.0081302599};
 inline constexpr Scatter bulk_recipes{0, 0.185159964};
 inline constexpr Scatter bulk_packings{0.0131222741, 0.193066505};
+/// Shift of z* in G and its standard error, over the relative variance of the lengths of branches;
+/// what unequal grains add to the scatter, over the root of that variance.
+inline constexpr double size_shift = 0.48029211;
+inline constexpr double size_shift_error = 0.0696207133;
+inline constexpr Scatter shear_sizes{0.101431922, 0.116209594};
+inline constexpr Scatter bulk_sizes{0.142740802, 0};
 /// Scatter of ln C33/C11 over ln of the stretch.
 inline constexpr double stretch_scatter = 0.136071463;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.

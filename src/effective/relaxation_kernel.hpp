@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <granum/sizes/contact_means.hpp>
+
 #include "relaxation_coefficients.hpp"
 
 namespace granum::effective::kernel {
@@ -20,6 +22,19 @@ const T& frictional_isostatic(const ShearCoefficients<T>& c) {
 }
 /// The same for contacts without tangential stiffness.
 inline constexpr double frictionless_isostatic = 6;
+
+/// Relative variance of the lengths of branches, <l^2>/<l>^2 - 1: exactly 0 where all grains are equal.
+inline double branch_variance(const sizes::ContactMeans& means) {
+  const double variance = means.branch_square / (means.branch * means.branch) - 1;
+  return variance > 0 ? variance : 0;
+}
+
+/// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than their
+/// mean number of contacts tells. K shows no such shift.
+template <class T>
+T coordination_of_equal(const T& z, double variance) {
+  return z + size_shift * variance;
+}
 
 /// Coefficients as numbers of another type, constants to it.
 template <class T, std::size_t n>

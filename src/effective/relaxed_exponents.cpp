@@ -46,7 +46,8 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
   const Dual r = constant(s.tangential_ratio), b = constant(s.law.stiffness_exponent());
   const Dual shear =
-      kernel::shear_relaxation(z_star, r, b, kernel::constants<Dual>(kernel::shear_coefficients));
+      kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
+                               b, kernel::constants<Dual>(kernel::shear_coefficients));
   const Dual bulk = kernel::bulk_relaxation(z_star, r, b, kernel::constants<Dual>(kernel::bulk_coefficients));
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));

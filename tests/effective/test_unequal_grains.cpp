@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -11,6 +12,7 @@
 #include <granum/effective/batch.hpp>
 #include <granum/effective/kinematic_field.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
 #include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/sensitivity/uncertainty.hpp>
 #include <granum/sizes/sampling.hpp>
@@ -227,4 +229,82 @@ TEST_CASE("unequal grains: means that no packing can have are refused") {
   effective::UniformContacts contacts{
       .prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1, .branch_evenness = 1.1};
   CHECK_THROWS_AS((void)effective::uniform_stress_stiffness(contacts), InvalidArgument);
+}
+
+namespace {
+
+/// Spheres at 100 kPa whose branches have this coefficient of variation.
+State scattered_branches(double deviation) {
+  return {.law = contact::PowerLaw::sphere(quartz, mean_radius),
+          .tangential_ratio = 0.9,
+          .radius = mean_radius,
+          .void_ratio = 0.6,
+          .coordination_number = 4.8,
+          .stress_v = 100e3,
+          .stress_h = 100e3,
+          .contacts = {.branch = 1.0, .branch_square = 1 + deviation * deviation}};
+}
+
+double relaxed_share(const State& s, double z) {
+  return effective::relaxed(s, z).stiffness.G_vh() / effective::uniform_strain(s).stiffness.G_vh();
+}
+
+} // namespace
+
+TEST_CASE("unequal grains relax less in G than equal ones of their z*, as equal ones of a larger z* do") {
+  const State equal = scattered_branches(0);
+  double shift = 0;
+  for (const double deviation : {0.2, 0.4}) {
+    const State unequal = scattered_branches(deviation);
+    CHECK(relaxed_share(unequal, 5) > 1.01 * relaxed_share(equal, 5));
+    CHECK(effective::relaxed(unequal, 5).stiffness.bulk_modulus() /
+              effective::uniform_strain(unequal).stiffness.bulk_modulus() ==
+          relative(effective::relaxed(equal, 5).stiffness.bulk_modulus() /
+                       effective::uniform_strain(equal).stiffness.bulk_modulus(),
+                   1e-14));
+    double low = 5, high = 6; // z* of equal grains of the same share
+    while (high - low > 1e-12)
+      (relaxed_share(equal, (low + high) / 2) < relaxed_share(unequal, 5) ? low : high) = (low + high) / 2;
+    const double found = (low - 5) / (deviation * deviation);
+    if (shift > 0)
+      CHECK(found == relative(shift, 1e-8)); // in proportion to the variance, at every z*
+    shift = found;
+  }
+}
+
+TEST_CASE(
+    "unequal grains: stated errors of rung 3 grow with their differences, with a note where none were seen") {
+  double G = 0, K = 0;
+  for (const double deviation : {0.0, 0.1, 0.3, 0.5, 0.9}) {
+    CAPTURE(deviation);
+    const effective::RelaxedEstimate estimate = effective::relaxed(scattered_branches(deviation), 5);
+    CHECK(estimate.relative_error.G_vh > G);
+    CHECK(estimate.relative_error.bulk_modulus > K);
+    G = estimate.relative_error.G_vh;
+    K = estimate.relative_error.bulk_modulus;
+    bool noted = false;
+    for (const std::string& note : estimate.validity.notes)
+      noted = noted || note.find("lengths of branches") != std::string::npos;
+    CHECK(noted == (deviation > 0.51));
+  }
+  CHECK(G > 0.08);
+  CHECK(K > 0.08);
+}
+
+TEST_CASE("unequal grains: slopes and exponents of rung 3 are those of its moduli") {
+  const State s = scattered_branches(0.4);
+  const auto G = [&](const State& at, double z) { return effective::relaxed(at, z).stiffness.G_vh(); };
+  const auto slopes = effective::relaxed_gradient(s, 5, effective::Modulus::G_vh).gradient;
+  const double dz = 1e-5;
+  CHECK(slopes[effective::Input::mechanical_coordination_number] ==
+        relative((G(s, 5 + dz) - G(s, 5 - dz)) / (2 * dz), 1e-7));
+  const effective::Growth growth{.mechanical_coordination_number = 0.2};
+  const double step = 1e-4;
+  const auto at = [&](double log_p) {
+    State pressed = s;
+    pressed.stress_v = pressed.stress_h = 100e3 * std::exp(log_p);
+    return std::log(G(pressed, 5 + 0.2 * log_p));
+  };
+  CHECK(effective::relaxed_exponents(s, 5, growth, effective::Modulus::G_vh).sum() ==
+        relative((at(step) - at(-step)) / (2 * step), 1e-6));
 }

@@ -7,6 +7,7 @@
 
 #include "factor_fits.hpp"
 #include "scatter.hpp"
+#include "size_fits.hpp"
 
 namespace relaxation {
 
@@ -74,6 +75,7 @@ struct Result {
   ClosingGaps loose;
   double shear_by_stress = 0; ///< further error of G under unequal stresses, over |ln(stress_v/stress_h)|
   double bulk_by_stress = 0;  ///< the same of K
+  SizeEffect sizes = {};
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
 
@@ -120,7 +122,15 @@ inline void fit_sheared_scatter(const std::vector<Packing>& packings, Result& re
   result.bulk_by_stress = std::sqrt(std::max(0.0, K_left / stress));
 }
 
-inline Result fit_everything(const std::vector<Packing>& packings) {
+inline EqualFit equal_fit(const Result& result) {
+  return {.shear = result.shear,
+          .bulk = result.bulk,
+          .shear_scatter = result.shear_scatter,
+          .bulk_scatter = result.bulk_scatter};
+}
+
+/// \param    unequal   packings of unequal grains, and of equal ones made as they were
+inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal) {
   Result result{.shear = fit_shear(packings, everything),
                 .bulk = fit_bulk(packings, everything),
                 .stretch = {},
@@ -132,6 +142,7 @@ inline Result fit_everything(const std::vector<Packing>& packings) {
   result.shear_scatter = scatter_parts(residuals(packings, result.shear, shear_residual, everything));
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
+  result.sizes = fit_size_effect(unequal, equal_fit(result), everything);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
 namespace relaxation {
@@ -25,11 +27,13 @@ struct Network {
   TransverselyIsotropic stiffness;
 };
 
-/// One row of states.csv.
+/// One row of states.csv or of unequal.csv.
 struct Packing {
+  std::string sizes = "equal"; ///< of the grains, as sizes::parse_distribution reads it
   std::string contact;
   std::string preparation;
-  std::string recipe;   ///< both, however the packing was sheared; its packings differ less than recipes do
+  std::string
+      recipe; ///< all three, however the packing was sheared; its packings differ less than recipes do
   std::string specimen; ///< rows of one specimen are not independent of one another
   int seed = 0;
   double pressure = 0; ///< nominal [Pa]
@@ -38,7 +42,9 @@ struct Packing {
   State state; ///< k_t/k_n of the specimen
   double mechanical_coordination = 0;
   double rattler_fraction = 0;
-  double force_moment = 0;        ///< <f^b>/<f>^b
+  double uniformity = 1;   ///< C_u of the grains
+  double affine_share = 0; ///< uniform strain with the network's own k_n over the closed form: <f^b>/<f>^b of
+                           ///< equal grains; of unequal ones what long branches and the scatter of k_n do too
   double strain_bulk_modulus = 0; ///< K of the network under uniform strain [Pa]
   double relative_overlap = 0;    ///< of the mean force, over the diameter
   std::vector<Network> networks;
@@ -51,14 +57,14 @@ inline double isotropic_shear_modulus(const TransverselyIsotropic& c) {
   return (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15;
 }
 
-/// What uniform strain with the network's own stiffnesses makes too much of, times what the mean of f^b
-/// differs from <f>^b: G over that of the closed form. The lengths of the branches drop out.
+/// What uniform strain with the network's own stiffnesses makes too much of, times what that differs from the
+/// closed form: G over that of the closed form. Of equal grains the lengths of the branches drop out.
 inline double shear_factor(const Packing& p, const Network& n) {
   const double affine = 0.3 * p.strain_bulk_modulus * (2 + 3 * n.ratio);
-  return p.force_moment * isotropic_shear_modulus(n.stiffness) / affine;
+  return p.affine_share * isotropic_shear_modulus(n.stiffness) / affine;
 }
 inline double bulk_factor(const Packing& p, const Network& n) {
-  return p.force_moment * n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
+  return p.affine_share * n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
 }
 
 /// A shape that the fits leave out altogether, to see how they do between the others.
@@ -77,13 +83,14 @@ inline std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-inline granum::contact::PowerLaw law(const std::string& contact) {
+/// \param    radius   of the pair, for spheres [m]
+inline granum::contact::PowerLaw law(const std::string& contact, double radius) {
   using granum::contact::PowerLaw;
   constexpr granum::contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   if (contact == "cone")
     return PowerLaw::cone(grain, 0.4);
   if (contact == "sphere")
-    return PowerLaw::sphere(grain, 0.5e-3);
+    return PowerLaw::sphere(grain, radius);
   if (contact == "flat")
     return PowerLaw::flat(grain, 5.7e-6);
   if (contact == "alpha1.5")
@@ -112,48 +119,92 @@ inline std::string unsheared(const std::string& preparation) {
   return preparation;
 }
 
-inline std::vector<Packing> read_packings(const std::string& path) {
+namespace detail {
+
+using Row = std::map<std::string, double>;
+
+/// Numbers of a row by their headings; text is left out.
+inline Row numbers(const std::vector<std::string>& headings, const std::vector<std::string>& fields) {
+  static const std::set<std::string> text{"sizes", "contact", "preparation"};
+  Row row;
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    if (text.count(headings[k]) == 0)
+      row[headings[k]] = fields[k].empty() ? State::unset : std::stod(fields[k]);
+  return row;
+}
+
+/// A file without these columns has equal grains.
+inline granum::sizes::ContactMeans contact_means(const Row& row) {
+  if (row.count("branch") == 0)
+    return {};
+  return {.branch = row.at("branch"),
+          .branch_square = row.at("branch_square"),
+          .pair_radius = row.at("pair_radius"),
+          .grain_volume = row.at("grain_volume")};
+}
+
+inline State state(const Row& row, const std::string& contact, double tangential_ratio) {
+  const double radius = row.count("R_m") > 0 ? row.at("R_m") : 0.5e-3;
+  const granum::sizes::ContactMeans contacts = contact_means(row);
+  return {.law = law(contact, radius * contacts.pair_radius),
+          .tangential_ratio = tangential_ratio,
+          .radius = radius,
+          .void_ratio = row.at("e"),
+          .coordination_number = row.at("C_n"),
+          .fabric_anisotropy = row.at("a"),
+          .stress_v = row.at("stress_v_Pa"),
+          .stress_h = row.at("stress_h_Pa"),
+          .contacts = contacts};
+}
+
+inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
+                       const std::string& preparation) {
   static const std::map<std::string, double> ratios{
       {"0", 0}, {"0.03", 0.03}, {"0.1", 0.1}, {"0.3", 0.3}, {"0.6", 0.6}, {"0.919", 0.918918918918919},
       {"1", 1}};
+  const int seed = static_cast<int>(row.at("seed"));
+  Packing p{.sizes = sizes,
+            .contact = contact,
+            .preparation = preparation,
+            .recipe = contact + " " + unsheared(preparation) + " " + sizes,
+            .specimen = contact + " " + unsheared(preparation) + " " + sizes + " " + std::to_string(seed),
+            .seed = seed,
+            .pressure = row.at("p_Pa"),
+            .stress_ratio = row.at("stress_ratio"),
+            .friction_coefficient = row.at("friction_coefficient"),
+            .state = state(row, contact, ratios.at("0.919")),
+            .mechanical_coordination = row.at("z_star"),
+            .rattler_fraction = row.at("rattler_fraction"),
+            .uniformity = row.count("C_u") > 0 ? row.at("C_u") : 1,
+            .affine_share = row.at("force_moment_b"),
+            .strain_bulk_modulus = stiffness(row, "affine").bulk_modulus(),
+            .networks = {}};
+  if (sizes != "equal")
+    p.affine_share =
+        p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
+  p.relative_overlap = p.state.law.overlap(granum::effective::mean_contact_force(p.state)) /
+                       (2 * p.state.radius * p.state.contacts.branch);
+  for (const auto& [name, ratio] : ratios)
+    p.networks.push_back({ratio, stiffness(row, name)});
+  return p;
+}
+
+} // namespace detail
+
+inline std::vector<Packing> read_packings(const std::string& path) {
   std::ifstream in(path);
   std::string line;
   if (!std::getline(in, line))
     throw std::runtime_error("cannot read " + path);
   const std::vector<std::string> headings = detail::split(line);
+  const std::size_t contact = headings.front() == "sizes" ? 1 : 0; // its column
   std::vector<Packing> packings;
   while (std::getline(in, line)) {
     const std::vector<std::string> fields = detail::split(line);
     if (fields.size() != headings.size())
       throw std::runtime_error("row of another length: " + line.substr(0, 60));
-    std::map<std::string, double> row;
-    for (std::size_t k = 2; k < fields.size(); ++k)
-      row[headings[k]] = fields[k].empty() ? State::unset : std::stod(fields[k]);
-    Packing p{.contact = fields[0],
-              .preparation = fields[1],
-              .recipe = fields[0] + " " + unsheared(fields[1]),
-              .specimen = fields[0] + " " + unsheared(fields[1]) + " " + fields[2],
-              .seed = static_cast<int>(row.at("seed")),
-              .pressure = row.at("p_Pa"),
-              .stress_ratio = row.at("stress_ratio"),
-              .friction_coefficient = row.at("friction_coefficient"),
-              .state = {.law = detail::law(fields[0]),
-                        .tangential_ratio = ratios.at("0.919"),
-                        .radius = 0.5e-3,
-                        .void_ratio = row.at("e"),
-                        .coordination_number = row.at("C_n"),
-                        .fabric_anisotropy = row.at("a"),
-                        .stress_v = row.at("stress_v_Pa"),
-                        .stress_h = row.at("stress_h_Pa")},
-              .mechanical_coordination = row.at("z_star"),
-              .rattler_fraction = row.at("rattler_fraction"),
-              .force_moment = row.at("force_moment_b"),
-              .strain_bulk_modulus = detail::stiffness(row, "affine").bulk_modulus(),
-              .networks = {}};
-    p.relative_overlap = p.state.law.overlap(granum::effective::mean_contact_force(p.state)) / 1e-3;
-    for (const auto& [name, ratio] : ratios)
-      p.networks.push_back({ratio, detail::stiffness(row, name)});
-    packings.push_back(std::move(p));
+    packings.push_back(detail::packing(detail::numbers(headings, fields), contact == 1 ? fields[0] : "equal",
+                                       fields[contact], fields[contact + 1]));
   }
   return packings;
 }

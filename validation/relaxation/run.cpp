@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the packings that the relaxation factor is calibrated on, and solves their contact networks.
 //
-//     relaxation_run states.csv [threads]
+//     relaxation_run equal states.csv [threads [first letters of the preparations]]
+//     relaxation_run unequal unequal.csv [threads [first letters of the preparations]]
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
 // that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
@@ -11,38 +12,31 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 #include <tuple>
 #include <vector>
 
-#include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/network/linear_response.hpp>
-#include <granum/packing/cell_work.hpp>
-#include <granum/packing/coordination.hpp>
-#include <granum/packing/force_moments.hpp>
+#include <granum/sizes/distribution_text.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
+
+#include "recording.hpp"
 
 namespace {
 
 using namespace granum;
+using relaxation::Record;
+using relaxation::Row;
 
 constexpr double radius = 0.5e-3; // R [m]
 constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-constexpr double ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; // k_t/k_n of the solved networks
 constexpr double kPa = 1e3, MPa = 1e6;
 
 /// One kind of contact.
@@ -91,6 +85,7 @@ struct Preparation {
   std::size_t max_steps = 40000; // of a stage
   double approach = 1;           // how many times faster than usual the first stage may be compressed
   bool unfitted_shapes = false;  // makes packings of the shapes that no fit sees as well
+  std::string sizes = {};        // of the grains: a text of sizes::parse_distribution; empty: all are equal
 };
 
 Preparation gas(const char* name, double friction_coefficient, const std::vector<Stage>& path,
@@ -148,11 +143,54 @@ const std::vector<Preparation>& preparations() {
   return all;
 }
 
+/// Small specimens of grains of many sizes, and of equal ones to compare with. C_u of 1, 1.5, 2, 3.2 and 4,
+/// the last of two sizes only. All gradations of one preparation come before the next, so that a run that is
+/// cut leaves a balanced table.
+std::vector<Preparation> unequal_preparations() {
+  using enum triaxial::Density;
+  const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  const std::vector<Stage> path{{30 * kPa}, {300 * kPa}};
+  const std::vector<Stage> cycle{{100 * kPa}, {3 * MPa}, {100 * kPa}};
+  const std::vector<Stage> compression{{100 * kPa, 0.4}, {100 * kPa, 0.7}};
+  const std::vector<Preparation> ways{
+      {.name = "dense", .density = dense, .friction_coefficient = mu, .path = path},
+      gas("gas mu0.3", 0.3, path),
+      gas("gas mu0.1", 0.1, path),
+      gas("gas mu1", 1, path),
+      {.name = "loose", .friction_coefficient = mu, .path = path},
+      {.name = "cycle", .friction_coefficient = mu, .path = cycle},
+      {.name = "dense txc", .density = dense, .friction_coefficient = mu, .path = compression},
+  };
+  const struct {
+    const char* sizes;
+    std::size_t grains;
+  } gradations[] = {{"", 500},
+                    {"lognormal:0.25", 500},
+                    {"uniformity:2:4.5", 700},
+                    {"power-law:3:9", 1000},
+                    {"bidisperse:4:0.03", 800}};
+  std::vector<Preparation> all;
+  for (Preparation way : ways)
+    for (const auto& [sizes, grains] : gradations) {
+      way.sizes = sizes;
+      way.grains = grains;
+      way.max_steps = 60000;
+      all.push_back(way);
+    }
+  return all;
+}
+
+sizes::Distribution sizes_of(const Preparation& preparation) {
+  return preparation.sizes.empty() ? sizes::Distribution::equal()
+                                   : sizes::parse_distribution(preparation.sizes);
+}
+
 triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparation, std::uint64_t seed) {
   return {.material = {.law = shape.law,
                        .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                        .friction_coefficient = preparation.friction_coefficient},
           .radius = radius,
+          .sizes = sizes_of(preparation),
           .grains = preparation.grains,
           .seed = seed,
           .first_pressure = preparation.path.front().pressure,
@@ -160,159 +198,13 @@ triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparati
           .agitation = preparation.opening.agitation};
 }
 
-/// A row in the making: headings and cells side by side.
-struct Row {
-  std::string headings;
-  std::string cells;
-
-  void add(const std::string& heading, const std::string& cell) {
-    const char* comma = headings.empty() ? "" : ",";
-    headings += comma + heading;
-    cells += comma + cell;
-  }
-  void add(const std::string& heading, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7g", value);
-    add(heading, std::isnan(value) ? std::string() : std::string(text));
-  }
-};
-
-void add_stiffness(Row& row, const std::string& suffix, const elastic::VoigtStiffness& stiffness) {
-  const elastic::TransverselyIsotropic c = elastic::transversely_isotropic_projection(stiffness);
-  row.add("C11_" + suffix + "_Pa", c.C11);
-  row.add("C33_" + suffix + "_Pa", c.C33);
-  row.add("C12_" + suffix + "_Pa", c.C12);
-  row.add("C13_" + suffix + "_Pa", c.C13);
-  row.add("C44_" + suffix + "_Pa", c.C44);
-}
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-/// The packing stays; only the tangential stiffness of its elastic contacts is another.
-void add_networks(Row& row, packing::Assembly assembly, double own_ratio) {
-  int iterations = 0;
-  double residual = 0;
-  network::Options options;
-  for (const double ratio : ratios) {
-    for (packing::Contact& contact : assembly.contacts)
-      contact.tangential_stiffness = ratio * contact.normal_stiffness;
-    // Without tangential stiffness most of the packings are floppy: no use in insisting on ten digits.
-    options.iteration_limit = ratio > 0 ? 20000 : 1500;
-    const network::Response response = network::linear_response(assembly, options);
-    if (ratio > 0 && !response.converged())
-      throw std::runtime_error("a network did not converge");
-    add_stiffness(row, short_number(ratio), response.last_iterate());
-    if (ratio > 0) {
-      iterations = std::max(iterations, response.report().iterations);
-      residual = std::max(residual, response.report().residual);
-    } else {
-      row.add("residual_0", response.report().residual);
-    }
-  }
-  row.add("iterations", iterations);
-  row.add("residual", residual);
-
-  for (packing::Contact& contact : assembly.contacts)
-    contact.tangential_stiffness = own_ratio * contact.normal_stiffness;
-  const network::Response plain = network::linear_response(assembly);
-  add_stiffness(row, "affine", plain.affine());
-  options.prestress = true;
-  const network::Response stressed = network::linear_response(assembly, options);
-  const bool definite = stressed.converged();
-  const elastic::Matrix6& c = stressed.last_iterate().matrix;
-  row.add("C44_prestress_Pa", definite ? (c(3, 3) + c(4, 4)) / 2 : std::numeric_limits<double>::quiet_NaN());
-  row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
-}
-
-double mean_tangential_share(const packing::Assembly& assembly) {
-  double normal_sum = 0, tangential_sum = 0;
-  for (const packing::Contact& c : assembly.contacts) {
-    normal_sum += c.normal_force;
-    tangential_sum += norm(c.tangential_force);
-  }
-  return tangential_sum / normal_sum;
-}
-
-void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
-  const analysis::Measurement measured =
-      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
-  const analysis::Microstructure micro = measured.microstructure();
-  const packing::MechanicalCoordination frictionless =
-      mechanical_coordination(assembly, packing::ContactKind::frictionless);
-  const Mat3& stress = measured.stress.value().symmetric;
-  const packing::BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
-  const double b = material.law.stiffness_exponent();
-  row.add("C_n", micro.coordination_number);
-  row.add("z_star", micro.mechanical_coordination_number);
-  row.add("rattler_fraction", micro.rattler_fraction);
-  row.add("z_star_frictionless", frictionless.coordination_number);
-  row.add("rattler_fraction_frictionless", frictionless.rattler_fraction);
-  row.add("a", micro.fabric_anisotropy);
-  row.add("stress_v_Pa", stress(2, 2));
-  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
-  row.add("force_moment_b", normal_force_moment(assembly, b));
-  row.add("force_moment_2", normal_force_moment(assembly, 2));
-  row.add("force_moment_2_minus_b", normal_force_moment(assembly, 2 - b));
-  row.add("tangential_share", mean_tangential_share(assembly));
-  row.add("K_lower_Pa", bounds.lower);
-  row.add("K_upper_Pa", bounds.upper);
-}
-
-/// What one row says of a frozen state.
-void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material) {
-  const packing::Assembly assembly = dem::contact_network(frozen, material);
-  row.add("e", dem::void_ratio(frozen));
-  add_assembly(row, assembly, material);
-  add_networks(row, assembly, material.tangential_ratio);
-}
-
-/// The output file: which states it holds, and how another is added.
-class Record {
- public:
-  explicit Record(const std::filesystem::path& path) : path_(path) {
-    std::ifstream in(path);
-    std::string line, whole;
-    while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut: it is done again
-      whole += line + "\n";
-      done_.insert(key_of(line));
-    }
-    in.close();
-    std::ofstream(path) << whole;
-  }
-  static std::string key_of(const std::string& line) {
-    std::size_t end = 0;
-    for (int field = 0; field < key_fields && end != std::string::npos; ++field)
-      end = line.find(',', end + 1);
-    return line.substr(0, end);
-  }
-  [[nodiscard]] bool has(const Row& row) {
-    const std::lock_guard lock(mutex_);
-    return done_.count(key_of(row.cells)) > 0;
-  }
-  void append(const Row& row) {
-    const std::lock_guard lock(mutex_);
-    std::ofstream out(path_, std::ios::app);
-    if (done_.empty())
-      out << row.headings << "\n";
-    out << row.cells << "\n";
-    done_.insert(key_of(row.cells));
-  }
-
- private:
-  static constexpr int key_fields = 6;
-  std::filesystem::path path_;
-  std::set<std::string> done_;
-  std::mutex mutex_;
-};
-
-/// The first columns: six that name a state, and what else it was made with.
+/// The first columns: six that name a state, after the sizes where grains may differ, and what else it was
+/// made with.
 Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, const Stage& stage,
-        std::size_t number) {
+        std::size_t number, bool with_sizes) {
   Row row;
+  if (with_sizes)
+    row.add("sizes", sizes_of(preparation).text());
   row.add("contact", std::string(shape.name));
   row.add("preparation", std::string(preparation.name));
   row.add("seed", static_cast<double>(seed));
@@ -329,7 +221,7 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
 class Packings {
  public:
   dem::Specimen get(const Shape& shape, const triaxial::SpecimenRecipe& recipe) {
-    Entry& entry = find({shape.name, recipe.seed, recipe.grains});
+    Entry& entry = find({shape.name, recipe.sizes.text(), recipe.seed, recipe.grains});
     const std::lock_guard lock(entry.mutex);
     if (!entry.state)
       entry.state = triaxial::frictionless_specimen(recipe).state;
@@ -341,7 +233,7 @@ class Packings {
     std::mutex mutex;
     std::optional<dem::Specimen> state;
   };
-  using Name = std::tuple<std::string, std::uint64_t, std::size_t>;
+  using Name = std::tuple<std::string, std::string, std::uint64_t, std::size_t>;
   Entry& find(const Name& name) {
     const std::lock_guard lock(mutex_);
     return entries_[name];
@@ -355,7 +247,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
   std::vector<Row> keys;
   std::size_t last_missing = 0;
   for (std::size_t k = 0; k < preparation.path.size(); ++k) {
-    keys.push_back(key(shape, preparation, seed, preparation.path[k], k));
+    keys.push_back(key(shape, preparation, seed, preparation.path[k], k, record.with_sizes()));
     if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(keys.back()))
       last_missing = k + 1;
   }
@@ -391,26 +283,30 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
     if (!frozen.at_rest()) {
       std::fprintf(stderr, "%s: not at rest, unbalanced force ratio %.2g\n",
-                   Record::key_of(keys[k].cells).c_str(), frozen.report.unbalanced_force_ratio);
+                   record.key_of(keys[k].cells).c_str(), frozen.report.unbalanced_force_ratio);
       continue;
     }
     Row row = keys[k];
-    describe(row, frozen.state(), specimen.material);
+    describe(row, frozen.state(), specimen.material, record.with_sizes());
     record.append(row);
-    std::fprintf(stderr, "%s\n", Record::key_of(row.cells).c_str());
+    std::fprintf(stderr, "%s\n", record.key_of(row.cells).c_str());
   }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4) {
-    std::fprintf(stderr, "usage: %s states.csv [threads [first letters of the preparations]]\n", argv[0]);
+  const std::string kind = argc > 1 ? argv[1] : "";
+  if (argc < 3 || argc > 5 || (kind != "equal" && kind != "unequal")) {
+    std::fprintf(stderr, "usage: %s equal|unequal FILE.csv [threads [first letters of the preparations]]\n",
+                 argv[0]);
     return 2;
   }
-  const std::string chosen = argc > 3 ? argv[3] : "";
-  const std::size_t threads = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-  constexpr std::uint64_t seeds_per_shape = 3;
+  const bool unequal = kind == "unequal";
+  const std::string chosen = argc > 4 ? argv[4] : "";
+  const std::size_t threads = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1;
+  const std::uint64_t seeds_per_shape = unequal ? 2 : 3;
+  const std::vector<Preparation> ways = unequal ? unequal_preparations() : preparations();
   struct Task {
     const Shape* shape;
     const Preparation* preparation;
@@ -419,12 +315,12 @@ int main(int argc, char** argv) {
   // Every shape and preparation once before any of them with a second seed. No two shapes share a seed.
   std::vector<Task> tasks;
   for (std::uint64_t round = 0; round < seeds_per_shape; ++round)
-    for (const Preparation& preparation : preparations())
+    for (const Preparation& preparation : ways)
       if (std::string(preparation.name).starts_with(chosen))
         for (std::size_t k = 0; k < shapes().size(); ++k)
           if (shapes()[k].fitted || preparation.unfitted_shapes)
-            tasks.push_back({&shapes()[k], &preparation, 100 * (k + 1) + round});
-  Record record(argv[1]);
+            tasks.push_back({&shapes()[k], &preparation, (unequal ? 1000 : 100) * (k + 1) + round});
+  Record record(argv[2], unequal);
   Packings packings;
   std::atomic<std::size_t> next = 0;
   const auto worker = [&] {

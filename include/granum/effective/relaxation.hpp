@@ -78,10 +78,13 @@ struct RelaxedEstimate {
 /// the calibration that could raise K above that of uniform strain, its upper bound: then all constants are
 /// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
+/// Unequal grains have G's factor of equal ones of a larger z*, by 0.48 v with v = <l^2>/<l>^2 - 1 of
+/// state.contacts, and errors that grow with sqrt(v): 6 % of G for C_u = 2, more beyond.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
-/// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none
+/// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none; a note where
+///           sqrt(v) exceeds 0.51, beyond C_u of about 4
 /// \throws   InvalidArgument as require_valid(State) and relaxation
 /// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.28.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation

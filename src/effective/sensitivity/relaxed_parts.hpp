@@ -22,7 +22,8 @@ struct RelaxingFactors {
 };
 
 /// Both factors at z* >= 0, r >= 0, 0 <= b <= 0.5, not checked.
-RelaxingFactors relaxing_factors(double z, double r, double b);
+/// \param    branch_variance   as the kernel's function of that name; 0 of equal grains
+RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance);
 
 /// ln of the stretch along the axis.
 struct Stretch {

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What validation/relaxation records of a packing at rest, and the file that it goes to.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <granum/analysis/measure.hpp>
+#include <granum/dem/specimen.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/packing/cell_work.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/force_moments.hpp>
+
+namespace relaxation {
+
+using namespace granum;
+
+inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; ///< k_t/k_n
+
+/// A row in the making: headings and cells side by side.
+struct Row {
+  std::string headings;
+  std::string cells;
+
+  void add(const std::string& heading, const std::string& cell) {
+    const char* comma = headings.empty() ? "" : ",";
+    headings += comma + heading;
+    cells += comma + cell;
+  }
+  void add(const std::string& heading, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", value);
+    add(heading, std::isnan(value) ? std::string() : std::string(text));
+  }
+};
+
+inline void add_stiffness(Row& row, const std::string& suffix, const elastic::VoigtStiffness& stiffness) {
+  const elastic::TransverselyIsotropic c = elastic::transversely_isotropic_projection(stiffness);
+  row.add("C11_" + suffix + "_Pa", c.C11);
+  row.add("C33_" + suffix + "_Pa", c.C33);
+  row.add("C12_" + suffix + "_Pa", c.C12);
+  row.add("C13_" + suffix + "_Pa", c.C13);
+  row.add("C44_" + suffix + "_Pa", c.C44);
+}
+
+inline std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// The packing stays; only the tangential stiffness of its elastic contacts is another.
+inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio) {
+  int iterations = 0;
+  double residual = 0;
+  network::Options options;
+  for (const double ratio : solved_ratios) {
+    for (packing::Contact& contact : assembly.contacts)
+      contact.tangential_stiffness = ratio * contact.normal_stiffness;
+    // Without tangential stiffness most of the packings are floppy: no use in insisting on ten digits.
+    options.iteration_limit = ratio > 0 ? 20000 : 1500;
+    const network::Response response = network::linear_response(assembly, options);
+    if (ratio > 0 && !response.converged())
+      throw std::runtime_error("a network did not converge");
+    add_stiffness(row, short_number(ratio), response.last_iterate());
+    if (ratio > 0) {
+      iterations = std::max(iterations, response.report().iterations);
+      residual = std::max(residual, response.report().residual);
+    } else {
+      row.add("residual_0", response.report().residual);
+    }
+  }
+  row.add("iterations", iterations);
+  row.add("residual", residual);
+
+  for (packing::Contact& contact : assembly.contacts)
+    contact.tangential_stiffness = own_ratio * contact.normal_stiffness;
+  const network::Response plain = network::linear_response(assembly);
+  add_stiffness(row, "affine", plain.affine());
+  options.prestress = true;
+  const network::Response stressed = network::linear_response(assembly, options);
+  const bool definite = stressed.converged();
+  const elastic::Matrix6& c = stressed.last_iterate().matrix;
+  row.add("C44_prestress_Pa", definite ? (c(3, 3) + c(4, 4)) / 2 : std::numeric_limits<double>::quiet_NaN());
+  row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
+}
+
+inline double mean_tangential_share(const packing::Assembly& assembly) {
+  double normal_sum = 0, tangential_sum = 0;
+  for (const packing::Contact& c : assembly.contacts) {
+    normal_sum += c.normal_force;
+    tangential_sum += norm(c.tangential_force);
+  }
+  return tangential_sum / normal_sum;
+}
+
+inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
+  const analysis::Measurement measured =
+      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
+  const analysis::Microstructure micro = measured.microstructure();
+  const packing::MechanicalCoordination frictionless =
+      mechanical_coordination(assembly, packing::ContactKind::frictionless);
+  const Mat3& stress = measured.stress.value().symmetric;
+  const packing::BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
+  const double b = material.law.stiffness_exponent();
+  row.add("C_n", micro.coordination_number);
+  row.add("z_star", micro.mechanical_coordination_number);
+  row.add("rattler_fraction", micro.rattler_fraction);
+  row.add("z_star_frictionless", frictionless.coordination_number);
+  row.add("rattler_fraction_frictionless", frictionless.rattler_fraction);
+  row.add("a", micro.fabric_anisotropy);
+  row.add("stress_v_Pa", stress(2, 2));
+  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
+  row.add("force_moment_b", normal_force_moment(assembly, b));
+  row.add("force_moment_2", normal_force_moment(assembly, 2));
+  row.add("force_moment_2_minus_b", normal_force_moment(assembly, 2 - b));
+  row.add("tangential_share", mean_tangential_share(assembly));
+  row.add("K_lower_Pa", bounds.lower);
+  row.add("K_upper_Pa", bounds.upper);
+}
+
+/// Sizes of the grains, and the means over contacts that closed forms take of them.
+inline void add_sizes(Row& row, const analysis::Sizes& sizes) {
+  row.add("C_u", sizes.gradation.uniformity());
+  row.add("R_m", sizes.equivalent);
+  row.add("branch", sizes.contacts.branch);
+  row.add("branch_square", sizes.contacts.branch_square);
+  row.add("pair_radius", sizes.contacts.pair_radius);
+  row.add("grain_volume", sizes.contacts.grain_volume);
+}
+
+/// What one row says of a frozen state.
+inline void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material, bool with_sizes) {
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
+  row.add("e", dem::void_ratio(frozen));
+  add_assembly(row, assembly, material);
+  add_networks(row, assembly, material.tangential_ratio);
+  if (with_sizes)
+    add_sizes(
+        row, analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio})
+                 .sizes);
+}
+
+/// The output file: which states it holds, and how another is added.
+class Record {
+ public:
+  /// \param    with_sizes   of the grains: one more column names a state, and the means over contacts follow
+  Record(const std::filesystem::path& path, bool with_sizes) : path_(path), with_sizes_(with_sizes) {
+    std::ifstream in(path);
+    std::string line, whole;
+    while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut: it is done again
+      whole += line + "\n";
+      done_.insert(key_of(line));
+    }
+    in.close();
+    std::ofstream(path) << whole;
+  }
+  [[nodiscard]] std::string key_of(const std::string& line) const {
+    std::size_t end = 0;
+    for (int field = 0; field < (with_sizes_ ? 7 : 6) && end != std::string::npos; ++field)
+      end = line.find(',', end + 1);
+    return line.substr(0, end);
+  }
+  [[nodiscard]] bool with_sizes() const { return with_sizes_; }
+  [[nodiscard]] bool has(const Row& row) {
+    const std::lock_guard lock(mutex_);
+    return done_.count(key_of(row.cells)) > 0;
+  }
+  void append(const Row& row) {
+    const std::lock_guard lock(mutex_);
+    std::ofstream out(path_, std::ios::app);
+    if (done_.empty())
+      out << row.headings << "\n";
+    out << row.cells << "\n";
+    done_.insert(key_of(row.cells));
+  }
+
+ private:
+  std::filesystem::path path_;
+  bool with_sizes_;
+  std::set<std::string> done_;
+  std::mutex mutex_;
+};
+
+} // namespace relaxation

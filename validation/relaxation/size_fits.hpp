@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What unequal grains add to the relaxation factors, fitted to unequal.csv with the factors of equal grains
+// given.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "coverage.hpp"
+#include "factor_fits.hpp"
+#include "scatter.hpp"
+
+namespace relaxation {
+
+struct SizeEffect {
+  double shift = 0;       ///< of z* in G over the relative variance of the lengths of branches
+  double shift_error = 0; ///< its standard error
+  Scatter shear, bulk;    ///< standard deviations over the root of that variance
+};
+
+/// What the fit to equal grains says: coefficients and both scatters.
+struct EqualFit {
+  ShearFit shear;
+  BulkFit bulk;
+  ScatterParts shear_scatter, bulk_scatter;
+};
+
+inline double branch_variance(const Packing& p) { return kernel::branch_variance(p.state.contacts); }
+
+/// G over that of the closed form, as equal grains of a shifted z* have it.
+template <class T, int n>
+T shifted_shear(const Packing& p, const Network& n_, const Numbers<T, n>& c, const T& shift) {
+  const T z = T(p.mechanical_coordination) + shift * branch_variance(p);
+  return kernel::shear_relaxation(z, T(n_.ratio), T(p.exponent()), c);
+}
+
+/// Isotropic states of usual contacts, which all fits and errors of this file are about.
+inline bool is_usual(const Packing& p, const Network& n) {
+  return p.isotropic() && n.ratio >= lowest_usual_ratio && p.relative_overlap < largest_overlap &&
+         p.mechanical_coordination >= 4.2;
+}
+
+/// The shift, beside what small specimens are stiffer than large ones, which the equal grains of the same
+/// file show.
+inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& equal, const Choice& chosen) {
+  using D = Dual<2>;
+  std::vector<Observation<2>> rows;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      if (is_usual(p, n) && chosen(p)) {
+        const auto model = [p, n,
+                            coefficients = kernel::constants<D>(equal.coefficients)](const Numbers<D, 2>& k) {
+          return D(log(shifted_shear<D, shear_size>(p, n, coefficients, k[0])) + k[1]);
+        };
+        rows.push_back({model, std::log(shear_factor(p, n)), 1, p.recipe});
+      }
+  return least_squares<2>(std::move(rows), {0.5, 0.01});
+}
+
+/// Error of ln G, and its slope by z*, with the shift.
+inline Residual shifted_shear_residual(const Packing& p, const Network& n, const ShearFit& equal,
+                                       double shift) {
+  Packing shifted = p;
+  shifted.mechanical_coordination += shift * branch_variance(p);
+  return shear_residual(shifted, n, equal);
+}
+
+/// What is left of errors beyond the scatter of equal grains, over the root of the variance of branches.
+/// Every recipe counts the same, and the more the more its grains differ.
+inline Scatter size_scatter(const std::vector<Residual>& residuals, const std::vector<double>& variances,
+                            const ScatterParts& equal, bool with_gain) {
+  std::map<std::string, double> counts;
+  for (const Residual& r : residuals)
+    counts[r.recipe] += 1;
+  std::vector<Deviation> deviations;
+  double left = 0, weights = 0;
+  for (std::size_t k = 0; k < residuals.size(); ++k) {
+    if (!(variances[k] > 0))
+      continue;
+    const Residual& r = residuals[k];
+    const double of_equal = deviation(equal, r.sensitivity);
+    const double squared = (r.error * r.error - of_equal * of_equal) / variances[k];
+    const double weight = variances[k] * variances[k] / counts.at(r.recipe);
+    deviations.push_back({squared, r.sensitivity * r.sensitivity, weight});
+    left += weight * squared;
+    weights += weight;
+  }
+  if (with_gain)
+    return most_likely_scatter(deviations);
+  return {std::sqrt(std::max(0.0, left / weights)), 0};
+}
+
+inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const EqualFit& equal,
+                                  const Choice& chosen) {
+  const Fit<2> shift = fit_shift(packings, equal.shear, chosen);
+  SizeEffect effect{.shift = shift.coefficients[0],
+                    .shift_error = std::sqrt(shift.covariance(0, 0)),
+                    .shear = {},
+                    .bulk = {}};
+  std::vector<Residual> G, K;
+  std::vector<double> variances;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      if (is_usual(p, n) && chosen(p)) {
+        G.push_back(shifted_shear_residual(p, n, equal.shear, effect.shift));
+        K.push_back(bulk_residual(p, n, equal.bulk));
+        variances.push_back(branch_variance(p));
+      }
+  effect.shear = size_scatter(G, variances, equal.shear_scatter, true);
+  effect.bulk = size_scatter(K, variances, equal.bulk_scatter, false);
+  return effect;
+}
+
+/// Errors of the chosen packings against what they are stated to be.
+inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const EqualFit& equal,
+                                  const SizeEffect& effect, const Choice& chosen) {
+  CoverageOfBoth all;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks) {
+      if (!is_usual(p, n) || !chosen(p) || p.mechanical_coordination < lowest_usual_coordination)
+        continue;
+      const double variance = branch_variance(p), root = std::sqrt(variance);
+      const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
+      const Residual K = bulk_residual(p, n, equal.bulk);
+      const double shear =
+          std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
+                     deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
+      const double by_shift =
+          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, variance * effect.shift_error);
+      all.shear.add(G.error, std::hypot(shear, by_shift));
+      all.bulk.add(K.error,
+                   std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
+                              deviation(equal.bulk_scatter, K.sensitivity), root * effect.bulk.base));
+    }
+  return all;
+}
+
+/// Each value of a label left out of the fit of the sizes in turn: what a fit to the others states of it.
+template <class Label>
+CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings, const EqualFit& equal,
+                                          const Label& label) {
+  std::set<std::string> names;
+  for (const Packing& p : packings)
+    if (p.isotropic() && p.sizes != "equal")
+      names.insert(label(p));
+  CoverageOfBoth all;
+  for (const std::string& name : names) {
+    const SizeEffect effect =
+        fit_size_effect(packings, equal, [&](const Packing& p) { return label(p) != name; });
+    const CoverageOfBoth here = coverage_of(
+        packings, equal, effect, [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
+    print_coverage("  without " + name, here);
+    all.shear.add(here.shear);
+    all.bulk.add(here.bulk);
+  }
+  print_coverage("left out, together", all);
+  return all;
+}
+
+} // namespace relaxation
