@@ -29,8 +29,8 @@ inline double branch_variance(const sizes::ContactMeans& means) {
   return variance > 0 ? variance : 0;
 }
 
-/// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than their
-/// mean number of contacts tells. K shows no such shift.
+/// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
+/// their mean number of contacts tells. K shows no such shift.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
   return z + size_shift * variance;
