@@ -61,10 +61,10 @@ constexpr std::uint64_t first_seed = 11, last_seed = 12;
 
 triaxial::SpecimenRecipe recipe(const Case& c, std::uint64_t seed, std::size_t grains) {
   return {
-      .material = {.law = relaxation::detail::law(c.contact),
+      .material = {.law = relaxation::detail::law(c.contact, ladder::grain_radius),
                    .tangential_ratio = ladder::tangential_ratio,
                    .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient()},
-      .radius = 0.5e-3,
+      .radius = ladder::grain_radius,
       .grains = grains,
       .seed = seed,
       .first_pressure = 10 * kPa};

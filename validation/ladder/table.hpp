@@ -18,6 +18,8 @@
 
 namespace ladder {
 
+inline constexpr double grain_radius = 0.5e-3; ///< [m]
+
 using granum::Measured;
 using granum::effective::KnownPacking;
 using granum::effective::State;
@@ -69,9 +71,9 @@ inline constexpr double tangential_ratio = 0.918918918918919;
 /// What the ladder is told of a packing.
 inline KnownPacking known_packing(const Specimen& s, const std::string& known) {
   const bool all = known == "all";
-  KnownPacking packing{.state = {.law = relaxation::detail::law(s.contact),
+  KnownPacking packing{.state = {.law = relaxation::detail::law(s.contact, grain_radius),
                                  .tangential_ratio = tangential_ratio,
-                                 .radius = 0.5e-3,
+                                 .radius = grain_radius,
                                  .void_ratio = s.void_ratio,
                                  .coordination_number = s.C_n,
                                  .fabric_anisotropy = all ? s.a : 0,
