@@ -225,6 +225,10 @@ set_tests_properties("cli: hostile files" PROPERTIES LABELS cli)
 add_test(NAME "cli: analyse: 10,000 grains of LAMMPS" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
   "-DDATA=${PROJECT_SOURCE_DIR}/examples/data" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_real_packing.cmake")
 set_tests_properties("cli: analyse: 10,000 grains of LAMMPS" PROPERTIES LABELS slow)
+add_test(NAME "cli: analyse: the same with any number of threads" COMMAND "${CMAKE_COMMAND}"
+  "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DDATA=${PROJECT_SOURCE_DIR}/examples/data"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analyse_threads.cmake")
+set_tests_properties("cli: analyse: the same with any number of threads" PROPERTIES LABELS cli)
 
 # Unequal grains of LAMMPS (validation/sizes): what the closed forms take of them is counted, and said.
 set(unequal "${PROJECT_SOURCE_DIR}/validation/sizes/lognormal_dense")

@@ -13,6 +13,8 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/options/study_options.hpp"
+#include "studies/scene/scene.hpp"
 
 namespace granum::cli {
 
@@ -214,6 +216,8 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
   analysis::Wanted wanted = analysis::everything();
   if (o.no_network)
     wanted.network.reset();
+  else
+    wanted.network->threads = studies::thread_count(o.threads.value_or(0));
   MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
                          parse_window(o.window, o.depth)};
   return options;
@@ -276,6 +280,8 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->transform(one_of({"name", "all"}))
       ->capture_default_str();
   command.add_flag("--no-network", o.no_network, "Leave rung 4 and its 6x6 out, which take the time");
+  add_count(command, "--threads", o.threads,
+            "That solve the 6x6, by default one for each core; the results do not depend on it");
   command.add_flag("--json", o.json, "Print one JSON object, SI units");
   command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
   auto* out =
@@ -287,7 +293,8 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
   in_group(command, grains_group, {"--grain-density", "--friction-angle", "--material"});
   in_group(command, law_group, {"--tangential-ratio"});
   in_group(command, "Files", {"--frames", "--series", "--column-map", "--box", "--stress"});
-  in_group(command, "What is measured", {"--window", "--depth", "--no-network", "--stiffness-from"});
+  in_group(command, "What is measured",
+           {"--window", "--depth", "--no-network", "--threads", "--stiffness-from"});
   in_group(command, output_group, {"--json", "--strict", "--out", "--force", "--paraview"});
 }
 

@@ -30,6 +30,7 @@ struct AnalyseOptions {
   std::vector<std::string> stress; ///< one a frame, or the name of a file of them
   std::string stiffness_from;
   std::vector<std::string> materials; ///< one a type
+  std::optional<std::size_t> threads;
   std::string window;
   std::string depth;
   bool no_network = false;

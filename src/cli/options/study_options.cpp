@@ -11,8 +11,6 @@
 
 namespace granum::cli {
 
-namespace {
-
 void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
                const std::string& help) {
   const auto take = [name, &target](const long long& value) {
@@ -22,8 +20,6 @@ void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t
   };
   app.add_option_function<long long>(name, take, help)->type_name("N");
 }
-
-} // namespace
 
 void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command) {
   add_path(app, "--scene", options.scene_file, "TOML file; without it the paper's six specimens")

@@ -26,6 +26,10 @@ struct StudyOptions {
   std::optional<std::size_t> threads;
 };
 
+/// An option that takes a number of things, 0 or more.
+void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
+               const std::string& help);
+
 void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command);
 
 /// The options by which they say where results go.

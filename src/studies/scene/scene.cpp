@@ -19,9 +19,11 @@ std::string_view name(triaxial::Density density) {
   return density == triaxial::Density::dense ? "dense" : "loose";
 }
 
-std::size_t thread_count(const Scene& scene) {
-  return scene.study.threads > 0 ? scene.study.threads : std::max(1U, std::thread::hardware_concurrency());
+std::size_t thread_count(std::size_t asked) {
+  return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
 }
+
+std::size_t thread_count(const Scene& scene) { return thread_count(scene.study.threads); }
 
 double tangential_ratio(const Scene& scene) {
   return scene.contact.tangential_ratio ? contact::given_stiffness_ratio(*scene.contact.tangential_ratio)

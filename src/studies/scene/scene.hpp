@@ -92,7 +92,9 @@ void require_valid(const Scene& scene);
 ///           the periodic cell alone
 void require_periodic_cell(const Scene& scene);
 
-/// scene.study.threads, or the number of cores where that is 0.
+/// So many threads as asked for, or as the machine has cores where that is 0.
+[[nodiscard]] std::size_t thread_count(std::size_t asked);
+/// The same of scene.study.threads.
 [[nodiscard]] std::size_t thread_count(const Scene& scene);
 
 /// k_t/k_n as the scene says, or Mindlin's of its grains [1].
