@@ -253,21 +253,36 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
                     .width = 360,
                     .height = 300,
                     .legend_below = true};
-  plot::Series forms{
-      .name = "closed form, \u00b1 stated error", .mark = plot::Mark::marker, .x = {}, .y = {}, .style = 0};
+  plot::Series strained{.name = "uniform strain, \u00b1 stated error",
+                        .mark = plot::Mark::marker,
+                        .x = {},
+                        .y = {},
+                        .style = 1,
+                        .colour = plot::Colour::uniform_strain};
+  plot::Series relaxed{.name = "relaxed, \u00b1 stated error",
+                       .mark = plot::Mark::marker,
+                       .x = {},
+                       .y = {},
+                       .style = 0,
+                       .colour = plot::Colour::closed_form};
   for (const RungResult& rung : frame.rungs) {
     const std::optional<int> at = rung_number(rung);
     if (!at || !rung.moduli || rung.name == network_name)
       continue;
+    plot::Series& forms =
+        rung.name == effective::rung(effective::RungName::relaxed).column ? relaxed : strained;
     forms.x.push_back(*at);
     forms.y.push_back(rung.moduli->G);
     forms.y_error.push_back(rung.relative_error ? rung.relative_error->G_vh * rung.moduli->G : 0);
   }
-  chart.finding = "G of rungs 0 to 3:";
-  for (std::size_t k = 0; k < forms.y.size(); ++k)
-    chart.finding += (k == 0 ? " " : ", ") + megapascal(forms.y[k]);
-  if (!forms.x.empty())
-    chart.series.push_back(std::move(forms));
+  std::string answers;
+  for (plot::Series* forms : {&strained, &relaxed}) {
+    for (const double G : forms->y)
+      answers += (answers.empty() ? " " : ", ") + megapascal(G);
+    if (!forms->x.empty())
+      chart.series.push_back(std::move(*forms));
+  }
+  chart.finding = "G of rungs 0 to 3:" + answers;
   if (const RungResult* network = find_rung(frame, network_name)) {
     const double G = network->moduli->G;
     chart.series.push_back({.name = "this network, rung 4",
