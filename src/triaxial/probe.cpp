@@ -82,10 +82,12 @@ struct Probed {
 /// the drag of the waves they creep for tens of thousands of steps; adaptive drag becomes small enough for
 /// them. But while a rattler is being squeezed out, adaptive drag nearly vanishes and no grain comes to rest.
 /// Then the second stage runs, which also ends when the stress settles.
-dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag,
+/// \param    adaptive_steps  of the first stage, at most
+dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag, std::size_t adaptive_steps,
                                     const dem::QuasistaticOptions& relax) {
   dem::QuasistaticOptions forces_alone = relax;
   forces_alone.settled_stress = 0;
+  forces_alone.max_steps = adaptive_steps;
   const dem::QuasistaticReport first = dem::deform(engine, Mat3{}, 0, forces_alone);
   engine.set_damping(wave_drag);
   if (first.converged())
@@ -108,8 +110,10 @@ Probed at_rest(const dem::Specimen& state, const dem::Material& material, const 
   const double amplitude = options.amplitude > 0 ? options.amplitude : chosen_amplitude(engine);
   relax.settled_stress = options.settled_share * amplitude * engine.figures().p_wave_modulus;
   relax.settle_steps = spell(engine);
-  dem::QuasistaticReport start = options.sliding ? dem::deform(engine, Mat3{}, 0, relax)
-                                                 : come_to_rest(engine, drag(engine, state), relax);
+  dem::QuasistaticReport start =
+      options.sliding
+          ? dem::deform(engine, Mat3{}, 0, relax)
+          : come_to_rest(engine, drag(engine, state), std::min<std::size_t>(options.max_steps, 10000), relax);
   return {std::move(engine), std::move(relax), start, amplitude};
 }
 
@@ -176,11 +180,12 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
 
 FrozenState frozen_once(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                         const StopRequest& stop_requested) {
+  constexpr std::size_t most_steps = 20000; // of each stage
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen{.last_state = {}, .report = {}, .force_tolerance = force_tolerance};
   frozen.report = come_to_rest(
-      engine, drag(engine, state),
-      {.force_tolerance = force_tolerance, .max_steps = 20000, .stop_requested = stop_requested});
+      engine, drag(engine, state), most_steps,
+      {.force_tolerance = force_tolerance, .max_steps = most_steps, .stop_requested = stop_requested});
   if (frozen.report.outcome == dem::Outcome::stopped)
     throw Stopped();
   engine.rest();

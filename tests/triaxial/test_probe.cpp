@@ -45,12 +45,22 @@ dem::Specimen compressed(const SpecimenRecipe& recipe, Density density, double p
 } // namespace
 
 TEST_CASE("probe and network agree on packings of unequal grains") {
-  for (const char* sizes : {"lognormal:0.3", "bidisperse:2.5:0.2"}) {
+  const struct {
+    const char* sizes;
+    Density density;
+    std::uint64_t seed;
+  } specimens[] = {{"lognormal:0.3", Density::dense, 5},
+                   {"bidisperse:2.5:0.2", Density::dense, 5},
+                   {"lognormal:0.35", Density::loose, 3},
+                   {"bidisperse:2.5:0.2", Density::loose, 3}};
+  for (const auto& [sizes, density, seed] : specimens) {
     CAPTURE(sizes);
+    CAPTURE(density == Density::loose);
     SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
     recipe.sizes = sizes::parse_distribution(sizes);
     recipe.grains = least_grains(recipe.sizes);
-    const FrozenState frozen = freeze_in_place(compressed(recipe, Density::dense, 40e3), recipe.material);
+    recipe.seed = seed;
+    const FrozenState frozen = freeze_in_place(compressed(recipe, density, 40e3), recipe.material);
     const packing::Assembly assembly = dem::contact_network(frozen.state(), recipe.material);
     const elastic::Matrix6 relaxed = network::linear_response(assembly).relaxed().matrix;
     CHECK(probe(frozen.state(), recipe.material, ShearMode::hh).shear_modulus() ==

@@ -40,7 +40,8 @@ struct ProbeOptions {
   /// that does not relax [1]: among many grains some rattler always moves. The steady creep that this leaves
   /// is taken off, unless contacts may slide. 0: only forces count.
   double settled_share = 3e-5;
-  std::size_t max_steps = 10000; ///< of each leg
+  /// Of each leg. Hundreds do in dense packings; soft modes of loose ones of unequal grains may take 20,000.
+  std::size_t max_steps = 50000;
   StopRequest stop_requested = {};
 };
 
