@@ -161,7 +161,8 @@ dem::Specimen specimen_of(const packing::Assembly& packing, double radius) {
 }
 
 /// Probes by granum's own engine of the very states that LAMMPS probed. In loose specimens contacts that
-/// barely touch open, with LAMMPS's strain of 3e-4 of the mean overlap more of them than with granum's of 3e-5.
+/// barely touch open, with LAMMPS's strain of 3e-4 of the mean overlap more of them than with granum's own
+/// of 3e-5.
 void check_own_probes(const fs::path& folder, const studies::Scene& scene, triaxial::Density density,
                       const States& probed) {
   const double limit = density == triaxial::Density::dense ? 0.005 : 0.02;
