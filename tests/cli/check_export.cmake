@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A deck for LAMMPS is whole, is kept without --force, and comes out the same again with it:
-#   cmake -DPROGRAM=... -DSTART=packed -DFOLDER=... -P check_export.cmake
+#   cmake -DPROGRAM=... -DSTART=packed -DGRAINS=60 -DSIZES=equal -DFOLDER=... -P check_export.cmake
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/study_files.cmake")
 
 macro(run)
   execute_process(
-    COMMAND "${PROGRAM}" export lammps --grains 60 --set study.contacts=sphere --set study.pressures=10kPa,20kPa,40kPa
+    COMMAND "${PROGRAM}" export lammps --grains ${GRAINS} --set grain.sizes=${SIZES} --set study.contacts=sphere --set study.pressures=10kPa,20kPa,40kPa
       --set study.probe_pressures=20kPa --start ${START} --out "${FOLDER}" --json ${ARGN}
     RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 endmacro()
@@ -45,9 +45,21 @@ foreach(file dense-1/in.all loose-1/in.all dense-1/grains.data loose-1/manifest.
   endif()
 endforeach()
 file(STRINGS "${FOLDER}/loose-1/scene.lmp" start REGEX "^variable start index ${START} ")
-file(STRINGS "${FOLDER}/dense-1/grains.data" atoms REGEX "^60 atoms$")
+file(STRINGS "${FOLDER}/dense-1/grains.data" atoms REGEX "^${GRAINS} atoms$")
 if(NOT (start AND atoms))
   fail("the deck is of another scene")
+endif()
+# Rows of grains: id, type, diameter, density, place.
+file(STRINGS "${FOLDER}/dense-1/grains.data" rows REGEX "^[0-9]+ 1 [0-9.e-]+ ")
+set(diameters "")
+foreach(row IN LISTS rows)
+  string(REGEX REPLACE "^[0-9]+ 1 ([0-9.e-]+) .*" "\\1" diameter "${row}")
+  list(APPEND diameters "${diameter}")
+endforeach()
+list(REMOVE_DUPLICATES diameters)
+list(LENGTH diameters different)
+if((SIZES STREQUAL equal AND NOT different EQUAL 1) OR (NOT SIZES STREQUAL equal AND NOT different EQUAL GRAINS))
+  fail("${different} diameters of ${GRAINS} grains, ${SIZES}")
 endif()
 hash_of_deck(before)
 

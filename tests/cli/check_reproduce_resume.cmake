@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A run that is killed (SIGKILL) again and again, and resumed each time, ends with the same bytes as one that nothing
-# interrupted:
-#   cmake -DPROGRAM=... -DFOLDER=... -DKILLER=<library kill_at_rename> -P check_reproduce_resume.cmake
+# A run of two threads that is killed (SIGKILL) again and again, and resumed each time, ends with the same bytes as one of
+# one thread that nothing interrupted:
+#   cmake -DPROGRAM=... -DFOLDER=... -DKILLER=<library kill_at_rename> [-DSIZES=lognormal:0.25] -P check_reproduce_resume.cmake
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/reproduce_runs.cmake")
 find_program(env_program env REQUIRED)
@@ -10,7 +10,7 @@ run_whole("${FOLDER}/whole")
 
 set(resumed "${FOLDER}/resumed")
 file(REMOVE_RECURSE "${resumed}")
-set(start reproduce ${scene} --out "${resumed}")
+set(start reproduce ${scene} --threads 2 --out "${resumed}")
 set(kills 0)
 # Each round is killed later: after its first file, before its second, after its second ...
 foreach(round RANGE 1 40)
@@ -25,7 +25,7 @@ foreach(round RANGE 1 40)
   endif()
   math(EXPR kills "${kills} + 1")
   if(EXISTS "${resumed}/scene.toml")
-    set(start reproduce --resume "${resumed}")
+    set(start reproduce --threads 2 --resume "${resumed}")
   endif()
 endforeach()
 # Begun anew in the folder of an unfinished run: that it can be gone on with is said, and nothing is touched.
@@ -42,6 +42,10 @@ if(kills LESS 5)
   fail("the run was killed ${kills} times only")
 endif()
 require_same_results("${FOLDER}/whole" "${resumed}")
+file(STRINGS "${FOLDER}/whole/scene.toml" sizes REGEX "^sizes = ")
+if(SIZES AND NOT sizes STREQUAL "sizes = \"${SIZES}\"")
+  fail("the grains were not ${SIZES}: ${sizes}")
+endif()
 
 # A finished run writes its tables again.
 file(REMOVE "${resumed}/states.csv")

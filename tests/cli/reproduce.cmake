@@ -20,14 +20,24 @@ granum_cli_test("reproduce: folder that is a file" EXIT 3 STDERR "^granum: error
   ARGS reproduce --out isotropic.csv)
 granum_cli_test("reproduce: help lists the keys" EXIT 0
   STDOUT "--paper.*--resume.*Keys of scenes and of --set:.*shear\\.paths .*shear\\.probe_eta_step " ARGS reproduce --help)
+granum_cli_test("reproduce: the note on sizes stands in the manifest" EXIT 0 STDERR "^granum: note: grain\\.sizes span 1:6: [^\n]*\n$"
+  JSON "notes/0=^grain\\.sizes span 1:6: "
+  ARGS reproduce --grains 60 --set grain.sizes=uniform:1:6 --set study.contacts=sphere --set study.densities=dense
+    --set study.pressures=25kPa,50kPa,100kPa --set study.probe_pressures= --set shear.paths=TXC
+    --set shear.inertial_number=1e-3 --set shear.largest_strain=0.001 --set shear.strain_step=0.0005 --set shear.probe_eta_step=0
+    --set shear.loop_strain=0 --json --force --out "${CMAKE_CURRENT_BINARY_DIR}/reproduce note")
 
 # runs that write, in folders of their own
 add_library(granum_kill_at_rename MODULE kill_at_rename.cpp)
 granum_compile_settings(granum_kill_at_rename)
 target_link_libraries(granum_kill_at_rename PRIVATE ${CMAKE_DL_LIBS})
-foreach(what resume disk)
-  add_test(NAME "cli: reproduce: ${what}"
-    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reproduce ${what}" "-DKILLER=$<TARGET_FILE:granum_kill_at_rename>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reproduce_${what}.cmake")
-  set_tests_properties("cli: reproduce: ${what}" PROPERTIES LABELS cli)
-endforeach()
+# granum_reproduce_test(<name> <check> <definition>...)
+function(granum_reproduce_test name check)
+  add_test(NAME "cli: reproduce: ${name}"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reproduce ${name}"
+      "-DKILLER=$<TARGET_FILE:granum_kill_at_rename>" ${ARGN} -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reproduce_${check}.cmake")
+  set_tests_properties("cli: reproduce: ${name}" PROPERTIES LABELS cli)
+endfunction()
+granum_reproduce_test("resume" resume)
+granum_reproduce_test("resume, unequal grains" resume -DSIZES=lognormal:0.25)
+granum_reproduce_test("disk" disk)

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the checks of interrupted runs of `granum reproduce` share.
+# What the checks of interrupted runs of `granum reproduce` share. SIZES may name those of the grains, as grain.sizes.
 set(scene --grains 150 --set study.contacts=sphere --set study.densities=dense --set study.pressures=25kPa,50kPa,100kPa
   --set study.probe_pressures= --set shear.paths=TXC,RTXE --set shear.inertial_number=5e-4
   --set shear.largest_strain=0.002 --set shear.strain_step=0.0005)
+if(SIZES)
+  list(APPEND scene --set grain.sizes=${SIZES})
+endif()
 
 function(fail message)
   message(FATAL_ERROR "${message}\nexit code ${code}\n${out}\n${err}")
 endfunction()
 
-# The results of a run that nothing interrupted. What few grains say differs from the paper, which is no failure.
+# The results of a run of one thread that nothing interrupted. What few grains say differs from the paper, which is no failure.
 macro(run_whole folder)
   file(REMOVE_RECURSE "${folder}")
-  execute_process(COMMAND "${PROGRAM}" reproduce ${scene} --out "${folder}"
+  execute_process(COMMAND "${PROGRAM}" reproduce ${scene} --threads 1 --out "${folder}"
     RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT code EQUAL 0 OR NOT err STREQUAL "")
     fail("a whole run must end with 0 and say nothing on standard error")

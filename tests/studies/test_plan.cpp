@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 #include "relative.hpp"
 
@@ -63,6 +64,23 @@ TEST_CASE("a plan counts what a study runs") {
   CHECK(planned.grain_steps == total_work(scene));
   CHECK(planned.seconds_per_grain_step == speed);
   CHECK(planned.memory > 0);
+}
+
+TEST_CASE("unequal grains take longer to pack, and as long as equal ones from there on") {
+  Scene equal, unequal;
+  unequal.grain.sizes = sizes::parse_distribution("lognormal:0.35");
+  CHECK(preparation_work(unequal) > 1.8 * preparation_work(equal)); // measured: 1.8 and 2.4
+  CHECK(preparation_work(unequal) < 2.4 * preparation_work(equal));
+  CHECK(specimen_work(unequal, Density::loose, Shape::sphere) ==
+        specimen_work(equal, Density::loose, Shape::sphere));
+  const Plan planned = plan(unequal, speed);
+  CHECK(planned.packings == 3);
+  CHECK(planned.grain_steps == total_work(unequal));
+  CHECK(planned.memory == plan(equal, speed).memory);
+  unequal.study.grains = 293; // the cell would be narrower than four of the largest
+  CHECK_THROWS_WITH_AS((void)plan(unequal, speed), doctest::Contains("outside [294, 1e7]"), InvalidArgument);
+  unequal.study.grains = 294;
+  CHECK(std::isfinite(measured_speed(unequal)));
 }
 
 TEST_CASE("the predicted time shares the work among threads, no more than there are packings") {

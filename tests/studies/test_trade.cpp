@@ -7,6 +7,7 @@
 #include "studies/verify/findings.hpp"
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 #include "relative.hpp"
 
@@ -41,12 +42,17 @@ const std::vector<TradeSample>& small_study() {
   return samples;
 }
 
-std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
+std::vector<TradeSample> of(const std::vector<TradeSample>& samples, Varied varied, double value,
+                            Boundary boundary = Boundary::periodic) {
   std::vector<TradeSample> found;
-  std::copy_if(
-      small_study().begin(), small_study().end(), std::back_inserter(found),
-      [&](const TradeSample& s) { return s.varied == varied && s.value == value && s.boundary == boundary; });
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(found), [&](const TradeSample& s) {
+    return s.varied == varied && s.value == value && s.boundary == boundary;
+  });
   return found;
+}
+
+std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
+  return of(small_study(), varied, value, boundary);
 }
 
 /// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three quantities;
@@ -71,10 +77,10 @@ void check_that_it_is_whole() {
   }
 }
 
-void check_against_verify() {
-  const std::vector<SpecimenResult> study = run_study(small_trade().scene);
-  const std::vector<ExponentRow> rows = exponents(small_trade().scene, {study.front()});
-  const std::vector<TradeSample> samples = of(Varied::grains, 100);
+/// Samples of specimens as they are by default, against the states of verify, to the bit.
+void check_against_verify(const Scene& scene, const std::vector<TradeSample>& samples) {
+  const std::vector<SpecimenResult> study = run_study(scene);
+  const std::vector<ExponentRow> rows = exponents(scene, {study.front()});
   REQUIRE(samples.size() == study.size());
   for (std::size_t k = 0; k < samples.size(); ++k)
     for (std::size_t stage = 0; stage < 3; ++stage) {
@@ -123,10 +129,42 @@ void check_probes_and_walls() {
 TEST_CASE("a trade study has every value of every varied quantity, whole, and knows what each cost") {
   check_that_it_is_whole();
   // A default specimen is that of granum verify, to the bit, and the same at the default of every quantity.
-  check_against_verify();
+  check_against_verify(small_trade().scene, of(Varied::grains, 100));
   check_defaults();
   // Probe and network agree; walls are softer.
   check_probes_and_walls();
+}
+
+TEST_CASE(
+    "a trade study of unequal grains is that of verify too, with numbers of grains that their sizes allow") {
+  TradeScene trade = small_trade();
+  trade.scene.grain.sizes = sizes::parse_distribution("lognormal:0.35");
+  trade.scene.study.grains = 300;
+  trade.compression = {1e-3};
+  trade.shear = {2e-3};
+  trade.time_step = {0.8};
+  CHECK_THROWS_AS(require_valid(trade), InvalidArgument); // 60 and 100 grains, and 100 between walls
+  trade = with_enough_grains(trade);
+  CHECK(trade.grains == std::vector<std::size_t>{294});
+  CHECK(trade.walls == std::vector<std::size_t>{294});
+  trade.grains.push_back(300);
+  const std::vector<TradeSample> samples = run_trade(trade);
+  for (const TradeSample& sample : samples)
+    CHECK(sample.failure == "");
+  check_against_verify(trade.scene, of(samples, Varied::grains, 300));
+  const std::vector<TradeSample> probes = of(samples, Varied::probe, 1e-4),
+                                 networks = of(samples, Varied::probe, 0);
+  REQUIRE(probes.size() == 2);
+  for (std::size_t k = 0; k < probes.size(); ++k)
+    for (std::size_t stage = 0; stage < 3; ++stage) // as for equal grains
+      CHECK(probes[k].shear_modulus[stage] == relative(networks[k].shear_modulus[stage], 0.01));
+  CHECK(of(samples, Varied::boundary, 294, Boundary::rough_walls).size() == 2);
+  CHECK(of(samples, Varied::grains, 294).front().peak_ratio.has_value());
+}
+
+TEST_CASE("a trade study of equal grains keeps its numbers of grains") {
+  CHECK(with_enough_grains(quick_trade()).grains == quick_trade().grains);
+  CHECK(with_enough_grains(full_trade()).walls == full_trade().walls);
 }
 
 TEST_CASE("a trade study gives the same bits with any number of threads") {

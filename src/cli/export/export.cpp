@@ -120,7 +120,7 @@ void prepare_folders(studies::Scene scene, const Options& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
   Options small = options;
   small.start = "scattered";
-  scene.study.grains = 40;
+  scene.study.grains = triaxial::least_grains(scene.grain.sizes);
   const std::vector<io::DeckFile> deck = deck_of(scene, specimens.front(), small);
   std::vector<const char*> names;
   for (const io::DeckFile& file : deck)

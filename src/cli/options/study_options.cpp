@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_options.hpp"
 
+#include "studies/plan/size_cost.hpp"
 #include <CLI/CLI.hpp>
 #include <granum/core/error.hpp>
 
@@ -50,6 +51,17 @@ void add_result_options(CLI::App& app, ResultOptions& options, const std::string
 void add_strict_scene(CLI::App& app, bool& strict) {
   app.add_flag("--strict", strict, "Do not begin (exit code 4) where a key of the scene is likely a slip");
   in_group(app, output_group, {"--strict"});
+}
+
+void say_cost_of_sizes(const studies::Scene& scene) {
+  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
+    say("note", cost);
+}
+
+nlohmann::ordered_json with_cost_of_sizes(nlohmann::ordered_json json, const studies::Scene& scene) {
+  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
+    json["notes"] = {cost};
+  return json;
 }
 
 bool refuses(const Validity& slips, bool strict) {

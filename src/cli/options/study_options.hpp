@@ -56,6 +56,12 @@ void add_result_options(CLI::App& app, ResultOptions& options, const std::string
 /// --strict of a command that compares with nothing: it does not begin where a key is likely a slip.
 void add_strict_scene(CLI::App& app, bool& strict);
 
+/// Says on standard error, as a note, what grains of widely different sizes cost (studies::cost_of_sizes).
+void say_cost_of_sizes(const studies::Scene& scene);
+/// The JSON object with that note in "notes", where there is one.
+[[nodiscard]] nlohmann::ordered_json with_cost_of_sizes(nlohmann::ordered_json json,
+                                                        const studies::Scene& scene);
+
 /// Says what in a scene is possible, but likely a slip, before any work is done.
 /// \return   true where that ends the command, with exit code not_converged: under strict
 [[nodiscard]] bool refuses(const Validity& slips, bool strict);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 
 #include "studies/plan/plan.hpp"
@@ -39,14 +40,16 @@ Rule rule_of(const studies::Scene& scene, triaxial::Density density, double erro
   const studies::ErrorLaw& modulus = dense ? laws.dense_modulus : laws.loose_modulus;
   const studies::ErrorLaw& exponent = dense ? laws.dense_exponent : laws.loose_exponent;
   const double inertial_number = triaxial::compression_options().inertial_number;
+  studies::Recipe recipe = studies::recipe_for(modulus, error, scene.study.seeds);
+  recipe.grains = std::max(recipe.grains, triaxial::least_grains(scene.grain.sizes));
   return {studies::expected_error(modulus, scene.study.grains, scene.study.seeds, inertial_number),
-          studies::expected_error(exponent, scene.study.grains, scene.study.seeds, inertial_number),
-          studies::recipe_for(modulus, error, scene.study.seeds), modulus.size.smallest,
-          modulus.size.largest};
+          studies::expected_error(exponent, scene.study.grains, scene.study.seeds, inertial_number), recipe,
+          modulus.size.smallest, modulus.size.largest};
 }
 
 std::string rule_lines(const Options& options, const studies::Scene& scene) {
-  std::string text = "errors that size, seeds and rate leave, by the laws of validation/trade (spheres):\n";
+  std::string text =
+      "errors that size, seeds and rate leave, by the laws of validation/trade (equal spheres):\n";
   for (const triaxial::Density density : scene.study.densities) {
     const Rule rule = rule_of(scene, density, options.error);
     text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {} (measured "
@@ -61,8 +64,9 @@ std::string rule_lines(const Options& options, const studies::Scene& scene) {
 
 ExitCode run(const Options& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
+  say_cost_of_sizes(scene);
   const studies::Plan plan = studies::plan(scene, studies::measured_speed(scene));
-  nlohmann::ordered_json json = json_head("plan");
+  nlohmann::ordered_json json = with_cost_of_sizes(json_head("plan"), scene);
   json["scene"] = json_of(scene);
   json["packings"] = plan.packings;
   json["specimens"] = plan.specimens;

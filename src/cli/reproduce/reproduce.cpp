@@ -120,6 +120,7 @@ ExitCode run(const Options& options) {
   if (anew && refuses(likely_mistakes(scene), options.strict))
     return ExitCode::not_converged;
   const Place place = anew ? new_place(options, scene) : old_place(options);
+  say_cost_of_sizes(place.scene);
   const fs::path checkpoints = place.folder / checkpoints_name;
   fs::create_directories(checkpoints);
   studies::Experiment experiment;
@@ -135,8 +136,8 @@ ExitCode run(const Options& options) {
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
   const RunFigures figures{.seconds = seconds_since(start), .resumed = !anew};
-  const nlohmann::ordered_json manifest =
-      with_warnings(manifest_of(experiment, verdicts, figures), likely_mistakes(place.scene));
+  const nlohmann::ordered_json manifest = with_cost_of_sizes(
+      with_warnings(manifest_of(experiment, verdicts, figures), likely_mistakes(place.scene)), place.scene);
   write_results(place.folder, experiment, verdicts, manifest);
   options.results.print(report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
                             place.folder.string() + "\n",

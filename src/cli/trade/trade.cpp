@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "studies/plan/plan.hpp"
 #include "studies/trade/trade.hpp"
@@ -62,6 +63,7 @@ studies::TradeScene scene_of(const Options& options) {
   if (options.budget)
     trade.grains = studies::full_trade().grains;
   trade.scene = resolve(options.study, studies::SceneCommand::trade, trade.scene);
+  trade = studies::with_enough_grains(std::move(trade));
   studies::require_valid(trade);
   if (options.budget)
     return studies::within_budget(trade, *options.budget, studies::measured_speed(trade.scene));
@@ -91,7 +93,8 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
   json["threads_used"] = studies::thread_count(outcome.trade.scene);
   json["rows"] = json_of(outcome.rows);
   json["laws"] = json_of(studies::laws_of(outcome.rows));
-  return with_warnings(std::move(json), likely_mistakes(outcome.trade.scene));
+  return with_cost_of_sizes(with_warnings(std::move(json), likely_mistakes(outcome.trade.scene)),
+                            outcome.trade.scene);
 }
 
 std::string report_of(const Outcome& outcome) {
@@ -127,6 +130,7 @@ ExitCode run(const Options& options) {
   const studies::TradeScene trade = scene_of(options);
   if (refuses(likely_mistakes(trade.scene), options.strict))
     return ExitCode::not_converged;
+  say_cost_of_sizes(trade.scene);
   const std::atomic<bool>& stop = listen_for_stop();
   const ResultOptions& results = options.results;
   const bool writes = results.writes_files();

@@ -70,14 +70,15 @@ ExitCode run(const Options& options) {
   const Validity slips = likely_mistakes(scene);
   if (refuses(slips, options.strict))
     return ExitCode::not_converged;
+  say_cost_of_sizes(scene);
   const std::atomic<bool>& stop = listen_for_stop();
   const ResultOptions& results = options.results;
   const bool writes = results.writes_files();
   const fs::path folder =
       writes ? results_folder(results.out, "verify", study_file_names(), results.force) : fs::path();
   const StudyOutcome outcome = run_and_judge(scene, stop, results.quiet);
-  const nlohmann::ordered_json manifest =
-      with_warnings(manifest_of(outcome, options.study.scene_file, options.study.settings), slips);
+  const nlohmann::ordered_json manifest = with_cost_of_sizes(
+      with_warnings(manifest_of(outcome, options.study.scene_file, options.study.settings), slips), scene);
   if (writes)
     write_results(folder, outcome, manifest, results.existing());
   const std::string where =

@@ -109,9 +109,10 @@ void require_valid(const TradeScene& trade) {
   require_ladder("shear", trade.shear);
   require_ladder("time_step", trade.time_step);
   require_ladder("probe", trade.probe);
+  const double least = static_cast<double>(triaxial::least_grains(trade.scene.grain.sizes));
   for (const std::vector<std::size_t>* list : {&trade.grains, &trade.walls})
     for (const std::size_t grains : *list)
-      require_closed("grains", static_cast<double>(grains), 40, 1e6);
+      require_closed("grains", static_cast<double>(grains), least, 1e6);
   for (const std::vector<double>* list : {&trade.compression, &trade.shear})
     for (const double value : *list)
       require_open("inertial number", value, 0, 0.1);
@@ -119,6 +120,17 @@ void require_valid(const TradeScene& trade) {
     require_closed("time_step", require_positive("time_step", value), 0, 1);
   for (const double value : trade.probe)
     require_open("probe", value, 0, 1);
+}
+
+TradeScene with_enough_grains(TradeScene trade) {
+  const std::size_t least = triaxial::least_grains(trade.scene.grain.sizes);
+  for (std::vector<std::size_t>* list : {&trade.grains, &trade.walls}) {
+    for (std::size_t& grains : *list)
+      grains = std::max(grains, least);
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  return trade;
 }
 
 std::size_t specimens_of(const TradeScene& trade, std::size_t grains) {

@@ -61,8 +61,13 @@ struct TradeScene {
 [[nodiscard]] TradeScene quick_trade();
 [[nodiscard]] TradeScene full_trade();
 
-/// \throws   InvalidArgument naming the value that no study can have.
+/// \throws   InvalidArgument naming the value that no study can have; numbers of grains too few for the sizes
+///           of the scene among them
 void require_valid(const TradeScene& trade);
+
+/// The same study with numbers of grains, also those between walls, that their sizes allow: the least number
+/// (triaxial::least_grains) in place of all that are less.
+[[nodiscard]] TradeScene with_enough_grains(TradeScene trade);
 
 /// Specimens of N grains, so that every N has about as many grains in all as the default one; at least 2.
 [[nodiscard]] std::size_t specimens_of(const TradeScene& trade, std::size_t grains);

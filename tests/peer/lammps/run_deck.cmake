@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Exports a deck, runs it unchanged, takes one state up again on the other number of ranks, reads all back:
 #   cmake -DPROGRAM=granum -DLMP=lmp -DMPIRUN=mpirun -DCHECK=check_lammps_deck -DDENSITY=dense -DRANKS=2 -DGRAINS=2000
-#     "-DPATH_OPTIONS=--path;txc" -DFOLDER=... -P run_deck.cmake
+#     -DSIZES=equal "-DPATH_OPTIONS=--path;txc" -DFOLDER=... -P run_deck.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -30,7 +30,7 @@ math(EXPR others "3 - ${RANKS}")
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}/${DENSITY}-1")
 run(COMMAND "${PROGRAM}" export lammps --grains ${GRAINS} --set study.contacts=sphere --set study.densities=${DENSITY}
-  --set study.pressures=30kPa,60kPa,120kPa --set study.probe_pressures=30kPa,120kPa ${PATH_OPTIONS} --out "${FOLDER}")
+  --set grain.sizes=${SIZES} --set study.pressures=30kPa,60kPa,120kPa --set study.probe_pressures=30kPa,120kPa ${PATH_OPTIONS} --out "${FOLDER}")
 run(COMMAND ${on_${RANKS}} -in in.all)
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/again.lmp" DESTINATION "${FOLDER}/${DENSITY}-1")
 run(COMMAND ${on_${others}} -in again.lmp)
@@ -40,5 +40,5 @@ foreach(atoms IN LISTS frozen)
   run(COMMAND "${PROGRAM}" analyse ${atoms} contacts.${state}.frozen.dump --grain-shear-modulus 30GPa
     --out analysis.${state})
 endforeach()
-run(COMMAND "${CHECK}" . ${DENSITY})
+run(COMMAND "${CHECK}" . ${DENSITY} ${SIZES})
 message(STATUS "${last_output}")

@@ -1,41 +1,103 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A small packing made by YADE, and what YADE says of it:
 
-    yade -j1 -n -x make_packing.py packing <granum>/share/yade
+    yade -j1 -n -x make_packing.py packing <granum>/share/yade [options]
     granum analyse packing.grains packing.contacts --stress $(head -n 1 packing.own)
 
-Periodic, equal spheres of quartz, Hertz and Mindlin, compressed to 1 MPa and left to come to rest. packing.own holds
-YADE's own stress (xx, yy, zz, xy, xz, yz, compression positive) and mean number of contacts of a grain.
+Periodic, spheres of quartz, Hertz and Mindlin, compressed to 1 MPa and left to come to rest; without options 120 equal
+ones. packing.own holds YADE's own stress (xx, yy, zz, xy, xz, yz, compression positive) and mean number of contacts of a
+grain.
 """
 
+import argparse
+import math
+import random
+import statistics
 import sys
 
 from yade import pack, utils
 
-name, script = sys.argv[1], sys.argv[2]
-sys.path.insert(0, script)
+options = argparse.ArgumentParser()
+options.add_argument("name")
+options.add_argument("script")
+options.add_argument("--grains", type=int, default=120)
+options.add_argument("--pressure", type=float, default=1e6, help="[Pa]")
+options.add_argument("--sizes", default="equal", help="equal, uniform:SMALLEST:LARGEST or lognormal:SIGMA, as granum has them")
+options.add_argument("--friction", type=float, default=0.2, help="angle while the packing is compressed [rad]")
+options.add_argument("--friction-at-rest", type=float, help="angle once the pressure is there, if another [rad]")
+options.add_argument("--rate", type=float, default=2, help="largest rate of strain [1/s]")
+options.add_argument("--step", type=float, default=1, help="time step over that of YADE's PWaveTimeStep")
+options.add_argument("--rest-at", type=float, default=1e-9, help="unbalanced force over the mean one")
+options.add_argument("--seed", type=int, default=1)
+asked = options.parse_args()
+sys.path.insert(0, asked.script)
 import granum_export
 
-GRAINS, RADIUS, PRESSURE = 120, 0.5e-3, 1e6
+name, GRAINS, RADIUS, PRESSURE = asked.name, asked.grains, 0.5e-3, asked.pressure
+
+
+def radii_over_their_mean(text, count):
+    """One radius of each of `count` classes of equal number, in ascending order."""
+    kind, *numbers = text.split(":")
+    shares = [(k + 0.5) / count for k in range(count)]
+    if kind == "equal":
+        radii = [1.0 for _ in shares]
+    elif kind == "uniform":
+        low, high = map(float, numbers)
+        radii = [low + (high - low) * share for share in shares]
+    elif kind == "lognormal":
+        # Cut as granum does: 1 % of the number below, 1 % of the mass above.
+        sigma = float(numbers[0])
+        normal = statistics.NormalDist()
+        low, high = 0.01, normal.cdf(normal.inv_cdf(0.99) + 3 * sigma)
+        radii = [math.exp(sigma * normal.inv_cdf(low + (high - low) * share)) for share in shares]
+    else:
+        raise SystemExit("unknown sizes " + text)
+    mean = sum(radii) / count
+    return [radius / mean for radius in radii]
+
+
+def scattered(radii, edge, seed):
+    """A place for each grain, the largest first, so that none touches another in a periodic cube."""
+    draw = random.Random(seed)
+    placed = []
+    for radius in sorted(radii, reverse=True):
+        while True:
+            place = [edge * draw.random() for _ in range(3)]
+            if all(apart(place, other, edge) > radius + its for other, its in placed):
+                break
+        placed.append((place, radius))
+    return placed
+
+
+def apart(a, b, edge):
+    return math.sqrt(sum((x - y - edge * round((x - y) / edge)) ** 2 for x, y in zip(a, b)))
+
 
 # Density sets the time scale alone: heavy grains take longer steps.
-quartz = FrictMat(young=69e9, poisson=0.15, density=2.65e6, frictionAngle=0.2)
+quartz = FrictMat(young=69e9, poisson=0.15, density=2.65e6, frictionAngle=asked.friction)
 O.materials.append(quartz)
 O.periodic = True
-edge = (GRAINS * 4.19 * RADIUS**3 / 0.3) ** (1 / 3)
+sizes = radii_over_their_mean(asked.sizes, GRAINS)
+solid = 4.19 * RADIUS**3 * sum(x**3 for x in sizes)
+edge = (solid / (0.3 if asked.sizes == "equal" else 0.2)) ** (1 / 3)
 O.cell.setBox(edge, edge, edge)
-spheres = pack.SpherePack()
-spheres.makeCloud((0, 0, 0), (edge, edge, edge), rMean=RADIUS, periodic=True, num=GRAINS, seed=1)
-spheres.toSimulation(material=quartz)
+if asked.sizes == "equal":
+    spheres = pack.SpherePack()
+    spheres.makeCloud((0, 0, 0), (edge, edge, edge), rMean=RADIUS, periodic=True, num=GRAINS, seed=asked.seed)
+    spheres.toSimulation(material=quartz)
+else:  # makeCloud scales such sizes down where they do not fit in its order
+    for place, radius in scattered([RADIUS * x for x in sizes], edge, asked.seed):
+        O.bodies.append(utils.sphere(place, radius, material=quartz))
 
 servo = PeriTriaxController(
     goal=(-PRESSURE,) * 3,
     stressMask=7,
     dynCell=True,
-    mass=1000 * GRAINS * 4.19 * RADIUS**3 * 2.65e3,
+    mass=1000 * solid * 2.65e3,
     maxUnbalanced=0.03,
     relStressTol=0.02,
-    maxStrainRate=(2, 2, 2),
+    maxStrainRate=(asked.rate,) * 3,
     globUpdate=5,
     doneHook="O.pause()",
 )
@@ -51,17 +113,44 @@ O.engines = [
     servo,
     motion,
 ]
-O.dt = utils.PWaveTimeStep()
-O.run(200000, True)  # or until the servo is done
+O.dt = asked.step * utils.PWaveTimeStep()
 
-# To rest in a cell that stands still.
-servo.dead = True
-O.cell.velGrad = Matrix3.Zero
-motion.damping = 0.7
-for _ in range(100):
-    O.run(1000, True)
-    if utils.unbalancedForce() < 1e-9:
+
+def is_there(stress, within):
+    return all(abs(stress[k] / servo.goal[k] - 1) < within for k in range(3))
+
+
+def compress():
+    servo.dead = False
+    motion.damping = 0.4
+    O.run(200000, True)  # or until the servo is done
+
+
+def rest():
+    """In a cell that stands still."""
+    servo.dead = True
+    O.cell.velGrad = Matrix3.Zero
+    motion.damping = 0.7
+    for _ in range(100):
+        O.run(1000, True)
+        if utils.unbalancedForce() < asked.rest_at:
+            return
+
+
+# Grains that are still moving together bear the pressure for a moment and give way at rest: again, at half the rate.
+for _ in range(40):
+    compress()
+    if not is_there(servo.stress, servo.relStressTol):
+        continue
+    if asked.friction_at_rest is not None:
+        utils.setContactFriction(asked.friction_at_rest)
+    rest()
+    print("step %d at rest: %s Pa" % (O.iter, list(utils.getStress().diagonal())), flush=True)
+    if is_there(utils.getStress().diagonal(), 0.05):
         break
+    servo.maxStrainRate = 0.5 * servo.maxStrainRate
+
+print("unbalanced force %.2g" % utils.unbalancedForce())
 
 granum_export.write(name, O)
 stress = utils.getStress()
