@@ -2,7 +2,7 @@
 // Makes packings of spheres with uniformity coefficients from 1 to 4, and asks each for G in three ways: closed
 // form, contact network, DEM probe.
 //
-//     gradation_run states.csv [threads]
+//     gradation_run states.csv [threads [first letters of the preparations]]
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
 // that the file holds already: it may be stopped at any time, and a state whose row was deleted is made again.
@@ -17,12 +17,11 @@
 #include "studies/running/probes.hpp"
 #include "studies/running/work_sharing.hpp"
 #include <granum/contact/friction.hpp>
-#include <granum/effective/relaxation.hpp>
-#include <granum/sizes/contact_means.hpp>
 #include <granum/triaxial/probe.hpp>
 
 #include "../relaxation/recording.hpp"
 #include "../relaxation/specimens.hpp"
+#include "closed_forms.hpp"
 
 namespace {
 
@@ -47,7 +46,9 @@ std::vector<Preparation> preparations() {
   const std::vector<relaxation::Stage> path{{pressure}};
   std::vector<Preparation> all{
       {.name = "dense", .density = triaxial::Density::dense, .friction_coefficient = mu, .path = path},
+      relaxation::gas("gas mu0.03", 0.03, path),
       relaxation::gas("gas mu0.1", 0.1, path),
+      relaxation::gas("gas mu0.2", 0.2, path),
       relaxation::gas("gas mu0.3", 0.3, path),
       relaxation::gas("gas mu0.5", 0.5, path),
   };
@@ -61,33 +62,35 @@ struct Gradation {
   std::size_t grains;
 };
 
-/// One family: the same mass of grains for every step of diameter, C_u = 1, 1.5, 2, 2.5, 3 and 4. As many
-/// grains as the largest ones need to stand apart.
-constexpr Gradation gradations[] = {{"", 500},
-                                    {"power-law:3:2.11", 600},
-                                    {"power-law:3:3.5", 700},
-                                    {"power-law:3:5.29", 800},
-                                    {"power-law:3:7.67", 1000},
-                                    {"power-law:3:16", 1900}};
+/// One family: the same mass of grains for every step of diameter, C_u = 1, 1.5, 2, 2.5, 3 and 4. More
+/// grains the wider it is: the largest must have room beside each other.
+constexpr Gradation gradations[] = {{"", 1000},
+                                    {"power-law:3:2.11", 1000},
+                                    {"power-law:3:3.5", 1000},
+                                    {"power-law:3:5.29", 1200},
+                                    {"power-law:3:7.67", 1500},
+                                    {"power-law:3:16", 3000}};
 
-/// Every gradation and preparation once before any of them with a second seed; then C_u = 2 again with grains
+/// Every gradation and preparation once before any of them with a second seed; C_u = 2 again with grains
 /// ten times as large, and sixteen times, a power of 4, which rounds as the usual size does.
-std::vector<Task> tasks() {
+std::vector<Task> tasks(const std::string& first_letters) {
   std::vector<Task> all;
-  const auto add = [&all](const Gradation& gradation, Preparation preparation, double radius,
-                          std::uint64_t seed) {
+  const auto add = [&](const Gradation& gradation, Preparation preparation, double radius,
+                       std::uint64_t seed) {
+    if (!std::string(preparation.name).starts_with(first_letters))
+      return;
     preparation.sizes = gradation.sizes;
     preparation.grains = gradation.grains;
     all.push_back({preparation, radius, seed});
   };
   const std::vector<Preparation> ways = preparations();
-  for (const std::uint64_t seed : {7000U, 7001U}) {
+  for (const std::uint64_t seed : {7000U, 7001U, 7002U, 7003U}) {
     for (const Preparation& way : ways)
       for (const Gradation& gradation : gradations)
         add(gradation, way, usual_radius, seed);
     if (seed == 7000)
       for (const double times : {10, 16})
-        for (const std::size_t way : {0U, 2U})
+        for (const std::size_t way : {0U, 4U}) // dense, and with a friction of 0.3
           add(gradations[2], ways[way], times * usual_radius, seed);
   }
   return all;
@@ -104,32 +107,20 @@ Row key(const Task& task) {
   return row;
 }
 
-double isotropic_shear_modulus(const elastic::TransverselyIsotropic& stiffness) {
-  return elastic::isotropic_projection(elastic::voigt(stiffness)).shear_modulus();
-}
-
-/// The state with the means over contacts that the distribution and the rattlers lead to, in place of those
-/// that were counted.
-effective::State from_distribution(effective::State state, const Task& task, double rattler_fraction) {
-  state.radius = task.radius;
-  state.contacts = sizes::expected_contact_means(relaxation::sizes_of(task.preparation), rattler_fraction);
-  state.law = contact::PowerLaw::sphere(relaxation::grain, task.radius * state.contacts.pair_radius);
-  return state;
-}
-
 void add_closed_forms(Row& row, const analysis::Measurement& measured, const Task& task) {
   const packing::MechanicalCoordination& counted = measured.counts.mechanical;
-  const effective::RelaxedEstimate by_count =
-      effective::relaxed(measured.state.value(), counted.coordination_number);
-  const effective::RelaxedEstimate by_sizes = effective::relaxed(
-      from_distribution(*measured.state, task, counted.rattler_fraction), counted.coordination_number);
-  row.add("G_closed_Pa", isotropic_shear_modulus(by_count.stiffness));
-  row.add("G_closed_stated", (by_count.relative_error.G_hh + by_count.relative_error.G_vh) / 2);
-  row.add("G_closed_sizes_Pa", isotropic_shear_modulus(by_sizes.stiffness));
+  const gradation::ClosedForms closed =
+      gradation::closed_forms(measured.state.value(), counted.coordination_number, counted.rattler_fraction,
+                              relaxation::sizes_of(task.preparation), task.radius);
+  row.add("G_closed_Pa", closed.relaxed);
+  row.add("G_closed_stated", closed.stated_error);
+  row.add("G_closed_sizes_Pa", closed.relaxed_from_sizes);
+  row.add("G_uniform_strain_Pa", closed.uniform_strain);
 }
 
 void add_network(Row& row, const network::Response& response) {
   const elastic::VoigtStiffness& relaxed = response.relaxed();
+  row.add("G_affine_Pa", elastic::isotropic_projection(response.affine()).shear_modulus());
   row.add("G_network_Pa", elastic::isotropic_projection(relaxed).shear_modulus());
   row.add("C44_network_Pa", relaxed.matrix(3, 3));
   row.add("C55_network_Pa", relaxed.matrix(4, 4));
@@ -154,11 +145,13 @@ void describe(Row& row, const dem::Specimen& frozen, const dem::Material& materi
       analysis::measure(dem::contact_network(frozen, material), studies::known_of(frozen, material),
                         {.network = network::Options{}});
   row.add("friction_coefficient", task.preparation.friction_coefficient);
-  row.add("C_u", measured.sizes.gradation.uniformity());
+  relaxation::add_sizes(row, measured.sizes);
   row.add("d50_m", measured.sizes.gradation.d50);
-  row.add("p_Pa", measured.stress.value().mean());
   row.add("e", measured.void_ratio);
   row.add("C_n", measured.counts.coordination_number);
+  row.add("a", measured.state.value().fabric_anisotropy);
+  row.add("stress_v_Pa", measured.state->stress_v);
+  row.add("stress_h_Pa", measured.state->stress_h);
   row.add("z_star", measured.counts.mechanical.coordination_number);
   row.add("rattler_fraction", measured.counts.mechanical.rattler_fraction);
   add_closed_forms(row, measured, task);
@@ -170,9 +163,8 @@ void run(const Task& task, relaxation::Packings& packings, relaxation::Record& r
   Row row = key(task);
   if (record.has(row))
     return;
-  const triaxial::SpecimenRecipe recipe =
-      relaxation::recipe(contact::PowerLaw::sphere(relaxation::grain, task.radius), task.radius,
-                         task.preparation, task.seed);
+  const triaxial::SpecimenRecipe recipe = relaxation::recipe(
+      contact::PowerLaw::sphere(relaxation::grain, task.radius), task.radius, task.preparation, task.seed);
   const dem::Specimen compressed = relaxation::at_stage(
       relaxation::start_of_path(packings.get("sphere", recipe), task.preparation, recipe), task.preparation,
       0, recipe.material);
@@ -190,12 +182,12 @@ void run(const Task& task, relaxation::Packings& packings, relaxation::Record& r
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    std::fprintf(stderr, "usage: %s states.csv [threads]\n", argv[0]);
+  if (argc < 2 || argc > 4) {
+    std::fprintf(stderr, "usage: %s states.csv [threads [first letters of the preparations]]\n", argv[0]);
     return 2;
   }
   const std::size_t threads = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-  const std::vector<Task> all = tasks();
+  const std::vector<Task> all = tasks(argc > 3 ? argv[3] : "");
   relaxation::Record record(argv[1], key_columns);
   relaxation::Packings packings;
   studies::side_by_side(all.size(), threads, [&](std::size_t k) {

@@ -169,8 +169,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
   if (last_missing == 0)
     return;
   const triaxial::SpecimenRecipe specimen = relaxation::recipe(shape.law, radius, preparation, seed);
-  dem::Specimen state =
-      relaxation::start_of_path(packings.get(shape.name, specimen), preparation, specimen);
+  dem::Specimen state = relaxation::start_of_path(packings.get(shape.name, specimen), preparation, specimen);
   for (std::size_t k = 0; k < last_missing; ++k) {
     state = relaxation::at_stage(std::move(state), preparation, k, specimen.material);
     if (record.has(keys[k]))
