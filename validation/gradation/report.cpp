@@ -49,10 +49,15 @@ std::vector<Curve> holding(const std::vector<Curve>& all, double void_ratio) {
 
 // ---- the tables ----
 
-/// What sands have by their published law; in brackets beyond its tests.
+/// What sands have by their published law.
+hardin::SandModulus of_sands(double void_ratio, double uniformity) {
+  return hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"),
+                               {void_ratio, pressure, uniformity});
+}
+
+/// In brackets beyond the tests of that law.
 std::string measured_text(double void_ratio, double uniformity) {
-  const hardin::SandModulus sand = hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"),
-                                                         {void_ratio, pressure, uniformity});
+  const hardin::SandModulus sand = of_sands(void_ratio, uniformity);
   const std::string text = short_text(sand.shear_modulus / 1e6, 3);
   return sand.validity.ok() ? text : "(" + text + ")";
 }
@@ -238,72 +243,59 @@ plot::Chart panel(const std::string& title, const std::string& x) {
           .legend_below = true};
 }
 
+/// A network's markers and what is set beside it: named where the chart has not named it yet.
+struct Family {
+  plot::Series network, closed, sands;
+
+  Family(const plot::Chart& picture, std::size_t style, const std::string& name)
+      : network{.name = name, .x = {}, .y = {}, .style = style, .colour = plot::Colour::measured},
+        closed{.name = picture.series.empty() ? "closed form" : "",
+               .mark = plot::Mark::line,
+               .x = {},
+               .y = {},
+               .style = style,
+               .colour = plot::Colour::closed_form},
+        sands{.name = picture.series.empty() ? "measured sands" : "",
+              .mark = plot::Mark::line,
+              .x = {},
+              .y = {},
+              .style = style,
+              .tone = plot::Tone::grey} {}
+  void add(double x, const Point& point, double uniformity) {
+    for (plot::Series* series : {&network, &closed, &sands})
+      series->x.push_back(x);
+    network.y.push_back(point.network);
+    closed.y.push_back(point.closed);
+    sands.y.push_back(of_sands(point.void_ratio, uniformity).shear_modulus);
+  }
+};
+
 plot::Chart over_void_ratio(const std::vector<Curve>& all) {
   plot::Chart picture = panel("Each gradation: densest to loosest", "void ratio e");
-  for (const Curve& curve : all) {
-    const std::size_t style = picture.series.size() / 2;
-    plot::Series network{.name = "C_u = " + short_text(curve.uniformity, 2),
-                         .mark = plot::Mark::marker,
-                         .x = {},
-                         .y = {},
-                         .style = style,
-                         .colour = plot::Colour::measured};
-    plot::Series closed{.name = "",
-                        .mark = plot::Mark::line,
-                        .x = {},
-                        .y = {},
-                        .style = style,
-                        .colour = plot::Colour::closed_form};
-    for (const Point& point : curve.points) {
-      network.x.push_back(point.void_ratio);
-      network.y.push_back(point.network);
-      closed.x.push_back(point.void_ratio);
-      closed.y.push_back(point.closed);
-    }
-    picture.series.push_back(network);
-    picture.series.push_back(closed);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Family family(picture, k, "C_u = " + short_text(all[k].uniformity, 2));
+    family.network.mark = plot::Mark::marker;
+    for (const Point& point : all[k].points)
+      family.add(point.void_ratio, point, all[k].uniformity);
+    picture.series.insert(picture.series.end(), {family.network, family.closed});
   }
   picture.finding = "Each gradation has a curve G(e) of its own, farther left the larger C_u is. Markers: "
                     "network; lines: closed form.";
   return picture;
 }
 
-/// Lines over C_u, one each for the network, the closed form, and measured sands where they are asked for.
-void add_lines(plot::Chart& picture, const std::vector<Curve>& some, const std::string& name,
-               const std::function<double(const Curve&)>& void_ratio, bool sands) {
-  const std::size_t style = picture.series.size();
-  plot::Series network{.name = name, .x = {}, .y = {}, .style = style, .colour = plot::Colour::measured};
-  plot::Series closed{.name = "",
-                      .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
-                      .style = style,
-                      .colour = plot::Colour::closed_form};
-  plot::Series sand{
-      .name = "", .mark = plot::Mark::line, .x = {}, .y = {}, .style = style, .tone = plot::Tone::grey};
-  for (const Curve& curve : some) {
-    const double e = void_ratio(curve);
-    const Point point = curve.at(e);
-    for (plot::Series* series : {&network, &closed, &sand})
-      series->x.push_back(curve.uniformity);
-    network.y.push_back(point.network);
-    closed.y.push_back(point.closed);
-    sand.y.push_back(hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"),
-                                           {e, pressure, curve.uniformity})
-                         .shear_modulus);
-  }
-  picture.series.push_back(network);
-  picture.series.push_back(closed);
-  if (sands)
-    picture.series.push_back(sand);
-}
-
 plot::Chart at_equal_void_ratio(const std::vector<Curve>& all) {
   plot::Chart picture = panel("At equal void ratio", "uniformity coefficient C_u");
-  for (const double e : void_ratios)
-    if (const std::vector<Curve> some = holding(all, e); some.size() > 1)
-      add_lines(
-          picture, some, "e = " + short_text(e, 2), [e](const Curve&) { return e; }, true);
+  std::size_t style = 0;
+  for (const double e : void_ratios) {
+    const std::vector<Curve> some = holding(all, e);
+    if (some.size() < 2)
+      continue;
+    Family family(picture, style++, "e = " + short_text(e, 2));
+    for (const Curve& curve : some)
+      family.add(curve.uniformity, curve.at(e), curve.uniformity);
+    picture.series.insert(picture.series.end(), {family.network, family.closed, family.sands});
+  }
   picture.finding = "At one void ratio G falls with C_u, in packings of spheres more steeply than in sands, "
                     "whose law is grey.";
   return picture;
@@ -311,11 +303,14 @@ plot::Chart at_equal_void_ratio(const std::vector<Curve>& all) {
 
 plot::Chart at_equal_density(const std::vector<Curve>& all) {
   plot::Chart picture = panel("At equal relative density", "uniformity coefficient C_u");
-  for (const double density : relative_densities)
-    add_lines(
-        picture, all, "D_r = " + short_text(density, 2),
-        [density](const Curve& curve) { return curve.void_ratio_of(density); }, false);
-  picture.finding = "At one relative density G does not fall with C_u: the densest packings grow stiffer.";
+  std::size_t style = 0;
+  for (const double density : relative_densities) {
+    Family family(picture, style++, "D_r = " + short_text(density, 2));
+    for (const Curve& curve : all)
+      family.add(curve.uniformity, curve.at(curve.void_ratio_of(density)), curve.uniformity);
+    picture.series.insert(picture.series.end(), {family.network, family.closed});
+  }
+  picture.finding = "At one relative density G hardly changes with C_u; that of the densest packings grows.";
   return picture;
 }
 
