@@ -2,11 +2,11 @@
 //
 // Example 14: why is a well graded sand softer than a uniform one of the same void ratio?
 //
-// Spheres at 100 kPa, with uniformity coefficients C_u = d60/d10 from 1 to 4. The closed form takes the sizes
-// and the number of contacts z*. Sizes do not tell z*: it was counted here, in packings that granum made by
-// DEM (validation/gradation). A wide gradation packs denser. So at a void ratio where equal grains are nearly
-// as dense as they can be, a wide gradation is loose, has few contacts, and is soft. At equal relative density
-// z* hardly depends on C_u, and nor does G.
+// Spheres at 100 kPa, with uniformity coefficients C_u = d60/d10 from 1 to 4. The closed form takes the
+// sizes and the number of contacts z*. Sizes do not tell z*: it was counted here, in packings that granum
+// made by DEM (validation/gradation). A wide gradation packs denser. So at a void ratio where equal grains
+// are nearly as dense as they can be, a wide gradation is loose, has few contacts, and is soft. At equal
+// relative density z* changes far less, and G hardly.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the recorded packings say of G and the uniformity coefficient.
 //
-//     gradation_report table states.csv      G at equal void ratio and at equal relative density, as README.md has it
-//     gradation_report check states.csv      exit code 0 if the routes agree and G falls with C_u at equal void ratio
+//     gradation_report table states.csv      G at equal void ratio and relative density, as in README.md
+//     gradation_report check states.csv      exit code 0 if the routes agree and G falls with C_u at equal e
 //     gradation_report picture states.csv    the same as SVG
 #include <algorithm>
 #include <cmath>
@@ -132,8 +132,8 @@ void check_library(Claims& claims, const std::vector<State>& states) {
                                     (other.empty() ? "" : "; not of " + other));
 }
 
-/// Below the range that rung 3 is calibrated for, soft modes relax for so long that a leg of the probe may end
-/// before them: its stress is steady, and the forces are not yet in balance.
+/// Below the range that rung 3 is calibrated for, soft modes relax for so long that a leg of the probe may
+/// end before them: its stress is steady, and the forces are not yet in balance.
 constexpr double slow_below = 4.1; // z*
 
 void check_probes(Claims& claims, const std::vector<State>& states) {
@@ -163,19 +163,32 @@ void check_probes(Claims& claims, const std::vector<State>& states) {
   }
 }
 
+/// Dense packings of wide gradations are known to be stiffer than rung 3 says (README.md): none may be by
+/// more than three stated errors.
 void check_closed_form(Claims& claims, const std::vector<State>& states) {
-  int beyond = 0;
-  double worst = 0;
-  for (const State& s : states) {
-    const gradation::ClosedForms now = gradation::closed_forms(s);
-    const double error = std::abs(now.relaxed / s.network - 1);
-    beyond += error > 2 * now.stated_error;
-    worst = std::max(worst, error / now.stated_error);
+  const struct {
+    const char* name;
+    bool with_dense, with_loose;
+    double multiple, share; // at most that share lies beyond so many stated errors
+  } kinds[] = {{"all", true, true, 2, 0.1},
+               {"compressed with friction", false, true, 2, 0.1},
+               {"dense", true, false, 3, 0}};
+  for (const auto& kind : kinds) {
+    int beyond = 0, packings = 0;
+    double worst = 0;
+    for (const State& s : states)
+      if (s.mean_radius == gradation::usual_radius && (s.dense() ? kind.with_dense : kind.with_loose)) {
+        const gradation::ClosedForms now = gradation::closed_forms(s);
+        const double error = std::abs(now.relaxed / s.network - 1) / now.stated_error;
+        ++packings;
+        beyond += error > kind.multiple;
+        worst = std::max(worst, error);
+      }
+    claims.require(packings > 0 && beyond <= kind.share * packings,
+                   std::string("rung 3, ") + kind.name + ": " + std::to_string(beyond) + " of " +
+                       std::to_string(packings) + " packings beyond " + short_text(kind.multiple) +
+                       " stated errors, the worst at " + short_text(worst, 2));
   }
-  const double share = beyond / static_cast<double>(states.size());
-  claims.require(share <= 0.1, "rung 3: " + percent_text(share) + " of " + std::to_string(states.size()) +
-                                   " packings beyond two stated errors, the worst at " +
-                                   short_text(worst, 2));
 }
 
 void check_fall(Claims& claims, const std::vector<Curve>& all) {

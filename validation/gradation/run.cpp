@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes packings of spheres with uniformity coefficients from 1 to 4, and asks each for G in three ways: closed
-// form, contact network, DEM probe.
+// Makes packings of spheres with uniformity coefficients from 1 to 4, and asks each for G in three ways:
+// closed form, contact network, DEM probe.
 //
 //     gradation_run states.csv [threads [first letters of the preparations]]
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
-// that the file holds already: it may be stopped at any time, and a state whose row was deleted is made again.
-// States that do not come to rest are named on the error stream and left out.
+// that the file holds already: it may be stopped at any time, and a state whose row was deleted is made
+// again. States that do not come to rest are named on the error stream and left out.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
