@@ -146,6 +146,9 @@ void check_probes(Claims& claims, const std::vector<State>& states) {
       {"compressed with friction", [](const State& s) { return !s.dense() && s.z_star >= slow_below; }, 0.02},
       {"z* below " + short_text(slow_below, 2),
        [](const State& s) { return !s.dense() && s.z_star < slow_below; }, 0.05}};
+  claims.require(3 * std::count_if(states.begin(), states.end(), [](const State& s) { return s.probed(); }) >
+                     2 * std::ssize(states),
+                 "the probes of most packings settled");
   for (const auto& kind : kinds) {
     double worst = 0;
     int compared = 0, unsettled = 0;
@@ -157,27 +160,28 @@ void check_probes(Claims& claims, const std::vector<State>& states) {
           if (probe.converged)
             worst = std::max(worst, std::abs(probe.modulus / probe.network - 1));
         }
-    claims.require(compared > 0 && worst <= kind.limit,
-                   kind.name + ": " + std::to_string(compared) + " probes within " + percent_text(worst) +
-                       " of the network; " + std::to_string(unsettled) + " did not settle");
+    if (compared == 0)
+      continue;
+    claims.require(worst <= kind.limit, kind.name + ": " + std::to_string(compared) + " probes within " +
+                                            percent_text(worst) + " of the network; " +
+                                            std::to_string(unsettled) + " did not settle");
   }
 }
 
 /// Dense packings of wide gradations are known to be stiffer than rung 3 says (README.md): none may be by
-/// more than three stated errors.
+/// more than three stated errors. They are judged apart: a share of all packings would go with how many of
+/// them happen to be dense.
 void check_closed_form(Claims& claims, const std::vector<State>& states) {
   const struct {
     const char* name;
-    bool with_dense, with_loose;
+    bool dense;
     double multiple, share; // at most that share lies beyond so many stated errors
-  } kinds[] = {{"all", true, true, 2, 0.1},
-               {"compressed with friction", false, true, 2, 0.1},
-               {"dense", true, false, 3, 0}};
+  } kinds[] = {{"compressed with friction", false, 2, 0.1}, {"dense", true, 3, 0}};
   for (const auto& kind : kinds) {
     int beyond = 0, packings = 0;
     double worst = 0;
     for (const State& s : states)
-      if (s.mean_radius == gradation::usual_radius && (s.dense() ? kind.with_dense : kind.with_loose)) {
+      if (s.mean_radius == gradation::usual_radius && s.dense() == kind.dense) {
         const gradation::ClosedForms now = gradation::closed_forms(s);
         const double error = std::abs(now.relaxed / s.network - 1) / now.stated_error;
         ++packings;
