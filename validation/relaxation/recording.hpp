@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What validation/relaxation records of a packing at rest, and the file that it goes to.
+// What validation/relaxation records of a packing at rest, and the file that it goes to, which
+// validation/gradation fills the same way.
 #pragma once
 
 #include <cmath>
@@ -154,8 +155,8 @@ inline void describe(Row& row, const dem::Specimen& frozen, const dem::Material&
 /// The output file: which states it holds, and how another is added.
 class Record {
  public:
-  /// \param    with_sizes   of the grains: one more column names a state, and the means over contacts follow
-  Record(const std::filesystem::path& path, bool with_sizes) : path_(path), with_sizes_(with_sizes) {
+  /// \param    key_columns   so many of the first name a state
+  Record(const std::filesystem::path& path, int key_columns) : path_(path), key_columns_(key_columns) {
     std::ifstream in(path);
     std::string line, whole;
     while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut: it is done again
@@ -167,11 +168,10 @@ class Record {
   }
   [[nodiscard]] std::string key_of(const std::string& line) const {
     std::size_t end = 0;
-    for (int field = 0; field < (with_sizes_ ? 7 : 6) && end != std::string::npos; ++field)
+    for (int field = 0; field < key_columns_ && end != std::string::npos; ++field)
       end = line.find(',', end + 1);
     return line.substr(0, end);
   }
-  [[nodiscard]] bool with_sizes() const { return with_sizes_; }
   [[nodiscard]] bool has(const Row& row) {
     const std::lock_guard lock(mutex_);
     return done_.count(key_of(row.cells)) > 0;
@@ -187,7 +187,7 @@ class Record {
 
  private:
   std::filesystem::path path_;
-  bool with_sizes_;
+  int key_columns_;
   std::set<std::string> done_;
   std::mutex mutex_;
 };

@@ -12,32 +12,32 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <granum/contact/friction.hpp>
-#include <granum/dem/engine.hpp>
-#include <granum/dem/quasistatic.hpp>
-#include <granum/sizes/distribution_text.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "recording.hpp"
+#include "specimens.hpp"
 
 namespace {
 
 using namespace granum;
+using relaxation::gas;
+using relaxation::grain;
+using relaxation::kPa;
+using relaxation::MPa;
+using relaxation::Packings;
+using relaxation::Preparation;
 using relaxation::Record;
 using relaxation::Row;
+using relaxation::Stage;
 
 constexpr double radius = 0.5e-3; // R [m]
-constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-constexpr double kPa = 1e3, MPa = 1e6;
 
 /// One kind of contact.
 struct Shape {
@@ -56,48 +56,6 @@ const std::vector<Shape>& shapes() {
       {"alpha4", contact::PowerLaw::general(grain, 4, 2e12), 30 * MPa, false},
   };
   return all;
-}
-
-/// Mean stress and stress ratio q/p of one state on a path.
-struct Stage {
-  double pressure = 0;     // [Pa]
-  double stress_ratio = 0; // (stress_v - stress_h)/p
-};
-
-/// How a jammed specimen is opened before friction is switched on.
-struct Opening {
-  double strain = 0.003;   // linear, each time
-  double agitation = 0.03; // of the grains after it, over the radius
-  int times = 1;
-};
-constexpr Opening slight{.strain = 0.01, .agitation = 0.1};
-constexpr Opening stirred{.strain = 0.02, .agitation = 0.3};
-constexpr Opening to_a_gas{.strain = 0.09, .agitation = 0.5, .times = 4}; // of a solid fraction of 0.23
-
-/// One way to make a specimen, and its stress path.
-struct Preparation {
-  const char* name;
-  triaxial::Density density = triaxial::Density::loose;
-  double friction_coefficient; // of the compression
-  std::vector<Stage> path;
-  Opening opening = {};
-  std::size_t grains = 4000;
-  std::size_t max_steps = 40000; // of a stage
-  double approach = 1;           // how many times faster than usual the first stage may be compressed
-  bool unfitted_shapes = false;  // makes packings of the shapes that no fit sees as well
-  std::string sizes = {};        // of the grains: a text of sizes::parse_distribution; empty: all are equal
-};
-
-Preparation gas(const char* name, double friction_coefficient, const std::vector<Stage>& path,
-                bool unfitted_shapes = false) {
-  return {.name = name,
-          .friction_coefficient = friction_coefficient,
-          .path = path,
-          .opening = to_a_gas,
-          .grains = 2000,
-          .max_steps = 200000,
-          .approach = 20,
-          .unfitted_shapes = unfitted_shapes};
 }
 
 const std::vector<Preparation>& preparations() {
@@ -122,7 +80,7 @@ const std::vector<Preparation>& preparations() {
       {.name = "mu1",
        .friction_coefficient = 1,
        .path = low,
-       .opening = slight,
+       .opening = relaxation::slight,
        .grains = 1000,
        .max_steps = 200000},
       {.name = "dense txe", .density = dense, .friction_coefficient = mu, .path = extension},
@@ -131,7 +89,7 @@ const std::vector<Preparation>& preparations() {
       {.name = "agitated",
        .friction_coefficient = mu,
        .path = low,
-       .opening = stirred,
+       .opening = relaxation::stirred,
        .grains = 1000,
        .max_steps = 200000},
       gas("gas mu0.02", 0.02, decades),
@@ -180,31 +138,13 @@ std::vector<Preparation> unequal_preparations() {
   return all;
 }
 
-sizes::Distribution sizes_of(const Preparation& preparation) {
-  return preparation.sizes.empty() ? sizes::Distribution::equal()
-                                   : sizes::parse_distribution(preparation.sizes);
-}
-
-triaxial::SpecimenRecipe recipe(const Shape& shape, const Preparation& preparation, std::uint64_t seed) {
-  return {.material = {.law = shape.law,
-                       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
-                       .friction_coefficient = preparation.friction_coefficient},
-          .radius = radius,
-          .sizes = sizes_of(preparation),
-          .grains = preparation.grains,
-          .seed = seed,
-          .first_pressure = preparation.path.front().pressure,
-          .unjamming_strain = preparation.opening.strain,
-          .agitation = preparation.opening.agitation};
-}
-
 /// The first columns: six that name a state, after the sizes where grains may differ, and what else it was
 /// made with.
 Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, const Stage& stage,
         std::size_t number, bool with_sizes) {
   Row row;
   if (with_sizes)
-    row.add("sizes", sizes_of(preparation).text());
+    row.add("sizes", relaxation::sizes_of(preparation).text());
   row.add("contact", std::string(shape.name));
   row.add("preparation", std::string(preparation.name));
   row.add("seed", static_cast<double>(seed));
@@ -217,67 +157,21 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
   return row;
 }
 
-/// Frictionless specimens, each made once and then used by every preparation of its shape, seed and size.
-class Packings {
- public:
-  dem::Specimen get(const Shape& shape, const triaxial::SpecimenRecipe& recipe) {
-    Entry& entry = find({shape.name, recipe.sizes.text(), recipe.seed, recipe.grains});
-    const std::lock_guard lock(entry.mutex);
-    if (!entry.state)
-      entry.state = triaxial::frictionless_specimen(recipe).state;
-    return *entry.state;
-  }
-
- private:
-  struct Entry {
-    std::mutex mutex;
-    std::optional<dem::Specimen> state;
-  };
-  using Name = std::tuple<std::string, std::string, std::uint64_t, std::size_t>;
-  Entry& find(const Name& name) {
-    const std::lock_guard lock(mutex_);
-    return entries_[name];
-  }
-  std::mutex mutex_;
-  std::map<Name, Entry> entries_;
-};
-
 void run_specimen(const Shape& shape, const Preparation& preparation, std::uint64_t seed, Packings& packings,
-                  Record& record) {
+                  bool with_sizes, Record& record) {
   std::vector<Row> keys;
   std::size_t last_missing = 0;
   for (std::size_t k = 0; k < preparation.path.size(); ++k) {
-    keys.push_back(key(shape, preparation, seed, preparation.path[k], k, record.with_sizes()));
+    keys.push_back(key(shape, preparation, seed, preparation.path[k], k, with_sizes));
     if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(keys.back()))
       last_missing = k + 1;
   }
   if (last_missing == 0)
     return;
-  const triaxial::SpecimenRecipe specimen = recipe(shape, preparation, seed);
-  triaxial::SpecimenRecipe at_10_kPa = specimen;
-  at_10_kPa.first_pressure = 10 * kPa;
-  dem::Specimen state =
-      triaxial::start_of_compression(packings.get(shape, at_10_kPa), preparation.density, specimen);
-  for (int opening = 1; opening < preparation.opening.times; ++opening) {
-    triaxial::SpecimenRecipe again = specimen;
-    again.seed += 1000 * static_cast<std::uint64_t>(opening);
-    state = triaxial::unjam(std::move(state), again);
-  }
-  // The loosest specimens creep for long. A stage that runs out of steps is frozen as it stands: its stress
-  // is measured on the contacts.
-  const dem::QuasistaticOptions usual = triaxial::compression_options();
-  dem::QuasistaticOptions options = usual;
-  options.max_steps = preparation.max_steps;
+  const triaxial::SpecimenRecipe specimen = relaxation::recipe(shape.law, radius, preparation, seed);
+  dem::Specimen state = relaxation::start_of_path(packings.get(shape.name, specimen), preparation, specimen);
   for (std::size_t k = 0; k < last_missing; ++k) {
-    const auto [p, eta] = preparation.path[k];
-    const double stress_h = p * (1 - eta / 3), stress_v = p * (1 + 2 * eta / 3);
-    options.inertial_number = (k == 0 ? preparation.approach : 1) * usual.inertial_number;
-    dem::Engine engine(std::move(state), specimen.material);
-    const dem::QuasistaticReport report = dem::equilibrate(engine, {stress_h, stress_h, stress_v}, options);
-    if (report.outcome == dem::Outcome::unstable)
-      throw std::runtime_error("stage " + std::to_string(k) + " became unstable");
-    engine.rest();
-    state = engine.state();
+    state = relaxation::at_stage(std::move(state), preparation, k, specimen.material);
     if (record.has(keys[k]))
       continue;
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
@@ -287,7 +181,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
       continue;
     }
     Row row = keys[k];
-    describe(row, frozen.state(), specimen.material, record.with_sizes());
+    describe(row, frozen.state(), specimen.material, with_sizes);
     record.append(row);
     std::fprintf(stderr, "%s\n", record.key_of(row.cells).c_str());
   }
@@ -320,14 +214,14 @@ int main(int argc, char** argv) {
         for (std::size_t k = 0; k < shapes().size(); ++k)
           if (shapes()[k].fitted || preparation.unfitted_shapes)
             tasks.push_back({&shapes()[k], &preparation, (unequal ? 1000 : 100) * (k + 1) + round});
-  Record record(argv[2], unequal);
+  Record record(argv[2], unequal ? 7 : 6);
   Packings packings;
   std::atomic<std::size_t> next = 0;
   const auto worker = [&] {
     for (std::size_t k = next++; k < tasks.size(); k = next++) {
       const Task& task = tasks[k];
       try {
-        run_specimen(*task.shape, *task.preparation, task.seed, packings, record);
+        run_specimen(*task.shape, *task.preparation, task.seed, packings, unequal, record);
       } catch (const std::exception& error) {
         std::fprintf(stderr, "%s %s #%zu: %s\n", task.shape->name, task.preparation->name,
                      static_cast<std::size_t>(task.seed), error.what());

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Example 14: why is a well graded sand softer than a uniform one of the same void ratio?
+//
+// Spheres at 100 kPa, with uniformity coefficients C_u = d60/d10 from 1 to 4. The closed form takes the
+// sizes and the number of contacts z*. Sizes do not tell z*: it was counted here, in packings that granum
+// made by DEM (validation/gradation). A wide gradation packs denser. So at a void ratio where equal grains
+// are nearly as dense as they can be, a wide gradation is loose, has few contacts, and is soft. At equal
+// relative density z* changes far less, and G hardly.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/uniform_field.hpp>
+#include <granum/hardin/measured_sands.hpp>
+#include <granum/sizes/contact_means.hpp>
+
+using namespace granum;
+
+namespace {
+
+/// What was counted in a packing, mean of four.
+struct Counted {
+  double void_ratio;
+  double z_star;           // contacts of a grain, rattlers left out
+  double rattler_fraction; // grains without contacts that bear load
+};
+
+/// Grains with the same mass in every step of diameter, and their packings from the densest to the loosest:
+/// without friction, and compressed with a friction coefficient of 0.1, 0.3 and 0.5.
+struct Gradation {
+  double size_ratio; // largest over smallest
+  std::vector<Counted> packings;
+};
+const std::vector<Gradation> gradations{
+    {1, {{0.571, 6.10, 0.01}, {0.621, 5.40, 0.02}, {0.680, 4.71, 0.04}, {0.714, 4.37, 0.07}}},
+    {2.11, {{0.535, 6.08, 0.04}, {0.582, 5.32, 0.05}, {0.641, 4.68, 0.10}, {0.670, 4.34, 0.16}}},
+    {3.5, {{0.485, 6.03, 0.11}, {0.522, 5.32, 0.12}, {0.582, 4.59, 0.20}, {0.617, 4.25, 0.26}}},
+    {5.29, {{0.437, 6.01, 0.21}, {0.462, 5.27, 0.26}, {0.512, 4.54, 0.34}, {0.556, 4.20, 0.40}}},
+    {7.67, {{0.386, 5.96, 0.33}, {0.409, 5.16, 0.29}, {0.463, 4.41, 0.43}, {0.504, 4.10, 0.51}}},
+    {16,
+     {{0.312, 5.66, 0.63}, {0.327, 4.96, 0.57}, {0.379, 4.26, 0.66}}}}; // looser ones did not come to rest
+
+double void_ratio(const Gradation& g, double relative_density) {
+  const double loose = g.packings[2].void_ratio; // friction 0.3
+  return loose - relative_density * (loose - g.packings[0].void_ratio);
+}
+
+/// Straight between two packings; nothing denser than the densest, or looser than the loosest.
+std::optional<Counted> packing(const Gradation& g, double e) {
+  for (std::size_t k = 1; k < g.packings.size(); ++k) {
+    const Counted &a = g.packings[k - 1], &b = g.packings[k];
+    const double t = (e - a.void_ratio) / (b.void_ratio - a.void_ratio);
+    if (t >= 0 && t <= 1)
+      return Counted{e, a.z_star + t * (b.z_star - a.z_star),
+                     a.rattler_fraction + t * (b.rattler_fraction - a.rattler_fraction)};
+  }
+  return std::nullopt;
+}
+
+/// One answer of the closed form, printed as a line; returns G [Pa].
+double answer(const Gradation& g, const Counted& c) {
+  const contact::GrainMaterial quartz{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double radius = 0.5e-3, pressure = 100e3; // the mean radius; any other gives the same G
+  const sizes::Distribution sizes = sizes::Distribution::power_law(3, g.size_ratio);
+  const sizes::ContactMeans contacts = sizes::expected_contact_means(sizes, c.rattler_fraction);
+  const effective::State state{.law = contact::PowerLaw::sphere(quartz, radius * contacts.pair_radius),
+                               .tangential_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
+                               .radius = radius,
+                               .void_ratio = c.void_ratio,
+                               .coordination_number = c.z_star * (1 - c.rattler_fraction),
+                               .stress_v = pressure,
+                               .stress_h = pressure,
+                               .contacts = contacts};
+  const double strain = effective::uniform_strain(state).stiffness.G_vh();
+  const effective::RelaxedEstimate relaxed = effective::relaxed(state, c.z_star);
+  const double C_u = sizes::gradation(sizes, radius).uniformity(), G = relaxed.stiffness.G_vh();
+  const double sand =
+      hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"), {c.void_ratio, pressure, C_u})
+          .shear_modulus;
+  std::printf("%.3f  %4.1f  %.2f  %7.0f  %9.2f  %6.0f +- %2.0f %%  %8.0f MPa\n", c.void_ratio, C_u, c.z_star,
+              strain / 1e6, G / strain, G / 1e6, 100 * relaxed.relative_error.G_vh, sand / 1e6);
+  return G;
+}
+
+} // namespace
+
+int main() {
+  std::printf("           counted   uniform                 closed form   measured\n"
+              "    e   C_u    z*     strain   relaxed             G       sands\n");
+
+  // 1. At equal void ratio G falls with C_u, and z* with it. No packing of spheres spans all C_u at one e.
+  bool falls = true;
+  for (const double e : {0.60, 0.55, 0.50, 0.45}) {
+    double last = INFINITY;
+    for (const Gradation& g : gradations)
+      if (const std::optional<Counted> counted = packing(g, e)) {
+        const double G = answer(g, *counted);
+        falls = falls && G < last;
+        last = G;
+      }
+    std::printf("\n");
+  }
+
+  // 2. At equal relative density, half way between friction 0.3 and the densest. Beyond C_u = 2.5 the contact
+  //    means that sizes lead to are too large (validation/gradation), so that G is too.
+  double least = INFINITY, most = 0;
+  for (const Gradation& g : gradations) {
+    const double G = answer(g, packing(g, void_ratio(g, 0.5)).value());
+    if (g.size_ratio < 6) {
+      least = std::min(least, G);
+      most = std::max(most, G);
+    }
+  }
+  std::printf("\nat equal relative density, C_u 1 to 2.5: G within %.0f %%\n", 100 * (most / least - 1));
+
+  // 3. Check.
+  return falls && most < 1.1 * least ? 0 : 1;
+}
