@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -53,14 +54,14 @@ TEST_CASE("probe and network agree on packings of unequal grains") {
                    {"bidisperse:2.5:0.2", Density::dense, 5},
                    {"lognormal:0.35", Density::loose, 3},
                    {"bidisperse:2.5:0.2", Density::loose, 3}};
-  for (const auto& [sizes, density, seed] : specimens) {
-    CAPTURE(sizes);
-    CAPTURE(density == Density::loose);
+  for (const auto& specimen : specimens) {
+    CAPTURE(std::string(specimen.sizes));
+    CAPTURE(specimen.density == Density::loose);
     SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
-    recipe.sizes = sizes::parse_distribution(sizes);
+    recipe.sizes = sizes::parse_distribution(specimen.sizes);
     recipe.grains = least_grains(recipe.sizes);
-    recipe.seed = seed;
-    const FrozenState frozen = freeze_in_place(compressed(recipe, density, 40e3), recipe.material);
+    recipe.seed = specimen.seed;
+    const FrozenState frozen = freeze_in_place(compressed(recipe, specimen.density, 40e3), recipe.material);
     const packing::Assembly assembly = dem::contact_network(frozen.state(), recipe.material);
     const elastic::Matrix6 relaxed = network::linear_response(assembly).relaxed().matrix;
     CHECK(probe(frozen.state(), recipe.material, ShearMode::hh).shear_modulus() ==
