@@ -21,6 +21,10 @@ struct CheckedState {
 /// \throws   InvalidArgument as require_valid
 CheckedState checked(const State& state);
 
+/// The geometry alone, for those who need neither k_n nor notes.
+/// \throws   InvalidArgument as require_valid
+Geometry<double> checked_geometry(const State& state);
+
 /// Without contacts there is nothing that could carry a force.
 /// \throws   InvalidArgument if C_n = 0
 void require_contacts(const State& state);

@@ -93,11 +93,11 @@ TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts) 
 }
 
 UniformContacts uniform_contacts(const State& state) {
-  const auto checked = kernel::checked(state);
+  const auto geometry = kernel::checked_geometry(state);
   kernel::require_contacts(state);
   const double stiffness =
-      kernel::contact_stiffness(state.law, checked.geometry.force_area, state.stress_v + 2 * state.stress_h);
-  return {.prefactor = checked.geometry.prefactor,
+      kernel::contact_stiffness(state.law, geometry.force_area, state.stress_v + 2 * state.stress_h);
+  return {.prefactor = geometry.prefactor,
           .normal_stiffness = stiffness,
           .tangential_stiffness = state.tangential_ratio * stiffness,
           .fabric_anisotropy = state.fabric_anisotropy,
