@@ -110,10 +110,11 @@ Probed at_rest(const dem::Specimen& state, const dem::Material& material, const 
   const double amplitude = options.amplitude > 0 ? options.amplitude : chosen_amplitude(engine);
   relax.settled_stress = options.settled_share * amplitude * engine.figures().p_wave_modulus;
   relax.settle_steps = spell(engine);
-  dem::QuasistaticReport start =
-      options.sliding
-          ? dem::deform(engine, Mat3{}, 0, relax)
-          : come_to_rest(engine, drag(engine, state), std::min<std::size_t>(options.max_steps, 10000), relax);
+  constexpr std::size_t most_adaptive_steps = 10000; // a state that has not come to rest by then seldom does
+  dem::QuasistaticReport start = options.sliding
+                                     ? dem::deform(engine, Mat3{}, 0, relax)
+                                     : come_to_rest(engine, drag(engine, state),
+                                                    std::min(options.max_steps, most_adaptive_steps), relax);
   return {std::move(engine), std::move(relax), start, amplitude};
 }
 
