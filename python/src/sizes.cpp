@@ -34,7 +34,8 @@ void bind_contact_means(py::module_& module) {
            py::arg("grain_volume") = ContactMeans{}.grain_volume)
       .def_readonly("branch", &ContactMeans::branch, "<l>/(2R), l = R_i + R_j [1].")
       .def_readonly("branch_square", &ContactMeans::branch_square, "<l^2>/(4R^2) [1].")
-      .def_readonly("pair_radius", &ContactMeans::pair_radius, "2<R*>/R: of the law at the mean R* [1].")
+      .def_readonly("pair_radius", &ContactMeans::pair_radius,
+                    "2(<R*^(1/3) l^2>/<l^2>)^3/R: of the law that stands for all pairs [1].")
       .def_readonly("grain_volume", &ContactMeans::grain_volume, "<V_g>/(4/3 pi R^3) [1].")
       .def("__repr__",
            [](const ContactMeans& m) {

@@ -201,10 +201,13 @@ RelaxingFactors relaxing_factors(double z, double r, double b, double branch_var
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
-  const RelaxingFactor shear = shear_factor(coordination_of_equal(near_z, branch_variance), near_r, b);
+  const Dual<0> of_equal = coordination_of_equal(variable<0>(near_z, 0), branch_variance);
+  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b);
+  shear = with_size_scatter(shear, shear_sizes, size_shift_left(near_z) * size_shift_error,
+                            shear.by_coordination, branch_variance);
+  shear.by_coordination *= of_equal.derivatives()[0];
   const RelaxingFactor bulk = bulk_factor(near_z, near_r, b);
-  return {.shear =
-              with_size_scatter(shear, shear_sizes, size_shift_error, shear.by_coordination, branch_variance),
+  return {.shear = shear,
           .bulk = with_size_scatter(bulk, bulk_sizes, 0, near_r * bulk.by_ratio, branch_variance)};
 }
 

@@ -53,10 +53,10 @@ inline constexpr Scatter bulk_recipes{0, 0.185159964};
 inline constexpr Scatter bulk_packings{0.0131222741, 0.193066505};
 /// Shift of z* in G and its standard error, over the relative variance of the lengths of branches;
 /// what unequal grains add to the scatter, over the root of that variance.
-inline constexpr double size_shift = 0.48029211;
-inline constexpr double size_shift_error = 0.0696207133;
-inline constexpr Scatter shear_sizes{0.101431922, 0.116209594};
-inline constexpr Scatter bulk_sizes{0.142740802, 0};
+inline constexpr double size_shift = 1.58222691;
+inline constexpr double size_shift_error = 0.202457619;
+inline constexpr Scatter shear_sizes{0.0791708164, 0.143617664};
+inline constexpr Scatter bulk_sizes{0.16610672, 0};
 /// Scatter of ln C33/C11 over ln of the stretch.
 inline constexpr double stretch_scatter = 0.136071463;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.

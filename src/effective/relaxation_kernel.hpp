@@ -29,11 +29,19 @@ inline double branch_variance(const sizes::ContactMeans& means) {
   return variance > 0 ? variance : 0;
 }
 
+/// How much of the shift below is left at a z* above the isostatic point: 1 there, a quarter 0.5 above.
+template <class T>
+T size_shift_left(const T& z) {
+  const T left = 1.0 / (1.0 + 2.0 * (z - frictional_isostatic(shear_coefficients)));
+  return left * left;
+}
+
 /// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
-/// their mean number of contacts tells. K shows no such shift.
+/// their mean number of contacts tells: more of their grains have two contacts and spin freely, so that fewer
+/// contacts hold the others. K shows no such shift.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
-  return z + size_shift * variance;
+  return z + size_shift * variance * size_shift_left(z);
 }
 
 /// Coefficients as numbers of another type, constants to it.

@@ -23,18 +23,34 @@ struct Partners {
   double contacts = 0;
 };
 
-/// <2 R*> of independent partners, each found as often as it has contacts.
+/// Contacts, or how often such contacts are found: the pair radius whose k_n is their mean over l^2.
+class MeanPair {
+ public:
+  void add(double radius_i, double radius_j, double often = 1) {
+    const double length = radius_i + radius_j;
+    const double weight = often * (length * length);
+    weights_ += weight;
+    roots_ += weight * std::cbrt(harmonic_mean(radius_i, radius_j));
+  }
+  [[nodiscard]] double radius() const {
+    const double root = roots_ / weights_;
+    return root * root * root;
+  }
+
+ private:
+  double weights_ = 0, roots_ = 0;
+};
+
+/// Of independent partners, each found as often as it has contacts.
 double mean_pair_radius(const std::vector<Partners>& partners) {
-  double contacts = 0, sum = 0;
+  MeanPair mean;
   for (std::size_t i = 0; i < partners.size(); ++i) {
     const auto& [x, of_x] = partners[i];
-    double with_smaller = 0;
+    mean.add(x, x, of_x * of_x);
     for (std::size_t j = 0; j < i; ++j)
-      with_smaller += partners[j].contacts * harmonic_mean(x, partners[j].radius);
-    sum += of_x * (of_x * x + 2 * with_smaller);
-    contacts += of_x;
+      mean.add(x, partners[j].radius, 2 * of_x * partners[j].contacts);
   }
-  return sum / contacts / contacts;
+  return mean.radius();
 }
 
 /// How often grains of the nodes touch others, over a grain of the mean radius, where a share of the grains
@@ -133,19 +149,20 @@ ContactMeans counted_contact_means(std::span<const double> radii, std::span<cons
     const double relative = require_positive("radius", radius, "m") / reference;
     volume += relative * relative * relative;
   }
-  ContactMeans sum{.branch = 0, .branch_square = 0, .pair_radius = 0};
+  ContactMeans sum{.branch = 0, .branch_square = 0};
+  MeanPair pair;
   for (const auto& [radius_i, radius_j] : contacts) {
     const double i = require_positive("radius of a contact", radius_i, "m") / reference;
     const double j = require_positive("radius of a contact", radius_j, "m") / reference;
     const double half = 0.5 * (i + j);
     sum.branch += half;
     sum.branch_square += half * half;
-    sum.pair_radius += harmonic_mean(i, j);
+    pair.add(i, j);
   }
   const double count = static_cast<double>(contacts.size());
   return {.branch = sum.branch / count,
           .branch_square = sum.branch_square / count,
-          .pair_radius = sum.pair_radius / count,
+          .pair_radius = pair.radius(),
           .grain_volume = volume / static_cast<double>(radii.size())};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/batch.hpp>
 #include <granum/effective/kinematic_field.hpp>
@@ -107,6 +108,20 @@ TEST_CASE("unequal grains: linear contacts of one stiffness have the bulk modulu
   // Estimates by force and by strain keep their order: uniform strain is an upper bound.
   CHECK(effective::uniform_stress(s).stiffness.bulk_modulus() <
         effective::uniform_strain(s).stiffness.bulk_modulus());
+}
+
+TEST_CASE("unequal grains: spheres of one force have the bulk modulus of their sum, R* of each pair") {
+  const Contacts c = drawn(0.6);
+  State s = state_of(c, contact::PowerLaw::sphere(quartz, 1));
+  s.law = contact::PowerLaw::sphere(quartz, mean_radius * s.contacts.pair_radius);
+  s.fabric_anisotropy = 0;
+  s.stress_h = s.stress_v;
+  const double force = effective::mean_contact_force(s);
+  double sum = 0;
+  for (const auto& [i, j] : c.pairs)
+    sum += contact::PowerLaw::sphere(quartz, contact::pair_radius(i, j)).stiffness_at_force(force) *
+           std::pow(i + j, 2);
+  CHECK(effective::uniform_strain(s).stiffness.bulk_modulus() == relative(sum / (9 * c.volume), 1e-12));
 }
 
 TEST_CASE("unequal grains: the reference radius does not matter") {
@@ -249,27 +264,37 @@ double relaxed_share(const State& s, double z) {
   return effective::relaxed(s, z).stiffness.G_vh() / effective::uniform_strain(s).stiffness.G_vh();
 }
 
+/// By how much z* of equal grains is larger that keep the same share.
+double shift_of(double deviation, double z) {
+  const State equal = scattered_branches(0), unequal = scattered_branches(deviation);
+  double low = z, high = z + 1;
+  while (high - low > 1e-12)
+    (relaxed_share(equal, (low + high) / 2) < relaxed_share(unequal, z) ? low : high) = (low + high) / 2;
+  return low - z;
+}
+
 } // namespace
 
 TEST_CASE("unequal grains relax less in G than equal ones of their z*, as equal ones of a larger z* do") {
   const State equal = scattered_branches(0);
+  constexpr double z = 4.3;
   double shift = 0;
   for (const double deviation : {0.2, 0.4}) {
     const State unequal = scattered_branches(deviation);
-    CHECK(relaxed_share(unequal, 5) > 1.01 * relaxed_share(equal, 5));
-    CHECK(effective::relaxed(unequal, 5).stiffness.bulk_modulus() /
+    CHECK(relaxed_share(unequal, z) > 1.01 * relaxed_share(equal, z));
+    CHECK(effective::relaxed(unequal, z).stiffness.bulk_modulus() /
               effective::uniform_strain(unequal).stiffness.bulk_modulus() ==
-          relative(effective::relaxed(equal, 5).stiffness.bulk_modulus() /
+          relative(effective::relaxed(equal, z).stiffness.bulk_modulus() /
                        effective::uniform_strain(equal).stiffness.bulk_modulus(),
                    1e-14));
-    double low = 5, high = 6; // z* of equal grains of the same share
-    while (high - low > 1e-12)
-      (relaxed_share(equal, (low + high) / 2) < relaxed_share(unequal, 5) ? low : high) = (low + high) / 2;
-    const double found = (low - 5) / (deviation * deviation);
+    const double found = shift_of(deviation, z) / (deviation * deviation);
     if (shift > 0)
       CHECK(found == relative(shift, 1e-8)); // in proportion to the variance, at every z*
     shift = found;
   }
+  // It fades above the isostatic point: to a quarter of what it is there half a contact above.
+  const double isostatic = effective::isostatic_coordination_number(0.9);
+  CHECK(shift_of(0.4, isostatic + 1) / shift_of(0.4, isostatic + 0.5) == relative(4.0 / 9, 1e-8));
 }
 
 TEST_CASE(

@@ -146,7 +146,9 @@ TEST_CASE("by hand: two grains of radius 1 and 2, one contact of each kind") {
   const ContactMeans means = counted_contact_means(radii, contacts, 1);
   CHECK(means.branch == relative(1.5, 1e-15));
   CHECK(means.branch_square == relative((1 + 2.25 + 4) / 3, 1e-15));
-  CHECK(means.pair_radius == relative((1 + 4.0 / 3 + 2) / 3, 1e-15));
+  // k_n l^2 of the three contacts over l^2: R* of 1/2, 2/3 and 1, l of 2, 3 and 4.
+  const double root = (4 * std::cbrt(1.0) + 9 * std::cbrt(4.0 / 3) + 16 * std::cbrt(2.0)) / (4 + 9 + 16);
+  CHECK(means.pair_radius == relative(root * root * root, 1e-15));
   CHECK(means.grain_volume == relative(4.5, 1e-15));
   check_same(with_reference(means, 2), counted_contact_means(radii, contacts, 2), 1e-15);
   require_valid(means);

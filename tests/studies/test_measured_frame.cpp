@@ -275,19 +275,19 @@ TEST_CASE("frame: contact means and the equivalent radius are those of the grain
   CHECK(a.sizes.smallest == 0.8 * r);
   CHECK(a.sizes.largest == r);
   CHECK(a.sizes.equivalent == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
-  double lengths = 0, squares = 0, pairs = 0, cubes = 0;
+  double lengths = 0, squares = 0, roots = 0, cubes = 0;
   for (const packing::Contact& c : packing.assembly.contacts) {
     const double ri = packing.assembly.radius[c.i], rj = packing.assembly.radius[c.j];
     lengths += ri + rj;
     squares += (ri + rj) * (ri + rj);
-    pairs += 1 / (1 / ri + 1 / rj);
+    roots += (ri + rj) * (ri + rj) * std::cbrt(1 / (1 / ri + 1 / rj));
   }
   for (const double radius : packing.assembly.radius)
     cubes += radius * radius * radius;
   const double R = a.sizes.equivalent, contacts = static_cast<double>(packing.assembly.contacts.size());
   CHECK(a.sizes.contacts.branch == relative(lengths / contacts / (2 * R), 1e-12));
   CHECK(a.sizes.contacts.branch_square == relative(squares / contacts / (4 * R * R), 1e-12));
-  CHECK(a.sizes.contacts.pair_radius == relative(2 * pairs / contacts / R, 1e-12));
+  CHECK(a.sizes.contacts.pair_radius == relative(2 * std::pow(roots / squares, 3) / R, 1e-12));
   CHECK(a.sizes.contacts.grain_volume ==
         relative(cubes / static_cast<double>(a.counts.grains) / (R * R * R), 1e-12));
   CHECK(a.sizes.gradation.d50 == 2 * r);

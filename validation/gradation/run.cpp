@@ -53,7 +53,7 @@ std::vector<Preparation> preparations() {
       relaxation::gas("gas mu0.5", 0.5, path),
   };
   for (Preparation& preparation : all)
-    preparation.max_steps = 60000;
+    preparation.max_steps = 400000;
   return all;
 }
 
@@ -141,11 +141,11 @@ void add_probes(Row& row, const dem::Specimen& frozen, const dem::Material& mate
 
 /// What one row says of a frozen state.
 void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material, const Task& task) {
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
   const analysis::Measurement measured =
-      analysis::measure(dem::contact_network(frozen, material), studies::known_of(frozen, material),
-                        {.network = network::Options{}});
+      analysis::measure(assembly, studies::known_of(frozen, material), {.network = network::Options{}});
   row.add("friction_coefficient", task.preparation.friction_coefficient);
-  relaxation::add_sizes(row, measured.sizes);
+  relaxation::add_sizes(row, assembly, measured);
   row.add("d50_m", measured.sizes.gradation.d50);
   row.add("e", measured.void_ratio);
   row.add("C_n", measured.counts.coordination_number);

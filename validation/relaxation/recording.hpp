@@ -130,14 +130,44 @@ inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem:
   row.add("K_upper_Pa", bounds.upper);
 }
 
-/// Sizes of the grains, and the means over contacts that closed forms take of them.
-inline void add_sizes(Row& row, const analysis::Sizes& sizes) {
+/// Grains of two contacts over all that are not rattlers: each spins freely about the line through both.
+inline double two_contact_share(const packing::Assembly& assembly, const std::vector<bool>& rattler) {
+  std::vector<int> contacts(rattler.size());
+  for (const packing::Contact& c : assembly.contacts)
+    if (!rattler[c.i] && !rattler[c.j])
+      ++contacts[c.i], ++contacts[c.j];
+  double grains = 0, of_two = 0;
+  for (std::size_t g = 0; g < rattler.size(); ++g) {
+    grains += !rattler[g];
+    of_two += !rattler[g] && contacts[g] == 2;
+  }
+  return of_two / grains;
+}
+
+/// <f l>/(<f> <l>) of normal forces and branches: how much more long branches bear.
+inline double force_by_branch(const packing::Assembly& assembly) {
+  double force = 0, length = 0, both = 0;
+  for (const packing::Contact& c : assembly.contacts) {
+    const double l = norm(c.branch);
+    force += c.normal_force;
+    length += l;
+    both += c.normal_force * l;
+  }
+  return both * static_cast<double>(assembly.contacts.size()) / (force * length);
+}
+
+/// Sizes of the grains, the means over contacts that closed forms take of them, and what sizes do to forces
+/// and contacts.
+inline void add_sizes(Row& row, const packing::Assembly& assembly, const analysis::Measurement& measured) {
+  const analysis::Sizes& sizes = measured.sizes;
   row.add("C_u", sizes.gradation.uniformity());
   row.add("R_m", sizes.equivalent);
   row.add("branch", sizes.contacts.branch);
   row.add("branch_square", sizes.contacts.branch_square);
   row.add("pair_radius", sizes.contacts.pair_radius);
   row.add("grain_volume", sizes.contacts.grain_volume);
+  row.add("two_contact_share", two_contact_share(assembly, measured.counts.mechanical.rattler));
+  row.add("force_by_branch", force_by_branch(assembly));
 }
 
 /// What one row says of a frozen state.
@@ -148,8 +178,8 @@ inline void describe(Row& row, const dem::Specimen& frozen, const dem::Material&
   add_networks(row, assembly, material.tangential_ratio);
   if (with_sizes)
     add_sizes(
-        row, analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio})
-                 .sizes);
+        row, assembly,
+        analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio}));
 }
 
 /// The output file: which states it holds, and how another is added.

@@ -132,7 +132,7 @@ std::vector<Preparation> unequal_preparations() {
     for (const auto& [sizes, grains] : gradations) {
       way.sizes = sizes;
       way.grains = grains;
-      way.max_steps = 60000;
+      way.max_steps = 400000;
       all.push_back(way);
     }
   return all;

@@ -17,7 +17,7 @@
 namespace relaxation {
 
 struct SizeEffect {
-  double shift = 0;       ///< of z* in G over the relative variance of the lengths of branches
+  double shift = 0;       ///< of z* in G at the isostatic point, over the relative variance of branches
   double shift_error = 0; ///< its standard error
   Scatter shear, bulk;    ///< standard deviations over the root of that variance
 };
@@ -31,10 +31,15 @@ struct EqualFit {
 
 inline double branch_variance(const Packing& p) { return kernel::branch_variance(p.state.contacts); }
 
+/// What a shift of 1 adds to z*.
+inline double unit_shift(const Packing& p) {
+  return branch_variance(p) * kernel::size_shift_left(p.mechanical_coordination);
+}
+
 /// G over that of the closed form, as equal grains of a shifted z* have it.
 template <class T, int n>
 T shifted_shear(const Packing& p, const Network& n_, const Numbers<T, n>& c, const T& shift) {
-  const T z = T(p.mechanical_coordination) + shift * branch_variance(p);
+  const T z = T(p.mechanical_coordination) + shift * unit_shift(p);
   return kernel::shear_relaxation(z, T(n_.ratio), T(p.exponent()), c);
 }
 
@@ -65,7 +70,7 @@ inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& eq
 inline Residual shifted_shear_residual(const Packing& p, const Network& n, const ShearFit& equal,
                                        double shift) {
   Packing shifted = p;
-  shifted.mechanical_coordination += shift * branch_variance(p);
+  shifted.mechanical_coordination += shift * unit_shift(p);
   return shear_residual(shifted, n, equal);
 }
 
@@ -123,14 +128,14 @@ inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const Eq
     for (const Network& n : p.networks) {
       if (!is_usual(p, n) || !chosen(p) || p.mechanical_coordination < lowest_usual_coordination)
         continue;
-      const double variance = branch_variance(p), root = std::sqrt(variance);
+      const double root = std::sqrt(branch_variance(p));
       const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
       const Residual K = bulk_residual(p, n, equal.bulk);
       const double shear =
           std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
                      deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
       const double by_shift =
-          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, variance * effect.shift_error);
+          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
       all.shear.add(G.error, std::hypot(shear, by_shift));
       all.bulk.add(K.error,
                    std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),

@@ -12,10 +12,12 @@ namespace granum::sizes {
 /// Means over the contacts of a packing, and its mean grain, over those of equal grains of a reference
 /// radius R:
 /// the default, in which every member is exactly 1.
+/// Spheres of one force have k_n ~ R*^(1/3), R* = R_i R_j/(R_i + R_j), and sums over contacts weight it by
+/// l^2. Large grains have both long branches and a large R*, so the pair radius is that of these sums.
 struct ContactMeans {
   double branch = 1;        ///< <l>/(2 R), l = R_i + R_j of a contact [1]
   double branch_square = 1; ///< <l^2>/(4 R^2) [1]
-  double pair_radius = 1;   ///< 2 <R*>/R, R* = R_i R_j/(R_i + R_j): of the law at the mean R* [1]
+  double pair_radius = 1;   ///< 2 (<R*^(1/3) l^2>/<l^2>)^3/R: of the law that stands for all pairs [1]
   double grain_volume = 1;  ///< <V_g>/(4/3 pi R^3), over all grains, those without contact as well [1]
 
   bool operator==(const ContactMeans&) const = default;
@@ -59,8 +61,8 @@ struct TouchingPair {
 /// Accuracy  of the quadrature 1e-10. Against what was counted in packings of LAMMPS, x_0 from 0.14 to 0.39:
 ///           validation/sizes.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes, double rattler_fraction = 0);
-/// The same of the radii of grains, e.g. of a file without contacts; R is their mean. <R*> of more than 1,024
-/// grains is counted in as many classes of equal number.
+/// The same of the radii of grains, e.g. of a file without contacts; R is their mean. The pair radius of more
+/// than 1,024 grains is counted in as many classes of equal number.
 /// \throws   InvalidArgument also for no radii, or one that is not positive
 /// Accuracy  of the classes 1e-4.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] ContactMeans expected_contact_means(std::span<const double> radii, double rattler_fraction = 0);
