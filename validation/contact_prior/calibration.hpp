@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../relaxation/least_squares.hpp"
-#include "../relaxation/packings.hpp"
+#include "../relaxation/reading.hpp"
 #include "effective/contact_prior_kernel.hpp"
 
 namespace contact_prior {

@@ -12,11 +12,13 @@ namespace gradation {
 
 using namespace granum;
 
-/// G of the nearest isotropic solid, three ways [Pa].
+/// K of rung 3, and G of the nearest isotropic solid, three ways [Pa].
 struct ClosedForms {
   double uniform_strain = 0;     ///< rung 2, means over contacts as they were counted
   double relaxed = 0;            ///< rung 3 of the same
   double stated_error = 0;       ///< of the latter, over it [1]
+  double bulk_modulus = 0;       ///< K of the same, which has no record: it is worked out again
+  double stated_bulk_error = 0;  ///< of the latter, over it [1]
   double relaxed_from_sizes = 0; ///< rung 3, means over contacts from the distribution and the rattlers
 };
 
@@ -37,6 +39,8 @@ inline ClosedForms closed_forms(const effective::State& counted, double z_star, 
   return {.uniform_strain = isotropic_shear_modulus(effective::uniform_strain(counted).stiffness),
           .relaxed = isotropic_shear_modulus(relaxed.stiffness),
           .stated_error = (relaxed.relative_error.G_hh + relaxed.relative_error.G_vh) / 2,
+          .bulk_modulus = relaxed.stiffness.bulk_modulus(),
+          .stated_bulk_error = relaxed.relative_error.bulk_modulus,
           .relaxed_from_sizes = isotropic_shear_modulus(effective::relaxed(from_sizes, z_star).stiffness)};
 }
 

@@ -20,13 +20,16 @@ struct Point {
   double void_ratio = 0;
   double z_star = 0;
   double rattler_fraction = 0;
-  double closed = 0;         ///< G of rung 3, means over contacts counted [Pa]
-  double from_sizes = 0;     ///< the same, means over contacts from the distribution [Pa]
-  double network = 0;        ///< [Pa]
-  double probe = 0;          ///< of those seeds whose probes converged; NaN without any [Pa]
-  double stated = 0;         ///< error of rung 3 over its value [1]
-  double uniform_strain = 0; ///< G of rung 2 [Pa]
-  double affine = 0;         ///< the same of the network [Pa]
+  double closed = 0;               ///< G of rung 3, means over contacts counted [Pa]
+  double from_sizes = 0;           ///< the same, means over contacts from the distribution [Pa]
+  double network = 0;              ///< [Pa]
+  double probe = 0;                ///< of those seeds whose probes converged; NaN without any [Pa]
+  double stated = 0;               ///< error of rung 3 over its value [1]
+  double closed_bulk_modulus = 0;  ///< K of rung 3 [Pa]
+  double network_bulk_modulus = 0; ///< [Pa]
+  double stated_bulk_error = 0;    ///< error of rung 3 over its value [1]
+  double uniform_strain = 0;       ///< G of rung 2 [Pa]
+  double affine = 0;               ///< the same of the network [Pa]
 };
 
 /// Of one gradation, from its densest preparation to its loosest.
@@ -38,7 +41,7 @@ struct Curve {
   [[nodiscard]] bool holds(double void_ratio) const {
     return void_ratio >= points.front().void_ratio && void_ratio <= points.back().void_ratio;
   }
-  /// 1 is the densest packing, 0 that of friction 0.3, the most with which all gradations came to rest.
+  /// 1 is the densest packing, 0 that of friction 0.3.
   [[nodiscard]] double void_ratio_of(double relative_density) const {
     return loose() - relative_density * (loose() - dense());
   }
@@ -65,6 +68,9 @@ struct Curve {
             .network = between(&Point::network),
             .probe = between(&Point::probe),
             .stated = between(&Point::stated),
+            .closed_bulk_modulus = between(&Point::closed_bulk_modulus),
+            .network_bulk_modulus = between(&Point::network_bulk_modulus),
+            .stated_bulk_error = between(&Point::stated_bulk_error),
             .uniform_strain = between(&Point::uniform_strain),
             .affine = between(&Point::affine)};
   }
@@ -98,6 +104,9 @@ inline Point mean_point(const std::vector<State>& seeds) {
           .network = mean([](const State& s) { return s.network; }),
           .probe = mean([](const State& s) { return s.probe(); }),
           .stated = mean([](const State& s) { return closed_forms(s).stated_error; }),
+          .closed_bulk_modulus = mean([](const State& s) { return closed_forms(s).bulk_modulus; }),
+          .network_bulk_modulus = mean([](const State& s) { return s.network_bulk_modulus; }),
+          .stated_bulk_error = mean([](const State& s) { return closed_forms(s).stated_bulk_error; }),
           .uniform_strain = mean([](const State& s) { return closed_forms(s).uniform_strain; }),
           .affine = mean([](const State& s) { return s.affine; })};
 }

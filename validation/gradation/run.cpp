@@ -121,6 +121,7 @@ void add_closed_forms(Row& row, const analysis::Measurement& measured, const Tas
 void add_network(Row& row, const network::Response& response) {
   const elastic::VoigtStiffness& relaxed = response.relaxed();
   row.add("G_affine_Pa", elastic::isotropic_projection(response.affine()).shear_modulus());
+  row.add("K_network_Pa", elastic::isotropic_projection(relaxed).bulk_modulus());
   row.add("G_network_Pa", elastic::isotropic_projection(relaxed).shear_modulus());
   row.add("C44_network_Pa", relaxed.matrix(3, 3));
   row.add("C55_network_Pa", relaxed.matrix(4, 4));

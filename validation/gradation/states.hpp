@@ -14,7 +14,7 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
-#include "../relaxation/packings.hpp"
+#include "../relaxation/reading.hpp"
 #include "closed_forms.hpp"
 
 namespace gradation {
@@ -39,8 +39,9 @@ struct State {
   double rattler_fraction = 0;
   effective::State counted; ///< with the means over contacts as they were counted
   ClosedForms recorded;
-  double affine = 0;  ///< G of the network under uniform strain [Pa]
-  double network = 0; ///< G of the network, nearest isotropic solid [Pa]
+  double affine = 0;               ///< G of the network under uniform strain [Pa]
+  double network = 0;              ///< G of the network, nearest isotropic solid [Pa]
+  double network_bulk_modulus = 0; ///< [Pa]
   std::array<Probe, 3> probes;
 
   [[nodiscard]] double void_ratio() const { return counted.void_ratio; }
@@ -73,9 +74,12 @@ inline State state(const relaxation::detail::Row& row, const std::string& sizes,
           .recorded = {.uniform_strain = row.at("G_uniform_strain_Pa"),
                        .relaxed = row.at("G_closed_Pa"),
                        .stated_error = row.at("G_closed_stated"),
+                       .bulk_modulus = 0,
+                       .stated_bulk_error = 0,
                        .relaxed_from_sizes = row.at("G_closed_sizes_Pa")},
           .affine = row.at("G_affine_Pa"),
           .network = row.at("G_network_Pa"),
+          .network_bulk_modulus = row.at("K_network_Pa"),
           .probes = {}};
   const struct {
     const char* mode;

@@ -16,7 +16,7 @@
 #include <granum/inverse/inference.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "../relaxation/packings.hpp"
+#include "../relaxation/reading.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <granum/effective/ladder.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "../relaxation/packings.hpp"
+#include "../relaxation/reading.hpp"
 
 namespace ladder {
 

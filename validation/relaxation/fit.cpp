@@ -19,6 +19,7 @@
 #include "calibration.hpp"
 #include "coverage.hpp"
 #include "factor_errors.hpp"
+#include "reading.hpp"
 
 namespace {
 

@@ -3,17 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <granum/contact/power_law.hpp>
 #include <granum/effective/state.hpp>
-#include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
 namespace relaxation {
@@ -70,143 +63,12 @@ inline double bulk_factor(const Packing& p, const Network& n) {
 /// A shape that the fits leave out altogether, to see how they do between the others.
 inline constexpr const char* unfitted_contact = "alpha4";
 
-namespace detail {
-
-inline std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == ',')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
-}
-
-/// \param    radius   of the pair, for spheres [m]
-inline granum::contact::PowerLaw law(const std::string& contact, double radius) {
-  using granum::contact::PowerLaw;
-  constexpr granum::contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-  if (contact == "cone")
-    return PowerLaw::cone(grain, 0.4);
-  if (contact == "sphere")
-    return PowerLaw::sphere(grain, radius);
-  if (contact == "flat")
-    return PowerLaw::flat(grain, 5.7e-6);
-  if (contact == "alpha1.5")
-    return PowerLaw::general(grain, 1.5, 180);
-  if (contact == unfitted_contact)
-    return PowerLaw::general(grain, 4, 2e12);
-  throw std::runtime_error("unknown contact " + contact);
-}
-
-inline TransverselyIsotropic stiffness(const std::map<std::string, double>& row, const std::string& suffix) {
-  const auto constant = [&](const std::string& name) { return row.at(name + "_" + suffix + "_Pa"); };
-  return {.C11 = constant("C11"),
-          .C33 = constant("C33"),
-          .C12 = constant("C12"),
-          .C13 = constant("C13"),
-          .C44 = constant("C44")};
-}
-
-} // namespace detail
-
 /// A preparation without the path on which its specimens were sheared.
 inline std::string unsheared(const std::string& preparation) {
   for (const char* path : {" txc", " txe"})
     if (preparation.ends_with(path))
       return preparation.substr(0, preparation.size() - 4);
   return preparation;
-}
-
-namespace detail {
-
-using Row = std::map<std::string, double>;
-
-/// Numbers of a row by their headings; text is left out.
-inline Row numbers(const std::vector<std::string>& headings, const std::vector<std::string>& fields) {
-  static const std::set<std::string> text{"sizes", "contact", "preparation"};
-  Row row;
-  for (std::size_t k = 0; k < fields.size(); ++k)
-    if (text.count(headings[k]) == 0)
-      row[headings[k]] = fields[k].empty() ? State::unset : std::stod(fields[k]);
-  return row;
-}
-
-/// A file without these columns has equal grains.
-inline granum::sizes::ContactMeans contact_means(const Row& row) {
-  if (row.count("branch") == 0)
-    return {};
-  return {.branch = row.at("branch"),
-          .branch_square = row.at("branch_square"),
-          .pair_radius = row.at("pair_radius"),
-          .grain_volume = row.at("grain_volume")};
-}
-
-inline State state(const Row& row, const std::string& contact, double tangential_ratio) {
-  const double radius = row.count("R_m") > 0 ? row.at("R_m") : 0.5e-3;
-  const granum::sizes::ContactMeans contacts = contact_means(row);
-  return {.law = law(contact, radius * contacts.pair_radius),
-          .tangential_ratio = tangential_ratio,
-          .radius = radius,
-          .void_ratio = row.at("e"),
-          .coordination_number = row.at("C_n"),
-          .fabric_anisotropy = row.at("a"),
-          .stress_v = row.at("stress_v_Pa"),
-          .stress_h = row.at("stress_h_Pa"),
-          .contacts = contacts};
-}
-
-inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
-                       const std::string& preparation) {
-  static const std::map<std::string, double> ratios{
-      {"0", 0}, {"0.03", 0.03}, {"0.1", 0.1}, {"0.3", 0.3}, {"0.6", 0.6}, {"0.919", 0.918918918918919},
-      {"1", 1}};
-  const int seed = static_cast<int>(row.at("seed"));
-  Packing p{.sizes = sizes,
-            .contact = contact,
-            .preparation = preparation,
-            .recipe = contact + " " + unsheared(preparation) + " " + sizes,
-            .specimen = contact + " " + unsheared(preparation) + " " + sizes + " " + std::to_string(seed),
-            .seed = seed,
-            .pressure = row.at("p_Pa"),
-            .stress_ratio = row.at("stress_ratio"),
-            .friction_coefficient = row.at("friction_coefficient"),
-            .state = state(row, contact, ratios.at("0.919")),
-            .mechanical_coordination = row.at("z_star"),
-            .rattler_fraction = row.at("rattler_fraction"),
-            .uniformity = row.count("C_u") > 0 ? row.at("C_u") : 1,
-            .affine_share = row.at("force_moment_b"),
-            .strain_bulk_modulus = stiffness(row, "affine").bulk_modulus(),
-            .networks = {}};
-  if (sizes != "equal")
-    p.affine_share =
-        p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
-  p.relative_overlap = p.state.law.overlap(granum::effective::mean_contact_force(p.state)) /
-                       (2 * p.state.radius * p.state.contacts.branch);
-  for (const auto& [name, ratio] : ratios)
-    p.networks.push_back({ratio, stiffness(row, name)});
-  return p;
-}
-
-} // namespace detail
-
-inline std::vector<Packing> read_packings(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  if (!std::getline(in, line))
-    throw std::runtime_error("cannot read " + path);
-  const std::vector<std::string> headings = detail::split(line);
-  const std::size_t contact = headings.front() == "sizes" ? 1 : 0; // its column
-  std::vector<Packing> packings;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> fields = detail::split(line);
-    if (fields.size() != headings.size())
-      throw std::runtime_error("row of another length: " + line.substr(0, 60));
-    packings.push_back(detail::packing(detail::numbers(headings, fields), contact == 1 ? fields[0] : "equal",
-                                       fields[contact], fields[contact + 1]));
-  }
-  return packings;
 }
 
 struct PackingsByUse {
