@@ -43,6 +43,11 @@ Dual<n> variable(double value, std::size_t index) {
 }
 
 template <std::size_t n>
+Dual<n> constant(double value) {
+  return {value, Dual<n>::DerType::Zero()};
+}
+
+template <std::size_t n>
 std::array<Dual<n>, n> variables(const std::array<double, n>& values) {
   std::array<Dual<n>, n> duals;
   for (std::size_t k = 0; k < n; ++k)
@@ -96,12 +101,18 @@ RelaxingFactor shear_factor(double z, double r, double b) {
   return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
 }
 
-RelaxingFactor bulk_factor(double z, double r, double b) {
+RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
-  const Dual<n> h = kernel::bulk_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
-                                            variables(kernel::bulk_coefficients));
-  const RelaxingFactor factor = with_slopes<n>(h, kernel::bulk_covariance);
-  return with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
+  const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
+  const Dual<n> Z = variable<n>(z, n), B = variable<n>(b, n + 2);
+  const Dual<n> equal = kernel::bulk_relaxation(Z, variable<n>(r, n + 1), B, coefficients);
+  const Dual<n> share =
+      kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
+  RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
+  factor = with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
+  const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
+  factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
+  return with_size_scatter(factor, kernel::bulk_sizes, 0, r * factor.by_ratio, branch_variance);
 }
 
 double isostatic(double r) {
@@ -206,9 +217,7 @@ RelaxingFactors relaxing_factors(double z, double r, double b, double branch_var
   shear = with_size_scatter(shear, shear_sizes, size_shift_left(near_z) * size_shift_error,
                             shear.by_coordination, branch_variance);
   shear.by_coordination *= of_equal.derivatives()[0];
-  const RelaxingFactor bulk = bulk_factor(near_z, near_r, b);
-  return {.shear = shear,
-          .bulk = with_size_scatter(bulk, bulk_sizes, 0, near_r * bulk.by_ratio, branch_variance)};
+  return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
 }
 
 RelaxedParts relaxed_parts(const State& s, double z) {

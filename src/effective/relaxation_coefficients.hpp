@@ -51,12 +51,16 @@ inline constexpr Scatter shear_recipes{0.0189100323, 0.00569109521};
 inline constexpr Scatter shear_packings{0.0222611579, 0.0081302599};
 inline constexpr Scatter bulk_recipes{0, 0.185159964};
 inline constexpr Scatter bulk_packings{0.0131222741, 0.193066505};
-/// Shift of z* in G and its standard error, over the relative variance of the lengths of branches;
-/// what unequal grains add to the scatter, over the root of that variance.
+/// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
+/// lengths of branches.
 inline constexpr double size_shift = 1.58222691;
 inline constexpr double size_shift_error = 0.202457619;
+/// What unequal grains lose of K, and its standard error.
+inline constexpr double size_loss = 0.559645464;
+inline constexpr double size_loss_error = 0.0521487593;
+/// What they add to the scatter, over the root of that variance.
 inline constexpr Scatter shear_sizes{0.0791708164, 0.143617664};
-inline constexpr Scatter bulk_sizes{0.16610672, 0};
+inline constexpr Scatter bulk_sizes{0.0887219755, 0};
 /// Scatter of ln C33/C11 over ln of the stretch.
 inline constexpr double stretch_scatter = 0.136071463;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.

@@ -38,7 +38,7 @@ T size_shift_left(const T& z) {
 
 /// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
 /// their mean number of contacts tells: more of their grains have two contacts and spin freely, so that fewer
-/// contacts hold the others. K shows no such shift.
+/// contacts hold the others. K shows no such shift; it has size_bulk_share.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
   return z + size_shift * variance * size_shift_left(z);
@@ -104,6 +104,16 @@ T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>&
   const T square = d2 * d2;
   const T lost = scatter / d1 + tangential / (square * (r + own * square));
   return 1.0 / (1.0 + lost);
+}
+
+/// What unequal grains keep of that K: their forces scatter more, which costs K as the scatter of equal ones
+/// does in the first term above.
+/// \param    loss   size_loss
+template <class T>
+T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
+  const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
+  const T distance = z - scatter_pole + stiffening * b;
+  return 1.0 / (1.0 + loss * variance / distance);
 }
 
 /// The stiffness that relaxation leaves of a uniform-strain one: volumetric and deviatoric strain keep

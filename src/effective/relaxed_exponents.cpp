@@ -48,7 +48,10 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const Dual shear =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                b, kernel::constants<Dual>(kernel::shear_coefficients));
-  const Dual bulk = kernel::bulk_relaxation(z_star, r, b, kernel::constants<Dual>(kernel::bulk_coefficients));
+  const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
+  const Dual bulk = kernel::bulk_relaxation(z_star, r, b, of_bulk) *
+                    kernel::size_bulk_share(z_star, b, constant(kernel::size_loss),
+                                            kernel::branch_variance(s.contacts), of_bulk);
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
   const Dual stretch = kernel::log_stretch(shear, b, constant(std::log(F.F33 / F.F11)), log_stress,

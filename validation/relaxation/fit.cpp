@@ -97,15 +97,19 @@ void print_coefficients(const Result& r) {
       "struct Scatter {\n  double base;\n  double gain;\n};\n");
   print_scatter("shear", r.shear_scatter);
   print_scatter("bulk", r.bulk_scatter);
-  std::printf(
-      "/// Shift of z* in G and its standard error, over the relative variance of the lengths of branches;\n"
-      "/// what unequal grains add to the scatter, over the root of that variance.\n"
-      "inline constexpr double size_shift = %.9g;\n"
-      "inline constexpr double size_shift_error = %.9g;\n"
-      "inline constexpr Scatter shear_sizes{%.9g, %.9g};\n"
-      "inline constexpr Scatter bulk_sizes{%.9g, %.9g};\n",
-      r.sizes.shift, r.sizes.shift_error, r.sizes.shear.base, r.sizes.shear.gain, r.sizes.bulk.base,
-      r.sizes.bulk.gain);
+  std::printf("/// Shift of z* in G at the isostatic point and its standard error, over the relative "
+              "variance of the\n"
+              "/// lengths of branches.\n"
+              "inline constexpr double size_shift = %.9g;\n"
+              "inline constexpr double size_shift_error = %.9g;\n"
+              "/// What unequal grains lose of K, and its standard error.\n"
+              "inline constexpr double size_loss = %.9g;\n"
+              "inline constexpr double size_loss_error = %.9g;\n"
+              "/// What they add to the scatter, over the root of that variance.\n"
+              "inline constexpr Scatter shear_sizes{%.9g, %.9g};\n"
+              "inline constexpr Scatter bulk_sizes{%.9g, %.9g};\n",
+              r.sizes.shift, r.sizes.shift_error, r.sizes.loss, r.sizes.loss_error, r.sizes.shear.base,
+              r.sizes.shear.gain, r.sizes.bulk.base, r.sizes.bulk.gain);
   std::printf("/// Scatter of ln C33/C11 over ln of the stretch.\n");
   std::printf("inline constexpr double stretch_scatter = %.9g;\n", r.stretch_scatter);
   std::printf(
@@ -316,10 +320,11 @@ bool same(const Eigen::Matrix<double, n, n>& fitted, const double (&recorded)[m]
 }
 
 bool same(const SizeEffect& fitted) {
-  return same(
-      std::array{fitted.shift, fitted.shift_error, fitted.shear.base, fitted.shear.gain, fitted.bulk.base},
-      std::array{kernel::size_shift, kernel::size_shift_error, kernel::shear_sizes.base,
-                 kernel::shear_sizes.gain, kernel::bulk_sizes.base});
+  return same(std::array{fitted.shift, fitted.shift_error, fitted.loss, fitted.loss_error, fitted.shear.base,
+                         fitted.shear.gain, fitted.bulk.base},
+              std::array{kernel::size_shift, kernel::size_shift_error, kernel::size_loss,
+                         kernel::size_loss_error, kernel::shear_sizes.base, kernel::shear_sizes.gain,
+                         kernel::bulk_sizes.base});
 }
 
 /// Largest difference between z* and C_n/(1 - x_0), relative.

@@ -19,6 +19,8 @@ namespace relaxation {
 struct SizeEffect {
   double shift = 0;       ///< of z* in G at the isostatic point, over the relative variance of branches
   double shift_error = 0; ///< its standard error
+  double loss = 0;        ///< of K, as kernel::size_bulk_share has it
+  double loss_error = 0;  ///< its standard error
   Scatter shear, bulk;    ///< standard deviations over the root of that variance
 };
 
@@ -66,6 +68,36 @@ inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& eq
   return least_squares<2>(std::move(rows), {0.5, 0.01});
 }
 
+/// K of unequal grains over that of equal ones.
+template <class T>
+T bulk_share(const Packing& p, const BulkFit& equal, const T& loss) {
+  return kernel::size_bulk_share(T(p.mechanical_coordination), T(p.exponent()), loss, branch_variance(p),
+                                 kernel::constants<T>(equal.coefficients));
+}
+
+/// The loss of K, beside what small specimens are stiffer than large ones.
+inline Fit<2> fit_loss(const std::vector<Packing>& packings, const BulkFit& equal, const Choice& chosen) {
+  using D = Dual<2>;
+  std::vector<Observation<2>> rows;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      if (is_usual(p, n) && chosen(p)) {
+        const auto model = [p, equal](const Numbers<D, 2>& k) {
+          return D(log(bulk_share<D>(p, equal, k[0])) + k[1]);
+        };
+        rows.push_back({model, -bulk_residual(p, n, equal).error, 1, p.recipe});
+      }
+  return least_squares<2>(std::move(rows), {0.5, 0.01});
+}
+
+/// Error of ln K with the loss.
+inline Residual lessened_bulk_residual(const Packing& p, const Network& n, const BulkFit& equal,
+                                       double loss) {
+  Residual r = bulk_residual(p, n, equal);
+  r.error += std::log(bulk_share<double>(p, equal, loss));
+  return r;
+}
+
 /// Error of ln G, and its slope by z*, with the shift.
 inline Residual shifted_shear_residual(const Packing& p, const Network& n, const ShearFit& equal,
                                        double shift) {
@@ -102,8 +134,11 @@ inline Scatter size_scatter(const std::vector<Residual>& residuals, const std::v
 inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const EqualFit& equal,
                                   const Choice& chosen) {
   const Fit<2> shift = fit_shift(packings, equal.shear, chosen);
+  const Fit<2> loss = fit_loss(packings, equal.bulk, chosen);
   SizeEffect effect{.shift = shift.coefficients[0],
                     .shift_error = std::sqrt(shift.covariance(0, 0)),
+                    .loss = loss.coefficients[0],
+                    .loss_error = std::sqrt(loss.covariance(0, 0)),
                     .shear = {},
                     .bulk = {}};
   std::vector<Residual> G, K;
@@ -112,7 +147,7 @@ inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const Eq
     for (const Network& n : p.networks)
       if (is_usual(p, n) && chosen(p)) {
         G.push_back(shifted_shear_residual(p, n, equal.shear, effect.shift));
-        K.push_back(bulk_residual(p, n, equal.bulk));
+        K.push_back(lessened_bulk_residual(p, n, equal.bulk, effect.loss));
         variances.push_back(branch_variance(p));
       }
   effect.shear = size_scatter(G, variances, equal.shear_scatter, true);
@@ -130,7 +165,9 @@ inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const Eq
         continue;
       const double root = std::sqrt(branch_variance(p));
       const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
-      const Residual K = bulk_residual(p, n, equal.bulk);
+      const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
+      const double by_loss =
+          (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
       const double shear =
           std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
                      deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
@@ -139,7 +176,8 @@ inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const Eq
       all.shear.add(G.error, std::hypot(shear, by_shift));
       all.bulk.add(K.error,
                    std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
-                              deviation(equal.bulk_scatter, K.sensitivity), root * effect.bulk.base));
+                              deviation(equal.bulk_scatter, K.sensitivity),
+                              std::hypot(root * effect.bulk.base, by_loss)));
     }
   return all;
 }
