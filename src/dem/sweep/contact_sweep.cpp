@@ -196,18 +196,26 @@ GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& 
   }
 }
 
-/// Brings tangential forces down to Coulomb's limit; few blocks need it.
+/// Brings tangential forces down to Coulomb's limit. In loops of one kind of work each, which become vector
+/// code: while a specimen is sheared, most blocks have a contact that slides.
 GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, Eight& __restrict sliding,
                                double* __restrict mx, double* __restrict my, double* __restrict mz) {
+  Block slides_of, scale; // not a number where nothing touches, and not taken there
+  for (std::size_t k = 0; k < block_size; ++k)
+    scale[k] = friction * p.force[k] / std::sqrt(p.shear_squared[k]);
   for (std::size_t k = 0; k < block_size; ++k) {
     const double limit = friction * p.force[k];
     const bool slides = p.shear_squared[k] > limit * limit;
-    const double scale = slides ? limit / std::sqrt(p.shear_squared[k]) : 1.0;
-    mx[k] *= scale;
-    my[k] *= scale;
-    mz[k] *= scale;
-    sliding[k % 8] += slides ? 1.0 : 0.0;
+    scale[k] = slides ? scale[k] : 1.0;
+    slides_of[k] = slides ? 1.0 : 0.0;
   }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    mx[k] *= scale[k];
+    my[k] *= scale[k];
+    mz[k] *= scale[k];
+  }
+  for (std::size_t k = 0; k < block_size; k += 8)
+    sliding += eight(slides_of, k);
 }
 
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
