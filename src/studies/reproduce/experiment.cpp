@@ -13,8 +13,8 @@ namespace granum::studies {
 
 namespace {
 
-/// The pieces of an experiment: packings, isotropic compressions, stress paths. Each begins once the one that it
-/// starts from is done, side by side with others.
+/// The pieces of an experiment: packings, isotropic compressions, stress paths. Each begins once the one that
+/// it starts from is done, side by side with others.
 class Pieces {
  public:
   Pieces(const Scene& scene, const RunControl& control, const CheckpointFolder& checkpoints)

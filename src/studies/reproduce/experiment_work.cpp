@@ -17,8 +17,8 @@ constexpr double frozen_point_steps = 1000;
 /// Frozen states of a path: to a peak of eta about 1, and past it by axial strain.
 constexpr double peak_eta = 1;
 
-/// Time of a path over the mean of all four: the slower the lower its stresses, and the more frozen states the
-/// later its peak.
+/// Time of a path over the mean of all four (measured): longer at lower stresses, and with more frozen states
+/// up to a peak.
 double share_of(stress::ShearPath path) {
   switch (path) {
   case stress::ShearPath::rtxc:
