@@ -116,7 +116,7 @@ void each_near(const Bins& bins, const std::array<int, 3>& home, const std::arra
         each_in_bin(bins, home, {dx, dy, dz}, images, visit);
 }
 
-/// The same for half of the bins next to a home, from which the other half is seen; its own is not among them.
+/// The same for half of the bins next to a home, from which the other half is seen; the home is in neither.
 template <class Visit>
 void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images, const Visit& visit) {
   for (int dx = 0; dx <= 1; ++dx)

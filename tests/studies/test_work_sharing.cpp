@@ -81,4 +81,10 @@ TEST_CASE("after an error no more work is begun, and the error is thrown") {
   }
 }
 
-TEST_CASE("no jobs are no work") { CHECK_NOTHROW(side_by_side({}, 2)); }
+TEST_CASE("numbered work is done in its order") {
+  std::vector<std::size_t> order;
+  side_by_side(3, 1, [&](std::size_t k) { order.push_back(k); });
+  CHECK(order == std::vector<std::size_t>{0, 1, 2});
+}
+
+TEST_CASE("no jobs are no work") { CHECK_NOTHROW(side_by_side(std::vector<Job>{}, 2)); }

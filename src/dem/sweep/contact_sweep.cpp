@@ -294,9 +294,9 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
   sums = s;
 }
 
-/// The row of a grain i, held out of memory while pairs of the same i follow each other. Stored and read again
-/// with each pair it would have to wait for its own store every time. Nothing else changes that row meanwhile:
-/// forces on j go to rows of later grains or to spare ones.
+/// The row of a grain i, held out of memory while pairs of the same i follow each other. Stored and read
+/// again with each pair it would have to wait for its own store every time. Nothing else changes that row
+/// meanwhile: forces on j go to rows of later grains or to spare ones; padding, where j is i, adds zeros.
 /// \param    Part   get and put of what is held of a row
 template <class Part>
 class HeldRow {

@@ -113,4 +113,11 @@ void side_by_side(const std::vector<Job>& jobs, std::size_t threads) {
   queue.throw_error();
 }
 
+void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < count; ++k)
+    jobs.push_back({.work = [&work, k] { work(k); }, .cost = 1, .after = {}});
+  side_by_side(jobs, threads);
+}
+
 } // namespace granum::studies

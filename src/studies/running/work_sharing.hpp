@@ -52,9 +52,11 @@ struct Job {
 };
 
 /// Does all jobs, each once, on several threads. Of those that may begin, a free thread takes the one at the
-/// head of the costliest chain, so that no thread ends up alone with a long one; of equal ones the first. After
-/// the first error no more work is begun; when all threads are through, that error is thrown.
+/// head of the costliest chain, so that no thread ends up alone with a long one; of equal ones the first.
+/// After the first error no more work is begun; when all threads are through, that error is thrown.
 /// Checked by tests/studies/test_work_sharing.cpp
 void side_by_side(const std::vector<Job>& jobs, std::size_t threads);
+/// The same for work(0) .. work(count - 1), begun in that order.
+void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work);
 
 } // namespace granum::studies
