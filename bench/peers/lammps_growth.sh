@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What a deck of `granum export lammps` costs as it grows: time, memory and disk for each grain, and the steps
-# that one pressure takes. Writes bench/results/lammps_growth.csv and says what 10^7 grains need:
+# that one pressure takes. Writes bench/results/lammps_growth.csv and says what 10^7 and
+# 10^8 grains need:
 #   bench/peers/lammps_growth.sh GRANUM [FOLDER]     FOLDER: scratch, else a temporary one
 # Needs lmp and mpirun. Times are CPU times (LAMMPS's loop time times its CPU use), the least of
 # three runs, for machines with other work.
@@ -100,7 +101,10 @@ awk -F, -v s1="${steps[1]}" -v s2="${steps[2]}" -v dumps=$dumps -v restart=$rest
     printf "time %.3g us a grain and step on 1 rank, %.3g on 2\n", time[64000], two
     printf "steps of a pressure: 1,000 grains %d, 8,000 grains %d\n", s1, s2
     printf "disk %d bytes a grain for both dumps of a state, %d for its restart\n", dumps, restart
-    far = s2 * (1e7 / 8000) ^ (1 / 3)
-    printf "10^7 grains: %.0f GB memory; a pressure %.2g steps, %.0f core-hours; a state %.0f GB of dumps, %.1f GB restart\n",
-      each / 100, far, far * 1e7 * two / 1e6 / 3600, dumps / 100, restart / 100
+    for (power = 7; power <= 8; ++power) {
+      grains = 10 ^ power
+      far = s2 * (grains / 8000) ^ (1 / 3)
+      printf "10^%d grains: %.0f GB memory; a pressure %.2g steps, %.0f core-hours; a state %.0f GB of dumps, %.1f GB restart\n",
+        power, grains * each / 1e9, far, far * grains * two / 1e6 / 3600, grains * dumps / 1e9, grains * restart / 1e9
+    }
   }' "$results"

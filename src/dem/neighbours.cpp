@@ -89,25 +89,40 @@ struct Offsets {
   int last = 1;
 };
 
-/// Calls visit(grain, image) for the grains in the bins around a home. With few bins the outer offsets repeat
-/// bins, but each with another shift, so none is lost.
+/// Calls visit(grain, image) for the grains in the bin at an offset from a home.
+template <class Visit>
+void each_in_bin(const Bins& bins, const std::array<int, 3>& home, const std::array<int, 3>& offset,
+                 Images images, const Visit& visit) {
+  constexpr std::uint32_t no_shift = 13;
+  const Neighbour nx = neighbour(home[0], offset[0], bins.count[0]);
+  const Neighbour ny = neighbour(home[1], offset[1], bins.count[1]);
+  const Neighbour nz = neighbour(home[2], offset[2], bins.count[2]);
+  const auto image = static_cast<std::uint32_t>(image_index(nx.shift, ny.shift, nz.shift));
+  if (images == Images::none && image != no_shift)
+    return;
+  const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
+  for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k)
+    visit(bins.grain[k], image);
+}
+
+/// The same for all bins around a home. With few bins the outer offsets repeat bins, but each with another
+/// shift, so none is lost.
 template <class Visit>
 void each_near(const Bins& bins, const std::array<int, 3>& home, const std::array<Offsets, 3>& around,
                Images images, const Visit& visit) {
-  constexpr std::uint32_t no_shift = 13;
   for (int dx = around[0].first; dx <= around[0].last; ++dx)
     for (int dy = around[1].first; dy <= around[1].last; ++dy)
-      for (int dz = around[2].first; dz <= around[2].last; ++dz) {
-        const Neighbour nx = neighbour(home[0], dx, bins.count[0]);
-        const Neighbour ny = neighbour(home[1], dy, bins.count[1]);
-        const Neighbour nz = neighbour(home[2], dz, bins.count[2]);
-        const auto image = static_cast<std::uint32_t>(image_index(nx.shift, ny.shift, nz.shift));
-        if (images == Images::none && image != no_shift)
-          continue;
-        const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
-        for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k)
-          visit(bins.grain[k], image);
-      }
+      for (int dz = around[2].first; dz <= around[2].last; ++dz)
+        each_in_bin(bins, home, {dx, dy, dz}, images, visit);
+}
+
+/// The same for half of the bins next to a home, from which the other half is seen; the home is in neither.
+template <class Visit>
+void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images, const Visit& visit) {
+  for (int dx = 0; dx <= 1; ++dx)
+    for (int dy = dx == 0 ? 0 : -1; dy <= 1; ++dy)
+      for (int dz = dx == 0 && dy == 0 ? 1 : -1; dz <= 1; ++dz)
+        each_in_bin(bins, home, {dx, dy, dz}, images, visit);
 }
 
 /// The bins that a distance from s reaches into; at most half of the cell, so that no bin comes in twice.
@@ -186,18 +201,20 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
   for (std::uint32_t i = 0; i < position.size(); ++i) {
-    const std::size_t first = pairs.size();
-    each_near(bins, bin_of(bins, to_fraction * position[i]), {}, images,
-              [&](std::uint32_t j, std::uint32_t image) {
-                if (j <= i)
-                  return;
-                const Vec3 branch = position[j] + shifts[image] - position[i];
-                if (dot(branch, branch) < cutoff * cutoff)
-                  pairs.push_back({i, j, image});
-              });
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
-              [](const Pair& a, const Pair& b) { return a.j < b.j; });
+    const auto add_if_near = [&](std::uint32_t j, std::uint32_t image) {
+      const Pair pair = i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)};
+      const Vec3 branch = position[pair.j] + shifts[pair.image] - position[pair.i];
+      if (dot(branch, branch) < cutoff * cutoff)
+        pairs.push_back(pair);
+    };
+    const std::array<int, 3> home = bin_of(bins, to_fraction * position[i]);
+    each_in_bin(bins, home, {}, images, [&](std::uint32_t j, std::uint32_t image) {
+      if (i < j)
+        add_if_near(j, image);
+    });
+    each_ahead(bins, home, images, add_if_near);
   }
+  sort_pairs(pairs, position.size());
   return pairs;
 }
 

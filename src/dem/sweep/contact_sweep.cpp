@@ -196,18 +196,26 @@ GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& 
   }
 }
 
-/// Brings tangential forces down to Coulomb's limit; few blocks need it.
+/// Brings tangential forces down to Coulomb's limit. In loops of one kind of work each, which become vector
+/// code: while a specimen is sheared, most blocks have a contact that slides.
 GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, Eight& __restrict sliding,
                                double* __restrict mx, double* __restrict my, double* __restrict mz) {
+  Block slides_of, scale; // not a number where nothing touches, and not taken there
+  for (std::size_t k = 0; k < block_size; ++k)
+    scale[k] = friction * p.force[k] / std::sqrt(p.shear_squared[k]);
   for (std::size_t k = 0; k < block_size; ++k) {
     const double limit = friction * p.force[k];
     const bool slides = p.shear_squared[k] > limit * limit;
-    const double scale = slides ? limit / std::sqrt(p.shear_squared[k]) : 1.0;
-    mx[k] *= scale;
-    my[k] *= scale;
-    mz[k] *= scale;
-    sliding[k % 8] += slides ? 1.0 : 0.0;
+    scale[k] = slides ? scale[k] : 1.0;
+    slides_of[k] = slides ? 1.0 : 0.0;
   }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    mx[k] *= scale[k];
+    my[k] *= scale[k];
+    mz[k] *= scale[k];
+  }
+  for (std::size_t k = 0; k < block_size; k += 8)
+    sliding += eight(slides_of, k);
 }
 
 /// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
@@ -286,24 +294,59 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
   sums = s;
 }
 
+/// The row of a grain i, held out of memory while pairs of the same i follow each other. Stored and read
+/// again with each pair it would have to wait for its own store every time. Nothing else changes that row
+/// meanwhile: forces on j go to rows of later grains or to spare ones; padding, where j is i, adds zeros.
+/// \param    Part   get and put of what is held of a row
+template <class Part>
+class HeldRow {
+ public:
+  GRANUM_INLINE HeldRow(LoadRow* load, std::uint32_t grain)
+      : load_(load), grain_(grain), sum_(Part::get(&load[grain])) {}
+  GRANUM_INLINE typename Part::Row& of(std::uint32_t grain) {
+    if (grain != grain_) {
+      put_back();
+      grain_ = grain;
+      sum_ = Part::get(&load_[grain]);
+    }
+    return sum_;
+  }
+  GRANUM_INLINE void put_back() { Part::put(&load_[grain_], sum_); }
+
+ private:
+  LoadRow* load_;
+  std::uint32_t grain_;
+  typename Part::Row sum_;
+};
+
+/// The force of a row of loads, without its torque.
+struct PushOfRow {
+  using Row = Four;
+  GRANUM_INLINE static Four get(const LoadRow* from) { return from->push; }
+  GRANUM_INLINE static void put(LoadRow* to, const Four& push) { to->push = push; }
+};
+
 /// Adds the forces of a block to its rows, pair by pair in the order of the list.
 GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
   using Level = Rows<VectorLevel::avx2>;
+  HeldRow<PushOfRow> held(load, pairs[0].i);
   for (std::size_t k = 0; k < block_size; k += 4) {
     Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
                     Four{}};
     transpose(push[0], push[1], push[2], push[3]);
     for (std::size_t n = 0; n < 4; ++n) {
-      load[pairs[k + n].i].push -= push[n];
+      held.of(pairs[k + n].i) -= push[n];
       load[pairs[k + n].row].push += push[n];
     }
   }
+  held.put_back();
 }
 
 template <class Level>
 GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
   const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
   const typename Level::Column zero{};
+  HeldRow<Level> held(load, pairs[0].i);
   for (std::size_t k = 0; k < block_size; k += Level::lanes) {
     typename Level::Row row[Level::lanes];
     typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
@@ -316,12 +359,13 @@ GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, Loa
                                         Level::get_column(&p.tx[k])};
     to_rows(column, row);
     for (std::size_t n = 0; n < Level::lanes; ++n) {
-      LoadRow& on_i = load[pairs[k + n].i];
-      Level::put(&on_i, Level::get(&on_i) + sign * row[n]);
+      typename Level::Row& on_i = held.of(pairs[k + n].i);
+      on_i = on_i + sign * row[n];
       LoadRow& on_j = load[pairs[k + n].row];
       Level::put(&on_j, Level::get(&on_j) + row[n]);
     }
   }
+  held.put_back();
 }
 
 double total(const Eight& row) {

@@ -2,7 +2,6 @@
 #include "studies/reproduce/experiment.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include <granum/core/error.hpp>
 
@@ -14,20 +13,11 @@ namespace granum::studies {
 
 namespace {
 
-/// Indices 0 .. count - 1 by falling work, so that no thread ends up alone with a long piece.
-std::vector<std::size_t> longest_first(std::size_t count, const std::function<double(std::size_t)>& work) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  return order;
-}
-
-/// The stages of an experiment: packings, isotropic compression, stress paths. Pieces of a stage run side by
-/// side.
-class Stages {
+/// The pieces of an experiment: packings, isotropic compressions, stress paths. Each begins once the one that
+/// it starts from is done, side by side with others.
+class Pieces {
  public:
-  Stages(const Scene& scene, const RunControl& control, const CheckpointFolder& checkpoints)
+  Pieces(const Scene& scene, const RunControl& control, const CheckpointFolder& checkpoints)
       : scene_(scene), checkpoints_(checkpoints), meter_(control, experiment_steps(scene)) {
     for (const contact::Shape contact : scene.study.contacts)
       for (const triaxial::Density density : scene.study.densities)
@@ -36,9 +26,23 @@ class Stages {
   }
 
   std::vector<ExperimentSpecimen> run() && {
-    make_packings();
-    compress();
-    shear();
+    const std::size_t paths = scene_.shear.paths.size();
+    packings_.resize(scene_.study.contacts.size() * scene_.study.seeds);
+    for (ExperimentSpecimen& specimen : specimens_)
+      specimen.runs.resize(1 + paths);
+    std::vector<Job> jobs;
+    for (std::size_t k = 0; k < packings_.size(); ++k)
+      jobs.push_back({.work = [this, k] { make_packing(k); }, .cost = packing_steps(scene_), .after = {}});
+    for (std::size_t k = 0; k < specimens_.size(); ++k)
+      jobs.push_back({.work = [this, k] { compress(k); },
+                      .cost = isotropic_steps(scene_, specimens_[k].contact, specimens_[k].density),
+                      .after = packing_of(k)});
+    for (std::size_t k = 0; k < specimens_.size(); ++k)
+      for (std::size_t path = 0; path < paths; ++path)
+        jobs.push_back({.work = [this, k, path] { shear(specimens_[k], path); },
+                        .cost = shear_steps(scene_, specimens_[k].contact, scene_.shear.paths[path]),
+                        .after = packings_.size() + k});
+    side_by_side(jobs, thread_count(scene_));
     return std::move(specimens_);
   }
 
@@ -72,62 +76,42 @@ class Stages {
     return specimen / of_contact * scene_.study.seeds + specimen % scene_.study.seeds;
   }
 
-  void make_packings() {
-    packings_.resize(scene_.study.contacts.size() * scene_.study.seeds);
-    side_by_side(packings_.size(), thread_count(scene_), [&](std::size_t k) {
-      const ExperimentSpecimen& first =
-          specimens_[k / scene_.study.seeds * scene_.study.densities.size() * scene_.study.seeds +
-                     k % scene_.study.seeds];
-      packings_[k].failure = guarded([&] { packings_[k].state = packing(piece(first)); });
-    });
+  void make_packing(std::size_t k) {
+    const std::size_t of_contact = scene_.study.densities.size() * scene_.study.seeds;
+    const ExperimentSpecimen& first =
+        specimens_[k / scene_.study.seeds * of_contact + k % scene_.study.seeds];
+    packings_[k].failure = guarded([&] { packings_[k].state = packing(piece(first)); });
   }
 
-  void compress() {
-    const auto order = longest_first(specimens_.size(), [&](std::size_t k) {
-      return isotropic_steps(scene_, specimens_[k].contact, specimens_[k].density);
+  void compress(std::size_t k) {
+    ExperimentSpecimen& specimen = specimens_[k];
+    PathRun& run = specimen.runs.front();
+    const Packing& from = packings_[packing_of(k)];
+    if (!from.failure.empty()) {
+      run.failure = from.failure;
+      return;
+    }
+    const std::string failure = guarded([&] {
+      IsoRun iso = isotropic_run(piece(specimen), from.state);
+      run = std::move(iso.run);
+      if (run.failure.empty())
+        specimen.end_of_iso = std::move(iso.state);
     });
-    side_by_side(order.size(), thread_count(scene_), [&](std::size_t position) {
-      const std::size_t k = order[position];
-      ExperimentSpecimen& specimen = specimens_[k];
-      const Packing& from = packings_[packing_of(k)];
-      specimen.runs.resize(1);
-      if (!from.failure.empty()) {
-        specimen.runs.front().failure = from.failure;
-        return;
-      }
-      const std::string failure = guarded([&] {
-        IsoRun iso = isotropic_run(piece(specimen), from.state);
-        specimen.runs.front() = std::move(iso.run);
-        if (specimen.runs.front().failure.empty())
-          specimen.end_of_iso = std::move(iso.state);
-      });
-      if (!failure.empty())
-        specimen.runs.front().failure = failure;
-    });
-    packings_.clear();
+    if (!failure.empty())
+      run.failure = failure;
   }
 
-  void shear() {
-    const std::size_t paths = scene_.shear.paths.size();
-    for (ExperimentSpecimen& specimen : specimens_)
-      specimen.runs.resize(1 + paths);
-    const auto order = longest_first(specimens_.size() * paths, [&](std::size_t k) {
-      return shear_steps(scene_, specimens_[k / paths].contact);
-    });
-    side_by_side(order.size(), thread_count(scene_), [&](std::size_t position) {
-      const std::size_t k = order[position];
-      ExperimentSpecimen& specimen = specimens_[k / paths];
-      PathRun& run = specimen.runs[1 + k % paths];
-      run.path = scene_.shear.paths[k % paths];
-      if (const std::string& iso = specimen.runs.front().failure; !iso.empty()) {
-        run.failure = "isotropic compression: " + iso;
-        return;
-      }
-      const std::string failure =
-          guarded([&] { run = shear_run(piece(specimen), specimen.end_of_iso, *run.path); });
-      if (!failure.empty())
-        run.failure = failure;
-    });
+  void shear(ExperimentSpecimen& specimen, std::size_t path) {
+    PathRun& run = specimen.runs[1 + path];
+    run.path = scene_.shear.paths[path];
+    if (const std::string& iso = specimen.runs.front().failure; !iso.empty()) {
+      run.failure = "isotropic compression: " + iso;
+      return;
+    }
+    const std::string failure =
+        guarded([&] { run = shear_run(piece(specimen), specimen.end_of_iso, *run.path); });
+    if (!failure.empty())
+      run.failure = failure;
   }
 
   const Scene& scene_;
@@ -153,7 +137,7 @@ bool Experiment::complete() const {
 Experiment run_experiment(const Scene& scene, const RunControl& control,
                           const CheckpointFolder& checkpoints) {
   require_valid(scene);
-  return {.scene = scene, .specimens = Stages(scene, control, checkpoints).run()};
+  return {.scene = scene, .specimens = Pieces(scene, control, checkpoints).run()};
 }
 
 } // namespace granum::studies

@@ -262,7 +262,7 @@ class ShearRecord {
   ShearRecord(const Piece& piece, const dem::Specimen& start, stress::ShearPath path)
       : piece_(piece), path_(path), store_(piece.checkpoints, stem(piece, path)),
         material_(recipe(piece.scene, piece.contact, piece.seed).material),
-        work_(shear_steps(piece.scene, piece.contact)) {
+        work_(shear_steps(piece.scene, piece.contact, path)) {
     const Scene& scene = piece.scene;
     run_.path = path;
     schedule_ = {.eta = {scene.shear.eta_step},

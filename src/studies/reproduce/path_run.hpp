@@ -41,7 +41,7 @@ struct IsoRun {
 /// Predicted work of the pieces and of all of them, in steps of the engine with friction.
 [[nodiscard]] double packing_steps(const Scene& scene);
 [[nodiscard]] double isotropic_steps(const Scene& scene, contact::Shape contact, triaxial::Density density);
-[[nodiscard]] double shear_steps(const Scene& scene, contact::Shape contact);
+[[nodiscard]] double shear_steps(const Scene& scene, contact::Shape contact, stress::ShearPath path);
 [[nodiscard]] double experiment_steps(const Scene& scene);
 
 } // namespace granum::studies

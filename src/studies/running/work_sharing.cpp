@@ -2,9 +2,9 @@
 #include "work_sharing.hpp"
 
 #include <algorithm>
+#include <condition_variable>
 #include <exception>
 #include <thread>
-#include <vector>
 
 namespace granum::studies {
 
@@ -26,29 +26,98 @@ void Meter::found(double work, const std::string& what) {
   report(what);
 }
 
-void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto worker = [&] {
-    try {
-      for (std::size_t k = next++; k < count; k = next++)
-        work(k);
-    } catch (...) {
-      next = count;
-      const std::lock_guard lock(mutex);
-      if (!error)
-        error = std::current_exception();
+namespace {
+
+/// The jobs of one call, and how far they are; its functions are called by all threads.
+class Queue {
+ public:
+  explicit Queue(const std::vector<Job>& jobs)
+      : jobs_(jobs), chain_(jobs.size()), state_(jobs.size(), State::waiting) {
+    for (std::size_t k = jobs.size(); k-- > 0;) {
+      chain_[k] += jobs[k].cost;
+      if (const auto before = jobs[k].after)
+        chain_.at(*before) = std::max(chain_.at(*before), chain_[k]);
     }
-  };
+  }
+
+  void work_off() {
+    for (std::optional<std::size_t> k = take(); k; k = take()) {
+      std::exception_ptr error;
+      try {
+        jobs_[*k].work();
+      } catch (...) {
+        error = std::current_exception();
+      }
+      finish(*k, error);
+    }
+  }
+
+  void throw_error() const {
+    if (error_)
+      std::rethrow_exception(error_);
+  }
+
+ private:
+  enum class State { waiting, taken, done };
+
+  /// A job that may begin, as soon as there is one; nothing when none is left.
+  std::optional<std::size_t> take() {
+    std::unique_lock lock(mutex_);
+    while (!error_ && std::count(state_.begin(), state_.end(), State::waiting) > 0) {
+      if (const std::optional<std::size_t> next = head_of_longest_chain()) {
+        state_[*next] = State::taken;
+        return next;
+      }
+      finished_.wait(lock);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> head_of_longest_chain() const {
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < jobs_.size(); ++k) {
+      const bool may_begin =
+          state_[k] == State::waiting && (!jobs_[k].after || state_[*jobs_[k].after] == State::done);
+      if (may_begin && (!best || chain_[k] > chain_[*best]))
+        best = k;
+    }
+    return best;
+  }
+
+  void finish(std::size_t k, const std::exception_ptr& error) {
+    const std::lock_guard lock(mutex_);
+    state_[k] = State::done;
+    if (!error_)
+      error_ = error;
+    finished_.notify_all();
+  }
+
+  const std::vector<Job>& jobs_;
+  std::vector<double> chain_; ///< cost of a job and of the costliest chain of jobs that wait for it
+  std::vector<State> state_;
+  std::exception_ptr error_; ///< the first
+  std::mutex mutex_;
+  std::condition_variable finished_;
+};
+
+} // namespace
+
+void side_by_side(const std::vector<Job>& jobs, std::size_t threads) {
+  Queue queue(jobs);
   std::vector<std::thread> others;
-  for (std::size_t t = 1; t < std::min(threads, count); ++t)
-    others.emplace_back(worker);
-  worker();
+  for (std::size_t t = 1; t < std::min(threads, jobs.size()); ++t)
+    others.emplace_back([&queue] { queue.work_off(); });
+  queue.work_off();
   for (std::thread& other : others)
     other.join();
-  if (error)
-    std::rethrow_exception(error);
+  queue.throw_error();
+}
+
+void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < count; ++k)
+    jobs.push_back({.work = [&work, k] { work(k); }, .cost = 1, .after = {}});
+  side_by_side(jobs, threads);
 }
 
 } // namespace granum::studies

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "studies/verify/study.hpp"
 #include <granum/core/stop_request.hpp>
@@ -42,8 +44,19 @@ class Meter {
   std::mutex mutex_;
 };
 
-/// Calls work(0) .. work(count - 1), each once, on several threads. After the first error no more
-/// work is begun; when all threads are through, that error is thrown.
+/// A piece of work for one thread.
+struct Job {
+  std::function<void()> work;
+  double cost = 0;                  ///< predicted, in any unit
+  std::optional<std::size_t> after; ///< an earlier job of the list, which has to be done before this one
+};
+
+/// Does all jobs, each once, on several threads. Of those that may begin, a free thread takes the one at the
+/// head of the costliest chain, so that no thread ends up alone with a long one; of equal ones the first.
+/// After the first error no more work is begun; when all threads are through, that error is thrown.
+/// Checked by tests/studies/test_work_sharing.cpp
+void side_by_side(const std::vector<Job>& jobs, std::size_t threads);
+/// The same for work(0) .. work(count - 1), begun in that order.
 void side_by_side(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work);
 
 } // namespace granum::studies

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <numeric>
 
 #include "studies/verify/findings.hpp"
 #include <granum/analysis/measure.hpp>
@@ -204,24 +203,24 @@ class Runner {
     return recipe_of(trade_, work_.packings[part.packing]).material;
   }
 
-  /// All parts of one kind side by side, the longest first, so that no thread ends up alone with one of them.
+  /// All parts of one kind side by side.
   template <class Kind, class Do>
   void phase(std::vector<Kind>& parts, const std::string& what, const Do& work) {
-    const auto work_of = [this](const Kind& part) { return predicted_work(trade_, work_, part); };
-    std::vector<std::size_t> order(parts.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return work_of(parts[a]) > work_of(parts[b]); });
-    side_by_side(parts.size(), thread_count(trade_.scene), [&](std::size_t position) {
-      Kind& part = parts[order[position]];
-      const ThreadClock clock;
-      part.failure = failure_or_stop_of([&] {
-        throw_if_stopped(meter_.stop_request());
-        work(part);
-      });
-      part.cpu_seconds = clock.seconds();
-      meter_.add(work_of(part), what);
-    });
+    std::vector<Job> jobs;
+    for (Kind& part : parts) {
+      const double cost = predicted_work(trade_, work_, part);
+      const auto run = [this, cost, &part, &what, &work] {
+        const ThreadClock clock;
+        part.failure = failure_or_stop_of([&] {
+          throw_if_stopped(meter_.stop_request());
+          work(part);
+        });
+        part.cpu_seconds = clock.seconds();
+        meter_.add(cost, what);
+      };
+      jobs.push_back({.work = run, .cost = cost, .after = {}});
+    }
+    side_by_side(jobs, thread_count(trade_.scene));
   }
 
   const TradeScene& trade_;

@@ -2,7 +2,6 @@
 #include "studies/verify/study.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "studies/plan/plan.hpp"
 #include <granum/analysis/measure.hpp>
@@ -98,22 +97,14 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     out.failure = "the path ended early";
 }
 
-std::vector<Packing> prepare(const Scene& scene, Meter& meter) {
-  std::vector<Packing> packings;
-  for (const contact::Shape shape : scene.study.contacts)
-    for (std::size_t k = 0; k < scene.study.seeds; ++k)
-      packings.push_back({shape, scene.study.first_seed + k, {}, {}});
-  side_by_side(packings.size(), thread_count(scene), [&](std::size_t k) {
-    Packing& packing = packings[k];
-    packing.failure = failure_or_stop_of([&] {
-      throw_if_stopped(meter.stop_request());
-      packing.state =
-          triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed), meter.stop_request())
-              .state;
-    });
-    meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");
+void prepare(const Scene& scene, Packing& packing, Meter& meter) {
+  packing.failure = failure_or_stop_of([&] {
+    throw_if_stopped(meter.stop_request());
+    packing.state =
+        triaxial::frictionless_specimen(recipe(scene, packing.contact, packing.seed), meter.stop_request())
+            .state;
   });
-  return packings;
+  meter.add(preparation_work(scene), std::string(name(packing.contact)) + " packing");
 }
 
 } // namespace
@@ -130,29 +121,33 @@ std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& cont
   require_valid(scene);
   require_periodic_cell(scene);
   Meter meter(control, total_work(scene));
-  const std::vector<Packing> packings = prepare(scene, meter);
+  std::vector<Packing> packings;
   std::vector<SpecimenResult> specimens;
   std::vector<std::size_t> packing_of;
-  for (std::size_t shape = 0; shape < scene.study.contacts.size(); ++shape)
+  for (std::size_t shape = 0; shape < scene.study.contacts.size(); ++shape) {
+    for (std::size_t k = 0; k < scene.study.seeds; ++k)
+      packings.push_back({scene.study.contacts[shape], scene.study.first_seed + k, {}, {}});
     for (const triaxial::Density density : scene.study.densities)
       for (std::size_t k = 0; k < scene.study.seeds; ++k) {
         specimens.push_back({scene.study.contacts[shape], density, scene.study.first_seed + k, {}, {}});
         packing_of.push_back(shape * scene.study.seeds + k);
       }
-  // The longest first, so that no thread ends up alone with one of them.
-  std::vector<std::size_t> order(specimens.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return specimen_work(scene, specimens[a].density, specimens[a].contact) >
-           specimen_work(scene, specimens[b].density, specimens[b].contact);
-  });
-  side_by_side(specimens.size(), thread_count(scene), [&](std::size_t position) {
-    const std::size_t k = order[position];
-    const std::string failure =
-        failure_or_stop_of([&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
-    if (!failure.empty())
-      specimens[k].failure = failure;
-  });
+  }
+  std::vector<Job> jobs;
+  for (Packing& packing : packings)
+    jobs.push_back(
+        {.work = [&] { prepare(scene, packing, meter); }, .cost = preparation_work(scene), .after = {}});
+  for (std::size_t k = 0; k < specimens.size(); ++k)
+    jobs.push_back({.work =
+                        [&, k] {
+                          const std::string failure = failure_or_stop_of(
+                              [&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+                          if (!failure.empty())
+                            specimens[k].failure = failure;
+                        },
+                    .cost = specimen_work(scene, specimens[k].density, specimens[k].contact),
+                    .after = packing_of[k]});
+  side_by_side(jobs, thread_count(scene));
   return specimens;
 }
 
