@@ -55,7 +55,6 @@ include rest.lmp
 variable name string copies
 include snapshot.lmp
 END
-
 cat >probe.lmp <<'END'
 variable probe_state index copies
 variable probed_states index 1
@@ -73,7 +72,6 @@ done
 python3 - <<'END'
 import csv, json, sys
 probed = {row["modulus"]: float(row["value_Pa"]) for row in csv.DictReader(open("moduli.csv"))}
-C = json.load(open("analysis.json"))
 C = json.load(open("analysis.json"))["frames"][0]["network"]["relaxed"]["C"]
 network = {"G_vh": C[4][4], "G_hh": C[5][5], "K": sum(C[i][j] for i in range(3) for j in range(3)) / 9}
 worst = 0
