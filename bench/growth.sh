@@ -4,8 +4,8 @@
 #   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
 # Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
 # packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
-# The network of 1e5 and 1e6 grains is solved once for each number of threads; a million dense grains take some 5 GB. A million
-# loose ones take more than 17 minutes on one thread. Each round makes three specimens of its own.
+# The network of 1e5 and 1e6 grains is solved once for each number of threads; a million grains take some 5 GB.
+# Each round makes three specimens of its own.
 # Exit codes: 0 done, 1 a run failed, 2 usage.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)

@@ -3,17 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "backbone.hpp"
+#include "fill_pattern.hpp"
 #include "lanes.hpp"
 #include "workers.hpp"
 
 namespace granum::network {
 
-/// Incomplete block factorisation H ~ L D L^T with one level of fill: the preconditioner of all six load
-/// cases. Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins
-/// (singular pivots) do no harm, and pivots that are not safely positive are made so, one by one.
+/// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
+/// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
+/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. L is held in single
+/// precision, but not of floppy networks: there its rounding drives modes without stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:
@@ -23,20 +26,27 @@ class IncompleteFactor {
   void solve(const Field<Dof>& r, Field<Dof>& z) const;
 
   [[nodiscard]] std::size_t mended_pivots() const { return mended_pivots_; }
-  [[nodiscard]] std::size_t nonzeros() const { return (lower_.size() + inverse_pivot_.size()) * Dof * Dof; }
+  [[nodiscard]] std::size_t nonzeros() const { return (pattern_.size() + inverse_pivot_.size()) * Dof * Dof; }
 
  private:
-  void find_pattern(const Backbone& backbone);
-  void assemble(const Backbone& backbone);
-  void factorise();
   struct Work;
-  [[nodiscard]] std::size_t factorise(Piece piece, double mean, Work& work);
+  void add_diagonal();
+  void begin_row(std::uint32_t i, Work& work) const;
+  template <class Number>
+  using Lower = std::vector<Block<Dof, Number>>;
+  template <class Number>
+  void factorise(Lower<Number>& lower);
+  template <class Number>
+  [[nodiscard]] std::size_t factorise(Piece piece, double mean, Work& work, Lower<Number>& lower);
+  template <class Number>
+  void eliminate(std::uint32_t i, Work& work, Lower<Number>& lower, Block<Dof>& pivot);
+  template <class Number>
+  void solve(const Lower<Number>& lower, const Field<Dof>& r, Field<Dof>& z) const;
 
-  const std::vector<std::vector<Piece>>& stages_;
+  const Backbone& backbone_;
   const Workers& workers_;
-  std::vector<std::uint32_t> row_start_; ///< of the strictly lower blocks, by rows
-  std::vector<std::uint32_t> column_;
-  std::vector<Block<Dof>> lower_; ///< transposed: block (i, j) is stored as L_ij^T
+  FillPattern pattern_;                             ///< of the strictly lower blocks
+  std::variant<Lower<float>, Lower<double>> lower_; ///< transposed: block (i, j) is stored as L_ij^T
   std::vector<Block<Dof>> inverse_pivot_;
   std::size_t mended_pivots_ = 0;
 };

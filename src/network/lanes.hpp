@@ -30,9 +30,9 @@ template <int Dof>
 using Field = std::vector<Rows<Dof>>;
 
 /// Coupling of two grains, or of one with itself.
-template <int Dof>
+template <int Dof, class Number = double>
 struct Block {
-  double at[std::size_t{Dof}][std::size_t{Dof}] = {};
+  Number at[std::size_t{Dof}][std::size_t{Dof}] = {};
 };
 
 /// 6 x 6 products of two fields.

@@ -184,3 +184,11 @@ TEST_CASE("the iterations of a large network stay few") {
   REQUIRE(response.report().grains >= 20000);
   CHECK(response.report().iterations <= 48); // measured 45
 }
+
+TEST_CASE("a network that is hardly rigid takes few iterations, and one lost pivot spoils no others") {
+  const network::Response response =
+      network::linear_response(samples::large_network(24, 0.26), {.iteration_limit = 600});
+  REQUIRE(response.converged());
+  CHECK(response.report().mended_pivots > 0); // or nothing is tested
+  CHECK(response.report().iterations <= 85);  // measured 67; 140 with one level of fill
+}

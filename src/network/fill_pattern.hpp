@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "backbone.hpp"
+
+namespace granum::network {
+
+/// Places of the strictly lower blocks of an incomplete factor, by rows.
+struct FillPattern {
+  std::vector<std::uint32_t> row_start;
+  std::vector<std::uint32_t> column; ///< rising in each row
+
+  [[nodiscard]] std::size_t size() const { return column.size(); }
+};
+
+/// A contact has level 0. Two grains that an earlier grain couples have the levels of its two couplings and 1
+/// more, of all such grains the least; what has a higher level than `most_level` is dropped.
+[[nodiscard]] FillPattern fill_pattern(const Backbone& backbone, int most_level);
+
+/// Whether there are hardly more springs than unknowns, so that modes without stiffness may run through the
+/// network.
+[[nodiscard]] bool is_floppy(const Backbone& backbone);
+
+/// Of the level that suits the network, or of the highest below it that keeps the factor within `most_blocks`
+/// a grain. Networks that are hardly rigid get level 3: dropped blocks would hide their soft modes, and fill
+/// is cheap where contacts are few. All others get level 1, floppy ones too.
+[[nodiscard]] FillPattern suitable_fill_pattern(const Backbone& backbone, double most_blocks);
+
+} // namespace granum::network
