@@ -258,8 +258,8 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
 }
 
 Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double start) {
-  Eigen::VectorXd theta = Eigen::VectorXd::Zero(model->parameter_count());
-  theta[0] = std::log(start - model->isostatic_);
+  Eigen::VectorXd theta =
+      std::log(start - model->isostatic_) * Eigen::VectorXd::Unit(model->parameter_count(), 0);
   std::vector<StateGroup> groups;
   Eigen::MatrixXd jacobian;
   constexpr int rounds = 4; // the scatter of rung 3 depends weakly on z*
