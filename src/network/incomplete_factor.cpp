@@ -159,7 +159,7 @@ IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers&
   if (is_floppy(backbone))
     lower_ = std::vector<Block<Dof, double>>();
   add_diagonal();
-  std::visit([this](auto& lower) { factorise(lower); }, lower_);
+  std::visit([this](auto& lower) { this->factorise(lower); }, lower_);
 }
 
 /// Leaves the diagonal of H in the place of the pivots.
