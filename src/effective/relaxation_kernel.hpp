@@ -38,7 +38,7 @@ T size_shift_left(const T& z) {
 
 /// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
 /// their mean number of contacts tells: more of their grains have two contacts and spin freely, so that fewer
-/// contacts hold the others. K shows no such shift; it has size_bulk_share.
+/// contacts hold the others. K is not shifted: see size_bulk_share.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
   return z + size_shift * variance * size_shift_left(z);
@@ -92,6 +92,13 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   return g / (1.0 + 1.5 * r);
 }
 
+/// What the scatter of forces costs K is divided by this.
+template <class T>
+T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
+  const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
+  return z - pole + stiffening * b;
+}
+
 /// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
 /// pressure, allow (the lower bound of bulk_modulus_bounds). Their scatter costs the first term, less of it
 /// where contacts stiffen with their force; their tangential part, the softer r is the more, the second. Both
@@ -99,7 +106,7 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
 template <class T>
 T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
-  const T d1 = z - scatter_pole + stiffening * b;
+  const T d1 = scatter_distance(z, b, c);
   const T d2 = z - tangential_pole;
   const T square = d2 * d2;
   const T lost = scatter / d1 + tangential / (square * (r + own * square));
@@ -107,13 +114,11 @@ T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>&
 }
 
 /// What unequal grains keep of that K: their forces scatter more, which costs K as the scatter of equal ones
-/// does in the first term above.
-/// \param    loss   size_loss
+/// does in the first term of bulk_relaxation.
+/// \param    loss   size_loss, or what a fit tries in its place
 template <class T>
 T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
-  const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
-  const T distance = z - scatter_pole + stiffening * b;
-  return 1.0 / (1.0 + loss * variance / distance);
+  return 1.0 / (1.0 + loss * variance / scatter_distance(z, b, c));
 }
 
 /// The stiffness that relaxation leaves of a uniform-strain one: volumetric and deviatoric strain keep

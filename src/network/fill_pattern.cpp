@@ -9,7 +9,7 @@ namespace granum::network {
 namespace {
 
 // Springs over unknowns, below which a network is hardly rigid: 1.1 in loose packings, 1.5 in dense ones.
-// There level 1 loses the sign of pivots, 28 in 400,000 loose grains, which take 91 iterations with level 3
+// There level 1 loses the sign of pivots, 28 in 400,000 loose grains, which take 102 iterations with level 3
 // and more than 1400 with level 1; dense ones gain no time by it.
 constexpr double hardly_rigid = 1.3;
 // And below which it is floppy. A factor with more fill nearly holds its free modes, and 1 over their pivots

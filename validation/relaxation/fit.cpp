@@ -20,6 +20,7 @@
 #include "coverage.hpp"
 #include "factor_errors.hpp"
 #include "reading.hpp"
+#include "size_coverage.hpp"
 
 namespace {
 

@@ -22,6 +22,8 @@
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/force_moments.hpp>
 
+#include "contact_counts.hpp"
+
 namespace relaxation {
 
 using namespace granum;
@@ -96,15 +98,6 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
   row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
 }
 
-inline double mean_tangential_share(const packing::Assembly& assembly) {
-  double normal_sum = 0, tangential_sum = 0;
-  for (const packing::Contact& c : assembly.contacts) {
-    normal_sum += c.normal_force;
-    tangential_sum += norm(c.tangential_force);
-  }
-  return tangential_sum / normal_sum;
-}
-
 inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
   const analysis::Measurement measured =
       analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
@@ -128,32 +121,6 @@ inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem:
   row.add("tangential_share", mean_tangential_share(assembly));
   row.add("K_lower_Pa", bounds.lower);
   row.add("K_upper_Pa", bounds.upper);
-}
-
-/// Grains of two contacts over all that are not rattlers: each spins freely about the line through both.
-inline double two_contact_share(const packing::Assembly& assembly, const std::vector<bool>& rattler) {
-  std::vector<int> contacts(rattler.size());
-  for (const packing::Contact& c : assembly.contacts)
-    if (!rattler[c.i] && !rattler[c.j])
-      ++contacts[c.i], ++contacts[c.j];
-  double grains = 0, of_two = 0;
-  for (std::size_t g = 0; g < rattler.size(); ++g) {
-    grains += !rattler[g];
-    of_two += !rattler[g] && contacts[g] == 2;
-  }
-  return of_two / grains;
-}
-
-/// <f l>/(<f> <l>) of normal forces and branches: how much more long branches bear.
-inline double force_by_branch(const packing::Assembly& assembly) {
-  double force = 0, length = 0, both = 0;
-  for (const packing::Contact& c : assembly.contacts) {
-    const double l = norm(c.branch);
-    force += c.normal_force;
-    length += l;
-    both += c.normal_force * l;
-  }
-  return both * static_cast<double>(assembly.contacts.size()) / (force * length);
 }
 
 /// Sizes of the grains, the means over contacts that closed forms take of them, and what sizes do to forces

@@ -4,13 +4,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "coverage.hpp"
 #include "factor_fits.hpp"
 #include "scatter.hpp"
 
@@ -51,21 +48,32 @@ inline bool is_usual(const Packing& p, const Network& n) {
          p.mechanical_coordination >= 4.2;
 }
 
-/// The shift, beside what small specimens are stiffer than large ones, which the equal grains of the same
-/// file show.
-inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& equal, const Choice& chosen) {
+/// Fits one number of the sizes to ln of a factor, beside what small specimens are stiffer than large ones,
+/// which the equal grains of the same file show.
+/// \param    model      ln of the factor, of a packing, a network and that number
+/// \param    measured   the same, of a packing and a network
+template <class Model, class Measured>
+Fit<2> fit_beside_specimens(const std::vector<Packing>& packings, const Choice& chosen, const Model& model,
+                            const Measured& measured) {
   using D = Dual<2>;
   std::vector<Observation<2>> rows;
   for (const Packing& p : packings)
     for (const Network& n : p.networks)
-      if (is_usual(p, n) && chosen(p)) {
-        const auto model = [p, n,
-                            coefficients = kernel::constants<D>(equal.coefficients)](const Numbers<D, 2>& k) {
-          return D(log(shifted_shear<D, shear_size>(p, n, coefficients, k[0])) + k[1]);
-        };
-        rows.push_back({model, std::log(shear_factor(p, n)), 1, p.recipe});
-      }
+      if (is_usual(p, n) && chosen(p))
+        rows.push_back({[=](const Numbers<D, 2>& k) { return D(model(p, n, k[0]) + k[1]); }, measured(p, n),
+                        1, p.recipe});
   return least_squares<2>(std::move(rows), {0.5, 0.01});
+}
+
+inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& equal, const Choice& chosen) {
+  using D = Dual<2>;
+  const auto model = [coefficients = kernel::constants<D>(equal.coefficients)](
+                         const Packing& p, const Network& n, const D& shift) {
+    return D(log(shifted_shear<D, shear_size>(p, n, coefficients, shift)));
+  };
+  return fit_beside_specimens(packings, chosen, model, [](const Packing& p, const Network& n) {
+    return std::log(shear_factor(p, n));
+  });
 }
 
 /// K of unequal grains over that of equal ones.
@@ -75,19 +83,14 @@ T bulk_share(const Packing& p, const BulkFit& equal, const T& loss) {
                                  kernel::constants<T>(equal.coefficients));
 }
 
-/// The loss of K, beside what small specimens are stiffer than large ones.
 inline Fit<2> fit_loss(const std::vector<Packing>& packings, const BulkFit& equal, const Choice& chosen) {
   using D = Dual<2>;
-  std::vector<Observation<2>> rows;
-  for (const Packing& p : packings)
-    for (const Network& n : p.networks)
-      if (is_usual(p, n) && chosen(p)) {
-        const auto model = [p, equal](const Numbers<D, 2>& k) {
-          return D(log(bulk_share<D>(p, equal, k[0])) + k[1]);
-        };
-        rows.push_back({model, -bulk_residual(p, n, equal).error, 1, p.recipe});
-      }
-  return least_squares<2>(std::move(rows), {0.5, 0.01});
+  const auto model = [equal](const Packing& p, const Network&, const D& loss) {
+    return D(log(bulk_share<D>(p, equal, loss)));
+  };
+  return fit_beside_specimens(packings, chosen, model, [&equal](const Packing& p, const Network& n) {
+    return -bulk_residual(p, n, equal).error;
+  });
 }
 
 /// Error of ln K with the loss.
@@ -153,55 +156,6 @@ inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const Eq
   effect.shear = size_scatter(G, variances, equal.shear_scatter, true);
   effect.bulk = size_scatter(K, variances, equal.bulk_scatter, false);
   return effect;
-}
-
-/// Errors of the chosen packings against what they are stated to be.
-inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const EqualFit& equal,
-                                  const SizeEffect& effect, const Choice& chosen) {
-  CoverageOfBoth all;
-  for (const Packing& p : packings)
-    for (const Network& n : p.networks) {
-      if (!is_usual(p, n) || !chosen(p) || p.mechanical_coordination < lowest_usual_coordination)
-        continue;
-      const double root = std::sqrt(branch_variance(p));
-      const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
-      const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
-      const double by_loss =
-          (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
-      const double shear =
-          std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
-                     deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
-      const double by_shift =
-          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
-      all.shear.add(G.error, std::hypot(shear, by_shift));
-      all.bulk.add(K.error,
-                   std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
-                              deviation(equal.bulk_scatter, K.sensitivity),
-                              std::hypot(root * effect.bulk.base, by_loss)));
-    }
-  return all;
-}
-
-/// Each value of a label left out of the fit of the sizes in turn: what a fit to the others states of it.
-template <class Label>
-CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings, const EqualFit& equal,
-                                          const Label& label) {
-  std::set<std::string> names;
-  for (const Packing& p : packings)
-    if (p.isotropic() && p.sizes != "equal")
-      names.insert(label(p));
-  CoverageOfBoth all;
-  for (const std::string& name : names) {
-    const SizeEffect effect =
-        fit_size_effect(packings, equal, [&](const Packing& p) { return label(p) != name; });
-    const CoverageOfBoth here = coverage_of(
-        packings, equal, effect, [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
-    print_coverage("  without " + name, here);
-    all.shear.add(here.shear);
-    all.bulk.add(here.bulk);
-  }
-  print_coverage("left out, together", all);
-  return all;
 }
 
 } // namespace relaxation

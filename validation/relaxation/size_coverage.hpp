@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do the stated errors hold for unequal grains that the fit of the sizes has not seen?
+#pragma once
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "coverage.hpp"
+#include "size_fits.hpp"
+
+namespace relaxation {
+
+/// Errors of the chosen packings against what they are stated to be.
+inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const EqualFit& equal,
+                                  const SizeEffect& effect, const Choice& chosen) {
+  CoverageOfBoth all;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks) {
+      if (!is_usual(p, n) || !chosen(p) || p.mechanical_coordination < lowest_usual_coordination)
+        continue;
+      const double root = std::sqrt(branch_variance(p));
+      const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
+      const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
+      const double by_loss =
+          (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
+      const double shear =
+          std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
+                     deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
+      const double by_shift =
+          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
+      all.shear.add(G.error, std::hypot(shear, by_shift));
+      all.bulk.add(K.error,
+                   std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
+                              deviation(equal.bulk_scatter, K.sensitivity),
+                              std::hypot(root * effect.bulk.base, by_loss)));
+    }
+  return all;
+}
+
+/// Each value of a label left out of the fit of the sizes in turn: what a fit to the others states of it.
+template <class Label>
+CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings, const EqualFit& equal,
+                                          const Label& label) {
+  std::set<std::string> names;
+  for (const Packing& p : packings)
+    if (p.isotropic() && p.sizes != "equal")
+      names.insert(label(p));
+  CoverageOfBoth all;
+  for (const std::string& name : names) {
+    const SizeEffect effect =
+        fit_size_effect(packings, equal, [&](const Packing& p) { return label(p) != name; });
+    const CoverageOfBoth here = coverage_of(
+        packings, equal, effect, [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
+    print_coverage("  without " + name, here);
+    all.shear.add(here.shear);
+    all.bulk.add(here.bulk);
+  }
+  print_coverage("left out, together", all);
+  return all;
+}
+
+} // namespace relaxation
