@@ -110,6 +110,7 @@ RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance)
       kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
   RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
   factor = with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
+  factor.error = std::hypot(factor.error, kernel::bulk_codes * kernel::looseness(z));
   const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
   factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
   return with_size_scatter(factor, kernel::bulk_sizes, 0, r * factor.by_ratio, branch_variance);
@@ -214,8 +215,8 @@ RelaxingFactors relaxing_factors(double z, double r, double b, double branch_var
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
   const Dual<0> of_equal = coordination_of_equal(variable<0>(near_z, 0), branch_variance);
   RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b);
-  shear = with_size_scatter(shear, shear_sizes, size_shift_left(near_z) * size_shift_error,
-                            shear.by_coordination, branch_variance);
+  shear = with_size_scatter(shear, shear_sizes, looseness(near_z) * size_shift_error, shear.by_coordination,
+                            branch_variance);
   shear.by_coordination *= of_equal.derivatives()[0];
   return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
 }

@@ -61,6 +61,8 @@ inline constexpr double size_loss_error = 0.0521487593;
 /// What they add to the scatter, over the root of that variance.
 inline constexpr Scatter shear_sizes{0.0791708164, 0.143617664};
 inline constexpr Scatter bulk_sizes{0.0887219755, 0};
+/// Scatter of K between codes: this times the looseness.
+inline constexpr double bulk_codes = 0.180756618;
 /// Scatter of ln C33/C11 over ln of the stretch.
 inline constexpr double stretch_scatter = 0.136071463;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.

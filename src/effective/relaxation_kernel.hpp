@@ -29,11 +29,11 @@ inline double branch_variance(const sizes::ContactMeans& means) {
   return variance > 0 ? variance : 0;
 }
 
-/// How much of the shift below is left at a z* above the isostatic point: 1 there, a quarter 0.5 above.
+/// How much a z* above the isostatic point is of a loose packing: 1 there, a quarter 0.5 above.
 template <class T>
-T size_shift_left(const T& z) {
-  const T left = 1.0 / (1.0 + 2.0 * (z - frictional_isostatic(shear_coefficients)));
-  return left * left;
+T looseness(const T& z) {
+  const T root = 1.0 / (1.0 + 2.0 * (z - frictional_isostatic(shear_coefficients)));
+  return root * root;
 }
 
 /// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
@@ -41,7 +41,7 @@ T size_shift_left(const T& z) {
 /// contacts hold the others. K is not shifted: see size_bulk_share.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
-  return z + size_shift * variance * size_shift_left(z);
+  return z + size_shift * variance * looseness(z);
 }
 
 /// Coefficients as numbers of another type, constants to it.

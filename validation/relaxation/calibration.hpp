@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "code_scatter.hpp"
 #include "factor_fits.hpp"
 #include "scatter.hpp"
 #include "size_fits.hpp"
@@ -76,6 +77,7 @@ struct Result {
   double shear_by_stress = 0; ///< further error of G under unequal stresses, over |ln(stress_v/stress_h)|
   double bulk_by_stress = 0;  ///< the same of K
   SizeEffect sizes = {};
+  double bulk_codes = 0;      ///< scatter of K between codes, over kernel::looseness
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
 
@@ -130,7 +132,9 @@ inline EqualFit equal_fit(const Result& result) {
 }
 
 /// \param    unequal   packings of unequal grains, and of equal ones made as they were
-inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal) {
+/// \param    of_codes  packings that other codes made
+inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
+                             const std::vector<Packing>& of_codes) {
   Result result{.shear = fit_shear(packings, everything),
                 .bulk = fit_bulk(packings, everything),
                 .stretch = {},
@@ -143,6 +147,7 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
   result.sizes = fit_size_effect(unequal, equal_fit(result), everything);
+  result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
   return result;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fits the relaxation factors to the recorded networks.
 //
-//     relaxation_fit coefficients states.csv unequal.csv   writes src/effective/relaxation_coefficients.hpp
-//     relaxation_fit check states.csv unequal.csv          fits again, compares with that file, and asks
-//                                                          whether errors, also on packings left out of the
-//                                                          fit, are in reach
-//     relaxation_fit points states.csv unequal.csv         measured and fitted factors as CSV, for a picture
+//     relaxation_fit coefficients FILES   writes src/effective/relaxation_coefficients.hpp
+//     relaxation_fit check FILES          fits again, compares with that file, and asks whether errors, also
+//                                         on packings left out of the fit, are in reach
+//     relaxation_fit points FILES         measured and fitted factors as CSV, for a picture
+//
+// FILES: states.csv unequal.csv codes.csv
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -111,6 +112,9 @@ void print_coefficients(const Result& r) {
               "inline constexpr Scatter bulk_sizes{%.9g, %.9g};\n",
               r.sizes.shift, r.sizes.shift_error, r.sizes.loss, r.sizes.loss_error, r.sizes.shear.base,
               r.sizes.shear.gain, r.sizes.bulk.base, r.sizes.bulk.gain);
+  std::printf("/// Scatter of K between codes: this times the looseness.\n"
+              "inline constexpr double bulk_codes = %.9g;\n",
+              r.bulk_codes);
   std::printf("/// Scatter of ln C33/C11 over ln of the stretch.\n");
   std::printf("inline constexpr double stretch_scatter = %.9g;\n", r.stretch_scatter);
   std::printf(
@@ -373,8 +377,30 @@ void check_sizes(const std::vector<Packing>& unequal, const Result& result, Clai
                  "distributions left out: 85 % of G and 90 % of K within two stated errors");
 }
 
+/// Whether what is stated holds for packings of a code that no fit has seen.
+void check_codes(const std::vector<Packing>& of_codes, const std::vector<Packing>& own, const Result& result,
+                 Claims& claims) {
+  std::printf("packings of other codes: K scatters by %.3f times the looseness\n", result.bulk_codes);
+  const auto judge = [&](const char* what, const std::vector<Packing>& packings, const Choice& chosen) {
+    const CoverageOfBoth c =
+        coverage_of(packings, equal_fit(result), result.sizes, chosen, result.bulk_codes);
+    print_coverage(what, c);
+    return c;
+  };
+  judge("granum's own, equal grains", own, everything);
+  judge("LAMMPS", of_codes, is_calibrating_code);
+  const Choice unseen = [](const Packing& p) { return !is_calibrating_code(p); };
+  const CoverageOfBoth yade = judge("YADE", of_codes, unseen);
+  judge("- loose", of_codes, [&](const Packing& p) { return unseen(p) && p.mechanical_coordination < 5; });
+  claims.require(same(std::array{result.bulk_codes}, std::array{kernel::bulk_codes}),
+                 "what the library knows of other codes is what these data say");
+  for (const Coverage* c : {&yade.shear, &yade.bulk})
+    claims.require(c->one() >= 0.55 && c->two() >= 0.90,
+                   "YADE: 55 % or more within one stated error, 90 % within two");
+}
+
 int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfitted,
-          const std::vector<Packing>& unequal, const Result& result) {
+          const std::vector<Packing>& unequal, const std::vector<Packing>& of_codes, const Result& result) {
   std::printf("errors of the factors by k_t/k_n, all isotropic states\n");
   for (const double r : {0.0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1.0})
     print_errors("  k_t/k_n = " + number(r, 3),
@@ -423,6 +449,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
   claims.require(rattler_error < 0.02,
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
   check_sizes(unequal, result, claims);
+  check_codes(of_codes, packings, result, claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 
@@ -439,14 +466,15 @@ void print_points(const std::vector<Packing>& packings, const Result& result) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: %s coefficients|check|points states.csv unequal.csv\n", argv[0]);
+  if (argc != 5) {
+    std::fprintf(stderr, "usage: %s coefficients|check|points states.csv unequal.csv codes.csv\n", argv[0]);
     return 2;
   }
   try {
     const auto [packings, unfitted] = split_by_use(read_packings(argv[2]));
     const std::vector<Packing> unequal = read_packings(argv[3]);
-    const Result result = fit_everything(packings, unequal);
+    const std::vector<Packing> of_codes = read_packings(argv[4]);
+    const Result result = fit_everything(packings, unequal, of_codes);
     if (std::strcmp(argv[1], "coefficients") == 0) {
       print_coefficients(result);
       return 0;
@@ -456,7 +484,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (std::strcmp(argv[1], "check") == 0)
-      return check(packings, unfitted, unequal, result);
+      return check(packings, unfitted, unequal, of_codes, result);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -12,29 +12,47 @@
 
 namespace relaxation {
 
+/// An error and what it is stated to be.
+struct Judged {
+  double error = 0;
+  double stated = 0;
+};
+
+inline Judged judged_shear(const Packing& p, const Network& n, const EqualFit& equal,
+                           const SizeEffect& effect) {
+  const double root = std::sqrt(branch_variance(p));
+  const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
+  const double stated =
+      std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
+                 deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
+  const double by_shift =
+      std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
+  return {G.error, std::hypot(stated, by_shift)};
+}
+
+/// For a packing of granum: without the scatter between codes.
+inline Judged judged_bulk(const Packing& p, const Network& n, const EqualFit& equal,
+                          const SizeEffect& effect) {
+  const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
+  const double by_loss =
+      (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
+  const double by_sizes = std::sqrt(branch_variance(p)) * effect.bulk.base;
+  return {K.error, std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
+                              deviation(equal.bulk_scatter, K.sensitivity), std::hypot(by_sizes, by_loss))};
+}
+
 /// Errors of the chosen packings against what they are stated to be.
+/// \param    codes   scatter of K between codes (code_scatter.hpp); 0 among granum's own packings
 inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const EqualFit& equal,
-                                  const SizeEffect& effect, const Choice& chosen) {
+                                  const SizeEffect& effect, const Choice& chosen, double codes = 0) {
   CoverageOfBoth all;
   for (const Packing& p : packings)
     for (const Network& n : p.networks) {
       if (!is_usual(p, n) || !chosen(p) || p.mechanical_coordination < lowest_usual_coordination)
         continue;
-      const double root = std::sqrt(branch_variance(p));
-      const Residual G = shifted_shear_residual(p, n, equal.shear, effect.shift);
-      const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
-      const double by_loss =
-          (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
-      const double shear =
-          std::hypot(coefficient_error(equal.shear, p, n, kernel::shear_relaxation<Dual<shear_size>>),
-                     deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
-      const double by_shift =
-          std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
-      all.shear.add(G.error, std::hypot(shear, by_shift));
-      all.bulk.add(K.error,
-                   std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
-                              deviation(equal.bulk_scatter, K.sensitivity),
-                              std::hypot(root * effect.bulk.base, by_loss)));
+      const Judged G = judged_shear(p, n, equal, effect), K = judged_bulk(p, n, equal, effect);
+      all.shear.add(G.error, G.stated);
+      all.bulk.add(K.error, std::hypot(K.stated, codes * kernel::looseness(p.mechanical_coordination)));
     }
   return all;
 }

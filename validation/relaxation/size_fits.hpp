@@ -32,7 +32,7 @@ inline double branch_variance(const Packing& p) { return kernel::branch_variance
 
 /// What a shift of 1 adds to z*.
 inline double unit_shift(const Packing& p) {
-  return branch_variance(p) * kernel::size_shift_left(p.mechanical_coordination);
+  return branch_variance(p) * kernel::looseness(p.mechanical_coordination);
 }
 
 /// G over that of the closed form, as equal grains of a shifted z* have it.

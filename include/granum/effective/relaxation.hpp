@@ -10,7 +10,8 @@
 /// the fit and the errors.
 namespace granum::effective {
 
-/// A factor and its standard error: covariance of the coefficients, scatter of recipes and of specimens.
+/// A factor and its standard error: covariance of the coefficients, scatter of recipes and of specimens, for
+/// K of codes too.
 struct RelaxationFactor {
   double value = 0;          ///< modulus over that of uniform strain with k_n at the mean force [1]
   double relative_error = 0; ///< standard error over value [1]; 0 where value is 0
@@ -51,9 +52,11 @@ struct Relaxation {
 /// \throws   InvalidArgument if a value is out of its range
 /// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 13 % at worst; K 2 % rms, worse for
 ///           z* < 4.3. The stated errors hold the scatter of recipes and of specimens: for z* >= 4.3 they
-///           cover 64 % of G and 76 % of K, twice as large 95 and 99 %. Grains compressed from a gas with
-///           much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0: 8 %
-///           both. Rounding: relative 1e-13.
+///           cover 64 % of G and 76 % of K, twice as large 95 and 99 %. K of loose packings that other codes
+///           made is 3 to 8 % larger: its stated error holds a scatter between codes besides, 18 % over
+///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
+///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
+///           8 % both. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent);
@@ -78,8 +81,9 @@ struct RelaxedEstimate {
 /// the calibration that could raise K above that of uniform strain, its upper bound: then all constants are
 /// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
-/// Unequal grains have G's factor of equal ones of a larger z*, by 0.48 v with v = <l^2>/<l>^2 - 1 of
-/// state.contacts, and errors that grow with sqrt(v): 6 % of G for C_u = 2, more beyond.
+/// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
+/// of state.contacts, K's over 1 + 0.56 v/(z* - 3.5 + 0.92 b), and errors that grow with sqrt(v): 6 % of G
+/// for C_u = 2, more beyond.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

@@ -25,6 +25,7 @@ options.add_argument("--pressure", type=float, default=1e6, help="[Pa]")
 options.add_argument("--sizes", default="equal", help="equal, uniform:SMALLEST:LARGEST or lognormal:SIGMA, as granum has them")
 options.add_argument("--friction", type=float, default=0.2, help="angle while the packing is compressed [rad]")
 options.add_argument("--friction-at-rest", type=float, help="angle once the pressure is there, if another [rad]")
+options.add_argument("--law", default="hertz", choices=["hertz", "linear"], help="hertz, or linear: springs, k_t/k_n = 0.919 as in hertz")
 options.add_argument("--rate", type=float, default=2, help="largest rate of strain [1/s]")
 options.add_argument("--step", type=float, default=1, help="time step over that of YADE's PWaveTimeStep")
 options.add_argument("--rest-at", type=float, default=1e-9, help="unbalanced force over the mean one")
@@ -75,7 +76,12 @@ def apart(a, b, edge):
 
 
 # Density sets the time scale alone: heavy grains take longer steps.
-quartz = FrictMat(young=69e9, poisson=0.15, density=2.65e6, frictionAngle=asked.friction)
+LAWS = {  # Young's modulus and Poisson's ratio as YADE's law wants them, and what makes contacts and forces
+    "hertz": (69e9, 0.15, Ip2_FrictMat_FrictMat_MindlinPhys, Law2_ScGeom_MindlinPhys_Mindlin),
+    "linear": (4e9, 0.919, Ip2_FrictMat_FrictMat_FrictPhys, Law2_ScGeom_FrictPhys_CundallStrack),
+}
+young, poisson, make_contacts, make_forces = LAWS[asked.law]
+quartz = FrictMat(young=young, poisson=poisson, density=2.65e6, frictionAngle=asked.friction)
 O.materials.append(quartz)
 O.periodic = True
 sizes = radii_over_their_mean(asked.sizes, GRAINS)
@@ -107,8 +113,8 @@ O.engines = [
     InsertionSortCollider([Bo1_Sphere_Aabb()]),
     InteractionLoop(
         [Ig2_Sphere_Sphere_ScGeom()],
-        [Ip2_FrictMat_FrictMat_MindlinPhys()],
-        [Law2_ScGeom_MindlinPhys_Mindlin()],
+        [make_contacts()],
+        [make_forces()],
     ),
     servo,
     motion,
