@@ -22,35 +22,11 @@ scratch=${2:-$(mktemp -d)}
 runs=${GROWTH_RUNS:-3}
 work=${GROWTH_WORK:-8000000}
 mkdir -p -- "$scratch"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # Open MPI in a machine that only has root
+source "$here/deck_of_copies.sh"
+deck_of_copies "$(realpath -- "$1")" "$scratch" "" 0
 
-# 1,000 grains at rest under 100 kPa; larger specimens are copies of it side by side, cubic as it is.
-"$1" export lammps --grains 1000 --force --out "$scratch" --set study.contacts=sphere --set study.densities=dense \
-  --set study.pressures=100kPa,200kPa,300kPa --set study.probe_pressures= >&2
-cd -- "$scratch/dense-1"
-cat >start.lmp <<'END'
-include scene.lmp
-include in.prepare
-include rest.lmp
-write_data rested.data nofix
-END
-lmp -in start.lmp >start.out
-
-# A box of copies under the servo, at a pressure that asks it to move: grows.lmp for a number of steps, with the
-# memory of each rank; whole.lmp until it is at rest, with the snapshot.
-cat >copies.lmp <<'END'
-variable pressure delete
-variable pressure string 200000 # [Pa]
-include scene.lmp
-variable state delete
-include settings.lmp
-read_data rested.data
-replicate ${copies} ${copies} ${copies}
-variable mu equal ${friction} # [1]
-variable tolerance equal ${iso_tolerance} # [1]
-variable inertial_number equal ${iso_inertial_number} # [1]
-include model.lmp
-END
+# A box of copies under the servo: grows.lmp for a number of steps, with the memory of each rank; whole.lmp until it
+# is at rest, with the snapshot.
 printf '%s\n' 'variable servo_steps index ${steps}' 'include copies.lmp' 'include servo.lmp' 'info memory' >grows.lmp
 printf '%s\n' 'include copies.lmp' 'include servo.lmp' 'include rest.lmp' 'variable name string copies${copies}' \
   'include snapshot.lmp' >whole.lmp

@@ -7,6 +7,7 @@
 # 20 copies along each axis need a cluster; 3 (27,000 grains) take two cores some minutes. Needs lmp, mpirun and python3.
 # Exit codes: 0 the moduli agree within 1 %, 1 they do not, 2 usage, 3 a program is missing.
 set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 if [ "$#" -lt 2 ] || [ "$#" -gt 3 ] || ! [ -x "$1" ] || ! [[ $2 =~ ^[1-9][0-9]*$ ]]; then
   echo "usage: bench/peers/lammps_replicated.sh GRANUM COPIES [FOLDER]" >&2
   exit 2
@@ -21,33 +22,12 @@ granum=$(realpath -- "$1")
 copies=$2
 scratch=${3:-$(mktemp -d)}
 mkdir -p -- "$scratch"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # Open MPI in a machine that only has root
 on_2=(mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 -np 2 lmp)
 
-"$granum" export lammps --grains 1000 --force --out "$scratch" --set study.contacts=sphere --set study.densities=dense \
-  --set study.pressures=100kPa,200kPa,300kPa --set study.probe_pressures=200kPa >&2
-cd -- "$scratch/dense-1"
-cat >start.lmp <<'END'
-include scene.lmp
-include in.prepare
-include rest.lmp
-write_data rested.data nofix
-END
+source "$here/deck_of_copies.sh"
+deck_of_copies "$granum" "$scratch" 200kPa 0.1
 cat >whole.lmp <<'END'
-variable pressure delete
-variable pressure string 200000 # [Pa]
-include scene.lmp
-variable state delete
-include settings.lmp
-read_data rested.data
-replicate ${copies} ${copies} ${copies}
-# Copies that are alike would stay so: each grain is moved by a tenth of a mean overlap.
-variable nudge equal 0.1*v_overlap # [m]
-displace_atoms all random ${nudge} ${nudge} ${nudge} 4928459
-variable mu equal ${friction} # [1]
-variable tolerance equal ${iso_tolerance} # [1]
-variable inertial_number equal ${iso_inertial_number} # [1]
-include model.lmp
+include copies.lmp
 print "pressure_Pa,state,step,sigma_xx_Pa,sigma_yy_Pa,sigma_zz_Pa,sigma_xy_Pa,sigma_xz_Pa,sigma_yz_Pa,&
 volume_m3,unbalanced_force_ratio" file states.csv screen no
 include servo.lmp
@@ -60,7 +40,6 @@ variable probe_state index copies
 variable probed_states index 1
 include in.probe
 END
-lmp -in start.lmp >start.out
 for part in whole probe; do
   "${on_2[@]}" -in $part.lmp -var copies "$copies" >$part.out
   awk -v part=$part '/^Loop time of/ { time = $4; ranks = $6; steps = $9; grains = $12 }

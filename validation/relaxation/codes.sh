@@ -17,7 +17,7 @@ cd "$2"
 
 # lammps SIZES PREPARATION PATH, without the endings of the two files
 lammps() {
-  "$program" "$table" lammps "$1" "$2" 1 "$root/$3.atoms.gz" "$root/$3.contacts.gz"
+  "$program" "$table" lammps sphere "$1" "$2" 1 "$root/$3.atoms.gz" "$root/$3.contacts.gz"
 }
 lammps equal loose examples/data/lammps_loose_p50
 for preparation in dense loose; do
@@ -25,21 +25,22 @@ for preparation in dense loose; do
   lammps uniform:1:3 $preparation validation/sizes/uniform_$preparation
 done
 
-# yade SIZES PREPARATION SEED OPTIONS...
+# yade CONTACT SIZES PREPARATION SEED OPTIONS...
 yade() {
-  sizes=$1 preparation=$2 seed=$3
-  name=$(echo "$sizes" | cut -d: -f1)_${preparation}_$seed
-  shift 3
+  contact=$1 sizes=$2 preparation=$3 seed=$4
+  name=${contact}_$(echo "$sizes" | cut -d: -f1)_${preparation}_$seed
+  shift 4
   if [ ! -e "$name.rested" ]; then
     command yade -j1 -n -x "$root/tests/peer/yade/make_packing.py" "$name" "$root/share/yade" --grains 600 \
-      --pressure 1e5 --sizes "$sizes" --seed "$seed" --rate 0.5 --step 3 --rest-at 1e-6 "$@"
+      --pressure 1e5 --sizes "$sizes" --seed "$seed" --rate 0.5 --rest-at 1e-6 "$@"
     touch "$name.rested"
   fi
-  "$program" "$table" yade "$sizes" "$preparation" "$seed" "$name.grains" "$name.contacts"
+  "$program" "$table" yade "$contact" "$sizes" "$preparation" "$seed" "$name.grains" "$name.contacts"
 }
 for seed in 1 2; do
   for sizes in equal lognormal:0.35 uniform:1:3; do
-    yade $sizes dense $seed --friction 0 --friction-at-rest 0.46
-    yade $sizes loose $seed --friction 0.46
+    yade sphere $sizes dense $seed --step 3 --friction 0 --friction-at-rest 0.46
+    yade sphere $sizes loose $seed --step 3 --friction 0.46
   done
+  yade flat equal loose $seed --law linear --step 0.6 --friction 0.46
 done
