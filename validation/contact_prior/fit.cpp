@@ -16,6 +16,7 @@
 
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/contact_prior.hpp>
+#include <granum/io/csv/table.hpp>
 
 #include "../claims.hpp"
 #include "calibration.hpp"
@@ -193,13 +194,10 @@ struct Published {
 };
 
 std::vector<Published> read_published(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  if (!std::getline(in, line))
-    throw std::runtime_error("cannot read " + path);
+  const granum::io::CsvTable table = granum::io::read_csv(path);
   std::vector<Published> states;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> f = relaxation::detail::split(line);
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    const std::vector<std::string>& f = table.fields(k);
     states.push_back({f.at(0), std::stod(f.at(1)), std::stod(f.at(2)), std::stod(f.at(3)), f.at(4)});
   }
   return states;

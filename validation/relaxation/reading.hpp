@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -13,23 +12,13 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
+#include <granum/io/csv/table.hpp>
 
 #include "packings.hpp"
 
 namespace relaxation {
 
 namespace detail {
-
-inline std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == ',')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
-}
 
 /// \param    radius   of the pair, for spheres [m]
 inline granum::contact::PowerLaw law(const std::string& contact, double radius) {
@@ -128,19 +117,14 @@ inline Packing packing(const Row& row, const std::string& sizes, const std::stri
 } // namespace detail
 
 inline std::vector<Packing> read_packings(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  if (!std::getline(in, line))
-    throw std::runtime_error("cannot read " + path);
-  const std::vector<std::string> headings = detail::split(line);
-  const std::size_t contact = headings.front() == "sizes" ? 1 : 0; // its column
+  const granum::io::CsvTable table = granum::io::read_csv(path);
+  const std::size_t contact = table.headings().front() == "sizes" ? 1 : 0; // its column
   std::vector<Packing> packings;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> fields = detail::split(line);
-    if (fields.size() != headings.size())
-      throw std::runtime_error("row of another length: " + line.substr(0, 60));
-    packings.push_back(detail::packing(detail::numbers(headings, fields), contact == 1 ? fields[0] : "equal",
-                                       fields[contact], fields[contact + 1]));
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    const std::vector<std::string>& fields = table.fields(k);
+    packings.push_back(detail::packing(detail::numbers(table.headings(), fields),
+                                       contact == 1 ? fields[0] : "equal", fields[contact],
+                                       fields[contact + 1]));
   }
   return packings;
 }
