@@ -103,7 +103,7 @@ TEST_CASE("in a descent all stop where forces do no work, and a grain that touch
   CHECK(stopped.kinetic_energy() == 0);
 }
 
-TEST_CASE("without drag a descent turns velocities towards the forces and leaves their size") {
+TEST_CASE("a descent turns a tenth of the velocities towards the forces") {
   // One pair: force and velocity are across each other, so that turning shows at once.
   Specimen state = pair_and_one();
   state.velocity = {{0, 1, 0}, {0, -1, 0}, {}};
