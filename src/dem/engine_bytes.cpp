@@ -29,6 +29,8 @@ void each_scalar(Data& d, const Visit& visit) {
   visit(d.time_step_fraction);
   visit(d.fixed_damping);
   visit(d.damping);
+  visit(d.descends);
+  visit(d.mixing);
   visit(d.travelled);
   visit(d.strained);
   visit(d.motion);

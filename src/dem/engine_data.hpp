@@ -11,6 +11,7 @@
 
 #include "core/team.hpp"
 #include "dem/sweep/contact_sweep.hpp"
+#include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
 #include "dem/sweep/partition.hpp"
@@ -24,6 +25,7 @@ struct alignas(64) ChunkSums {
   SweepSums contacts;
   WallForces walls;
   double power = 0;
+  double pull = 0;
   MotionSums motion;
 };
 
@@ -43,6 +45,8 @@ struct Engine::Data {
   void choose_time_step();
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
+  void choose_damping();
+  void turn_downhill(double& keep, double& push);
   void kick(const Kick& of_step);
   void move();
   void take_figures(const SweepSums& total);
@@ -73,6 +77,8 @@ struct Engine::Data {
   double time_step_fraction = default_time_step_fraction;
   double fixed_damping = -1; ///< negative: adaptive
   double damping = 0;
+  bool descends = false;
+  FireMixing mixing;          ///< asked for while it descends
   double travelled = 0;       ///< upper bound of own displacement since the list was checked [m]
   double strained = 0;        ///< upper bound of the cell's strain since then [1]
   MotionSums motion;          ///< over the velocities of this moment and the last forces

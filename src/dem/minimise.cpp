@@ -15,6 +15,7 @@
 #include <granum/core/number.hpp>
 
 #include "dem/sweep/contact_sweep.hpp"
+#include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
 #include "dem/sweep/unequal_grains.hpp"
@@ -37,21 +38,17 @@ struct Balance {
 /// FIRE's rule for time step and mixing, as published, with the dimensionless time step bounded by stability.
 struct FireRule {
   double step = 0.1;
-  double mixing = 0.1;
-  int uphill_free = 0;
+  FireMixing mixing;
 
   static constexpr double largest_step = 0.6;
 
   void downhill() {
-    if (++uphill_free > 5) {
+    if (mixing.downhill())
       step = std::min(step * 1.1, largest_step);
-      mixing *= 0.99;
-    }
   }
   void uphill() {
     step *= 0.5;
-    mixing = 0.1;
-    uphill_free = 0;
+    mixing.uphill();
   }
 };
 
@@ -210,9 +207,9 @@ class Minimiser {
     const double dt = rule_.step / std::sqrt(stiffness_scale_);
     const double pull = balance.grains.squares + cell_force * cell_force;
     speed += dt * (2 * power + dt * pull); // after the forces have acted
-    const double turn = pull > 0 ? rule_.mixing * std::sqrt(std::max(0.0, speed) / pull) : 0;
-    keep *= 1 - rule_.mixing;
-    move(dt, keep, (1 - rule_.mixing) * dt + turn, cell_force);
+    const double turn = pull > 0 ? rule_.mixing.share * std::sqrt(std::max(0.0, speed) / pull) : 0;
+    keep *= 1 - rule_.mixing.share;
+    move(dt, keep, (1 - rule_.mixing.share) * dt + turn, cell_force);
   }
 
   /// Velocities become keep v + push f, and all moves with them for dt.

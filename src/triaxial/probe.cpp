@@ -77,24 +77,35 @@ struct Probed {
   double amplitude;
 };
 
-/// Brings the specimen to rest in two stages, first with adaptive drag, then with the drag of the waves.
+/// Brings the specimen to rest in three stages: adaptive drag, descent, the drag of the waves.
 /// Grains held by two or three contacts rest last: what holds them is 1e-5 times as stiff as a contact. With
-/// the drag of the waves they creep for tens of thousands of steps; adaptive drag becomes small enough for
-/// them. But while a rattler is being squeezed out, adaptive drag nearly vanishes and no grain comes to rest.
-/// Then the second stage runs, which also ends when the stress settles.
-/// \param    adaptive_steps  of the first stage, at most
-dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag, std::size_t adaptive_steps,
+/// the drag of the waves they creep for tens of thousands of steps, under the adaptive drag for thousands; in
+/// a descent they swing to their places. But while a rattler is being squeezed out, no grain comes to rest
+/// either way. Then the last stage runs, which also ends when the stress settles.
+dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag,
                                     const dem::QuasistaticOptions& relax) {
+  // Of either of the first two stages: a state that has not come to rest by then seldom does.
+  constexpr std::size_t most_free_steps = 10000;
+  constexpr double descent_from = 1e-5; // unbalanced force ratio; farther from rest, adaptive drag is faster
   dem::QuasistaticOptions forces_alone = relax;
   forces_alone.settled_stress = 0;
-  forces_alone.max_steps = adaptive_steps;
-  const dem::QuasistaticReport first = dem::deform(engine, Mat3{}, 0, forces_alone);
+  forces_alone.max_steps = std::min(relax.max_steps, most_free_steps);
+  forces_alone.force_tolerance = std::max(relax.force_tolerance, descent_from);
+  dem::QuasistaticReport report = dem::deform(engine, Mat3{}, 0, forces_alone);
+  const auto go_on = [&](const dem::QuasistaticOptions& options) {
+    const std::size_t steps = report.steps;
+    report = dem::deform(engine, Mat3{}, 0, options);
+    report.steps += steps;
+  };
+  if (report.converged() && relax.force_tolerance < descent_from) {
+    engine.descend();
+    forces_alone.force_tolerance = relax.force_tolerance;
+    go_on(forces_alone);
+  }
   engine.set_damping(wave_drag);
-  if (first.converged())
-    return first;
-  dem::QuasistaticReport second = dem::deform(engine, Mat3{}, 0, relax);
-  second.steps += first.steps;
-  return second;
+  if (!report.converged())
+    go_on(relax);
+  return report;
 }
 
 Probed at_rest(const dem::Specimen& state, const dem::Material& material, const ProbeOptions& options) {
@@ -110,11 +121,8 @@ Probed at_rest(const dem::Specimen& state, const dem::Material& material, const 
   const double amplitude = options.amplitude > 0 ? options.amplitude : chosen_amplitude(engine);
   relax.settled_stress = options.settled_share * amplitude * engine.figures().p_wave_modulus;
   relax.settle_steps = spell(engine);
-  constexpr std::size_t most_adaptive_steps = 10000; // a state that has not come to rest by then seldom does
-  dem::QuasistaticReport start = options.sliding
-                                     ? dem::deform(engine, Mat3{}, 0, relax)
-                                     : come_to_rest(engine, drag(engine, state),
-                                                    std::min(options.max_steps, most_adaptive_steps), relax);
+  dem::QuasistaticReport start = options.sliding ? dem::deform(engine, Mat3{}, 0, relax)
+                                                 : come_to_rest(engine, drag(engine, state), relax);
   return {std::move(engine), std::move(relax), start, amplitude};
 }
 
@@ -181,12 +189,11 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
 
 FrozenState frozen_once(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                         const StopRequest& stop_requested) {
-  constexpr std::size_t most_steps = 20000; // of each stage
   dem::Engine engine(sticking(state), sticking(material));
   FrozenState frozen{.last_state = {}, .report = {}, .force_tolerance = force_tolerance};
   frozen.report = come_to_rest(
-      engine, drag(engine, state), most_steps,
-      {.force_tolerance = force_tolerance, .max_steps = most_steps, .stop_requested = stop_requested});
+      engine, drag(engine, state),
+      {.force_tolerance = force_tolerance, .max_steps = 20000, .stop_requested = stop_requested});
   if (frozen.report.outcome == dem::Outcome::stopped)
     throw Stopped();
   engine.rest();

@@ -151,6 +151,25 @@ TEST_CASE("a probe that does not come to rest gives no modulus, unless contacts 
   CHECK(sliding.last_shear_modulus != 0);
 }
 
+TEST_CASE("freezing takes far fewer steps than drag alone, to the same stress and moduli") {
+  const SpecimenRecipe recipe = recipe_of(test::quartz_sphere(0.5e-3));
+  dem::Material sticking = recipe.material;
+  sticking.friction_coefficient = std::numeric_limits<double>::infinity();
+  const dem::Specimen state = compressed(recipe, Density::loose, 20e3);
+  dem::Engine engine(state, sticking);
+  const dem::QuasistaticReport alone =
+      dem::deform(engine, Mat3{}, 0, {.force_tolerance = usual_force_tolerance});
+  REQUIRE(alone.converged());
+  const FrozenState frozen = freeze_in_place(state, recipe.material);
+  REQUIRE(frozen.report.converged());
+  CHECK(5 * frozen.report.steps < 4 * alone.steps);
+  CHECK(trace(frozen.stress()) == relative(trace(alone.stress()), 1e-4));
+  const auto G_hh = [&](const dem::Specimen& at_rest) {
+    return network::linear_response(dem::contact_network(at_rest, recipe.material)).relaxed().matrix(5, 5);
+  };
+  CHECK(G_hh(frozen.state()) == relative(G_hh(engine.state()), 1e-3));
+}
+
 TEST_CASE("a frozen state that is not at rest is there by its other name alone") {
   FrozenState frozen;
   frozen.force_tolerance = 1e-8;

@@ -159,6 +159,22 @@ GRANUM_INLINE MotionSums kick_unequal_at_level(Grains& grains, Range range, cons
           .speed_squared = fastest};
 }
 
+template <class Level, bool equal>
+GRANUM_INLINE double pull_at_level(const Grains& grains, Range range, const std::vector<LoadRow>& load,
+                                   double mass, double inertia) {
+  auto squares = Level::row(Four{}, Four{});
+  for (std::size_t g = range.begin; g < range.end; ++g) {
+    const auto on = Level::get(&load[g]);
+    if constexpr (equal)
+      squares = squares + on * on;
+    else
+      squares = squares + Level::row(all(grains.own[g].per_mass), all(grains.own[g].per_mass)) * (on * on);
+  }
+  const Four turn = low(squares), push = high(squares);
+  const double of_forces = sum_of_three(push), of_torques = push[3] + turn[0] + turn[3];
+  return equal ? of_forces / mass + of_torques / inertia : of_forces + of_torques;
+}
+
 } // namespace
 
 MotionSums& MotionSums::operator+=(const MotionSums& other) {
@@ -205,6 +221,26 @@ GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const G
                               : glide_at_level<false>(grains, load, glide);
   });
   return sums;
+}
+
+double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,
+               double inertia) {
+  double pull = 0;
+  at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
+    pull = grains.own.empty() ? pull_at_level<Rows<level>, true>(grains, range, load, mass, inertia)
+                              : pull_at_level<Rows<level>, false>(grains, range, load, mass, inertia);
+  });
+  return pull;
+}
+
+void hold_free_grains(Grains& grains, Range range, const std::vector<LoadRow>& load) {
+  for (std::size_t g = range.begin; g < range.end; ++g) {
+    const Vec3 f = force(load[g]);
+    if (dot(f, f) == 0) {
+      grains.set_velocity(g, {});
+      grains.set_spin(g, {});
+    }
+  }
 }
 
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,

@@ -62,6 +62,12 @@ PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vect
                        std::vector<LoadRow>& load);
 /// Velocities and centres of all grains after the step. They do not turn.
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);
+/// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as
+/// below.
+double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,
+               double inertia);
+/// Grains that no force acts on stop where they are.
+void hold_free_grains(Grains& grains, Range range, const std::vector<LoadRow>& load);
 /// New velocities, and the sums over them. Mass and inertia are those of every grain, and are not asked
 /// for where grains differ.
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,

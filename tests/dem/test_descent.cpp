@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <granum/dem/engine.hpp>
+#include <granum/dem/quasistatic.hpp>
+
+#include "lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3;
+constexpr double overlap = 2e-7;
+
+/// Nothing slides.
+Material sticking() { return test::quartz(radius, std::numeric_limits<double>::infinity()); }
+
+/// A lattice, every centre of which is a little out of its place; unequal grains differ by a part of the overlap.
+Specimen shaken(int edges, bool unequal, bool walls) {
+  Specimen state = test::fcc(radius, edges, overlap);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const auto phase = static_cast<double>(g);
+    state.position[g] +=
+        0.05 * overlap * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    if (unequal)
+      state.size.push_back(1 + 0.1 * overlap / radius * std::sin(7 * phase));
+  }
+  if (walls) { // the outermost layers overlap with them as grains do
+    const double room = radius - overlap / 2 - std::sqrt(2.0) / 4 * (2 * radius - overlap);
+    state.cell = state.cell + 2 * room * Mat3::identity();
+    for (Vec3& x : state.position)
+      x += {room, room, room};
+    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+  }
+  return state;
+}
+
+/// Two grains that overlap in a wide cell, and one that touches nothing.
+Specimen pair_and_one() {
+  Specimen state;
+  state.radius = radius;
+  state.cell = Mat3::diagonal(10 * radius, 10 * radius, 10 * radius);
+  state.position = {{2 * radius, 2 * radius, 2 * radius},
+                    {4 * radius - overlap, 2 * radius, 2 * radius},
+                    {7 * radius, 7 * radius, 7 * radius}};
+  state.velocity.resize(3);
+  state.angular_velocity.resize(3);
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("a descent comes to the rest that drag comes to") {
+  for (const bool unequal : {false, true})
+    for (const bool walls : {false, true})
+      for (const bool smooth : {false, true}) {
+        CAPTURE(unequal);
+        CAPTURE(walls);
+        CAPTURE(smooth);
+        // A contact that unloads on the way sheds part of its tangential force, on each way a little else.
+        const double near = smooth ? 1e-6 : 0.1, same = smooth ? 1e-8 : 5e-3;
+        const Material material = smooth ? test::quartz(radius, 0) : sticking();
+        const QuasistaticOptions tight{.force_tolerance = 1e-10, .max_steps = 20000};
+        Engine drag(shaken(3, unequal, walls), material), descent(shaken(3, unequal, walls), material);
+        REQUIRE(deform(drag, Mat3{}, 0, tight).converged());
+        descent.descend();
+        REQUIRE(deform(descent, Mat3{}, 0, tight).converged());
+        const Specimen one = drag.state(), other = descent.state();
+        double farthest = 0;
+        for (std::size_t g = 0; g < one.grain_count(); ++g)
+          farthest = std::max(
+              farthest, norm((one.position[g] - one.position[0]) - (other.position[g] - other.position[0])));
+        CHECK(farthest < near * overlap);
+        for (int axis = 0; axis < 3; ++axis)
+          CHECK(descent.figures().stress(axis, axis) == relative(drag.figures().stress(axis, axis), same));
+      }
+}
+
+TEST_CASE("in a descent all stop where forces do no work, and a grain that touches nothing stops") {
+  Specimen state = pair_and_one();
+  const double speed = 1e-6;
+  state.velocity = {{speed, 0, 0}, {-speed, 0, 0}, {0, 0, speed}};
+  Engine climbing(state, sticking());
+  climbing.descend();
+  // The force turns grains as slow as these in the first step.
+  climbing.step();
+  CHECK(climbing.kinetic_energy() > 0);
+  CHECK(climbing.state().velocity[0].x < 0);
+  CHECK(climbing.state().velocity[2] == Vec3{});
+
+  state.velocity = {{1, 0, 0}, {-1, 0, 0}, {0, 0, speed}};
+  Engine stopped(state, sticking());
+  stopped.set_time_step_fraction(0.01);
+  stopped.descend();
+  stopped.step();
+  CHECK(stopped.kinetic_energy() == 0);
+}
+
+TEST_CASE("a descent turns a tenth of the velocities towards the forces") {
+  // One pair: force and velocity are across each other, so that turning shows at once.
+  Specimen state = pair_and_one();
+  state.velocity = {{0, 1, 0}, {0, -1, 0}, {}};
+  Material smooth = test::quartz(radius, 0);
+  Engine free(state, smooth), turned(state, smooth);
+  free.set_damping(0);
+  free.step();
+  turned.descend();
+  turned.step();
+  const Vec3 before = free.state().velocity[0], after = turned.state().velocity[0];
+  CHECK(std::abs(after.y) == relative(0.9 * std::abs(before.y), 0.01));
+  CHECK(after.x / before.x > 1);
+}
+
+TEST_CASE("a descent has the same bits with any number of threads, and after save and load") {
+  for (const bool unequal : {false, true})
+    for (const bool walls : {false, true}) {
+      CAPTURE(unequal);
+      CAPTURE(walls);
+      const Specimen start = shaken(9, unequal, walls);
+      Engine one(start, sticking()), many(start, sticking());
+      many.set_threads(2);
+      REQUIRE(many.threads() == 2);
+      one.descend();
+      many.descend();
+      const auto run = [](Engine& engine) {
+        for (int k = 0; k < 20; ++k)
+          engine.step();
+      };
+      run(one);
+      run(many);
+      ByteWriter bytes;
+      many.save(bytes);
+      ByteReader reader(bytes.bytes(), "bytes");
+      Engine resumed = Engine::load(reader, sticking());
+      run(one);
+      run(many);
+      run(resumed);
+      CHECK(one.state() == many.state());
+      CHECK(one.state() == resumed.state());
+      CHECK(one.kinetic_energy() > 0);
+    }
+}
+
+TEST_CASE("a drag that is set ends a descent") {
+  Engine engine(shaken(3, false, false), sticking()), other(shaken(3, false, false), sticking());
+  engine.descend();
+  for (Engine* e : {&engine, &other}) {
+    e->set_damping(0);
+    for (int k = 0; k < 20; ++k)
+      e->step();
+  }
+  CHECK(engine.state() == other.state());
+}
