@@ -6,6 +6,7 @@
 
 #include "large_networks.hpp"
 #include "network/coarse_correction.hpp"
+#include "network/coarse_grid.hpp"
 #include "network/contact_operator.hpp"
 
 using namespace granum;
@@ -122,6 +123,42 @@ TEST_CASE("motions of the nodes leave a residual that does no work on any") {
     check_correction<3>(smooth, {}, grains_a_node);
 }
 
+TEST_CASE("what the nodes have in a grain is linear along the edges of its box, and periodic") {
+  const packing::Assembly a = samples::random_network({.seed = 3, .repeats = 3});
+  const network::Backbone backbone = network::load_bearing_network(a, {});
+  for (const int along : {1, 2, 3}) { // boxes
+    CAPTURE(along);
+    const network::CoarseGrid grid(backbone, static_cast<double>(backbone.grain_count) / std::pow(along, 3));
+    REQUIRE(grid.size() == static_cast<std::size_t>(along * along * along));
+    std::size_t listed = 0;
+    for (std::size_t box = 0; box < grid.size(); ++box) {
+      const auto nodes = grid.nodes_of(box);
+      for (unsigned c = 0; c < nodes.size(); ++c)
+        CHECK(grid.boxes_around(nodes[c])[c] == box);
+      for (const std::uint32_t g : grid.grains_of(box)) {
+        ++listed;
+        CHECK(grid.box_of(g) == box);
+        const Vec3 place =
+            along * (inverse_of(backbone.cell) * backbone.centre[g]); // over the edges of a box
+        Vec3 found{};
+        const auto share = grid.shares_of(g);
+        for (unsigned c = 0; c < share.size(); ++c) {
+          int node = 0;
+          for (int k = 0; k < 3; ++k) {
+            const int corner = static_cast<int>(std::floor(place[k])) + static_cast<int>(c >> k & 1U);
+            found[k] += share[c] * corner;
+            node = node * along + corner % along;
+          }
+          CHECK(nodes[c] == static_cast<std::uint32_t>(node));
+        }
+        for (int k = 0; k < 3; ++k)
+          CHECK(found[k] == doctest::Approx(place[k]).epsilon(1e-12));
+      }
+    }
+    CHECK(listed == backbone.grain_count);
+  }
+}
+
 TEST_CASE("a sparse factor is that of the dense matrix, and leaves free directions alone") {
   constexpr std::uint32_t blocks = 9;
   constexpr int size = 6 * blocks;
@@ -182,7 +219,7 @@ TEST_CASE("the iterations of a large network stay few") {
   const network::Response response = network::linear_response(samples::large_network(28, 0.35));
   REQUIRE(response.converged());
   REQUIRE(response.report().grains >= 20000);
-  CHECK(response.report().iterations <= 48); // measured 45
+  CHECK(response.report().iterations <= 34); // measured 31; 45 with rigid motions of aggregates
 }
 
 TEST_CASE("a network that is hardly rigid takes few iterations, and one lost pivot spoils no others") {
