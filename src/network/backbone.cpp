@@ -64,6 +64,7 @@ void remove_units(Backbone& backbone) {
     }
   for (Vec3& x : backbone.centre)
     x *= 1 / backbone.length_scale;
+  backbone.cell = (1 / backbone.length_scale) * backbone.cell;
   for (double& r : backbone.radius)
     r /= backbone.length_scale;
 }
@@ -81,6 +82,7 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const Options& 
   if (mechanics.contact_count + mechanics.wall_contact_count == 0)
     return backbone;
 
+  backbone.cell = assembly.cell;
   const std::vector<Vec3> centre = inside(assembly);
   auto [number, stages] = number_grains(assembly, mechanics.rattler, centre);
   backbone.stages = std::move(stages);

@@ -37,6 +37,7 @@ struct Backbone {
   std::vector<std::vector<Piece>> stages; ///< of the numbers
   std::vector<Vec3> centre;               ///< of each grain, inside the cell
   std::vector<double> radius;
+  Mat3 cell; ///< columns are its three edges
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.

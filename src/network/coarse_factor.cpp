@@ -24,14 +24,6 @@ constexpr double free_direction = 1e-6;
 
 using elastic::Matrix6;
 
-Matrix6 dense(const Block<6>& b) {
-  Matrix6 m;
-  for (int r = 0; r < 6; ++r)
-    for (int c = 0; c < 6; ++c)
-      m(r, c) = b.at[r][c];
-  return m;
-}
-
 Block<6> stored(const Matrix6& m) {
   Block<6> b;
   for (int r = 0; r < 6; ++r)
@@ -98,6 +90,14 @@ GRANUM_INLINE void substitute_coarse(std::size_t n, const std::uint32_t* column_
 }
 
 } // namespace
+
+elastic::Matrix6 dense(const Block<6>& b) {
+  Matrix6 m;
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c)
+      m(r, c) = b.at[r][c];
+  return m;
+}
 
 CoarseFactor::CoarseFactor(std::size_t size, const std::vector<Coupling>& couplings) {
   find_order(size, couplings);

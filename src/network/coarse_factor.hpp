@@ -12,6 +12,8 @@
 
 namespace granum::network {
 
+[[nodiscard]] elastic::Matrix6 dense(const Block<6>& b);
+
 /// Complete factorisation A = L D L^T of a sparse, symmetric, positive semidefinite matrix of 6 x 6 blocks.
 /// Directions without stiffness are left out: D^+ stands in place of D^-1.
 class CoarseFactor {

@@ -190,6 +190,19 @@ Block<Dof> wall_block(const Link& link) {
   return block<Dof>(Square(at_a.transpose() * elastic_stiffness(link) * at_a));
 }
 
+template <int Dof>
+std::vector<Block<Dof>> diagonal_blocks(const Backbone& backbone) {
+  std::vector<Block<Dof>> diagonal(backbone.grain_count);
+  for (const Link& l : backbone.links) {
+    const auto blocks = link_blocks<Dof>(l);
+    add(blocks.diagonal_a, diagonal[l.a]);
+    add(blocks.diagonal_b, diagonal[l.b]);
+  }
+  for (const Link& l : backbone.wall_links)
+    add(wall_block<Dof>(l), diagonal[l.a]);
+  return diagonal;
+}
+
 template void apply_stiffness<3>(const Backbone&, const Workers&, double, const Field<3>&, Field<3>&);
 template void apply_stiffness<6>(const Backbone&, const Workers&, double, const Field<6>&, Field<6>&);
 template Field<3> affine_forces<3>(const Backbone&);
@@ -198,5 +211,7 @@ template LinkBlocks<3> link_blocks<3>(const Link&);
 template LinkBlocks<6> link_blocks<6>(const Link&);
 template Block<3> wall_block<3>(const Link&);
 template Block<6> wall_block<6>(const Link&);
+template std::vector<Block<3>> diagonal_blocks<3>(const Backbone&);
+template std::vector<Block<6>> diagonal_blocks<6>(const Backbone&);
 
 } // namespace granum::network

@@ -2,6 +2,8 @@
 // Private to src/network. The stiffness matrix H of a backbone, never assembled as a whole.
 #pragma once
 
+#include <vector>
+
 #include <granum/elastic/stiffness.hpp>
 
 #include "backbone.hpp"
@@ -40,5 +42,9 @@ template <int Dof>
 /// What a contact with a wall adds to the diagonal of its grain.
 template <int Dof>
 [[nodiscard]] Block<Dof> wall_block(const Link& link);
+
+/// The diagonal of H: the block of each grain with itself.
+template <int Dof>
+[[nodiscard]] std::vector<Block<Dof>> diagonal_blocks(const Backbone& backbone);
 
 } // namespace granum::network

@@ -32,13 +32,6 @@ constexpr double mended_stiffness = 1e-2;
 // In floppy networks, where 1e-2 and more stop some from arriving.
 constexpr double floppy_mended_stiffness = 1e-4;
 
-template <int Dof>
-void add(const Block<Dof>& from, Block<Dof>& to) {
-  for (int r = 0; r < Dof; ++r)
-    for (int c = 0; c < Dof; ++c)
-      to.at[r][c] += from.at[r][c];
-}
-
 /// target -= left * right
 template <int Dof>
 GRANUM_INLINE void subtract_product(const Block<Dof>& left, const Block<Dof>& right, Block<Dof>& target) {
@@ -155,23 +148,10 @@ template <int Dof>
 IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers& workers)
     : backbone_(backbone), workers_(workers),
       pattern_(suitable_fill_pattern(backbone, static_cast<double>(most_numbers) / (Dof * Dof))),
-      inverse_pivot_(backbone.grain_count) {
+      inverse_pivot_(diagonal_blocks<Dof>(backbone)) {
   if (is_floppy(backbone))
     lower_ = std::vector<Block<Dof, double>>();
-  add_diagonal();
   std::visit([this](auto& lower) { this->factorise(lower); }, lower_);
-}
-
-/// Leaves the diagonal of H in the place of the pivots.
-template <int Dof>
-void IncompleteFactor<Dof>::add_diagonal() {
-  for (const Link& l : backbone_.links) {
-    const auto blocks = link_blocks<Dof>(l);
-    add(blocks.diagonal_a, inverse_pivot_[l.a]);
-    add(blocks.diagonal_b, inverse_pivot_[l.b]);
-  }
-  for (const Link& l : backbone_.wall_links)
-    add(wall_block<Dof>(l), inverse_pivot_[l.a]);
 }
 
 /// What the factorisation of a row needs.

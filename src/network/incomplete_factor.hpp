@@ -30,7 +30,6 @@ class IncompleteFactor {
 
  private:
   struct Work;
-  void add_diagonal();
   void begin_row(std::uint32_t i, Work& work) const;
   template <class Number>
   using Lower = std::vector<Block<Dof, Number>>;

@@ -35,6 +35,13 @@ struct Block {
   Number at[std::size_t{Dof}][std::size_t{Dof}] = {};
 };
 
+template <int Dof>
+void add(const Block<Dof>& from, Block<Dof>& to) {
+  for (int r = 0; r < Dof; ++r)
+    for (int c = 0; c < Dof; ++c)
+      to.at[r][c] += from.at[r][c];
+}
+
 /// 6 x 6 products of two fields.
 struct alignas(64) Gram {
   Lanes row[load_cases] = {};

@@ -9,8 +9,8 @@
 
 namespace granum::network {
 
-/// M^-1 of the conjugate gradients: an incomplete factor for short waves, rigid motions of aggregates for
-/// long ones. On residuals without a force or moment on any aggregate it is symmetric and positive definite.
+/// M^-1 of the conjugate gradients: an incomplete factor for short waves, motions of the nodes of a coarse
+/// grid for long ones. On residuals that do no work on any of these it is symmetric and positive definite.
 template <int Dof>
 class Preconditioner {
  public:
@@ -26,7 +26,7 @@ class Preconditioner {
       coarse_->correct(r, z);
   }
 
-  /// Moves q such that its residual r has no force or moment on any aggregate.
+  /// Moves q such that its residual r does no work on any motion of a node.
   void lift_coarse_residual(const Field<Dof>& r, Field<Dof>& q) const {
     if (coarse_)
       coarse_->add_lifted(r, q);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Networks large enough for pieces and aggregates.
+// Networks large enough for pieces and a coarse grid.
 #pragma once
 
 #include <algorithm>

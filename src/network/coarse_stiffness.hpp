@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include "backbone.hpp"
+#include "coarse_factor.hpp"
+#include "coarse_grid.hpp"
+
+namespace granum::network {
+
+/// P^T H P of the motions P of the nodes of a grid (coarse_correction.cpp), factorised.
+template <int Dof>
+[[nodiscard]] CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid);
+
+} // namespace granum::network
