@@ -15,12 +15,12 @@ namespace {
 
 using Corners = CoarseGrid::Corners;
 using Shares = CoarseGrid::Shares;
-using Square = Block<6>;
+using NodeBlock = Block<6>;
 
 /// The same in terms of u and w, which stand in place of u and R w.
 template <int Dof>
-Square turned(const Block<Dof>& b, double radius_of_row, double radius_of_column) {
-  Square m;
+NodeBlock turned(const Block<Dof>& b, double radius_of_row, double radius_of_column) {
+  NodeBlock m;
   for (int r = 0; r < Dof; ++r)
     for (int c = 0; c < Dof; ++c)
       m.at[r][c] = b.at[r][c] * (r < 3 ? 1 : radius_of_row) * (c < 3 ? 1 : radius_of_column);
@@ -29,10 +29,11 @@ Square turned(const Block<Dof>& b, double radius_of_row, double radius_of_column
 
 /// What links between the grains of two boxes add to P^T H P: blocks of corners of the one, and of the other.
 struct Couplings {
-  Square at[8][8] = {};
+  NodeBlock at[8][8] = {};
 };
 
-GRANUM_INLINE void add_shared(const Square& b, const Shares& rows, const Shares& columns, Couplings& target) {
+GRANUM_INLINE void add_shared(const NodeBlock& b, const Shares& rows, const Shares& columns,
+                              Couplings& target) {
   for (unsigned i = 0; i < rows.size(); ++i)
     for (unsigned j = 0; j < columns.size(); ++j) {
       const double share = rows[i] * columns[j];
@@ -47,9 +48,9 @@ GRANUM_INLINE void add_shared(const Square& b, const Shares& rows, const Shares&
 template <int Dof>
 void add_coarse(const Backbone& backbone, const CoarseGrid& grid, const Block<Dof>& b, std::uint32_t row,
                 std::uint32_t column, Couplings& target) {
-  const Square square = turned(b, backbone.radius[row], backbone.radius[column]);
+  const NodeBlock block = turned(b, backbone.radius[row], backbone.radius[column]);
   const Shares rows = grid.shares_of(row), columns = grid.shares_of(column);
-  at_vector_level([&](auto) __attribute__((always_inline)) { add_shared(square, rows, columns, target); });
+  at_vector_level([&](auto) __attribute__((always_inline)) { add_shared(block, rows, columns, target); });
 }
 
 /// Symmetric blocks among the corners of one box.
