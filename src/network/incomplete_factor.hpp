@@ -2,6 +2,7 @@
 // Private to src/network.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <variant>
 #include <vector>
@@ -15,8 +16,10 @@ namespace granum::network {
 
 /// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
 /// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
-/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. L is held in single
-/// precision, but not of floppy networks: there its rounding drives modes without stiffness.
+/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. A direction d of such a
+/// pivot stands for a motion v = L^-T d; if the stiffness v^T H v of this is less than what d was given, d gets
+/// it. L is held in single precision, but not of floppy networks: there its rounding drives modes without
+/// stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:
@@ -30,17 +33,29 @@ class IncompleteFactor {
 
  private:
   struct Work;
+  /// Of a pivot that was mended, with the inverse stiffness that it was given.
+  struct MendedDirection {
+    std::uint32_t row = 0;
+    std::array<double, std::size_t{Dof}> direction{};
+    double inverse = 0;
+  };
+  using Mended = std::vector<MendedDirection>;
   void begin_row(std::uint32_t i, Work& work) const;
   template <class Number>
   using Lower = std::vector<Block<Dof, Number>>;
   template <class Number>
   void factorise(Lower<Number>& lower);
   template <class Number>
-  [[nodiscard]] std::size_t factorise(Piece piece, double mean, Work& work, Lower<Number>& lower);
+  void factorise(Piece piece, double mean, Work& work, Lower<Number>& lower);
+  [[nodiscard]] bool invert_pivot(std::uint32_t i, double mean, Mended& mended);
+  template <class Number>
+  void rate(const Mended& mended, double least, const Lower<Number>& lower);
   template <class Number>
   void eliminate(std::uint32_t i, Work& work, Lower<Number>& lower, Block<Dof>& pivot);
   template <class Number>
   void solve(const Lower<Number>& lower, const Field<Dof>& r, Field<Dof>& z) const;
+  template <class Number>
+  void solve_upper(const Lower<Number>& lower, Field<Dof>& z) const;
 
   const Backbone& backbone_;
   const Workers& workers_;
