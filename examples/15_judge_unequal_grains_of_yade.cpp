@@ -89,8 +89,8 @@ int main(int argc, char** argv) {
     }
     const Judgement dense = judge_shipped("dense"), loose = judge_shipped("loose");
 
-    // Check: rung 3 is as good as it says. K of the loose one is 8 % too small, as it is of packings that other
-    // codes compressed with friction from a gas; its stated error allows for that.
+    // Check: rung 3 is as good as it says. K of the loose one is 8 % too small, as it is of packings that
+    // other codes compressed with friction from a gas; its stated error allows for that.
     return dense.bulk && dense.shear && loose.bulk && loose.shear ? 0 : 1;
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -275,8 +275,8 @@ void Engine::Data::choose_damping() {
   }
 }
 
-/// FIRE: of velocities keep v + push f/m, a share is turned towards f/m; all stop where they point uphill. A grain
-/// that has left its contacts stops at once: rattlers stay by their neighbours, and C_n much as it was.
+/// FIRE: of velocities keep v + push f/m, a share is turned towards f/m; all stop where they point uphill. A
+/// grain that has left its contacts stops at once: rattlers stay by their neighbours, and C_n much as it was.
 void Engine::Data::turn_downhill(double& keep, double& push) {
   each_chunk([&](std::size_t c) {
     hold_free_grains(grains, parts.chunks[c].grains, load);

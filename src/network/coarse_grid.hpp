@@ -12,8 +12,9 @@
 
 namespace granum::network {
 
-/// Equal boxes that fill the cell, each with its grains and a node at each of its eight corners, as many nodes
-/// as boxes because the cell is periodic. Along an axis with one box only, both corners are the same node.
+/// Equal boxes that fill the cell, each with its grains and a node at each of its eight corners, as many
+/// nodes as boxes because the cell is periodic. Along an axis with one box only, both corners are the same
+/// node.
 class CoarseGrid {
  public:
   using Corners =

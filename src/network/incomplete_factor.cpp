@@ -240,9 +240,9 @@ bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Mended& m
 }
 
 /// Gives each direction d the stiffness v^T H v, v = L^-T d, where that is softer, and leaves L as it is: all
-/// other directions are answered as before, and none with the wrong sign. Stiffer ones stay, as behind several
-/// mended pivots v is no mode of H (20^3 lattices with 9 and 13 of them: 91 and 112 iterations for 54 and 80),
-/// and free ones below `least`, which bear no load (one with 5: 66 iterations for 51).
+/// other directions are answered as before, and none with the wrong sign. Stiffer ones stay, as behind
+/// several mended pivots v is no mode of H (20^3 lattices with 9 and 13 of them take more iterations
+/// otherwise, bench/README.md), and free ones below `least`, which bear no load.
 template <int Dof>
 template <class Number>
 void IncompleteFactor<Dof>::rate(const Mended& mended, double least, const Lower<Number>& lower) {

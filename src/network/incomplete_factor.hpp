@@ -16,10 +16,10 @@ namespace granum::network {
 
 /// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
 /// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
-/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. A direction d of such a
-/// pivot stands for a motion v = L^-T d; if the stiffness v^T H v of this is less than what d was given, d gets
-/// it. L is held in single precision, but not of floppy networks: there its rounding drives modes without
-/// stiffness.
+/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. A direction d of such
+/// a pivot stands for a motion v = L^-T d; if the stiffness v^T H v of this is less than what d was given, d
+/// gets it. L is held in single precision, but not of floppy networks: there its rounding drives modes
+/// without stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:

@@ -22,7 +22,8 @@ constexpr double overlap = 2e-7;
 /// Nothing slides.
 Material sticking() { return test::quartz(radius, std::numeric_limits<double>::infinity()); }
 
-/// A lattice, every centre of which is a little out of its place; unequal grains differ by a part of the overlap.
+/// A lattice, every centre of which is a little out of its place; unequal grains differ by a part of the
+/// overlap.
 Specimen shaken(int edges, bool unequal, bool walls) {
   Specimen state = test::fcc(radius, edges, overlap);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far K of packings that other codes made lies from the curve of granum's own: a third part of its scatter,
-// beside recipes and packings.
+// How far K of packings that other codes made lies from the curve of granum's own: a third part of its
+// scatter, beside recipes and packings.
 #pragma once
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 //
 //     relaxation_codes codes.csv CODE CONTACT SIZES PREPARATION SEED GRAINS CONTACTS
 //
-// CODE is lammps or yade, whose files GRAINS and CONTACTS are; CONTACT is sphere (Hertz, G_g = 30 GPa, nu_g = 0.15) or flat
-// (linear springs between equal grains); SIZES, PREPARATION and SEED say what was made. The row has the columns of
-// unequal.csv; codes.sh makes the whole table.
+// CODE is lammps or yade, whose files GRAINS and CONTACTS are; CONTACT is sphere (Hertz, G_g = 30 GPa,
+// nu_g = 0.15) or flat (linear springs between equal grains); SIZES, PREPARATION and SEED say what was made.
+// The row has the columns of unequal.csv; codes.sh makes the whole table.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -66,10 +66,11 @@ class Engine {
   void set_velocity_gradient(const Mat3& gradient);
   /// Drag coefficient [1/s] from now on in place of the adaptive one; 0 switches damping off.
   void set_damping(double coefficient);
-  /// From now on, until a drag is set, grains go downhill by FIRE, with a fifth of the adaptive drag: velocities
-  /// are turned towards the forces, and all stop where these do no work; a grain that touches nothing stops
-  /// too. Grains that hardly anything holds, which drag lets creep, swing to their places: from near rest to
-  /// rest in half of the steps, where nothing slides. Far from rest the adaptive drag takes fewer.
+  /// From now on, until a drag is set, grains go downhill by FIRE, with a fifth of the adaptive drag:
+  /// velocities are turned towards the forces, and all stop where these do no work; a grain that touches
+  /// nothing stops too. Grains that hardly anything holds, which drag lets creep, swing to their places:
+  /// from near rest to rest in half of the steps, where nothing slides. Far from rest the adaptive drag takes
+  /// fewer.
   /// Assumes   a cell that stands still.
   /// [Bitzek2006], checked by tests/dem/test_descent.cpp
   void descend();
