@@ -119,7 +119,7 @@ TEST_CASE("motions of the nodes leave a residual that does no work on any") {
   }
   const packing::Assembly smooth =
       samples::random_network({.seed = 4, .repeats = 3, .kept = 0.7, .tangential_ratio = 0});
-  for (const double grains_a_node : {6.0, 30.0})
+  for (const double grains_a_node : {1.0, 6.0, 30.0})
     check_correction<3>(smooth, {}, grains_a_node);
 }
 
