@@ -277,7 +277,7 @@ void Engine::Data::choose_damping() {
 
 /// FIRE: of velocities keep v + push f/m, a share is turned towards f/m; all stop where they point uphill. A
 /// grain that has left its contacts stops at once: rattlers stay by their neighbours, and C_n much as it was.
-void Engine::Data::turn_downhill(double& keep, double& push) {
+Engine::Data::Drive Engine::Data::turned_downhill(Drive drive) {
   each_chunk([&](std::size_t c) {
     hold_free_grains(grains, parts.chunks[c].grains, load);
     sums[c].pull = pull_of(grains, parts.chunks[c].grains, load, mass, inertia);
@@ -285,30 +285,28 @@ void Engine::Data::turn_downhill(double& keep, double& push) {
   double pull = 0;
   for (const ChunkSums& chunk : sums)
     pull += chunk.pull;
+  const auto [keep, push] = drive;
   if (!(keep * power + push * pull > 0)) {
     mixing.uphill();
-    keep = push = 0;
-    return;
+    return {};
   }
   mixing.downhill();
   const double squares = keep * keep * motion.kinetic + 2 * keep * push * power + push * push * pull;
-  const double turn = mixing.share * std::sqrt(std::max(0.0, squares) / pull);
-  keep *= 1 - mixing.share;
-  push = (1 - mixing.share) * push + turn;
+  const double towards = mixing.share * std::sqrt(std::max(0.0, squares) / pull);
+  return {.keep = (1 - mixing.share) * keep, .push = (1 - mixing.share) * push + towards};
 }
 
 /// Velocities from forces with drag.
 void Engine::Data::integrate() {
   choose_damping();
   const double drag = 0.5 * (descends ? descent_drag * damping : damping) * dt;
-  double keep = (1 - drag) / (1 + drag);
-  double push = dt / (1 + drag);
+  Drive drive{.keep = (1 - drag) / (1 + drag), .push = dt / (1 + drag)};
   if (descends)
-    turn_downhill(keep, push);
+    drive = turned_downhill(drive);
   if (grains.own.empty())
-    kick({.keep = keep, .push = push / mass, .turn = push / inertia});
+    kick({.keep = drive.keep, .push = drive.push / mass, .turn = drive.push / inertia});
   else
-    kick({.keep = keep, .push = push, .turn = push});
+    kick({.keep = drive.keep, .push = drive.push, .turn = drive.push});
 }
 
 void Engine::Data::kick(const Kick& of_step) {

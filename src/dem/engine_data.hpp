@@ -46,7 +46,11 @@ struct Engine::Data {
   [[nodiscard]] bool time_step_is_due() const;
   void integrate();
   void choose_damping();
-  void turn_downhill(double& keep, double& push);
+  /// Velocities become keep v + push f/m.
+  struct Drive {
+    double keep = 0, push = 0;
+  };
+  [[nodiscard]] Drive turned_downhill(Drive drive);
   void kick(const Kick& of_step);
   void move();
   void take_figures(const SweepSums& total);

@@ -25,12 +25,10 @@ constexpr std::uint32_t absent = ~std::uint32_t{0};
 constexpr double shift_of_diagonal = 1e-6;
 // A pivot is mended when an eigenvalue may be below this part of the shift.
 constexpr double safe_pivot = 0.1;
-// Least eigenvalue of a mended pivot, over the mean diagonal: what was dropped from the factor has made a
-// stiff direction negative, and its stiffness is not known. With 1e-4 one mended pivot spoils others behind
-// it: 14, and no end after 600 iterations, in a diluted lattice of 13,381 grains, where 1e-2 to 1 mend 3 and
-// take 63 to 75.
-constexpr double mended_stiffness = 1e-2;
-// In floppy networks, where 1e-2 and more stop some from arriving.
+// Of a pivot to be mended, directions are lost whose eigenvalue is below this part of the mean diagonal: what
+// was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
+constexpr double lost_stiffness = 0.1;
+// Least eigenvalue of a mended pivot in floppy networks, where more stops some from arriving.
 constexpr double floppy_mended_stiffness = 1e-4;
 
 /// target -= left * right
@@ -144,7 +142,7 @@ struct IncompleteFactor<Dof>::Work {
   std::vector<std::uint32_t> slot;        ///< place in `row` of each column, or `absent`
   std::vector<Link>::const_iterator link; ///< first of the links that the next rows hold
   std::vector<Block<Dof>> row = {};       ///< of the present row, transposed; before its division by pivots
-  Mended mended = {};
+  Held held = {};
   std::size_t mended_pivots = 0;
 };
 
@@ -160,26 +158,25 @@ void IncompleteFactor<Dof>::factorise(Lower<Number>& lower) {
   if (!(mean > 0))
     mean = 1;
   std::vector<std::vector<typename Work::Entry>> below(n);
-  Mended mended;
+  Held held;
   for (const std::vector<Piece>& stage : backbone_.stages) {
     std::vector<std::size_t> pivots(stage.size());
-    std::vector<Mended> directions(stage.size());
+    std::vector<Held> directions(stage.size());
     workers_.each(stage.size(), [&](std::size_t k) {
       const auto link = std::lower_bound(backbone_.links.begin(), backbone_.links.end(), stage[k].first,
                                          [](const Link& l, std::uint32_t g) { return l.b < g; });
       Work work{below, std::vector<std::uint32_t>(n, absent), link};
       factorise(stage[k], mean, work, lower);
       pivots[k] = work.mended_pivots;
-      directions[k] = std::move(work.mended);
+      directions[k] = std::move(work.held);
     });
     mended_pivots_ = std::accumulate(pivots.begin(), pivots.end(), mended_pivots_);
-    for (const Mended& of_piece : directions)
-      mended.insert(mended.end(), of_piece.begin(), of_piece.end());
+    for (const Held& of_piece : directions)
+      held.insert(held.end(), of_piece.begin(), of_piece.end());
   }
   below.clear();
   below.shrink_to_fit();
-  if (!is_floppy(backbone_))
-    rate(mended, shift_of_diagonal * mean, lower);
+  release(held, mean, lower);
 }
 
 /// Row i of H, with places for its fill.
@@ -207,7 +204,7 @@ void IncompleteFactor<Dof>::factorise(Piece piece, double mean, Work& work, Lowe
       work.below[pattern_.column[e]].push_back({i, e});
       work.slot[pattern_.column[e]] = absent;
     }
-    if (invert_pivot(i, mean, work.mended))
+    if (invert_pivot(i, mean, work.held))
       ++work.mended_pivots;
   }
 }
@@ -215,7 +212,7 @@ void IncompleteFactor<Dof>::factorise(Piece piece, double mean, Work& work, Lowe
 /// Replaces a symmetric pivot by its inverse; returns whether it had to be mended first.
 /// \param    mean    of the diagonal of H
 template <int Dof>
-bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Mended& mended) {
+bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Held& held) {
   using Square = Eigen::Matrix<double, Dof, Dof, Eigen::RowMajor>;
   Eigen::Map<Square> map(&inverse_pivot_[i].at[0][0]);
   const Square symmetric = (map + map.transpose()) / 2;
@@ -225,47 +222,47 @@ bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Mended& m
     map = cholesky.solve(Eigen::Matrix<double, Dof, Dof>::Identity());
     return false;
   }
-  const double least = mean * (is_floppy(backbone_) ? floppy_mended_stiffness : mended_stiffness);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>> eigen(symmetric);
-  const Eigen::Matrix<double, Dof, 1> inverse =
-      eigen.eigenvalues().unaryExpr([&](double value) { return 1 / std::max(std::abs(value), least); });
+  const bool floppy = is_floppy(backbone_);
+  const double least = mean * (floppy ? floppy_mended_stiffness : lost_stiffness);
+  const Eigen::Matrix<double, Dof, 1> inverse = eigen.eigenvalues().unaryExpr([&](double value) {
+    if (floppy)
+      return 1 / std::max(std::abs(value), least);
+    return value < least ? 0.0 : 1 / value;
+  });
   map = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-  for (int k = 0; k < Dof && eigen.eigenvalues()[k] < least; ++k) {
-    MendedDirection found{.row = i, .inverse = inverse[k]};
+  for (int k = 0; k < Dof && !floppy && eigen.eigenvalues()[k] < least; ++k) {
+    HeldDirection found{.row = i};
     for (int r = 0; r < Dof; ++r)
       found.direction[static_cast<std::size_t>(r)] = eigen.eigenvectors()(r, k);
-    mended.push_back(found);
+    held.push_back(found);
   }
   return true;
 }
 
-/// Gives each direction d the stiffness v^T H v, v = L^-T d, where that is softer, and leaves L as it is: all
-/// other directions are answered as before, and none with the wrong sign. Stiffer ones stay, as behind
-/// several mended pivots v is no mode of H (20^3 lattices with 9 and 13 of them take more iterations
-/// otherwise, bench/README.md), and free ones below `least`, which bear no load.
+/// Gives each direction d that was held the stiffness v^T H v of the motion v = L^-T d, or the shift of the
+/// diagonal where that is more, as free ones get.
 template <int Dof>
 template <class Number>
-void IncompleteFactor<Dof>::rate(const Mended& mended, double least, const Lower<Number>& lower) {
+void IncompleteFactor<Dof>::release(const Held& held, double mean, const Lower<Number>& lower) {
   Field<Dof> v, answer;
-  for (std::size_t first = 0; first < mended.size(); first += load_cases) {
-    const std::size_t count = std::min<std::size_t>(load_cases, mended.size() - first);
+  for (std::size_t first = 0; first < held.size(); first += load_cases) {
+    const std::size_t count = std::min<std::size_t>(load_cases, held.size() - first);
     v.assign(inverse_pivot_.size(), {});
     for (std::size_t k = 0; k < count; ++k)
       for (int r = 0; r < Dof; ++r)
-        v[mended[first + k].row].row[r][k] = mended[first + k].direction[static_cast<std::size_t>(r)];
+        v[held[first + k].row].row[r][k] = held[first + k].direction[static_cast<std::size_t>(r)];
     solve_upper(lower, v);
     apply_stiffness<Dof>(backbone_, workers_, 0, v, answer);
     const elastic::Matrix6 energy = products<Dof>(workers_, v, answer);
     for (std::size_t k = 0; k < count; ++k) {
-      const MendedDirection& d = mended[first + k];
+      const HeldDirection& d = held[first + k];
       const auto at = static_cast<Eigen::Index>(k);
-      if (!(energy(at, at) > least && energy(at, at) * d.inverse < 1))
-        continue;
-      const double change = 1 / energy(at, at) - d.inverse;
+      const double stiffness = std::max(energy(at, at), shift_of_diagonal * mean);
       for (int r = 0; r < Dof; ++r)
         for (int c = 0; c < Dof; ++c)
           inverse_pivot_[d.row].at[r][c] +=
-              change * d.direction[static_cast<std::size_t>(r)] * d.direction[static_cast<std::size_t>(c)];
+              d.direction[static_cast<std::size_t>(r)] * d.direction[static_cast<std::size_t>(c)] / stiffness;
     }
   }
 }

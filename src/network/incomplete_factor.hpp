@@ -16,10 +16,11 @@ namespace granum::network {
 
 /// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
 /// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
-/// pivots) do no harm, and pivots that are not safely positive are made so, one by one. A direction d of such
-/// a pivot stands for a motion v = L^-T d; if the stiffness v^T H v of this is less than what d was given, d
-/// gets it. L is held in single precision, but not of floppy networks: there its rounding drives modes
-/// without stiffness.
+/// pivots) do no harm. A direction d in which a pivot is not safely positive is held while the others are
+/// eliminated, so that it cannot spoil those behind it, and gets the stiffness v^T H v of the motion
+/// v = L^-T d afterwards. Floppy networks have many such directions, which bear little: there they get a
+/// small stiffness at once. L is kept in single precision, but not of floppy networks: there its rounding
+/// drives modes without stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:
@@ -33,13 +34,12 @@ class IncompleteFactor {
 
  private:
   struct Work;
-  /// Of a pivot that was mended, with the inverse stiffness that it was given.
-  struct MendedDirection {
+  /// Of a pivot that was not safely positive.
+  struct HeldDirection {
     std::uint32_t row = 0;
     std::array<double, std::size_t{Dof}> direction{};
-    double inverse = 0;
   };
-  using Mended = std::vector<MendedDirection>;
+  using Held = std::vector<HeldDirection>;
   void begin_row(std::uint32_t i, Work& work) const;
   template <class Number>
   using Lower = std::vector<Block<Dof, Number>>;
@@ -47,9 +47,9 @@ class IncompleteFactor {
   void factorise(Lower<Number>& lower);
   template <class Number>
   void factorise(Piece piece, double mean, Work& work, Lower<Number>& lower);
-  [[nodiscard]] bool invert_pivot(std::uint32_t i, double mean, Mended& mended);
+  [[nodiscard]] bool invert_pivot(std::uint32_t i, double mean, Held& held);
   template <class Number>
-  void rate(const Mended& mended, double least, const Lower<Number>& lower);
+  void release(const Held& held, double mean, const Lower<Number>& lower);
   template <class Number>
   void eliminate(std::uint32_t i, Work& work, Lower<Number>& lower, Block<Dof>& pivot);
   template <class Number>

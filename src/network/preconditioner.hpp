@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "coarse_correction.hpp"
 #include "incomplete_factor.hpp"
+#include "network/coarse/correction.hpp"
 
 namespace granum::network {
 

@@ -13,8 +13,9 @@ namespace granum::samples {
 
 /// Grains on a simple cubic lattice, joined along its edges and the diagonals of its faces, of which a share
 /// is kept, all stiffnesses unequal; periodic.
-inline packing::Assembly large_network(int side, double kept, double tangential_ratio = 1) {
-  Uniform uniform(31);
+inline packing::Assembly large_network(int side, double kept, double tangential_ratio = 1,
+                                       std::uint64_t seed = 31) {
+  Uniform uniform(seed);
   packing::Assembly a;
   a.cell = Mat3::diagonal(side, side, side);
   const auto number = [side](int x, int y, int z) {

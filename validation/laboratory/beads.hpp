@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include <granum/core/straight_line.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/inverse/inference.hpp>
@@ -83,14 +84,11 @@ inline double largest_miss(const Comparison& c, std::size_t estimate, double fro
 
 /// s of modulus ~ p^s by least squares in logarithms; what was not measured is left out.
 inline double exponent_of(const std::vector<Measured>& at, const std::vector<double>& moduli) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    if (!(moduli[k] > 0))
-      continue;
-    const double log_p = std::log(at[k].pressure), log_modulus = std::log(moduli[k]);
-    n += 1, x += log_p, y += log_modulus, xx += log_p * log_p, xy += log_p * log_modulus;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
+  std::vector<granum::Point> points;
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (moduli[k] > 0)
+      points.push_back({std::log(at[k].pressure), std::log(moduli[k])});
+  return granum::straight_line(points).slope.value;
 }
 
 /// What was not measured is a dash.

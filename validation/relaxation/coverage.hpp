@@ -60,14 +60,29 @@ inline void print_coverage(const std::string& what, const CoverageOfBoth& c) {
                 coverage == &c.shear ? "|" : "\n");
 }
 
+/// Each of these names left out in turn: how those packings are covered, printed, and all together.
+/// \param    coverage_without   takes a name
+template <class CoverageWithout>
+CoverageOfBoth coverage_of_each(const std::set<std::string>& names, const std::string& together,
+                                const CoverageWithout& coverage_without) {
+  CoverageOfBoth all;
+  for (const std::string& name : names) {
+    const CoverageOfBoth here = coverage_without(name);
+    print_coverage("  without " + name, here);
+    all.shear.add(here.shear);
+    all.bulk.add(here.bulk);
+  }
+  print_coverage(together, all);
+  return all;
+}
+
 /// Every preparation left out in turn: coefficients and scatter of all others, errors on its packings.
 inline CoverageOfBoth coverage_of_left_out(const std::vector<Packing>& packings) {
   std::set<std::string> names;
   for (const Packing& p : packings)
     if (p.isotropic())
       names.insert(unsheared(p.preparation));
-  CoverageOfBoth all;
-  for (const std::string& name : names) {
+  return coverage_of_each(names, "recipes left out, together", [&](const std::string& name) {
     const Choice left = [&](const Packing& p) { return unsheared(p.preparation) == name; };
     const Choice kept = [&](const Packing& p) { return !left(p); };
     const ShearFit shear = fit_shear(packings, kept);
@@ -88,12 +103,8 @@ inline CoverageOfBoth coverage_of_left_out(const std::vector<Packing>& packings)
                       std::hypot(coefficient_error(bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
                                  deviation(bulk_scatter, K.sensitivity)));
       }
-    print_coverage("  without " + name, here);
-    all.shear.add(here.shear);
-    all.bulk.add(here.bulk);
-  }
-  print_coverage("recipes left out, together", all);
-  return all;
+    return here;
+  });
 }
 
 } // namespace relaxation

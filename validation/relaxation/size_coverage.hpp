@@ -65,18 +65,12 @@ CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings, 
   for (const Packing& p : packings)
     if (p.isotropic() && p.sizes != "equal")
       names.insert(label(p));
-  CoverageOfBoth all;
-  for (const std::string& name : names) {
+  return coverage_of_each(names, "left out, together", [&](const std::string& name) {
     const SizeEffect effect =
         fit_size_effect(packings, equal, [&](const Packing& p) { return label(p) != name; });
-    const CoverageOfBoth here = coverage_of(
-        packings, equal, effect, [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
-    print_coverage("  without " + name, here);
-    all.shear.add(here.shear);
-    all.bulk.add(here.bulk);
-  }
-  print_coverage("left out, together", all);
-  return all;
+    return coverage_of(packings, equal, effect,
+                       [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
+  });
 }
 
 } // namespace relaxation

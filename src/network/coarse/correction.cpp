@@ -3,16 +3,16 @@
 // the turn w_k of node k and the share s_gk that it has in g. Shares are linear in the place of the grain, so
 // that a wave much longer than a box, whose strain is nearly the same all over it, costs hardly more energy
 // than it should. Rigid motions of aggregates have all strain between them, at some eight times its energy.
-#include "coarse_correction.hpp"
+#include "correction.hpp"
 
 #include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
-#include "coarse_stiffness.hpp"
-#include "contact_operator.hpp"
 #include "core/vector/level.hpp"
+#include "network/contact_operator.hpp"
+#include "stiffness.hpp"
 
 namespace granum::network {
 

@@ -8,7 +8,7 @@
 
 #include <granum/elastic/stiffness.hpp>
 
-#include "lanes.hpp"
+#include "network/lanes.hpp"
 
 namespace granum::network {
 

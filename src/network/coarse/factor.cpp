@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coarse_factor.hpp"
+#include "factor.hpp"
 
 #include <algorithm>
 #include <array>

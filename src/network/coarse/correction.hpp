@@ -2,11 +2,11 @@
 // Private to src/network.
 #pragma once
 
-#include "backbone.hpp"
-#include "coarse_factor.hpp"
-#include "coarse_grid.hpp"
-#include "lanes.hpp"
-#include "workers.hpp"
+#include "factor.hpp"
+#include "grid.hpp"
+#include "network/backbone.hpp"
+#include "network/lanes.hpp"
+#include "network/workers.hpp"
 
 namespace granum::network {
 

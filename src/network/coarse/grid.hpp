@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "backbone.hpp"
 #include "core/vector/level.hpp"
+#include "network/backbone.hpp"
 
 namespace granum::network {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coarse_stiffness.hpp"
+#include "stiffness.hpp"
 
 #include <algorithm>
 #include <compare>
 #include <memory>
 #include <vector>
 
-#include "contact_operator.hpp"
 #include "core/vector/level.hpp"
+#include "network/contact_operator.hpp"
 
 namespace granum::network {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coarse_grid.hpp"
+#include "grid.hpp"
 
 #include <algorithm>
 #include <cmath>

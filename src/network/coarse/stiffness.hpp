@@ -2,9 +2,9 @@
 // Private to src/network.
 #pragma once
 
-#include "backbone.hpp"
-#include "coarse_factor.hpp"
-#include "coarse_grid.hpp"
+#include "factor.hpp"
+#include "grid.hpp"
+#include "network/backbone.hpp"
 
 namespace granum::network {
 
