@@ -209,7 +209,7 @@ plot::Chart of_packings(const std::vector<Row>& rows) {
   plot::Series network = points("rung 4: network", probes, 1, plot::Colour::measured);
   network.x = each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); });
   picture.series = {network, points("rung 5: DEM probe", probes, 2, plot::Colour::measured)};
-  picture.finding = "Network and probe differ by less than 0.4 % and cost tenths of a second.";
+  picture.finding = "Network and probe differ by less than 0.5 % and cost hundredths to tenths of a second.";
   return picture;
 }
 
