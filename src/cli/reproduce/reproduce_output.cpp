@@ -26,6 +26,14 @@ constexpr const char* names[] = {"states.csv",   "curves.csv",    "loops.csv",  
 
 ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
 
+/// Null where nothing is asked or nothing can be told.
+ordered_json within(studies::Agreement agreement) {
+  using studies::Agreement;
+  if (agreement == Agreement::within || agreement == Agreement::beyond)
+    return agreement == Agreement::within;
+  return nullptr;
+}
+
 ordered_json table_json(const std::vector<studies::TableRow>& rows) {
   ordered_json json = ordered_json::array();
   for (const studies::TableRow& row : rows)
@@ -37,7 +45,7 @@ ordered_json table_json(const std::vector<studies::TableRow>& rows) {
                       {"standard_error", number(cell.ours.standard_error)},
                       {"paper", number(cell.printed)},
                       {"reach", number(cell.reach)},
-                      {"within", cell.printed ? ordered_json(cell.holds()) : ordered_json()}});
+                      {"within", within(cell.agreement())}});
   return json;
 }
 
@@ -126,7 +134,9 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
 
 std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                       const RunFigures& figures) {
-  std::string out = "granum +- standard error (paper); ! where the difference is larger than asked for\n\n";
+  std::string out =
+      "granum +- standard error (paper); ! where the difference is larger than asked for, ? where the\n"
+      "standard error is\n\n";
   out += studies::table_text("Table 2: start of isotropic compression", studies::table_2(experiment)) + "\n";
   out += studies::table_text("Table 4: friction angle at the peak", studies::table_4(experiment)) + "\n";
   out +=

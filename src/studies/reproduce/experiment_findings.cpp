@@ -125,7 +125,13 @@ Measured coefficient(const hardin::Fit& fit) { return fit.coefficient; }
 
 } // namespace
 
-bool Cell::holds() const { return !printed || !reach || std::abs(ours.value - *printed) <= *reach; }
+Agreement Cell::agreement() const {
+  if (!printed || !reach)
+    return Agreement::not_asked;
+  if (ours.standard_error && *ours.standard_error > *reach)
+    return Agreement::undecided;
+  return std::abs(ours.value - *printed) <= *reach ? Agreement::within : Agreement::beyond;
+}
 
 std::vector<TableRow> table_2(const Experiment& experiment) {
   return table(experiment, {{"C_n", initial_coordination,

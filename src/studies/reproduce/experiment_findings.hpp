@@ -19,6 +19,14 @@ struct TableValue {
   std::optional<double> standard_error;
 };
 
+/// Whether ours is as near to the paper's as is asked for.
+enum class Agreement {
+  not_asked, ///< nothing is printed, or no reach is set
+  within,
+  beyond,
+  undecided, ///< the standard error of ours is larger than the reach
+};
+
 /// One cell of a table, ours beside the paper's.
 struct Cell {
   std::string quantity; ///< "C_n", "e", "friction angle TXC [deg]", "s of G_hv", ...
@@ -26,8 +34,7 @@ struct Cell {
   std::optional<double> printed;
   std::optional<double> reach; ///< |ours - printed| that is asked for
 
-  /// Whether ours is within reach of what is printed; true where nothing is asked.
-  [[nodiscard]] bool holds() const;
+  [[nodiscard]] Agreement agreement() const;
 };
 
 /// The cells of one specimen, over all its seeds.

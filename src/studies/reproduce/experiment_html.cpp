@@ -101,6 +101,19 @@ std::string shown(const TableValue& measured) {
   return rounded(measured.value) + " \u00b1 " + rounded(error);
 }
 
+std::string words_of(Agreement agreement) {
+  switch (agreement) {
+  case Agreement::within:
+    return "within";
+  case Agreement::beyond:
+    return "beyond";
+  case Agreement::undecided:
+    return "cannot tell: the standard error is larger than what is asked for";
+  default:
+    return "";
+  }
+}
+
 std::vector<std::string> cell_row(const TableRow& specimen, const Cell& cell) {
   return {std::string(name(specimen.contact)) + ", " + std::string(name(specimen.density)),
           cell.quantity,
@@ -108,9 +121,7 @@ std::vector<std::string> cell_row(const TableRow& specimen, const Cell& cell) {
           cell.printed ? short_text(*cell.printed) : "",
           cell.printed ? short_text(cell.ours.value - *cell.printed, 3) : "",
           cell.reach ? short_text(*cell.reach) : "",
-          !cell.printed || !cell.reach ? ""
-          : cell.holds()               ? "within"
-                                       : "beyond"};
+          words_of(cell.agreement())};
 }
 
 std::string table(const std::string& title, const std::vector<TableRow>& specimens) {

@@ -72,7 +72,28 @@ std::string shown(const Cell& cell) {
     text += " +- " + number(*cell.ours.standard_error, digits);
   if (cell.printed)
     text += " (" + number(*cell.printed, digits_of(*cell.printed)) + ")";
-  return text + (cell.holds() ? "" : " !");
+  switch (cell.agreement()) {
+  case Agreement::beyond:
+    return text + " !";
+  case Agreement::undecided:
+    return text + " ?";
+  default:
+    return text;
+  }
+}
+
+/// To "is ours within reach?".
+const char* answer(Agreement agreement) {
+  switch (agreement) {
+  case Agreement::within:
+    return "yes";
+  case Agreement::beyond:
+    return "no";
+  case Agreement::undecided:
+    return "cannot tell";
+  default:
+    return "";
+  }
 }
 
 std::string padded(std::string text, std::size_t width) {
@@ -204,10 +225,7 @@ std::string table_csv(const std::vector<TableRow>& rows) {
                           cell.ours.standard_error.value_or(io::empty_cell),
                           cell.printed.value_or(io::empty_cell),
                           cell.printed ? cell.ours.value - *cell.printed : io::empty_cell,
-                          cell.reach.value_or(io::empty_cell),
-                          std::string(!cell.printed  ? ""
-                                      : cell.holds() ? "yes"
-                                                     : "no")});
+                          cell.reach.value_or(io::empty_cell), std::string(answer(cell.agreement()))});
   return io::csv_text(csv);
 }
 

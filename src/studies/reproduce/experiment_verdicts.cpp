@@ -65,10 +65,10 @@ void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
       for (const TableRow& row : fits)
         for (const Cell& cell : row.cells) {
           const char first = cell.quantity.front() == 'n' ? 'm' : cell.quantity.front();
-          if (row.density != density || first != letter || !cell.printed)
+          if (row.density != density || first != letter || cell.agreement() == Agreement::not_asked)
             continue;
           ++all.cells;
-          all.within += cell.holds();
+          all.within += cell.agreement() == Agreement::within;
           all.worst = std::max(all.worst, std::abs(cell.ours.value - *cell.printed));
         }
       judge_all_near(out, std::string("Table 5, ") + std::string(name(density)) + ": " + what, all);
