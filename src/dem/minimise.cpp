@@ -74,11 +74,8 @@ class Minimiser {
       report.stopped = is_stopped(options_.stop_requested);
       if (report.stopped)
         break;
-      if (list_.may_be_outdated(travelled_, strained_)) {
-        fetch_centres();
-        if (!list_.valid(state_.cell, state_.position))
-          list_pairs();
-      }
+      if (list_.may_be_outdated(travelled_, strained_))
+        check_list();
       const Balance balance = forces();
       report.last_pressure = balance.virial() / (3 * determinant(state_.cell));
       report.unbalanced_force_ratio = unbalanced(balance);
@@ -113,6 +110,18 @@ class Minimiser {
   void fetch_centres() {
     for (std::size_t g = 0; g < grains_.size(); ++g)
       state_.position[g] = grains_.centre(g);
+  }
+
+  /// Grains swing far less away than their ways are long: bounds begin again from where they are.
+  void check_list() {
+    fetch_centres();
+    const VerletList::Drift drift = list_.drift(state_.cell, state_.position);
+    if (list_.valid(drift)) {
+      travelled_ = drift.farthest;
+      strained_ = drift.strain;
+    } else {
+      list_pairs();
+    }
   }
 
   void list_pairs() {

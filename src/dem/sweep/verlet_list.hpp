@@ -32,24 +32,33 @@ class VerletList {
     reference_inverse_ = inverse_of(state.cell);
   }
 
-  /// False when two grains that are not listed could have come into contact since build: a pair nears by at
-  /// most twice the largest non-affine displacement plus what the cell's strain takes from the cutoff.
-  [[nodiscard]] bool valid(const Mat3& cell, std::span<const Vec3> position) const {
+  /// How far the grains have come since build.
+  struct Drift {
+    double farthest = 0; ///< largest displacement beside the cell's strain [m]
+    double strain = 0;   ///< of the cell, the sum of magnitudes
+  };
+  [[nodiscard]] Drift drift(const Mat3& cell, std::span<const Vec3> position) const {
     const Mat3 gradient = cell * reference_inverse_;
-    double strain = 0;
+    Drift out;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        strain += std::abs(gradient(i, j) - (i == j ? 1 : 0));
+        out.strain += std::abs(gradient(i, j) - (i == j ? 1 : 0));
     double farthest = 0;
     for (std::size_t g = 0; g < position.size(); ++g) {
       const Vec3 moved = position[g] - gradient * reference_[g];
       farthest = std::max(farthest, dot(moved, moved));
     }
-    return 2 * std::sqrt(farthest) + strain * (contact_distance_ + skin_) < skin_;
+    out.farthest = std::sqrt(farthest);
+    return out;
   }
 
-  /// Whether valid() could say no, from bounds of what grains have moved by themselves and of the cell's
-  /// strain since build.
+  /// False when two grains that are not listed could have come into contact since build: a pair nears by at
+  /// most twice the largest non-affine displacement plus what the cell's strain takes from the cutoff.
+  [[nodiscard]] bool valid(const Drift& drift) const {
+    return 2 * drift.farthest + drift.strain * (contact_distance_ + skin_) < skin_;
+  }
+
+  /// Whether valid() could say no, from upper bounds of the drift.
   [[nodiscard]] bool may_be_outdated(double travelled, double strained) const {
     return 2 * travelled + strained * (contact_distance_ + skin_) > 0.9 * skin_;
   }
