@@ -94,11 +94,11 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
 
 const TradeLaws& recorded_laws() {
   static const TradeLaws laws{
-      .dense_modulus = {.size = {0.3003, -2.953, 0.8318, 250, 16000}, .rate = {0.007037, 0.0003357}},
-      .dense_exponent = {.size = {0.05969, 0.1545, 0.1653, 250, 16000}, .rate = {0.001893, 0.0003272}},
-      .loose_modulus = {.size = {1.255, -2.652, 3.476, 250, 16000}, .rate = {1.094, 0.9838}},
-      .loose_exponent = {.size = {0.5708, -2.773, 1.581, 250, 16000}, .rate = {-0.4037, 0.9873}},
-      .dense_peak = {.size = {1.101, 6.536, 3.049, 250, 16000}, .rate = {34.15, 0.6084}},
+      .dense_modulus = {.size = {0.2666, -3.296, 0.7383, 250, 16000}, .rate = {0.007223, 0.0005019}},
+      .dense_exponent = {.size = {0.06761, -0.04658, 0.1873, 250, 16000}, .rate = {0.00277, 0.0003639}},
+      .loose_modulus = {.size = {1.201, -7.161, 3.327, 250, 16000}, .rate = {-1.501, 1.382}},
+      .loose_exponent = {.size = {0.4983, -3.686, 1.38, 250, 16000}, .rate = {0.722, 0.6408}},
+      .dense_peak = {.size = {0.9923, 2.847, 2.748, 250, 16000}, .rate = {35.58, 0.4391}},
   };
   return laws;
 }
