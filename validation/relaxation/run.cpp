@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the packings that the relaxation factor is calibrated on, and solves their contact networks.
+// Makes the packings that the relaxation factor is calibrated on, and those of a third seed to judge it by,
+// and solves their contact networks.
 //
 //     relaxation_run equal states.csv [threads [first letters of the preparations]]
+//     relaxation_run unseen third_seed.csv [threads [first letters of the preparations]]
 //     relaxation_run unequal unequal.csv [threads [first letters of the preparations]]
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
@@ -191,15 +193,16 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
 
 int main(int argc, char** argv) {
   const std::string kind = argc > 1 ? argv[1] : "";
-  if (argc < 3 || argc > 5 || (kind != "equal" && kind != "unequal")) {
-    std::fprintf(stderr, "usage: %s equal|unequal FILE.csv [threads [first letters of the preparations]]\n",
+  if (argc < 3 || argc > 5 || (kind != "equal" && kind != "unseen" && kind != "unequal")) {
+    std::fprintf(stderr,
+                 "usage: %s equal|unseen|unequal FILE.csv [threads [first letters of the preparations]]\n",
                  argv[0]);
     return 2;
   }
   const bool unequal = kind == "unequal";
   const std::string chosen = argc > 4 ? argv[4] : "";
   const std::size_t threads = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1;
-  const std::uint64_t seeds_per_shape = unequal ? 2 : 3;
+  const std::uint64_t first_round = kind == "unseen" ? 2 : 0, rounds = kind == "unseen" ? 1 : 2;
   const std::vector<Preparation> ways = unequal ? unequal_preparations() : preparations();
   struct Task {
     const Shape* shape;
@@ -208,7 +211,7 @@ int main(int argc, char** argv) {
   };
   // Every shape and preparation once before any of them with a second seed. No two shapes share a seed.
   std::vector<Task> tasks;
-  for (std::uint64_t round = 0; round < seeds_per_shape; ++round)
+  for (std::uint64_t round = first_round; round < first_round + rounds; ++round)
     for (const Preparation& preparation : ways)
       if (std::string(preparation.name).starts_with(chosen))
         for (std::size_t k = 0; k < shapes().size(); ++k)

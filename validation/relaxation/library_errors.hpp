@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library's relaxed() beside the contact networks, and whether the errors that it states hold.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <granum/effective/relaxation.hpp>
+
+#include "coverage.hpp"
+#include "factor_errors.hpp"
+
+namespace relaxation {
+
+/// Below, the library says that it is not calibrated.
+inline constexpr double lowest_coordination = 4.1;
+
+/// Errors of relaxed() over the network, and how many of them its stated standard errors cover.
+struct LibraryErrors {
+  Errors G, K, axis_ratio, shear_ratio, constants;
+  CoverageOfBoth coverage;
+
+  /// G and K beyond two standard errors.
+  [[nodiscard]] int beyond_two() const {
+    return coverage.shear.count - coverage.shear.within_two + coverage.bulk.count - coverage.bulk.within_two;
+  }
+};
+
+/// Of packings for which the library is calibrated, at usual k_t/k_n.
+inline LibraryErrors library_errors(const std::vector<Packing>& packings, const Choice& chosen) {
+  LibraryErrors errors;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks) {
+      if (!chosen(p) || n.ratio < lowest_usual_ratio || p.relative_overlap > largest_overlap ||
+          p.mechanical_coordination < lowest_coordination)
+        continue;
+      State state = p.state;
+      state.tangential_ratio = n.ratio;
+      const auto estimate = granum::effective::relaxed(state, p.mechanical_coordination);
+      const TransverselyIsotropic &c = estimate.stiffness, &measured = n.stiffness;
+      const double G_error = isotropic_shear_modulus(c) / isotropic_shear_modulus(measured) - 1;
+      const double K_error = c.bulk_modulus() / measured.bulk_modulus() - 1;
+      errors.G.add(G_error);
+      errors.K.add(K_error);
+      errors.coverage.shear.add(G_error, estimate.relative_error.G_vh);
+      errors.coverage.bulk.add(K_error, estimate.relative_error.bulk_modulus);
+      errors.axis_ratio.add(c.C33 / c.C11 / (measured.C33 / measured.C11) - 1);
+      errors.shear_ratio.add(c.C66() / c.C44 / (measured.C66() / measured.C44) - 1);
+      for (const auto member :
+           {&TransverselyIsotropic::C11, &TransverselyIsotropic::C33, &TransverselyIsotropic::C44})
+        errors.constants.add(c.*member / (measured.*member) - 1);
+      errors.constants.add(c.C66() / measured.C66() - 1);
+    }
+  return errors;
+}
+
+inline bool is_isotropic(const Packing& p) { return p.isotropic(); }
+inline bool is_sheared(const Packing& p) { return !p.isotropic(); }
+
+inline void print_errors(const char* what, const Errors& e) {
+  std::printf("  %-36s %5d | rms %5.2f %% worst %5.2f %%\n", what, e.count(), 100 * e.rms(), 100 * e.worst());
+}
+
+inline void print_errors(const std::string& what, const LibraryErrors& e) {
+  std::printf("%s\n", what.c_str());
+  print_errors("G", e.G);
+  print_errors("K", e.K);
+  print_errors("C33/C11", e.axis_ratio);
+  print_errors("G_hh/G_vh", e.shear_ratio);
+  print_errors("C11, C33, G_vh, G_hh", e.constants);
+  std::printf("  G or K beyond two standard errors: %d of %d\n", e.beyond_two(), 2 * e.G.count());
+}
+
+} // namespace relaxation

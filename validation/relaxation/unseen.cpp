@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Packings of seeds that no fit has seen: are the library's errors what it states?
+//
+//     relaxation_unseen third_seed.csv
+//
+// Exit code: 0 if the errors that relaxed() states cover the actual ones, 1 if not, 2 usage.
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <set>
+
+#include "../claims.hpp"
+#include "library_errors.hpp"
+#include "reading.hpp"
+
+namespace {
+
+using namespace relaxation;
+
+/// Two lines for each kind of isotropic packings.
+void print_each(const std::vector<Packing>& packings,
+                const std::function<std::string(const Packing&)>& kind_of) {
+  std::set<std::string> kinds;
+  for (const Packing& p : packings)
+    kinds.insert(kind_of(p));
+  for (const std::string& kind : kinds) {
+    const LibraryErrors e =
+        library_errors(packings, [&](const Packing& p) { return p.isotropic() && kind_of(p) == kind; });
+    if (e.G.count() == 0)
+      continue;
+    print_errors("  " + kind, FactorErrors{.shear = e.G, .bulk = e.K});
+    print_coverage("", e.coverage);
+  }
+}
+
+void require_covered(const Coverage& coverage, const std::string& of, Claims& claims) {
+  claims.require(coverage.count > 0 && coverage.one() >= 0.55, "55 % or more within one stated error: " + of);
+  claims.require(coverage.two() >= 0.90, "90 % or more within two: " + of);
+}
+
+void judge(const std::vector<Packing>& packings, const std::string& what, const Choice& chosen,
+           Claims& claims) {
+  const LibraryErrors e = library_errors(packings, chosen);
+  print_errors(what, e);
+  print_coverage(what, e.coverage);
+  require_covered(e.coverage.shear, "G, " + what, claims);
+  require_covered(e.coverage.bulk, "K, " + what, claims);
+}
+
+int check(const std::vector<Packing>& packings) {
+  print_each(packings, [](const Packing& p) { return p.contact; });
+  print_each(packings, [](const Packing& p) { return unsheared(p.preparation); });
+  Claims claims;
+  judge(packings, "isotropic states", is_isotropic, claims);
+  judge(packings, "sheared states", is_sheared, claims);
+  return claims.failed() == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s third_seed.csv\n", argv[0]);
+    return 2;
+  }
+  try {
+    return check(read_packings(argv[1]));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
