@@ -123,3 +123,20 @@ TEST_CASE("probes are compared with the network, walls with the largest periodic
   CHECK(rows.back().density == Density::loose);
   CHECK(rows.back().reference);
 }
+
+TEST_CASE("failed samples are counted, and the first is named with its reason") {
+  std::vector<TradeSample> samples{sample(Varied::grains, 250, 1, 17), sample(Varied::grains, 250, 2, 17),
+                                   sample(Varied::boundary, 1000, 7, 17),
+                                   sample(Varied::boundary, 1000, 8, 17)};
+  CHECK(failures_text(samples).empty());
+  samples[2].boundary = Boundary::smooth_walls;
+  samples[2].density = Density::loose;
+  samples[2].failure = "a probe did not come to rest";
+  samples[3].failure = "another";
+  CHECK(failures_text(samples) ==
+        "2 of 4 samples failed and are left out; the first, boundary 1000, smooth-walls, "
+        "loose, seed 7: a probe did not come to rest");
+  samples[1].failure = "a third";
+  CHECK(failures_text(samples) ==
+        "3 of 4 samples failed and are left out; the first, grains 250, dense, seed 2: a third");
+}

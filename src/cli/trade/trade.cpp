@@ -45,15 +45,8 @@ struct Outcome {
   studies::TradeScene trade;
   std::vector<studies::TradeSample> samples;
   std::vector<studies::TradeRow> rows;
+  std::string failures; ///< empty where no sample failed
   double seconds = 0;
-
-  /// The first reason why a sample is missing; empty where none is.
-  [[nodiscard]] std::string failure() const {
-    for (const studies::TradeSample& sample : samples)
-      if (!sample.failure.empty())
-        return sample.failure;
-    return {};
-  }
 };
 
 studies::TradeScene scene_of(const Options& options) {
@@ -79,14 +72,15 @@ Outcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& sto
       trade, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop});
   outcome.seconds = seconds_since(start);
   outcome.rows = studies::trade_rows(outcome.samples);
+  outcome.failures = studies::failures_text(outcome.samples);
   return outcome;
 }
 
 ordered_json manifest_of(const Outcome& outcome, const Options& options) {
   ordered_json json = json_head("trade");
   json["wall_time_s"] = outcome.seconds;
-  json["complete"] = outcome.failure().empty();
-  json["failure"] = outcome.failure();
+  json["complete"] = outcome.failures.empty();
+  json["failure"] = outcome.failures;
   json["scene_file"] = options.study.scene_file;
   json["settings"] = options.study.settings;
   json["scene"] = json_of(outcome.trade);
@@ -141,11 +135,11 @@ ExitCode run(const Options& options) {
     write_results(folder, outcome, options);
   const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
   results.print(report_of(outcome) + where, manifest_of(outcome, options));
-  if (outcome.failure().empty())
+  if (outcome.failures.empty())
     return ExitCode::ok;
   if (stop)
     return exit_code_of_stop();
-  say("error", "a sample failed: " + outcome.failure());
+  say("error", outcome.failures);
   return ExitCode::fell_short;
 }
 

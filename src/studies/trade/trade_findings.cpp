@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include <granum/core/number.hpp>
 
 namespace granum::studies {
 
@@ -177,6 +180,19 @@ std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples) {
   for (const Group& group : groups)
     rows.push_back(row_of(group, groups));
   return rows;
+}
+
+std::string failures_text(const std::vector<TradeSample>& samples) {
+  const auto failed = [](const TradeSample& sample) { return !sample.failure.empty(); };
+  const auto first = std::find_if(samples.begin(), samples.end(), failed);
+  if (first == samples.end())
+    return {};
+  const std::string where =
+      first->varied == Varied::boundary ? ", " + std::string(name(first->boundary)) : std::string();
+  return std::to_string(std::count_if(first, samples.end(), failed)) + " of " +
+         std::to_string(samples.size()) + " samples failed and are left out; the first, " +
+         std::string(name(first->varied)) + " " + short_text(first->value) + where + ", " +
+         std::string(name(first->density)) + ", seed " + std::to_string(first->seed) + ": " + first->failure;
 }
 
 } // namespace granum::studies

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "studies/trade/trade.hpp"
@@ -40,5 +41,8 @@ struct TradeRow {
 /// that all sizes of one boundary agree on. Fewer than two specimens on either side give no deviation.
 /// Samples that failed do not count.
 [[nodiscard]] std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples);
+
+/// How many samples failed, the first of them, and why; empty where none did.
+[[nodiscard]] std::string failures_text(const std::vector<TradeSample>& samples);
 
 } // namespace granum::studies
