@@ -112,7 +112,7 @@ class Minimiser {
       state_.position[g] = grains_.centre(g);
   }
 
-  /// Grains swing far less away than their ways are long: bounds begin again from where they are.
+  /// Grains that swing to and fro end near where they began: the bounds go on from how far they really came.
   void check_list() {
     fetch_centres();
     const VerletList::Drift drift = list_.drift(state_.cell, state_.position);
