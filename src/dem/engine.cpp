@@ -238,7 +238,7 @@ void Engine::Data::choose_time_step() {
                              .radius = cold.radius,
                              .tangential_ratio = tangential ? material.tangential_ratio : 0,
                              .mass = mass,
-                             .inertia = inertia};
+                             .contacts = figures.contacts};
   const double omega_squared = highest_frequency_squared(law, input, walls ? &*walls : nullptr);
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(omega_squared);

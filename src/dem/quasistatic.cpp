@@ -14,7 +14,7 @@ namespace granum::dem {
 namespace {
 
 /// The servo closes the gap between stress and target in about this many steps.
-constexpr double servo_steps = 40;
+constexpr double servo_steps = 27;
 /// The stop criteria are checked after this many steps, again and again.
 constexpr std::size_t check_interval = 10;
 /// Steps between two checks that the motion is finite.

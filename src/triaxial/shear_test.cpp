@@ -17,7 +17,7 @@ namespace {
 
 /// A servo alone closes a gap in about this many steps; its integral takes integral_factor times as long.
 /// Critical damping needs 4; the specimen near its peak is many times softer than M, which takes damping.
-constexpr double servo_steps = 20;
+constexpr double servo_steps = 13;
 constexpr double integral_factor = 10;
 /// Strain rate that a servo may reach, in driven rates: a dilating specimen near its peak needs 1 at most.
 constexpr double largest_servo_rate = 3;

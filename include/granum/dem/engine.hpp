@@ -96,7 +96,7 @@ class Engine {
   /// Mean of sqrt(force^2 + (torque/R)^2), R the grain's own, over the grains that touch others / mean
   /// contact force [1]; 0 without contacts.
   [[nodiscard]] double unbalanced_force_ratio() const;
-  /// Time that the next step takes [s]; may change every 50 steps, as the contacts stiffen or soften.
+  /// Time that the next step takes [s]; may change every 100 steps, as the contacts stiffen or soften.
   [[nodiscard]] double time_step() const;
   /// Of a grain of size 1 [m].
   [[nodiscard]] double diameter() const;

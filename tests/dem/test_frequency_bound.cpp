@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/sweep/frequency_bound.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <doctest/doctest.h>
+#include <granum/contact/pair.hpp>
+#include <granum/dem/minimise.hpp>
+#include <granum/dem/walls.hpp>
+
+#include "dem/sweep/unequal_grains.hpp"
+#include "dem/sweep/verlet_list.hpp"
+#include "lattice_state.hpp"
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3, density = 2650, mass = 1.4e-6;
+
+/// Of the eigenvalues.
+constexpr double rounding = 1 - 1e-12;
+/// Where grains are thrown together; 2.6 to 2.9 in packings before each contact had its own share for either grain.
+constexpr double loose_at_most = 1.7;
+
+/// What the engine knows when it chooses its time step.
+struct Scene {
+  Specimen state;
+  contact::PowerLaw law;
+  double tangential_ratio;
+  std::vector<Pair> pairs;
+  Grains grains;
+  std::optional<WallContacts> walls;
+
+  Scene(Specimen given, const contact::PowerLaw& of_pairs, double ratio)
+      : state(std::move(given)), law(of_pairs), tangential_ratio(ratio) {
+    VerletList list(state, 0.02);
+    list.build(state);
+    pairs = list.pairs();
+    grains.resize(state.grain_count());
+    grains.set_sizes(own_sizes(state, density));
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      grains.set_centre(g, state.position[g]);
+    if (state.walls) {
+      walls.emplace(state.walls->friction_coefficient);
+      walls->list(state.cell, grains, radius, 0.02 * radius, {});
+    }
+  }
+  [[nodiscard]] double bound() const {
+    return highest_frequency_squared(law.kernel(),
+                                     {.pairs = pairs,
+                                      .grains = grains,
+                                      .cell = state.cell,
+                                      .radius = radius,
+                                      .tangential_ratio = tangential_ratio,
+                                      .mass = mass,
+                                      .contacts = pairs.size()},
+                                     walls ? &*walls : nullptr);
+  }
+  [[nodiscard]] double mass_of(std::size_t g) const { return grains.own.empty() ? mass : grains.own[g].mass; }
+};
+
+/// Velocity of i against j at their contact, for moving and turning (in radii) of both.
+Eigen::Matrix<double, 3, 12> approach(const Eigen::Vector3d& lever) {
+  Eigen::Matrix3d turn;
+  turn << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0;
+  Eigen::Matrix<double, 3, 12> out;
+  out << Eigen::Matrix3d::Identity(), turn, -Eigen::Matrix3d::Identity(), turn;
+  return out;
+}
+
+Eigen::Matrix3d stiffness(const Eigen::Vector3d& lever, double k, double ratio) {
+  const Eigen::Matrix3d along = lever.normalized() * lever.normalized().transpose();
+  return k * (along + ratio * (Eigen::Matrix3d::Identity() - along));
+}
+
+double size(const Scene& scene, std::size_t g) { return scene.state.size.empty() ? 1 : scene.state.size[g]; }
+
+/// Highest eigenvalue of M^-1 H, with H put together contact by contact.
+double exact(const Scene& scene) {
+  const std::size_t count = scene.state.grain_count();
+  const auto at = [](std::size_t g) { return 6 * static_cast<Eigen::Index>(g); };
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(count), at(count));
+  const std::array<Vec3, 27> shifts = shift_vectors(scene.state.cell);
+  for (const Pair& pair : scene.pairs) {
+    const double size_i = size(scene, pair.i), size_j = size(scene, pair.j);
+    const double reach = radius * (size_i + size_j);
+    const Vec3 b = scene.state.position[pair.j] + shifts[pair.image] - scene.state.position[pair.i];
+    if (norm(b) >= reach)
+      continue;
+    const Eigen::Vector3d lever = Eigen::Vector3d(b.x, b.y, b.z) / reach;
+    const contact::PowerLaw law =
+        scene.state.size.empty() ? scene.law : contact::of_sizes(scene.law, size_i, size_j);
+    const Eigen::Matrix<double, 3, 12> moved = approach(lever);
+    const Eigen::Matrix<double, 12, 12> own =
+        moved.transpose() *
+        stiffness(lever, law.stiffness_at_overlap(reach - norm(b)), scene.tangential_ratio) * moved;
+    const std::size_t grain[] = {pair.i, pair.j};
+    for (int a = 0; a < 2; ++a)
+      for (int c = 0; c < 2; ++c)
+        h.block<6, 6>(at(grain[a]), at(grain[c])) += own.block<6, 6>(6 * a, 6 * c);
+  }
+  const auto planes = wall_planes(scene.state.cell);
+  for (std::size_t g = 0; scene.walls && g < count; ++g)
+    for (const WallPlane& plane : planes) {
+      const double overlap = radius - wall_distance(plane, scene.state.position[g]);
+      if (overlap <= 0)
+        continue;
+      const Vec3 n = -(1 - overlap / radius) * plane.normal;
+      const Eigen::Vector3d lever(n.x, n.y, n.z);
+      const double ratio = scene.walls->friction() > 0 ? scene.tangential_ratio : 0;
+      // from a rigid plane, the law of two equal grains that are twice as deep in each other
+      const double k = 2 * scene.law.stiffness_at_overlap(2 * overlap);
+      const Eigen::Matrix<double, 3, 6> moved = approach(lever).leftCols<6>();
+      h.block<6, 6>(at(g), at(g)) += moved.transpose() * stiffness(lever, k, ratio) * moved;
+    }
+  for (std::size_t g = 0; g < count; ++g) {
+    h.middleRows<6>(at(g)) /= std::sqrt(scene.mass_of(g));
+    h.middleCols<6>(at(g)) /= std::sqrt(scene.mass_of(g));
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()(0);
+}
+
+/// Grains at random in a box, some deep in each other: no packing, but one whose grains are pushed from one
+/// side more than from another.
+Specimen random_grains(unsigned seed, bool unequal) {
+  constexpr std::size_t count = 80;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  Specimen state;
+  state.radius = radius;
+  const double edge = 4.6 * 2 * radius;
+  state.cell = Mat3::diagonal(edge, edge, edge);
+  for (std::size_t g = 0; g < count; ++g) {
+    state.position.push_back(edge * Vec3{uniform(random), uniform(random), uniform(random)});
+    if (unequal)
+      state.size.push_back(0.5 + 0.5 * uniform(random));
+  }
+  state.velocity.resize(count);
+  state.angular_velocity.resize(count);
+  return state;
+}
+
+contact::PowerLaw law_of(contact::Shape shape) {
+  const contact::GrainMaterial glass{.shear_modulus = 29e9, .poisson_ratio = 0.2};
+  switch (shape) {
+  case contact::Shape::cone:
+    return contact::PowerLaw::cone(glass, 1.4);
+  case contact::Shape::flat:
+    return contact::PowerLaw::flat(glass, 1e-5);
+  default:
+    return contact::PowerLaw::sphere(glass, radius);
+  }
+}
+
+} // namespace
+
+TEST_CASE("the bound is above the highest frequency") {
+  for (const contact::Shape shape : {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat})
+    for (const double ratio : {0.0, 0.67, 0.9, 1.3})
+      for (const unsigned seed : {1U, 2U}) {
+        CAPTURE(ratio);
+        CAPTURE(seed);
+        const Scene scene(random_grains(seed, false), law_of(shape), ratio);
+        CHECK(scene.bound() >= exact(scene) * rounding);
+        CHECK(scene.bound() <= loose_at_most * exact(scene));
+      }
+}
+
+TEST_CASE("so it is among different grains, and between walls") {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Scene unequal(random_grains(seed, true), law_of(contact::Shape::sphere), 0.9);
+    CHECK(unequal.bound() >= exact(unequal) * rounding);
+    CHECK(unequal.bound() <= loose_at_most * exact(unequal));
+    for (const double friction : {0.0, 0.3}) {
+      CAPTURE(friction);
+      Specimen boxed = random_grains(seed, false);
+      boxed.walls = Walls{.friction_coefficient = friction, .history = {}};
+      const Scene scene(boxed, law_of(contact::Shape::sphere), 0.9);
+      CHECK(scene.bound() >= exact(scene) * rounding);
+      CHECK(scene.bound() <= loose_at_most * exact(scene));
+    }
+  }
+}
+
+TEST_CASE("in packings at rest it is near the highest frequency") {
+  for (const contact::Shape shape : {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat})
+    for (const bool unequal : {false, true}) {
+      CAPTURE(unequal);
+      Specimen state = random_grains(4, unequal);
+      CHECK(minimise_enthalpy(state, law_of(shape), 100e3).converged);
+      const Scene scene(state, law_of(shape), 0.9);
+      CHECK(scene.bound() >= exact(scene) * rounding);
+      CHECK(scene.bound() <= 1.35 * exact(scene));
+    }
+}
+
+TEST_CASE("it is the highest frequency of two grains, and of a lattice without rotations") {
+  Specimen pair;
+  pair.radius = radius;
+  pair.cell = Mat3::diagonal(16e-3, 16e-3, 16e-3);
+  pair.position = {{8e-3, 8e-3, 8e-3}, {8e-3 + 2 * radius - 1e-7, 8e-3, 8e-3}};
+  pair.velocity.resize(2);
+  pair.angular_velocity.resize(2);
+  const contact::PowerLaw law = law_of(contact::Shape::sphere);
+  const Scene two(pair, law, 0);
+  const double k = law.stiffness_at_overlap(1e-7);
+  CHECK(two.bound() == relative(2 * k / mass, 1e-9)); // the overlap's rounding
+  CHECK(exact(two) == relative(2 * k / mass, 1e-9));
+  // moving against and turning with each other, both resisted by k_t
+  const Scene rough(pair, law, 0.9);
+  CHECK(exact(rough) == relative(4 * 0.9 * k / mass, 1e-3)); // the lever is half an overlap short of R
+  CHECK(rough.bound() >= exact(rough) * rounding);
+  CHECK(rough.bound() <= 1.2 * exact(rough));
+  const Scene lattice(test::fcc(radius, 3, 1e-7), law, 0);
+  CHECK(lattice.bound() >= exact(lattice));
+  CHECK(lattice.bound() == relative(8 * k / mass, 1e-4)); // 12 contacts, sum of k nn 4 k each way
+}
+
+TEST_CASE("a contact that hardly touches does not spoil it, and without contacts there is no frequency") {
+  for (const double barely : {1e-3, 1e-9, 1e-15}) {
+    CAPTURE(barely);
+    Specimen state = random_grains(5, false);
+    const Scene before(state, law_of(contact::Shape::sphere), 0.9);
+    // above the box of all others a lonely pair, one of which hardly touches a third
+    state.cell(2, 2) *= 3;
+    const double height = 0.7 * state.cell(2, 2), x = state.cell(0, 0) / 2;
+    for (const double along : {0.0, 1.9 * radius, (3.9 - barely) * radius}) {
+      state.position.push_back({x + along - 2 * radius, x, height});
+      state.velocity.push_back({});
+      state.angular_velocity.push_back({});
+    }
+    const Scene scene(state, law_of(contact::Shape::sphere), 0.9);
+    CHECK(scene.bound() >= exact(scene) * rounding);
+    CHECK(scene.bound() <= loose_at_most * exact(scene));
+  }
+  Specimen apart = random_grains(6, false);
+  apart.cell = 30.0 * apart.cell;
+  for (Vec3& x : apart.position)
+    x = 30.0 * x;
+  CHECK(Scene(apart, law_of(contact::Shape::sphere), 0.9).bound() == 0);
+}
