@@ -27,12 +27,18 @@ class PairLaws {
   double radius_;
 };
 
-double elastic_energy(const Assembly& assembly, const PairLaws& law, double strain) {
+/// Energy that the contacts release as the cell grows from 1 - strain to 1 + strain of its size. Summed contact
+/// by contact: the difference of two sums over all of them would lose the digits that a small strain needs.
+double released_energy(const Assembly& assembly, const PairLaws& law, double strain) {
+  const auto released = [strain](const contact::PowerLaw& of_pair, double overlap, double branch) {
+    return of_pair.energy(overlap + strain * branch) -
+           of_pair.energy(std::max(0.0, overlap - strain * branch));
+  };
   double sum = 0;
   for (const Contact& c : assembly.contacts)
-    sum += law(c.i, c.j).energy(std::max(0.0, c.overlap - strain * norm(c.branch)));
+    sum += released(law(c.i, c.j), c.overlap, norm(c.branch));
   for (const Contact& c : assembly.wall_contacts)
-    sum += law(c.i, c.i).energy(std::max(0.0, 2 * (c.overlap - strain * norm(c.branch)))) / 2;
+    sum += released(law(c.i, c.i), 2 * c.overlap, 2 * norm(c.branch)) / 2;
   return sum;
 }
 
@@ -49,10 +55,9 @@ double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& 
     }
   if (!(overlap > 0))
     return 0;
-  const double strain = 1e-4 * overlap / length;
-  const PairLaws laws(assembly, law, law_radius);
-  const double released = elastic_energy(assembly, laws, -strain) - elastic_energy(assembly, laws, strain);
-  return released / (2 * strain * 3 * assembly.volume());
+  const double strain = 1e-6 * overlap / length;
+  return released_energy(assembly, PairLaws(assembly, law, law_radius), strain) /
+         (2 * strain * 3 * assembly.volume());
 }
 
 } // namespace granum::packing
