@@ -8,13 +8,6 @@ namespace granum::network {
 
 namespace {
 
-// Springs over unknowns, below which a network is hardly rigid: 1.1 in loose packings, 1.5 in dense ones.
-// There level 1 loses the sign of pivots, 28 in 400,000 loose grains, which take 102 iterations with level 3
-// and more than 1400 with level 1; dense ones gain no time by it.
-constexpr double hardly_rigid = 1.3;
-// And below which it is floppy. A factor with more fill nearly holds its free modes, and 1 over their pivots
-// blows rounding up: with level 3, 16 of 368 random networks do not arrive, with level 1 only 2.
-constexpr double floppy = 1.08;
 // A level more makes some 1.8 times as many blocks; one that would surely be too large is not tried.
 constexpr double least_growth = 1.6;
 
@@ -34,16 +27,7 @@ void keep_least(std::vector<Later>& list) {
              list.end());
 }
 
-/// Springs over unknowns. A contact is three springs, or one where none has tangential stiffness.
-double rigidity(const Backbone& backbone) {
-  const auto contacts = static_cast<double>(backbone.links.size() + backbone.wall_links.size());
-  return contacts * (backbone.rotations ? 3 : 1) /
-         (static_cast<double>(backbone.grain_count) * (backbone.rotations ? 6 : 3));
-}
-
 } // namespace
-
-bool is_floppy(const Backbone& backbone) { return rigidity(backbone) < floppy; }
 
 FillPattern fill_pattern(const Backbone& backbone, int most_level) {
   std::vector<std::vector<Later>> couplings(backbone.grain_count);
@@ -70,9 +54,8 @@ FillPattern fill_pattern(const Backbone& backbone, int most_level) {
   return pattern;
 }
 
-FillPattern suitable_fill_pattern(const Backbone& backbone, double most_blocks) {
+FillPattern fill_pattern_within(const Backbone& backbone, int highest_level, double most_blocks) {
   const double most = most_blocks * static_cast<double>(backbone.grain_count);
-  const int highest_level = !is_floppy(backbone) && rigidity(backbone) < hardly_rigid ? 3 : 1;
   FillPattern pattern = fill_pattern(backbone, 1);
   for (int level = 2; level <= highest_level && least_growth * static_cast<double>(pattern.size()) <= most;
        ++level) {

@@ -21,13 +21,9 @@ struct FillPattern {
 /// more, of all such grains the least; what has a higher level than `most_level` is dropped.
 [[nodiscard]] FillPattern fill_pattern(const Backbone& backbone, int most_level);
 
-/// Whether there are hardly more springs than unknowns, so that modes without stiffness may run through the
-/// network.
-[[nodiscard]] bool is_floppy(const Backbone& backbone);
-
-/// Of the level that suits the network, or of the highest below it that keeps the factor within `most_blocks`
-/// a grain. Networks that are hardly rigid get level 3: dropped blocks would hide their soft modes, and fill
-/// is cheap where contacts are few. All others get level 1, floppy ones too.
-[[nodiscard]] FillPattern suitable_fill_pattern(const Backbone& backbone, double most_blocks);
+/// Of the highest level, or of the highest below it that keeps the factor within `most_blocks` a grain; of level
+/// 1 in any case.
+[[nodiscard]] FillPattern fill_pattern_within(const Backbone& backbone, int highest_level,
+                                              double most_blocks);
 
 } // namespace granum::network

@@ -20,16 +20,13 @@ namespace {
 constexpr int most_numbers = 16 * 36;
 constexpr std::uint32_t absent = ~std::uint32_t{0};
 
-// Added to the diagonal, over its mean, for spins that nothing resists: a grain with two contacts turns
-// freely about them. A thousand times as much takes 114 iterations in place of 84 at 10,000 loose grains.
-constexpr double shift_of_diagonal = 1e-6;
 // A pivot is mended when an eigenvalue may be below this part of the shift.
 constexpr double safe_pivot = 0.1;
 // Of a pivot to be mended, directions are lost whose eigenvalue is below this part of the mean diagonal: what
 // was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
 constexpr double lost_stiffness = 0.1;
-// Least eigenvalue of a mended pivot in floppy networks, where more stops some from arriving.
-constexpr double floppy_mended_stiffness = 1e-4;
+// Least eigenvalue over that mean of a pivot that is mended at once: more stops some floppy networks from arriving.
+constexpr double mended_stiffness = 1e-4;
 
 /// target -= left * right
 template <int Dof>
@@ -123,11 +120,13 @@ GRANUM_INLINE void substitute_back(Piece piece, const std::uint32_t* row_start, 
 } // namespace
 
 template <int Dof>
-IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers& workers)
-    : backbone_(backbone), workers_(workers),
-      pattern_(suitable_fill_pattern(backbone, static_cast<double>(most_numbers) / (Dof * Dof))),
+IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers& workers,
+                                        const FactorRule& rule)
+    : backbone_(backbone), workers_(workers), rule_(rule),
+      pattern_(
+          fill_pattern_within(backbone, rule.fill_level, static_cast<double>(most_numbers) / (Dof * Dof))),
       inverse_pivot_(diagonal_blocks<Dof>(backbone)) {
-  if (is_floppy(backbone))
+  if (!rule.holds_lost)
     lower_ = std::vector<Block<Dof, double>>();
   std::visit([this](auto& lower) { this->factorise(lower); }, lower_);
 }
@@ -196,7 +195,7 @@ void IncompleteFactor<Dof>::factorise(Piece piece, double mean, Work& work, Lowe
   for (std::uint32_t i = piece.first; i < piece.last; ++i) {
     Block<Dof>& pivot = inverse_pivot_[i];
     for (int r = 0; r < Dof; ++r)
-      pivot.at[r][r] += shift_of_diagonal * mean;
+      pivot.at[r][r] += rule_.shift * mean;
     begin_row(i, work);
     at_vector_level([&](auto) __attribute__((always_inline)) { eliminate(i, work, lower, pivot); });
     const std::uint32_t first = pattern_.row_start[i], last = pattern_.row_start[i + 1];
@@ -218,20 +217,19 @@ bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Held& hel
   const Square symmetric = (map + map.transpose()) / 2;
   const Eigen::LLT<Eigen::Matrix<double, Dof, Dof>> cholesky(symmetric);
   if (cholesky.info() == Eigen::Success &&
-      cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe_pivot * shift_of_diagonal * mean) {
+      cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe_pivot * rule_.shift * mean) {
     map = cholesky.solve(Eigen::Matrix<double, Dof, Dof>::Identity());
     return false;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>> eigen(symmetric);
-  const bool floppy = is_floppy(backbone_);
-  const double least = mean * (floppy ? floppy_mended_stiffness : lost_stiffness);
+  const double least = mean * (rule_.holds_lost ? lost_stiffness : mended_stiffness);
   const Eigen::Matrix<double, Dof, 1> inverse = eigen.eigenvalues().unaryExpr([&](double value) {
-    if (floppy)
-      return 1 / std::max(std::abs(value), least);
-    return value < least ? 0.0 : 1 / value;
+    if (rule_.holds_lost)
+      return value < least ? 0.0 : 1 / value;
+    return 1 / std::max(std::abs(value), least);
   });
   map = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-  for (int k = 0; k < Dof && !floppy && eigen.eigenvalues()[k] < least; ++k) {
+  for (int k = 0; k < Dof && rule_.holds_lost && eigen.eigenvalues()[k] < least; ++k) {
     HeldDirection found{.row = i};
     for (int r = 0; r < Dof; ++r)
       found.direction[static_cast<std::size_t>(r)] = eigen.eigenvectors()(r, k);
@@ -258,7 +256,7 @@ void IncompleteFactor<Dof>::release(const Held& held, double mean, const Lower<N
     for (std::size_t k = 0; k < count; ++k) {
       const HeldDirection& d = held[first + k];
       const auto at = static_cast<Eigen::Index>(k);
-      const double stiffness = std::max(energy(at, at), shift_of_diagonal * mean);
+      const double stiffness = std::max(energy(at, at), rule_.shift * mean);
       for (int r = 0; r < Dof; ++r)
         for (int c = 0; c < Dof; ++c)
           inverse_pivot_[d.row].at[r][c] +=

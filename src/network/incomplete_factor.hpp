@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "backbone.hpp"
+#include "factor_rule.hpp"
 #include "fill_pattern.hpp"
 #include "lanes.hpp"
 #include "workers.hpp"
@@ -17,14 +18,13 @@ namespace granum::network {
 /// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
 /// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
 /// pivots) do no harm. A direction d in which a pivot is not safely positive is held while the others are
-/// eliminated, so that it cannot spoil those behind it, and gets the stiffness v^T H v of the motion
-/// v = L^-T d afterwards. Floppy networks have many such directions, which bear little: there they get a
-/// small stiffness at once. L is kept in single precision, but not of floppy networks: there its rounding
-/// drives modes without stiffness.
+/// eliminated, and gets the stiffness v^T H v of the motion v = L^-T d afterwards. Where the rule says so, as
+/// floppy networks have many such directions that bear little, it gets a small stiffness at once; then L is
+/// kept in double precision, for rounding drives modes without stiffness, else in single.
 template <int Dof>
 class IncompleteFactor {
  public:
-  IncompleteFactor(const Backbone& backbone, const Workers& workers);
+  IncompleteFactor(const Backbone& backbone, const Workers& workers, const FactorRule& rule);
 
   /// z = (L D L^T)^-1 r
   void solve(const Field<Dof>& r, Field<Dof>& z) const;
@@ -59,6 +59,7 @@ class IncompleteFactor {
 
   const Backbone& backbone_;
   const Workers& workers_;
+  FactorRule rule_;
   FillPattern pattern_;                             ///< of the strictly lower blocks
   std::variant<Lower<float>, Lower<double>> lower_; ///< transposed: block (i, j) is stored as L_ij^T
   std::vector<Block<Dof>> inverse_pivot_;

@@ -14,7 +14,8 @@ namespace granum::network {
 template <int Dof>
 class Preconditioner {
  public:
-  Preconditioner(const Backbone& backbone, const Workers& workers) : factor_(backbone, workers) {
+  Preconditioner(const Backbone& backbone, const Workers& workers, const FactorRule& rule)
+      : factor_(backbone, workers, rule) {
     if (CoarseCorrection<Dof>::pays(backbone))
       coarse_.emplace(backbone, workers);
   }

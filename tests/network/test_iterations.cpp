@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many iterations networks take that are large or hardly rigid.
+#include <utility>
+
 #include <doctest/doctest.h>
 
 #include <granum/network/linear_response.hpp>
@@ -31,5 +33,18 @@ TEST_CASE("networks that lose many pivots are solved") {
         network::linear_response(samples::large_network(14, 0.24, 1, seed), {.iteration_limit = 200});
     REQUIRE(response.converged());
     CHECK(response.report().mended_pivots > 0); // or nothing is tested
+  }
+}
+
+TEST_CASE("where one factor loses too many pivots, another is tried") {
+  for (const auto& [kept, seed] : {std::pair(0.2441, 1020), std::pair(0.255, 1044)}) {
+    CAPTURE(seed);
+    const packing::Assembly lattice = samples::large_network(14, kept, 1, static_cast<std::uint64_t>(seed));
+    const network::Response response = network::linear_response(lattice, {.iteration_limit = 600});
+    REQUIRE(response.converged());             // the first factor alone: not in 20,000 iterations
+    CHECK(response.report().iterations > 150); // or nothing is tested
+    const network::Response cut_short = network::linear_response(lattice, {.iteration_limit = 160});
+    CHECK(cut_short.report().status == network::Status::iteration_limit);
+    CHECK(cut_short.report().iterations == 160);
   }
 }

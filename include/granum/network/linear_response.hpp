@@ -43,8 +43,8 @@ class [[nodiscard]] Response {
     std::size_t contacts = 0; ///< between them
     std::size_t wall_contacts = 0;
     int unknowns_per_grain = 0; ///< 6, or 3 where no contact has tangential stiffness and spins do not matter
-    int iterations = 0;
-    double residual = 0; ///< residual force over affine force, worst load case, recomputed at the end
+    int iterations = 0;         ///< of all factors that were tried
+    double residual = 0;        ///< residual force over affine force, worst load case, recomputed at the end
     double symmetry_residual = 0;    ///< largest |C_ab - C_ba| over largest |C_ab|, before C was symmetrised
     std::size_t factor_nonzeros = 0; ///< numbers held by the preconditioner
     std::size_t mended_pivots =
