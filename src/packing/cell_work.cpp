@@ -27,8 +27,8 @@ class PairLaws {
   double radius_;
 };
 
-/// Energy that the contacts release as the cell grows from 1 - strain to 1 + strain of its size. Summed contact
-/// by contact: the difference of two sums over all of them would lose the digits that a small strain needs.
+/// Energy that the contacts release as the cell grows from 1 - strain to 1 + strain of its size. Summed
+/// contact by contact: the difference of two sums over all would lose the digits that a small strain needs.
 double released_energy(const Assembly& assembly, const PairLaws& law, double strain) {
   const auto released = [strain](const contact::PowerLaw& of_pair, double overlap, double branch) {
     return of_pair.energy(overlap + strain * branch) -

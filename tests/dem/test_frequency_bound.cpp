@@ -27,7 +27,8 @@ constexpr double radius = 0.5e-3, density = 2650, mass = 1.4e-6;
 
 /// Of the eigenvalues.
 constexpr double rounding = 1 - 1e-12;
-/// Where grains are thrown together; 2.6 to 2.9 in packings before each contact had its own share for either grain.
+/// Where grains are thrown together; 2.6 to 2.9 in packings before each contact had its own share for either
+/// grain.
 constexpr double loose_at_most = 1.7;
 
 /// What the engine knows when it chooses its time step.

@@ -88,9 +88,8 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// The network takes contacts that barely touch for closed, and the probe opens them one way, so single states
-/// part by a few contacts' share of all: rms 0.3 % of 1,000 grains. Where there are fewer, a contact's share is
-/// larger.
+/// The network takes contacts that barely touch for closed, and the probe opens them one way, so single
+/// states part by a few contacts' share of all: rms 0.3 % of 1,000 grains, more where there are fewer.
 void judge_probes(std::vector<Verdict>& out, std::size_t grains,
                   const std::vector<SpecimenResult>& specimens) {
   double squares = 0;
