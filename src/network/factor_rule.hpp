@@ -13,8 +13,8 @@ struct FactorRule {
   int fill_level = 1;
   double shift = 1e-6; ///< added to the diagonal over its mean, for spins that nothing resists: a grain with
                        ///< two contacts turns freely about them
-  /// What becomes of a direction in which a pivot is not safely positive. true: it is held while the others are
-  /// eliminated, so that it cannot spoil those behind it. false: it gets a small stiffness at once.
+  /// What becomes of a direction in which a pivot is not safely positive. true: it is held while the others
+  /// are eliminated, so that it cannot spoil those behind it. false: it gets a small stiffness at once.
   bool holds_lost = true;
 
   bool operator==(const FactorRule&) const = default;

@@ -21,8 +21,8 @@ struct FillPattern {
 /// more, of all such grains the least; what has a higher level than `most_level` is dropped.
 [[nodiscard]] FillPattern fill_pattern(const Backbone& backbone, int most_level);
 
-/// Of the highest level, or of the highest below it that keeps the factor within `most_blocks` a grain; of level
-/// 1 in any case.
+/// Of the highest level, or of the highest below it that keeps the factor within `most_blocks` a grain; of
+/// level 1 in any case.
 [[nodiscard]] FillPattern fill_pattern_within(const Backbone& backbone, int highest_level,
                                               double most_blocks);
 

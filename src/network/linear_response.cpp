@@ -44,7 +44,8 @@ Attempt attempt(const Backbone& backbone, const FactorRule& rule, Options option
           .mended_pivots = preconditioner.factor().mended_pivots()};
 }
 
-/// -W^T H^+ W, dimensionless. Each factor in turn is given some iterations, the one that came nearest the rest.
+/// -W^T H^+ W, dimensionless. Each factor in turn is given some iterations, the one that came nearest the
+/// rest.
 template <int Dof>
 Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Response::Report& report) {
   std::optional<Team> team;

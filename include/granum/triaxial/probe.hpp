@@ -110,7 +110,7 @@ struct [[nodiscard]] FrozenState {
 };
 
 /// Takes 10,000 steps at most under adaptive drag, as many in a descent (dem::Engine::descend), and then
-/// 20,000 under the drag of the slowest shear wave; all of that again, and a third time, until the state is
+/// 20,000 under the drag of the slowest shear wave; all of that again, six times at most, until the state is
 /// at rest.
 /// \param    force_tolerance  unbalanced force ratio that is aimed at > 0 [1]
 ///           1e-6 changes the moduli of 1,000 walled grains by 1e-4 (dense) to 5e-4 (loose), 1e-5 by up to

@@ -117,8 +117,8 @@ std::vector<WallSpring> wall_springs(const Law& law, const FrequencyInput& in, c
   return springs;
 }
 
-/// Blocks that, each on its own grain, outweigh the stiffness of all contacts: a contact pulls with k (a - b)^2,
-/// at most k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2. Walls do not move.
+/// Blocks that, each on its own grain, outweigh the stiffness of all contacts: a contact pulls with
+/// k (a - b)^2, at most k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2. Walls do not move.
 /// \param    moved   w of each grain > 0
 std::vector<StiffnessBlock> outweighing_blocks(const Springs& springs, const std::vector<double>& moved,
                                                bool smooth_walls) {

@@ -11,6 +11,7 @@
 #include <granum/hardin/fit.hpp>
 #include <granum/hardin/polynomial.hpp>
 
+#include "exponent_scatter.hpp"
 #include "seed_mean.hpp"
 #include "studies/running/outcome_text.hpp"
 
@@ -37,12 +38,13 @@ std::optional<Measured> exponent_of(const SpecimenResult& specimen, const Modulu
 }
 
 std::optional<Measured> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
-                                            const ModulusOf& modulus_of, hardin::VoidRatioFunction function) {
+                                            const ModulusOf& modulus_of, const KnownScatter& scatter,
+                                            hardin::VoidRatioFunction function) {
   std::vector<TableValue> each;
   for (const SpecimenResult* specimen : group)
     if (const std::optional<Measured> one = exponent_of(*specimen, modulus_of, function))
       each.push_back({one->value, one->standard_error});
-  const std::optional<TableValue> mean = mean_over_seeds(each);
+  const std::optional<TableValue> mean = mean_over_seeds(each, scatter);
   if (!mean)
     return std::nullopt;
   return Measured{mean->value, mean->standard_error.value_or(0)};
@@ -167,13 +169,18 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
   for (const contact::Shape contact : scene.study.contacts)
     for (const Density density : scene.study.densities) {
       const auto group = group_of(specimens, contact, density);
+      const auto over_seeds = [&](const ModulusOf& modulus_of, ExponentRoute route,
+                                  hardin::VoidRatioFunction function) {
+        return exponent_over_seeds(group, modulus_of,
+                                   exponent_scatter(contact, density, route, scene.study.grains), function);
+      };
       rows.push_back({.contact = contact,
                       .density = density,
                       .contact_law = law(scene, contact).stiffness_exponent(),
-                      .closed_form = exponent_over_seeds(group, closed, none),
-                      .network = exponent_over_seeds(group, network, none),
-                      .network_void = exponent_over_seeds(group, network, hardin_richart_round),
-                      .probe = exponent_over_seeds(group, probe, none),
+                      .closed_form = over_seeds(closed, ExponentRoute::closed_form, none),
+                      .network = over_seeds(network, ExponentRoute::network, none),
+                      .network_void = over_seeds(network, ExponentRoute::network, hardin_richart_round),
+                      .probe = over_seeds(probe, ExponentRoute::probe, none),
                       .paper = paper_exponent(contact, density)});
     }
   return rows;

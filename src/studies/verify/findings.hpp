@@ -32,9 +32,10 @@ struct ExponentRow {
 };
 
 /// Exponents of the specimens that have at least three states, by Levenberg-Marquardt on G itself, as in the
-/// paper. Several seeds: the mean; its standard error is the larger of the scatter between seeds and the
-/// mean regression error, over the root of their number. Fewer than three states, or a fit that does not
-/// converge, give none. Order: contacts, then densities, as in the scene.
+/// paper: the mean over the seeds. Its standard error is the larger of the scatter between specimens, what
+/// is known of it (exponent_scatter.hpp) pooled with that of these seeds, and the mean regression error,
+/// over the root of their number. Fewer than three states, or a fit that does not converge, give none.
+/// Order: contacts, then densities, as in the scene.
 /// Checked by tests/studies/test_findings.cpp
 [[nodiscard]] std::vector<ExponentRow> exponents(const Scene& scene,
                                                  const std::vector<SpecimenResult>& specimens);

@@ -8,8 +8,16 @@
 
 namespace granum::studies {
 
-/// Mean of what several specimens gave. Its error is the larger of their scatter and their mean own error,
-/// over the root of their number; one specimen without an error of its own has none. Nothing from none.
-[[nodiscard]] std::optional<TableValue> mean_over_seeds(const std::vector<TableValue>& each);
+/// What is known beforehand of the scatter between specimens of one kind.
+struct KnownScatter {
+  double deviation = 0; ///< standard deviation of one specimen
+  double degrees = 0;   ///< of freedom that it was measured with; 0: nothing is known
+};
+
+/// Mean of what several specimens gave. Its error is the larger of their scatter, pooled with what is known
+/// of it, and their mean own error, over the root of their number; one specimen without an error of its own,
+/// of which no scatter is known, has none. Nothing from none.
+[[nodiscard]] std::optional<TableValue> mean_over_seeds(const std::vector<TableValue>& each,
+                                                        const KnownScatter& known = {});
 
 } // namespace granum::studies

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exponent_scatter.hpp"
+
+#include <cmath>
+
+namespace granum::studies {
+
+namespace {
+
+constexpr double measured_grains = 1000, measured_degrees = 15;
+
+struct Deviations {
+  double closed_form, network, probe;
+};
+
+Deviations deviations(contact::Shape contact, triaxial::Density density) {
+  const bool loose = density == triaxial::Density::loose;
+  switch (contact) {
+  case contact::Shape::cone:
+    return loose ? Deviations{0.0021, 0.0083, 0.0137} : Deviations{0.0007, 0.0023, 0.0029};
+  case contact::Shape::sphere:
+    return loose ? Deviations{0.0045, 0.0198, 0.0218} : Deviations{0.0008, 0.0017, 0.0026};
+  case contact::Shape::flat:
+  case contact::Shape::power_law:
+    break;
+  }
+  return loose ? Deviations{0.0066, 0.0299, 0.0253} : Deviations{0.0014, 0.0030, 0.0034};
+}
+
+} // namespace
+
+KnownScatter exponent_scatter(contact::Shape contact, triaxial::Density density, ExponentRoute route,
+                              std::size_t grains) {
+  const Deviations of = deviations(contact, density);
+  const double deviation = route == ExponentRoute::closed_form ? of.closed_form
+                           : route == ExponentRoute::network   ? of.network
+                                                               : of.probe;
+  return {.deviation = deviation * std::sqrt(measured_grains / static_cast<double>(grains)),
+          .degrees = measured_degrees};
+}
+
+} // namespace granum::studies

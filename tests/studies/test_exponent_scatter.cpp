@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/verify/exponent_scatter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "studies/scene/scene.hpp"
+#include <doctest/doctest.h>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using namespace granum::studies;
+using contact::Shape;
+using triaxial::Density;
+
+namespace {
+
+constexpr std::size_t grains = 1000;
+
+struct Route {
+  const char* column;
+  ExponentRoute name;
+};
+constexpr Route routes[] = {{"closed_form", ExponentRoute::closed_form},
+                            {"network", ExponentRoute::network},
+                            {"probe", ExponentRoute::probe}};
+
+/// s of the recorded specimens of a kind whose seeds are below 100, or the others.
+std::vector<double> recorded(Shape contact, Density density, const std::string& column, bool below_100) {
+  static const io::CsvTable table = io::read_csv(GRANUM_VALIDATION "/verify_default/scatter.csv");
+  const auto field = [&](std::size_t row, std::string_view heading) {
+    const auto found = std::find(table.headings().begin(), table.headings().end(), heading);
+    REQUIRE(found != table.headings().end());
+    return table.fields(row)[static_cast<std::size_t>(found - table.headings().begin())];
+  };
+  std::vector<double> values;
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (field(row, "contact") == name(contact) && field(row, "density") == name(density) &&
+        (parse_number(field(row, "seed")).value() < 100) == below_100)
+      values.push_back(parse_number(field(row, column)).value());
+  return values;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values)
+    sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double deviation(const std::vector<double>& values) {
+  double squares = 0;
+  for (const double value : values)
+    squares += (value - mean(values)) * (value - mean(values));
+  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+} // namespace
+
+TEST_CASE("the scatter of s is that of the recorded seeds") {
+  for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat})
+    for (const Density density : {Density::dense, Density::loose})
+      for (const Route& route : routes) {
+        CAPTURE(name(contact));
+        CAPTURE(route.column);
+        const std::vector<double> seeds = recorded(contact, density, route.column, true);
+        REQUIRE(seeds.size() >= 14);
+        const KnownScatter known = exponent_scatter(contact, density, route.name, grains);
+        CHECK(std::abs(known.deviation - deviation(seeds)) < 1e-4); // the digits that the table has
+      }
+}
+
+TEST_CASE("two stated errors of s hold 19 of 20 specimens that the scatter was not taken from") {
+  int within_one = 0, within_two = 0, all = 0;
+  for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat})
+    for (const Density density : {Density::dense, Density::loose})
+      for (const Route& route : routes) {
+        const double error = exponent_scatter(contact, density, route.name, grains).deviation;
+        const std::vector<double> others = recorded(contact, density, route.column, false);
+        const double middle = mean(recorded(contact, density, route.column, true));
+        for (const double s : others) {
+          within_one += std::abs(s - middle) <= error;
+          within_two += std::abs(s - middle) <= 2 * error;
+          ++all;
+        }
+      }
+  REQUIRE(all >= 260);
+  CHECK(within_one >= 0.55 * all);
+  CHECK(within_one <= 0.8 * all);
+  CHECK(within_two >= 0.92 * all);
+}
+
+TEST_CASE("the scatter of s falls with the root of the grains; a power-law contact has that of a flat one") {
+  const auto at = [](Shape contact, std::size_t count) {
+    return exponent_scatter(contact, Density::loose, ExponentRoute::network, count).deviation;
+  };
+  CHECK(at(Shape::sphere, 4000) == relative(at(Shape::sphere, 1000) / 2, 1e-12));
+  CHECK(at(Shape::power_law, 1000) == at(Shape::flat, 1000));
+}
