@@ -25,7 +25,8 @@ constexpr double safe_pivot = 0.1;
 // Of a pivot to be mended, directions are lost whose eigenvalue is below this part of the mean diagonal: what
 // was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
 constexpr double lost_stiffness = 0.1;
-// Least eigenvalue over that mean of a pivot that is mended at once: more stops some floppy networks from arriving.
+// Least eigenvalue over that mean of a pivot that is mended at once: more stops some floppy networks from
+// arriving.
 constexpr double mended_stiffness = 1e-4;
 
 /// target -= left * right

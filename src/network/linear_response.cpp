@@ -54,7 +54,7 @@ Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Resp
   const Workers workers(team ? &*team : nullptr);
   int left = options.iteration_limit;
   std::optional<Attempt> best;
-  const auto solve = [&](const FactorRule& rule, int iteration_limit) {
+  const auto solve = [&](FactorRule rule, int iteration_limit) {
     Attempt next = attempt<Dof>(backbone, rule, options, std::min(iteration_limit, left), workers);
     left -= next.solution.iterations;
     if (!best || next.is_final() || next.solution.residual < best->solution.residual)
@@ -64,7 +64,7 @@ Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Resp
     if (!best || (!best->is_final() && left > 0))
       solve(rule, patience);
   if (!best->is_final() && left > 0)
-    solve(FactorRule(best->rule), left);
+    solve(best->rule, left);
   report.status = best->solution.status;
   report.iterations = options.iteration_limit - left;
   report.residual = best->solution.residual;

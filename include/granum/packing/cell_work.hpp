@@ -14,8 +14,8 @@ namespace granum::packing {
 /// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
 /// contact::of_sizes
 /// \return   p [Pa], compression positive; 0 without contacts
-/// Accuracy  1e-8 relative: a central difference over 1e-6 of the mean overlap. A contact that opens within that,
-///           of flat punches the worst, adds 3e-7 of its share.
+/// Accuracy  1e-8 relative: a central difference over 1e-6 of the mean overlap. A contact that opens within
+///           that, of flat punches the worst, adds 3e-7 of its share.
 ///           Checked by tests/packing/test_cell_work.cpp
 [[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law,
                                            double law_radius);
