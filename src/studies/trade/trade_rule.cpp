@@ -94,11 +94,11 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
 
 const TradeLaws& recorded_laws() {
   static const TradeLaws laws{
-      .dense_modulus = {.size = {0.2666, -3.296, 0.7383, 250, 16000}, .rate = {0.007223, 0.0005019}},
-      .dense_exponent = {.size = {0.06761, -0.04658, 0.1873, 250, 16000}, .rate = {0.00277, 0.0003639}},
-      .loose_modulus = {.size = {1.201, -7.161, 3.327, 250, 16000}, .rate = {-1.501, 1.382}},
-      .loose_exponent = {.size = {0.4983, -3.686, 1.38, 250, 16000}, .rate = {0.722, 0.6408}},
-      .dense_peak = {.size = {0.9923, 2.847, 2.748, 250, 16000}, .rate = {35.58, 0.4391}},
+      .dense_modulus = {.size = {0.2665, -3.295, 0.7382, 250, 16000}, .rate = {0.007227, 0.0005184}},
+      .dense_exponent = {.size = {0.06762, -0.04511, 0.1873, 250, 16000}, .rate = {0.002736, 0.0004214}},
+      .loose_modulus = {.size = {1.164, -9.055, 3.224, 250, 16000}, .rate = {-0.9354, 1.165}},
+      .loose_exponent = {.size = {0.5144, -1.556, 1.425, 250, 16000}, .rate = {1.914, 0.9638}},
+      .dense_peak = {.size = {0.9973, 2.755, 2.762, 250, 16000}, .rate = {35.52, 0.4443}},
   };
   return laws;
 }
