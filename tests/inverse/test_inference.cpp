@@ -9,6 +9,7 @@
 #include <granum/effective/contact_prior.hpp>
 
 #include "relative.hpp"
+#include "sample_statistics.hpp"
 
 using namespace granum;
 using effective::Modulus;
@@ -63,19 +64,6 @@ inverse::SharedInputs grain_modulus_within(double relative_error) {
             const double moved = grain.shear_modulus * std::exp(relative_error * deviations[0]);
             state.law = contact::PowerLaw::sphere({moved, grain.poisson_ratio}, state.radius);
           }};
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values)
-    sum += value;
-  return sum / static_cast<double>(values.size());
-}
-double deviation(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values)
-    sum += (value - mean(values)) * (value - mean(values));
-  return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <granum/io/csv/table.hpp>
 
 #include "relative.hpp"
+#include "sample_statistics.hpp"
 
 using namespace granum;
 using namespace granum::studies;
@@ -45,20 +46,6 @@ std::vector<double> recorded(Shape contact, Density density, const std::string& 
         (parse_number(field(row, "seed")).value() < 100) == below_100)
       values.push_back(parse_number(field(row, column)).value());
   return values;
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values)
-    sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-double deviation(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double value : values)
-    squares += (value - mean(values)) * (value - mean(values));
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
 } // namespace
