@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many iterations networks take that are large or hardly rigid.
-#include <utility>
+#include <cstdint>
 
 #include <doctest/doctest.h>
 
@@ -37,9 +37,13 @@ TEST_CASE("networks that lose many pivots are solved") {
 }
 
 TEST_CASE("where one factor loses too many pivots, another is tried") {
-  for (const auto& [kept, seed] : {std::pair(0.2441, 1020), std::pair(0.255, 1044)}) {
-    CAPTURE(seed);
-    const packing::Assembly lattice = samples::large_network(14, kept, 1, static_cast<std::uint64_t>(seed));
+  struct Lattice {
+    double kept;
+    std::uint64_t seed;
+  };
+  for (const Lattice& of : {Lattice{0.2441, 1020}, Lattice{0.255, 1044}}) {
+    CAPTURE(of.seed);
+    const packing::Assembly lattice = samples::large_network(14, of.kept, 1, of.seed);
     const network::Response response = network::linear_response(lattice, {.iteration_limit = 600});
     REQUIRE(response.converged());             // the first factor alone: not in 20,000 iterations
     CHECK(response.report().iterations > 150); // or nothing is tested
