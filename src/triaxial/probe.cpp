@@ -238,7 +238,7 @@ const Mat3& FrozenState::stress() const {
 
 FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                             const StopRequest& stop_requested) {
-  // Of three per cent of loose flat specimens three tries leave a state that four or five bring to rest.
+  // Two of 32 loose flat specimens have a state that takes four or five.
   constexpr int tries = 6;
   FrozenState frozen = frozen_once(state, material, force_tolerance, stop_requested);
   for (int k = 1; k < tries && !frozen.at_rest(); ++k) {
