@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time and memory of the engine and of the network as specimens grow; bench/growth.sh runs it.
-//   bench_growth pack dense|loose GRAINS OUT.data      at 10 kPa, loose: without its histories
+//   bench_growth pack dense|loose GRAINS SEED OUT.data at 10 kPa, loose: without its histories
 //   bench_growth network IN.data X Y Z THREADS         of so many copies along the axes
 //   bench_growth engine IN.data X Y Z STEPS THREADS
 //   bench_growth specimen GRAINS SEED                  dense, from nothing to rest at 10 kPa, on one core
@@ -46,11 +46,11 @@ dem::Specimen at_rest(const dem::Specimen& start, const dem::Material& grains) {
   return state;
 }
 
-void pack(const std::string& density, std::size_t grains, const std::string& out) {
+void pack(const std::string& density, std::size_t grains, std::uint64_t seed, const std::string& out) {
   if (density != "dense" && density != "loose")
     throw std::invalid_argument("'" + density + "' is neither dense nor loose");
   const triaxial::Density kind = density == "dense" ? triaxial::Density::dense : triaxial::Density::loose;
-  const triaxial::SpecimenRecipe recipe = recipe_of(grains, 1);
+  const triaxial::SpecimenRecipe recipe = recipe_of(grains, seed);
   const dem::Specimen jammed = triaxial::frictionless_specimen(recipe).state;
   save_packing(at_rest(triaxial::start_of_compression(jammed, kind, recipe), recipe.material), out);
 }
@@ -113,8 +113,8 @@ int main(int argc, char** argv) try {
   const auto copies = [&] {
     return side_by_side(load_packing(given[1]), count_of(given[2]), count_of(given[3]), count_of(given[4]));
   };
-  if (what == "pack" && given.size() == 4)
-    pack(given[1], count_of(given[2]), given[3]);
+  if (what == "pack" && given.size() == 5)
+    pack(given[1], count_of(given[2]), count_of(given[3]), given[4]);
   else if (what == "network" && given.size() == 6)
     solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1, count_of(given[5]));
   else if (what == "engine" && given.size() == 7)
@@ -122,7 +122,7 @@ int main(int argc, char** argv) try {
   else if (what == "specimen" && given.size() == 3)
     prepare(count_of(given[1]), count_of(given[2]));
   else {
-    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS OUT | network IN X Y Z THREADS | "
+    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS SEED OUT | network IN X Y Z THREADS | "
                          "engine IN X Y Z STEPS THREADS | specimen GRAINS SEED\n");
     return 2;
   }

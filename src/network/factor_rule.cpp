@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "factor_rule.hpp"
 
+#include <algorithm>
+
 namespace granum::network {
 
 namespace {
@@ -12,6 +14,9 @@ constexpr double hardly_rigid = 1.3;
 // And below which it is floppy. A factor with more fill nearly holds its free modes, and 1 over their pivots
 // blows rounding up: with level 3, 16 of 368 random networks do not arrive, with level 1 only 2.
 constexpr double floppy = 1.08;
+// Grains from which on a hardly rigid network gains by pivots that are judged: soft motions of a few grains,
+// which the shift stiffens, and lost pivots grow in number with it.
+constexpr std::size_t many_grains = 20000;
 
 /// Springs over unknowns. A contact is three springs, or one where none has tangential stiffness.
 double rigidity(const Backbone& backbone) {
@@ -20,20 +25,24 @@ double rigidity(const Backbone& backbone) {
          (static_cast<double>(backbone.grain_count) * (backbone.rotations ? 6 : 3));
 }
 
-FactorRule suitable_rule(const Backbone& backbone) {
+std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
   const double springs = rigidity(backbone);
   if (springs < floppy)
-    return {.fill_level = 1, .holds_lost = false};
-  return {.fill_level = springs < hardly_rigid ? 3 : 1};
+    return {{.fill_level = 1, .soft_pivots = SoftPivots::stiffened}};
+  if (springs >= hardly_rigid)
+    return {{.fill_level = 1}};
+  if (backbone.grain_count < many_grains)
+    return {{.fill_level = 3}};
+  return {{.fill_level = 3, .shift = 1e-8, .soft_pivots = SoftPivots::judged}, {.fill_level = 3}};
 }
 
 } // namespace
 
 std::vector<FactorRule> factor_rules(const Backbone& backbone) {
-  std::vector<FactorRule> rules{suitable_rule(backbone)};
+  std::vector<FactorRule> rules = suitable_rules(backbone);
   for (const FactorRule& other :
        {FactorRule{.fill_level = 2}, FactorRule{.fill_level = 3, .shift = 1e-4}, FactorRule{.fill_level = 1}})
-    if (other != rules.front())
+    if (std::find(rules.begin(), rules.end(), other) == rules.end())
       rules.push_back(other);
   return rules;
 }

@@ -8,14 +8,26 @@
 
 namespace granum::network {
 
+/// What becomes of a direction d in which a pivot is soft or negative. Some motions of a packing are soft; of
+/// others the stiffness was lost with what the factor drops.
+enum class SoftPivots {
+  /// It gets a small stiffness at once.
+  stiffened,
+  /// Where it is not positive, it is held while the others are eliminated, so that it cannot spoil those
+  /// behind it, and gets the stiffness v^T H v of the motion v = L^-T d afterwards.
+  held,
+  /// It gets v^T H v at once, which is right to the square of what rounding does to L. Where that is far from
+  /// the pivot's own stiffness, it is held. Takes longer.
+  judged
+};
+
 /// How an incomplete factor is made.
 struct FactorRule {
   int fill_level = 1;
-  double shift = 1e-6; ///< added to the diagonal over its mean, for spins that nothing resists: a grain with
-                       ///< two contacts turns freely about them
-  /// What becomes of a direction in which a pivot is not safely positive. true: it is held while the others
-  /// are eliminated, so that it cannot spoil those behind it. false: it gets a small stiffness at once.
-  bool holds_lost = true;
+  /// Over the mean diagonal, for spins that nothing resists: a grain with two contacts turns freely about
+  /// them. Added to the diagonal, or where pivots are judged the least stiffness of any.
+  double shift = 1e-6;
+  SoftPivots soft_pivots = SoftPivots::held;
 
   bool operator==(const FactorRule&) const = default;
 };

@@ -18,16 +18,21 @@ namespace {
 
 // Numbers that the factor may hold a grain, besides its pivots: 16 blocks with spins; loose packings have 11
 constexpr int most_numbers = 16 * 36;
-constexpr std::uint32_t absent = ~std::uint32_t{0};
 
-// A pivot is mended when an eigenvalue may be below this part of the shift.
+// Where lost pivots are held, one is when an eigenvalue may be below this part of the shift.
 constexpr double safe_pivot = 0.1;
-// Of a pivot to be mended, directions are lost whose eigenvalue is below this part of the mean diagonal: what
+// Of a pivot that is held, directions are lost whose eigenvalue is below this part of the mean diagonal: what
 // was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
 constexpr double lost_stiffness = 0.1;
-// Least eigenvalue over that mean of a pivot that is mended at once: more stops some floppy networks from
+// Least eigenvalue over that mean of a pivot that is stiffened: more stops some floppy networks from
 // arriving.
-constexpr double mended_stiffness = 1e-4;
+constexpr double least_stiffened = 1e-4;
+// Where pivots are judged: directions whose eigenvalue is below this part of that mean are.
+constexpr double soft = 3e-3;
+// Their motions leave out displacements whose energy would be below this part of the eigenvalue.
+constexpr double negligible_energy = 1e-2;
+// They are lost where the energy of the motion is more than so many times the eigenvalue.
+constexpr double far_off = 10;
 
 /// target -= left * right
 template <int Dof>
@@ -127,7 +132,9 @@ IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers&
       pattern_(
           fill_pattern_within(backbone, rule.fill_level, static_cast<double>(most_numbers) / (Dof * Dof))),
       inverse_pivot_(diagonal_blocks<Dof>(backbone)) {
-  if (!rule.holds_lost)
+  if (rule.soft_pivots == SoftPivots::judged)
+    links_.emplace(backbone);
+  if (rule.soft_pivots == SoftPivots::stiffened)
     lower_ = std::vector<Block<Dof, double>>();
   std::visit([this](auto& lower) { this->factorise(lower); }, lower_);
 }
@@ -139,7 +146,7 @@ struct IncompleteFactor<Dof>::Work {
     std::uint32_t row, index;
   };
   std::vector<std::vector<Entry>>& below; ///< finished entries of each column
-  std::vector<std::uint32_t> slot;        ///< place in `row` of each column, or `absent`
+  std::vector<std::uint32_t> slot; ///< place in `row` of each column, or `absent`; all are, between two rows
   std::vector<Link>::const_iterator link; ///< first of the links that the next rows hold
   std::vector<Block<Dof>> row = {};       ///< of the present row, transposed; before its division by pivots
   Held held = {};
@@ -165,7 +172,7 @@ void IncompleteFactor<Dof>::factorise(Lower<Number>& lower) {
     workers_.each(stage.size(), [&](std::size_t k) {
       const auto link = std::lower_bound(backbone_.links.begin(), backbone_.links.end(), stage[k].first,
                                          [](const Link& l, std::uint32_t g) { return l.b < g; });
-      Work work{below, std::vector<std::uint32_t>(n, absent), link};
+      Work work{below, std::vector<std::uint32_t>(n, LocalMotion<Dof>::absent), link};
       factorise(stage[k], mean, work, lower);
       pivots[k] = work.mended_pivots;
       directions[k] = std::move(work.held);
@@ -195,48 +202,108 @@ template <class Number>
 void IncompleteFactor<Dof>::factorise(Piece piece, double mean, Work& work, Lower<Number>& lower) {
   for (std::uint32_t i = piece.first; i < piece.last; ++i) {
     Block<Dof>& pivot = inverse_pivot_[i];
-    for (int r = 0; r < Dof; ++r)
+    for (int r = 0; r < Dof && rule_.soft_pivots != SoftPivots::judged; ++r)
       pivot.at[r][r] += rule_.shift * mean;
     begin_row(i, work);
     at_vector_level([&](auto) __attribute__((always_inline)) { eliminate(i, work, lower, pivot); });
     const std::uint32_t first = pattern_.row_start[i], last = pattern_.row_start[i + 1];
     for (std::uint32_t e = first; e < last; ++e) {
       work.below[pattern_.column[e]].push_back({i, e});
-      work.slot[pattern_.column[e]] = absent;
+      work.slot[pattern_.column[e]] = LocalMotion<Dof>::absent;
     }
-    if (invert_pivot(i, mean, work.held))
+    if (invert_pivot(i, mean, work, lower))
       ++work.mended_pivots;
   }
+}
+
+/// Energies of the motions L^-T d that directions d of grain i stand for, one in each lane, without
+/// displacements below `negligible`.
+template <int Dof>
+template <class Number>
+PerCase IncompleteFactor<Dof>::motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
+                                             Work& work, const Lower<Number>& lower) const {
+  const auto bears = [negligible](const Rows<Dof>& x) {
+    for (const Lanes& row : x.row)
+      for (int k = 0; k < Dof; ++k)
+        if (std::abs(row[k]) >= negligible)
+          return true;
+    return false;
+  };
+  LocalMotion<Dof> motion(work.slot);
+  motion.of(i) = directions;
+  for (std::uint32_t g = i; motion.take_latest(g);)
+    if (const Rows<Dof> here = motion.of(g); bears(here))
+      for (std::uint32_t e = pattern_.row_start[g]; e < pattern_.row_start[g + 1]; ++e)
+        subtract_upper(as<double>(lower[e]), here, motion.of(pattern_.column[e]));
+  return motion.energy(backbone_, *links_);
+}
+
+/// Eigenvalues of a pivot, the soft ones after what their motions say.
+template <int Dof>
+template <class Number>
+auto IncompleteFactor<Dof>::judged_values(std::uint32_t i, const PivotSystem& pivot, double mean, Work& work,
+                                          const Lower<Number>& lower) const -> Vector {
+  Vector values = pivot.eigenvalues();
+  double softest = 1; // at most, over the mean diagonal
+  Rows<Dof> directions = {};
+  for (int k = 0; k < Dof && values[k] < soft * mean; ++k) {
+    softest = std::min(softest, std::max(std::abs(values[k]) / mean, rule_.shift));
+    for (int r = 0; r < Dof; ++r)
+      directions.row[r][k] = pivot.eigenvectors()(r, k);
+  }
+  if (values[0] >= soft * mean)
+    return values;
+  const PerCase energy = motion_energy(i, directions, std::sqrt(negligible_energy * softest), work, lower);
+  for (int k = 0; k < Dof && pivot.eigenvalues()[k] < soft * mean; ++k)
+    values[k] = std::max(energy[static_cast<std::size_t>(k)], rule_.shift * mean);
+  return values;
 }
 
 /// Replaces a symmetric pivot by its inverse; returns whether it had to be mended first.
 /// \param    mean    of the diagonal of H
 template <int Dof>
-bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Held& held) {
+template <class Number>
+bool IncompleteFactor<Dof>::invert_pivot(std::uint32_t i, double mean, Work& work,
+                                         const Lower<Number>& lower) {
   using Square = Eigen::Matrix<double, Dof, Dof, Eigen::RowMajor>;
   Eigen::Map<Square> map(&inverse_pivot_[i].at[0][0]);
   const Square symmetric = (map + map.transpose()) / 2;
+  const bool judges = rule_.soft_pivots == SoftPivots::judged;
+  const double safe = judges ? 2 * soft : safe_pivot * rule_.shift;
   const Eigen::LLT<Eigen::Matrix<double, Dof, Dof>> cholesky(symmetric);
   if (cholesky.info() == Eigen::Success &&
-      cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe_pivot * rule_.shift * mean) {
+      cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe * mean) {
     map = cholesky.solve(Eigen::Matrix<double, Dof, Dof>::Identity());
     return false;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>> eigen(symmetric);
-  const double least = mean * (rule_.holds_lost ? lost_stiffness : mended_stiffness);
-  const Eigen::Matrix<double, Dof, 1> inverse = eigen.eigenvalues().unaryExpr([&](double value) {
-    if (rule_.holds_lost)
-      return value < least ? 0.0 : 1 / value;
-    return 1 / std::max(std::abs(value), least);
-  });
-  map = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-  for (int k = 0; k < Dof && rule_.holds_lost && eigen.eigenvalues()[k] < least; ++k) {
-    HeldDirection found{.row = i};
-    for (int r = 0; r < Dof; ++r)
-      found.direction[static_cast<std::size_t>(r)] = eigen.eigenvectors()(r, k);
-    held.push_back(found);
+  const PivotSystem pivot(symmetric);
+  const Vector found = pivot.eigenvalues();
+  Vector inverses;
+  bool mended = true;
+  if (rule_.soft_pivots == SoftPivots::stiffened)
+    inverses = found.unaryExpr([&](double v) { return 1 / std::max(std::abs(v), least_stiffened * mean); });
+  else {
+    const Vector values = judges ? judged_values(i, pivot, mean, work, lower) : found;
+    const double least = rule_.shift * mean;
+    mended = !judges || (values.array() > far_off * found.array().max(least)).any();
+    inverses = values.cwiseInverse();
+    for (int k = 0; k < Dof && mended && found[k] < lost_stiffness * mean; ++k)
+      if (!judges || values[k] > least) // else nothing resists it
+        hold(i, pivot, k, work.held, inverses);
   }
-  return true;
+  map = pivot.eigenvectors() * inverses.asDiagonal() * pivot.eigenvectors().transpose();
+  return mended;
+}
+
+/// Takes eigenvector k of a pivot out of its inverse.
+template <int Dof>
+void IncompleteFactor<Dof>::hold(std::uint32_t i, const PivotSystem& pivot, int k, Held& held,
+                                 Vector& inverses) {
+  HeldDirection found{.row = i};
+  for (int r = 0; r < Dof; ++r)
+    found.direction[static_cast<std::size_t>(r)] = pivot.eigenvectors()(r, k);
+  held.push_back(found);
+  inverses[k] = 0;
 }
 
 /// Gives each direction d that was held the stiffness v^T H v of the motion v = L^-T d, or the shift of the
@@ -276,7 +343,7 @@ GRANUM_INLINE void IncompleteFactor<Dof>::eliminate(std::uint32_t i, Work& work,
     const std::uint32_t j = pattern_.column[e];
     const Block<Dof>& unscaled = work.row[e - first]; // (L_ij D_j)^T
     for (const auto [k, index] : work.below[j])
-      if (const std::uint32_t slot = work.slot[k]; slot != absent)
+      if (const std::uint32_t slot = work.slot[k]; slot != LocalMotion<Dof>::absent)
         subtract_product(transposed(as<double>(lower[index])), unscaled, work.row[slot]);
     Block<Dof> scaled;
     add_product(inverse_pivot_[j], unscaled, scaled);

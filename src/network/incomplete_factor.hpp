@@ -4,23 +4,25 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
+
+#include <Eigen/Eigenvalues>
 
 #include "backbone.hpp"
 #include "factor_rule.hpp"
 #include "fill_pattern.hpp"
 #include "lanes.hpp"
+#include "local_motion.hpp"
 #include "workers.hpp"
 
 namespace granum::network {
 
 /// Incomplete block factorisation H ~ L D L^T with some fill: the preconditioner of all six load cases.
-/// Blocks are those of whole grains; a tiny part of the mean diagonal is added, so that free spins (singular
-/// pivots) do no harm. A direction d in which a pivot is not safely positive is held while the others are
-/// eliminated, and gets the stiffness v^T H v of the motion v = L^-T d afterwards. Where the rule says so, as
-/// floppy networks have many such directions that bear little, it gets a small stiffness at once; then L is
-/// kept in double precision, for rounding drives modes without stiffness, else in single.
+/// Blocks are those of whole grains; what becomes of soft pivots, the rule says. Free spins get a tiny part
+/// of the mean diagonal. L is kept in single precision, but in double for floppy networks, whose pivots are
+/// stiffened: there rounding drives modes without stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:
@@ -43,11 +45,21 @@ class IncompleteFactor {
   void begin_row(std::uint32_t i, Work& work) const;
   template <class Number>
   using Lower = std::vector<Block<Dof, Number>>;
+  using PivotSystem = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>>;
+  using Vector = Eigen::Matrix<double, Dof, 1>;
   template <class Number>
   void factorise(Lower<Number>& lower);
   template <class Number>
   void factorise(Piece piece, double mean, Work& work, Lower<Number>& lower);
-  [[nodiscard]] bool invert_pivot(std::uint32_t i, double mean, Held& held);
+  template <class Number>
+  [[nodiscard]] bool invert_pivot(std::uint32_t i, double mean, Work& work, const Lower<Number>& lower);
+  static void hold(std::uint32_t i, const PivotSystem& pivot, int k, Held& held, Vector& inverses);
+  template <class Number>
+  [[nodiscard]] Vector judged_values(std::uint32_t i, const PivotSystem& pivot, double mean, Work& work,
+                                     const Lower<Number>& lower) const;
+  template <class Number>
+  [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
+                                      Work& work, const Lower<Number>& lower) const;
   template <class Number>
   void release(const Held& held, double mean, const Lower<Number>& lower);
   template <class Number>
@@ -60,6 +72,7 @@ class IncompleteFactor {
   const Backbone& backbone_;
   const Workers& workers_;
   FactorRule rule_;
+  std::optional<LinksOfGrains> links_;              ///< where pivots are judged
   FillPattern pattern_;                             ///< of the strictly lower blocks
   std::variant<Lower<float>, Lower<double>> lower_; ///< transposed: block (i, j) is stored as L_ij^T
   std::vector<Block<Dof>> inverse_pivot_;

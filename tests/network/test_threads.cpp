@@ -31,7 +31,8 @@ void check_same_bits(const packing::Assembly& a, std::size_t pieces,
 TEST_CASE("the response has the same bits for any number of threads") {
   check_same_bits(samples::large_network(19, 0.6), 2, {2, 20});
   check_same_bits(samples::large_network(19, 0.8, 0), 2, {2});
-  check_same_bits(samples::large_network(28, 0.8), 4, {3}); // with a coarse grid
+  check_same_bits(samples::large_network(28, 0.8), 4, {3});  // with a coarse grid
+  check_same_bits(samples::large_network(29, 0.27), 4, {3}); // and pivots judged
 }
 
 TEST_CASE("without threads there is no response") {

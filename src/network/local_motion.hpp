@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/network.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "backbone.hpp"
+#include "lanes.hpp"
+
+namespace granum::network {
+
+/// The contacts of each grain: Backbone::links are sorted by the later of their two grains, and this also
+/// finds those of the earlier one.
+class LinksOfGrains {
+ public:
+  explicit LinksOfGrains(const Backbone& backbone);
+
+  /// answer(link) for each contact of grain g with an earlier grain.
+  template <class Answer>
+  void with_earlier(std::uint32_t g, const Answer& answer) const {
+    for (std::uint32_t k = later_start_[g]; k < later_start_[g + 1]; ++k)
+      answer(links_[k]);
+  }
+  /// And with a later one.
+  template <class Answer>
+  void with_later(std::uint32_t g, const Answer& answer) const {
+    for (std::uint32_t k = earlier_start_[g]; k < earlier_start_[g + 1]; ++k)
+      answer(links_[earlier_[k]]);
+  }
+
+ private:
+  const std::vector<Link>& links_;
+  std::vector<std::uint32_t> later_start_, earlier_start_;
+  std::vector<std::uint32_t> earlier_; ///< links, sorted by their earlier grain
+};
+
+/// Displacements of a few grains, one motion in each lane; the other grains stand still.
+template <int Dof>
+class LocalMotion {
+ public:
+  static constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
+
+  /// \param    place   scratch, `absent` for every grain of the network; left so
+  explicit LocalMotion(std::vector<std::uint32_t>& place) : place_(place) {}
+  LocalMotion(const LocalMotion&) = delete;
+  LocalMotion& operator=(const LocalMotion&) = delete;
+  ~LocalMotion() {
+    for (const std::uint32_t g : grains_)
+      place_[g] = absent;
+  }
+
+  /// Of a grain, which may have stood still so far. Another call may move it in memory.
+  Rows<Dof>& of(std::uint32_t grain);
+  /// Takes the latest of the grains that have not been taken yet; false where none is left.
+  bool take_latest(std::uint32_t& grain);
+  /// x^T H x of each motion.
+  [[nodiscard]] PerCase energy(const Backbone& backbone, const LinksOfGrains& links) const;
+
+ private:
+  [[nodiscard]] bool moves(std::uint32_t grain) const { return place_[grain] != absent; }
+
+  std::vector<std::uint32_t>& place_; ///< in `rows_`
+  std::vector<std::uint32_t> grains_;
+  std::vector<Rows<Dof>> rows_;
+  std::vector<std::uint32_t> untaken_; ///< a heap
+};
+
+} // namespace granum::network

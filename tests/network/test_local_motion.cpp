@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <granum/network/linear_response.hpp>
+
+#include "large_networks.hpp"
+#include "network/block_algebra.hpp"
+#include "network/contact_operator.hpp"
+#include "network/local_motion.hpp"
+
+using namespace granum;
+
+namespace {
+
+/// A sample network, some of whose grains also touch a wall.
+packing::Assembly network_at_walls() {
+  packing::Assembly a = samples::large_network(6, 0.4);
+  for (const std::uint32_t g : {3U, 40U, 41U, 100U}) {
+    packing::Contact c{.i = g, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}};
+    c.normal_stiffness = 1.5;
+    c.tangential_stiffness = 0.7;
+    a.wall_contacts.push_back(c);
+  }
+  return a;
+}
+
+/// x^T H x of six random motions of the grains given: by the contacts of these grains, and by all of H.
+template <int Dof>
+void check_energy(const packing::Assembly& a, const std::vector<std::uint32_t>& grains) {
+  const network::Backbone backbone = network::load_bearing_network(a, {});
+  REQUIRE(backbone.rotations == (Dof == 6));
+  const network::LinksOfGrains links(backbone);
+  const network::Workers alone;
+  std::vector<std::uint32_t> place(backbone.grain_count, network::LocalMotion<Dof>::absent);
+  samples::Uniform uniform(7);
+  network::Field<Dof> x(backbone.grain_count), answer;
+  {
+    network::LocalMotion<Dof> motion(place);
+    for (const std::uint32_t g : grains) {
+      for (auto& row : x[g].row)
+        for (int c = 0; c < network::load_cases; ++c)
+          row[c] = uniform(-1, 1);
+      motion.of(g) = x[g];
+    }
+    const network::PerCase energy = motion.energy(backbone, links);
+    network::apply_stiffness<Dof>(backbone, alone, 0, x, answer);
+    const elastic::Matrix6 expected = network::products<Dof>(alone, x, answer);
+    for (int c = 0; c < network::load_cases; ++c)
+      CHECK(energy[static_cast<std::size_t>(c)] == doctest::Approx(expected(c, c)).epsilon(1e-13));
+  }
+  CHECK(std::count(place.begin(), place.end(), network::LocalMotion<Dof>::absent) ==
+        static_cast<std::ptrdiff_t>(place.size()));
+}
+
+} // namespace
+
+TEST_CASE("the energy of a motion of few grains is that of the whole network") {
+  const std::vector<std::uint32_t> scattered{12, 3, 150}, cluster{60, 61, 62, 63, 64, 90, 91, 40, 41};
+  std::vector<std::uint32_t> many(120);
+  for (std::uint32_t g = 0; g < many.size(); ++g)
+    many[g] = g;
+  for (const auto& grains : {scattered, cluster, many, std::vector<std::uint32_t>{}}) {
+    CAPTURE(grains.size());
+    check_energy<6>(samples::large_network(6, 0.4), grains);
+    check_energy<3>(samples::large_network(6, 0.6, 0), grains);
+    check_energy<6>(network_at_walls(), grains);
+  }
+}
+
+TEST_CASE("grains of a motion are taken from the latest to the first, also those that join on the way") {
+  std::vector<std::uint32_t> place(10, network::LocalMotion<6>::absent), order;
+  network::LocalMotion<6> motion(place);
+  motion.of(7);
+  motion.of(2);
+  for (std::uint32_t g = 0; motion.take_latest(g);) {
+    order.push_back(g);
+    if (g == 7) {
+      motion.of(5);
+      motion.of(2); // moves already
+    }
+    if (g == 5)
+      motion.of(0);
+  }
+  CHECK(order == std::vector<std::uint32_t>{7, 5, 2, 0});
+}
