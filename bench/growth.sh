@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Time and memory of the engine and of the network, 1e3 to 1e6 grains, and time to make a dense specimen:
-#   bench/growth.sh [--rounds 5] [--largest 1000000] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
-# Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --packings keeps the
-# packings for the next time, two minutes' work. --program: bench_growth, built already. Linux alone (memory by /proc).
+#   bench/growth.sh [--rounds 5] [--largest 1000000] [--seed 1] [--out bench/results] [--packings FOLDER] [--program PROGRAM] [--force]
+# Writes growth.csv (every run) and growth.md (medians) into the folder --out; --force replaces them. --seed makes other
+# packings; --packings keeps them for the next time, two minutes' work. --program: bench_growth, built already.
+# Linux alone (memory by /proc).
 # The network of 1e5 and 1e6 grains is solved once for each number of threads; a million grains take some 5 GB.
 # Each round makes three specimens of its own.
 # Exit codes: 0 done, 1 a run failed, 2 usage.
@@ -13,6 +14,7 @@ root=$(cd -- "$here/.." && pwd)
 
 rounds=5
 largest=1000000
+seed=1
 out=$here/results
 packings=
 program=
@@ -32,6 +34,7 @@ while [ "$#" -gt 0 ]; do
   case $1 in
     --rounds) rounds=$2 ;;
     --largest) largest=$2 ;;
+    --seed) seed=$2 ;;
     --out) out=$2 ;;
     --packings) packings=$2 ;;
     --program) program=$2 ;;
@@ -40,6 +43,7 @@ while [ "$#" -gt 0 ]; do
   shift 2
 done
 [[ $rounds =~ ^[1-9][0-9]?$ ]] || usage "--rounds $rounds"
+[[ $seed =~ ^[1-9][0-9]{0,8}$ ]] || usage "--seed $seed: 1 to 999999999"
 [[ $largest =~ ^1000(0{0,3})$ ]] || usage "--largest $largest: 1000, 10000, 100000 or 1000000"
 for file in growth.csv growth.md; do
   [ "$force" = yes ] || ! [ -e "$out/$file" ] || usage "$out/$file exists; --force replaces it"
@@ -55,9 +59,9 @@ packings=${packings:-$scratch}
 mkdir -p -- "$out" "$packings"
 for density in dense loose; do
   for size in 1000 10000; do
-    [ -e "$packings/$density-$size.data" ] || {
-      echo "packing $size grains, $density" >&2
-      "$program" pack $density $size "$packings/$density-$size.data"
+    [ -e "$packings/$density-$size-$seed.data" ] || {
+      echo "packing $size grains, $density, seed $seed" >&2
+      "$program" pack $density $size "$seed" "$packings/$density-$size-$seed.data"
     }
   done
 done
@@ -72,7 +76,7 @@ line() { # DENSITY ARGUMENTS of bench_growth
 row() { # DENSITY ARGUMENTS of bench_growth, the size of a packing in place of its file
   local density=$1 what=$2 size=$3
   shift 3
-  line "$density" "$what" "$packings/$density-$size.data" "$@"
+  line "$density" "$what" "$packings/$density-$size-$seed.data" "$@"
 }
 for ((round = 1; round <= rounds; ++round)); do
   for density in dense loose; do
