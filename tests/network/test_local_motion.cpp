@@ -17,10 +17,10 @@ using namespace granum;
 
 namespace {
 
-/// A sample network, some of whose grains also touch a wall.
+/// A sample network, every third of whose grains also touches a wall.
 packing::Assembly network_at_walls() {
   packing::Assembly a = samples::large_network(6, 0.4);
-  for (const std::uint32_t g : {3U, 40U, 41U, 100U}) {
+  for (std::uint32_t g = 0; g < a.grain_count(); g += 3) {
     packing::Contact c{.i = g, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}};
     c.normal_stiffness = 1.5;
     c.tangential_stiffness = 0.7;
