@@ -28,7 +28,7 @@ constexpr double lost_stiffness = 0.1;
 // arriving.
 constexpr double least_stiffened = 1e-4;
 // Where pivots are judged: directions whose eigenvalue is below this part of that mean are.
-constexpr double soft = 3e-3;
+constexpr double soft = 1e-2;
 // Their motions leave out displacements whose energy would be below this part of the eigenvalue.
 constexpr double negligible_energy = 1e-2;
 // They are lost where the energy of the motion is more than so many times the eigenvalue.

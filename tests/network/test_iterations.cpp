@@ -31,7 +31,7 @@ TEST_CASE(
     double kept;
     int measured;
   };
-  for (const Lattice& of : {Lattice{0.262, 47}, Lattice{0.27, 40}, Lattice{0.275, 35}}) {
+  for (const Lattice& of : {Lattice{0.262, 54}, Lattice{0.27, 39}, Lattice{0.275, 35}}) {
     CAPTURE(of.kept);
     const network::Response response =
         network::linear_response(samples::large_network(29, of.kept), {.iteration_limit = 300});
