@@ -32,6 +32,8 @@ constexpr int restarts = 5;
 // rounding is, and now and then it grows until nothing else is left. Growth of the residual over its least
 // value that no sound solution shows:
 constexpr double runaway = 1e6;
+// Solutions better than this are kept: asked for more than rounding allows, the next may be far worse.
+constexpr double near_rounding = 1e-11;
 // Springs that then hold every grain while the solver starts again, over the mean k_n.
 constexpr double holding_spring = 1e-14;
 
@@ -79,6 +81,12 @@ class Relaxation {
         q_.assign(q_.size(), {});
       }
       size = true_residual();
+    }
+    if (!arrived(size) && !best_.empty() && best_residual_ < worst_of(size)) {
+      q_ = best_;
+      size = true_residual();
+      if (solution.status == Status::not_positive_definite) // on the way from the best: by rounding
+        solution.status = Status::iteration_limit;
     }
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
@@ -165,6 +173,10 @@ class Relaxation {
       if (arrived(size))
         return Status::converged;
       const double worst = worst_of(size);
+      if (worst < best_residual_) {
+        best_residual_ = worst;
+        best_ = q_;
+      }
       least = std::min(least, worst);
       ran_away_ = worst > runaway * least;
       if (ran_away_)
@@ -188,6 +200,8 @@ class Relaxation {
   const Options& options_;
   const Workers& workers_;
   Field<Dof> load_, q_, w_, p_, s_;
+  Field<Dof> best_; ///< q of the least residual near rounding
+  double best_residual_ = near_rounding;
   PerCase size_{}; ///< of load_
   double hold_ = 0;
   bool ran_away_ = false; ///< in the last iterations

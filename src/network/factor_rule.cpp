@@ -14,8 +14,8 @@ constexpr double hardly_rigid = 1.3;
 // And below which it is floppy. A factor with more fill nearly holds its free modes, and 1 over their pivots
 // blows rounding up: with level 3, 16 of 368 random networks do not arrive, with level 1 only 2.
 constexpr double floppy = 1.08;
-// Grains from which on a hardly rigid network gains by pivots that are judged: soft motions of a few grains,
-// which the shift stiffens, and lost pivots grow in number with it.
+// Grains from which on a hardly rigid network gains time by pivots that are judged: soft motions of a few
+// grains, which the shift stiffens, and lost pivots grow in number with it.
 constexpr std::size_t many_grains = 20000;
 
 /// Springs over unknowns. A contact is three springs, or one where none has tangential stiffness.
@@ -33,7 +33,7 @@ std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
     return {{.fill_level = 1}};
   if (backbone.grain_count < many_grains)
     return {{.fill_level = 3}};
-  return {{.fill_level = 3, .shift = 1e-8, .soft_pivots = SoftPivots::judged}, {.fill_level = 3}};
+  return {{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::judged}, {.fill_level = 3}};
 }
 
 } // namespace

@@ -16,16 +16,16 @@ enum class SoftPivots {
   /// Where it is not positive, it is held while the others are eliminated, so that it cannot spoil those
   /// behind it, and gets the stiffness v^T H v of the motion v = L^-T d afterwards.
   held,
-  /// It gets v^T H v at once, which is right to the square of what rounding does to L. Where that is far from
-  /// the pivot's own stiffness, it is held. Takes longer.
+  /// It gets v^T H v at once. Where that is far from the pivot's own stiffness, it is held; where it is
+  /// nothing, it stays rigid. Takes longer.
   judged
 };
 
 /// How an incomplete factor is made.
 struct FactorRule {
   int fill_level = 1;
-  /// Over the mean diagonal, for spins that nothing resists: a grain with two contacts turns freely about
-  /// them. Added to the diagonal, or where pivots are judged the least stiffness of any.
+  /// Over the mean diagonal. Added to the diagonal, for motions that nothing resists, as a grain with two
+  /// contacts turns freely about them; where pivots are judged, motions that are softer are free.
   double shift = 1e-6;
   SoftPivots soft_pivots = SoftPivots::held;
 

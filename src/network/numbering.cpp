@@ -2,9 +2,12 @@
 #include "numbering.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <tuple>
+#include <utility>
 
+#include "barely_held.hpp"
 #include "halving.hpp"
 
 namespace granum::network {
@@ -15,9 +18,6 @@ namespace {
 constexpr std::size_t smallest_half = 3000;
 constexpr std::size_t most_halvings = 4;
 
-using Neighbours = std::vector<std::vector<std::uint32_t>>;
-
-/// Neighbours of every grain that bears load.
 Neighbours adjacency(const packing::Assembly& assembly, const std::vector<bool>& rattler) {
   Neighbours neighbours(assembly.grain_count());
   for (const packing::Contact& c : assembly.contacts) {
@@ -32,7 +32,7 @@ Neighbours adjacency(const packing::Assembly& assembly, const std::vector<bool>&
 class Counter {
  public:
   Counter(const Neighbours& neighbours, const std::vector<Vec3>& position)
-      : neighbours_(neighbours), position_(position), group_(neighbours.size(), 0) {
+      : neighbours_(neighbours), position_(position), barely_held_(neighbours), group_(neighbours.size(), 0) {
     numbering_.number.assign(neighbours.size(), Numbering::unset);
   }
 
@@ -46,17 +46,48 @@ class Counter {
   }
 
  private:
-  void divide(std::span<std::uint32_t> grains, std::size_t halvings) {
+  void divide(std::vector<std::uint32_t>& grains, std::size_t halvings) {
     if (halvings == 0)
-      return count(grains, 0);
-    const std::size_t half = halve(position_, grains);
-    const std::uint32_t second = new_group(grains.subspan(half));
-    const auto layer = std::partition(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(half),
-                                      [&](std::uint32_t g) { return !touches(g, second); });
-    const auto first = static_cast<std::size_t>(layer - grains.begin());
-    divide(grains.subspan(half), halvings - 1);
-    divide(grains.first(first), halvings - 1);
-    count(grains.subspan(first, half - first), halvings);
+      return count(std::move(grains), 0);
+    auto [first, second] = halves_of(grains);
+    const std::vector<std::uint32_t> layer = take_layer(first, second);
+    divide(second, halvings - 1);
+    divide(first, halvings - 1);
+    count(layer, halvings);
+  }
+
+  /// Clusters of grains that are barely held stay whole.
+  std::array<std::vector<std::uint32_t>, 2> halves_of(std::span<std::uint32_t> grains) {
+    const std::uint32_t beyond = new_group(grains.subspan(halve(position_, grains)));
+    std::array<std::vector<std::uint32_t>, 2> halves;
+    for (const std::uint32_t g : grains)
+      halves[group_[barely_held_.first_of_cluster(g)] == beyond ? 1 : 0].push_back(g);
+    return halves;
+  }
+
+  /// Takes out the grains of the first half that touch the second; but one that is barely held stays, and
+  /// those of the second half that it touches go.
+  std::vector<std::uint32_t> take_layer(std::vector<std::uint32_t>& first,
+                                        std::vector<std::uint32_t>& second) {
+    const std::uint32_t here = new_group(first), there = new_group(second);
+    const auto touches = [&](std::uint32_t g, const auto& which) {
+      return std::any_of(neighbours_[g].begin(), neighbours_[g].end(), which);
+    };
+    const auto parts = [&](std::uint32_t g) {
+      if (barely_held_.contains(g))
+        return false;
+      if (group_[g] == here)
+        return touches(g, [&](std::uint32_t h) { return group_[h] == there; });
+      return touches(g, [&](std::uint32_t h) { return group_[h] == here && barely_held_.contains(h); });
+    };
+    std::vector<std::uint32_t> layer;
+    for (auto* half : {&first, &second}) {
+      const auto taken =
+          std::stable_partition(half->begin(), half->end(), [&](std::uint32_t g) { return !parts(g); });
+      layer.insert(layer.end(), taken, half->end());
+      half->erase(taken, half->end());
+    }
+    return layer;
   }
 
   std::uint32_t new_group(std::span<const std::uint32_t> grains) {
@@ -66,17 +97,12 @@ class Counter {
     return groups_;
   }
 
-  [[nodiscard]] bool touches(std::uint32_t g, std::uint32_t group) const {
-    return std::any_of(neighbours_[g].begin(), neighbours_[g].end(),
-                       [&](std::uint32_t h) { return group_[h] == group; });
-  }
-
   [[nodiscard]] bool fewer_contacts(std::uint32_t g, std::uint32_t h) const {
     return std::tuple(neighbours_[g].size(), g) < std::tuple(neighbours_[h].size(), h);
   }
 
-  /// Reverse Cuthill-McKee of the grains of one piece, cluster after cluster.
-  void count(std::span<std::uint32_t> grains, std::size_t stage) {
+  /// Grains that are barely held, then the others, each in the order of a reverse Cuthill-McKee of the piece.
+  void count(std::vector<std::uint32_t> grains, std::size_t stage) {
     const auto by_contacts = [this](std::uint32_t g, std::uint32_t h) { return fewer_contacts(g, h); };
     const std::uint32_t waiting = new_group(grains);
     std::sort(grains.begin(), grains.end(), by_contacts);
@@ -98,6 +124,8 @@ class Counter {
           visit(g);
       }
     }
+    std::stable_partition(order.begin(), order.end(), // which is reversed below
+                          [this](std::uint32_t g) { return !barely_held_.contains(g); });
     const std::uint32_t first = counted_;
     counted_ += static_cast<std::uint32_t>(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -107,6 +135,7 @@ class Counter {
 
   const Neighbours& neighbours_;
   const std::vector<Vec3>& position_;
+  BarelyHeld barely_held_;
   std::vector<std::uint32_t> group_; ///< that a grain is in at present; 0: none
   std::uint32_t groups_ = 0;
   std::uint32_t counted_ = 0;

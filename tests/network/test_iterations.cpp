@@ -31,20 +31,20 @@ TEST_CASE(
     double kept;
     int measured;
   };
-  for (const Lattice& of : {Lattice{0.262, 54}, Lattice{0.27, 39}, Lattice{0.275, 35}}) {
+  for (const Lattice& of : {Lattice{0.255, 51}, Lattice{0.258, 40}, Lattice{0.262, 36}, Lattice{0.28, 25}}) {
     CAPTURE(of.kept);
     const network::Response response =
         network::linear_response(samples::large_network(29, of.kept), {.iteration_limit = 300});
     REQUIRE(response.converged());
     REQUIRE(response.report().grains >= 20000);
-    CHECK(response.report().mended_pivots > 0);
-    CHECK(response.report().iterations <= of.measured + of.measured / 10); // no pivot judged: 81, 228, 52
+    CHECK(response.report().mended_pivots > 0); // or nothing is tested
+    CHECK(response.report().iterations <= of.measured + of.measured / 10);
   }
 }
 
 TEST_CASE("networks that lose many pivots are solved") {
-  // With a small stiffness for each at once, these lose ever more and are not solved.
-  for (const std::uint64_t seed : {2U, 6U, 8U, 12U}) {
+  // With a small stiffness for each at once, these lose ever more and are not solved in 500 iterations.
+  for (const std::uint64_t seed : {2U, 35U, 48U, 54U}) {
     CAPTURE(seed);
     const network::Response response =
         network::linear_response(samples::large_network(14, 0.24, 1, seed), {.iteration_limit = 200});
@@ -58,7 +58,8 @@ TEST_CASE("where one factor loses too many pivots, another is tried") {
     double kept;
     std::uint64_t seed;
   };
-  for (const Lattice& of : {Lattice{0.2441, 1020}, Lattice{0.255, 1044}}) {
+  for (const Lattice& of :
+       {Lattice{0.2414, 1209}, Lattice{0.2414, 1014}, Lattice{0.2355, 8001}, Lattice{0.2377, 8006}}) {
     CAPTURE(of.seed);
     const packing::Assembly lattice = samples::large_network(14, of.kept, 1, of.seed);
     const network::Response response = network::linear_response(lattice, {.iteration_limit = 600});

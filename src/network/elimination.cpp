@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elimination.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "contact_operator.hpp"
+#include "core/vector/level.hpp"
+#include "local_motion.hpp"
+#include "substitution.hpp"
+
+namespace granum::network {
+
+namespace {
+
+// Where lost pivots are held, one is when an eigenvalue may be below this part of the shift.
+constexpr double safe_pivot = 0.1;
+// Of a pivot that is held, directions are lost whose eigenvalue is below this part of the mean diagonal: what
+// was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
+constexpr double lost_stiffness = 0.1;
+// Least eigenvalue over that mean of a pivot that is stiffened: more stops some floppy networks from
+// arriving.
+constexpr double least_stiffened = 1e-4;
+// Where pivots are judged: directions whose eigenvalue is below this part of that mean are.
+constexpr double soft = 1e-2;
+// Their motions leave out displacements whose energy would be below this part of the eigenvalue.
+constexpr double negligible_energy = 1e-2;
+constexpr double softest_told = 1e-8; // over the mean diagonal: to these two, softer directions are like this
+// Directions are lost where the energy of the motion is more than so many times the eigenvalue.
+constexpr double far_off = 10;
+// Displacements that the motion of a held direction leaves out.
+constexpr double negligible_held = 1e-6;
+constexpr double rigid = std::numeric_limits<double>::infinity();
+
+/// target -= left^T right
+template <int Dof>
+GRANUM_INLINE void subtract_product(const Block<Dof>& left, const Block<Dof>& right, Block<Dof>& target) {
+  for (int r = 0; r < Dof; ++r)
+    for (int k = 0; k < Dof; ++k)
+      for (int c = 0; c < Dof; ++c)
+        target.at[r][c] -= left.at[k][r] * right.at[k][c];
+}
+
+/// left^T right
+template <int Dof>
+GRANUM_INLINE Block<Dof> product_of_transposed(const Block<Dof>& left, const Block<Dof>& right) {
+  Block<Dof> product;
+  for (int r = 0; r < Dof; ++r)
+    for (int k = 0; k < Dof; ++k)
+      for (int c = 0; c < Dof; ++c)
+        product.at[r][c] += left.at[k][r] * right.at[k][c];
+  return product;
+}
+
+template <int Dof>
+Block<Dof> product(const Block<Dof>& left, const Block<Dof>& right) {
+  Block<Dof> product;
+  for (int r = 0; r < Dof; ++r)
+    for (int k = 0; k < Dof; ++k)
+      for (int c = 0; c < Dof; ++c)
+        product.at[r][c] += left.at[r][k] * right.at[k][c];
+  return product;
+}
+
+template <int Dof>
+Block<Dof> transposed(const Block<Dof>& b) {
+  Block<Dof> t;
+  for (int r = 0; r < Dof; ++r)
+    for (int c = 0; c < Dof; ++c)
+      t.at[r][c] = b.at[c][r];
+  return t;
+}
+
+template <int Dof>
+double mean_diagonal(const std::vector<Block<Dof>>& blocks) {
+  double mean = 0;
+  for (const Block<Dof>& b : blocks)
+    for (int r = 0; r < Dof; ++r)
+      mean += b.at[r][r] / static_cast<double>(blocks.size() * Dof);
+  return mean > 0 ? mean : 1;
+}
+
+template <int Dof>
+class Elimination {
+ public:
+  Elimination(const Backbone& backbone, const Workers& workers, const FactorRule& rule,
+              const FillPattern& pattern)
+      : backbone_(backbone), workers_(workers), rule_(rule), pattern_(pattern), links_(backbone),
+        below_(backbone.grain_count),
+        row_(backbone.grain_count), made_{.root = diagonal_blocks<Dof>(backbone)},
+        mean_(mean_diagonal(made_.root)) {}
+
+  Eliminated<Dof> run() {
+    for (const std::vector<Piece>& stage : backbone_.stages) {
+      const std::size_t first = made_.lower.size();
+      made_.lower.resize(first + stage.size());
+      std::vector<Work> works(stage.size());
+      workers_.each(stage.size(),
+                    [&](std::size_t k) { eliminate(stage[k], works[k], made_.lower[first + k]); });
+      for (const Work& of_piece : works) {
+        made_.mended_pivots += of_piece.mended_pivots;
+        held_.insert(held_.end(), of_piece.held.begin(), of_piece.held.end());
+      }
+    }
+    release_held();
+    std::size_t first = 0;
+    for (const std::vector<Piece>& stage : backbone_.stages) {
+      workers_.each(stage.size(), [&](std::size_t k) { scale(stage[k], made_.lower[first + k]); });
+      first += stage.size();
+    }
+    return std::move(made_);
+  }
+
+ private:
+  using PivotSystem = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>>;
+  using Vector = Eigen::Matrix<double, Dof, 1>;
+  static constexpr std::uint32_t absent = LocalMotion<Dof>::absent;
+
+  /// A direction d in which a pivot was not safely positive, and in which it is rigid at first.
+  struct HeldDirection {
+    std::uint32_t row;
+    int column; ///< of R, which is zero at first
+    Vector direction;
+  };
+  /// A finished block of a column.
+  struct Entry {
+    std::uint32_t row;
+    std::uint32_t place; ///< in its row
+  };
+  /// What one piece needs and leaves.
+  struct Work {
+    std::vector<std::uint32_t> slot; ///< place in `row` of each column, or `absent`; all are, between rows
+    std::vector<Link>::const_iterator link = {}; ///< first of the links that the next rows hold
+    std::vector<Block<Dof>> row = {};            ///< of H less what is eliminated, transposed
+    std::vector<HeldDirection> held = {};
+    std::size_t mended_pivots = 0;
+  };
+
+  [[nodiscard]] bool judges() const { return rule_.soft_pivots == SoftPivots::judged; }
+
+  void eliminate(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
+    work.slot.assign(backbone_.grain_count, absent);
+    work.link = std::lower_bound(backbone_.links.begin(), backbone_.links.end(), piece.first,
+                                 [](const Link& l, std::uint32_t g) { return l.b < g; });
+    const std::uint32_t* const start = pattern_.row_start.data();
+    lower.resize(start[piece.last] - start[piece.first]);
+    for (std::uint32_t i = piece.first; i < piece.last; ++i) {
+      Block<Dof>* const row = lower.data() + (start[i] - start[piece.first]);
+      row_[i] = row;
+      for (int r = 0; r < Dof && !judges(); ++r)
+        made_.root[i].at[r][r] += rule_.shift * mean_;
+      begin_row(i, work);
+      at_vector_level([&](auto) __attribute__((always_inline)) { eliminate(i, work, row, made_.root[i]); });
+      for (std::uint32_t e = start[i]; e < start[i + 1]; ++e) {
+        below_[pattern_.column[e]].push_back({i, e - start[i]});
+        work.slot[pattern_.column[e]] = absent;
+      }
+      if (take_root(i, work))
+        ++work.mended_pivots;
+    }
+    std::vector<std::uint32_t>().swap(work.slot);
+  }
+
+  /// Row i of H, with places for its fill.
+  void begin_row(std::uint32_t i, Work& work) const {
+    const std::uint32_t first = pattern_.row_start[i], last = pattern_.row_start[i + 1];
+    work.row.assign(last - first, {});
+    for (std::uint32_t e = first; e < last; ++e)
+      work.slot[pattern_.column[e]] = e - first;
+    for (; work.link != backbone_.links.end() && work.link->b == i; ++work.link)
+      add(transposed(link_blocks<Dof>(*work.link).coupling_ba), work.row[work.slot[work.link->a]]);
+  }
+
+  /// Row i of L R^-1, and pivot i, from the finished rows.
+  GRANUM_INLINE void eliminate(std::uint32_t i, Work& work, Block<Dof>* row, Block<Dof>& pivot) const {
+    const std::uint32_t* const column = pattern_.column.data() + pattern_.row_start[i];
+    for (std::size_t e = 0; e < work.row.size(); ++e) {
+      const std::uint32_t j = column[e];
+      const Block<Dof> finished = product_of_transposed(made_.root[j], work.row[e]);
+      for (const auto [k, place] : below_[j])
+        if (const std::uint32_t slot = work.slot[k]; slot != absent)
+          subtract_product(row_[k][place], finished, work.row[slot]);
+      subtract_product(finished, finished, pivot);
+      row[e] = finished;
+    }
+  }
+
+  /// Replaces pivot i by the root of its inverse; returns whether it had to be mended first.
+  bool take_root(std::uint32_t i, Work& work) {
+    using Square = Eigen::Matrix<double, Dof, Dof, Eigen::RowMajor>;
+    Eigen::Map<Square> map(&made_.root[i].at[0][0]);
+    const Square symmetric = (map + map.transpose()) / 2;
+    const double safe = judges() ? 2 * soft : safe_pivot * rule_.shift;
+    const Eigen::LLT<Eigen::Matrix<double, Dof, Dof>> cholesky(symmetric);
+    if (cholesky.info() == Eigen::Success &&
+        cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe * mean_) {
+      map = cholesky.matrixU().solve(Eigen::Matrix<double, Dof, Dof>::Identity());
+      return false;
+    }
+    const PivotSystem pivot(symmetric);
+    const Vector found = pivot.eigenvalues();
+    Vector values = found;
+    bool mended = true;
+    if (rule_.soft_pivots == SoftPivots::stiffened)
+      values = found.unaryExpr([&](double v) { return std::max(std::abs(v), least_stiffened * mean_); });
+    else {
+      if (judges())
+        values = judged_values(i, pivot, work);
+      mended = !judges() || is_lost(found, values);
+      for (int k = 0; k < Dof && mended && found[k] < lost_stiffness * mean_; ++k)
+        if (values[k] < rigid)
+          hold(i, pivot, k, work, values);
+    }
+    map = pivot.eigenvectors() * values.cwiseSqrt().cwiseInverse().asDiagonal();
+    return mended;
+  }
+
+  /// Eigenvalues of a pivot, the soft ones after what their motions say. Free motions bear no load, and
+  /// rounding would drive them: there the pivot is rigid.
+  [[nodiscard]] Vector judged_values(std::uint32_t i, const PivotSystem& pivot, Work& work) const {
+    const Vector found = pivot.eigenvalues();
+    double softest = 1; // at most, over the mean diagonal
+    Rows<Dof> directions = {};
+    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
+      softest = std::min(softest, std::max(std::abs(found[k]) / mean_, softest_told));
+      for (int r = 0; r < Dof; ++r)
+        directions.row[r][k] = pivot.eigenvectors()(r, k);
+    }
+    Vector values = found;
+    if (found[0] >= soft * mean_)
+      return values;
+    const PerCase energy = motion_energy(i, directions, std::sqrt(negligible_energy * softest), work);
+    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
+      const double of_motion = energy[static_cast<std::size_t>(k)];
+      values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
+    }
+    return values;
+  }
+
+  /// Energies of the motions v = L^-T d that directions d of grain i stand for, one in each lane, without
+  /// displacements below `negligible`.
+  [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
+                                      Work& work) const {
+    const auto bears = [negligible](const Rows<Dof>& x) {
+      for (const Lanes& row : x.row)
+        for (int k = 0; k < Dof; ++k)
+          if (std::abs(row[k]) >= negligible)
+            return true;
+      return false;
+    };
+    LocalMotion<Dof> motion(work.slot);
+    motion.of(i) = directions;
+    for (std::uint32_t g = i; motion.take_latest(g);) {
+      if (g != i)
+        motion.of(g) = product(made_.root[g], motion.of(g));
+      const Rows<Dof> here = motion.of(g);
+      const std::uint32_t first = pattern_.row_start[g], last = pattern_.row_start[g + 1];
+      for (std::uint32_t e = first; e < last && bears(here); ++e)
+        subtract(row_[g][e - first], here, motion.of(pattern_.column[e]));
+    }
+    return motion.energy(backbone_, links_);
+  }
+
+  /// Whether the motion of some soft direction is far stiffer than its pivot.
+  [[nodiscard]] bool is_lost(const Vector& found, const Vector& values) const {
+    for (int k = 0; k < Dof; ++k)
+      if (values[k] < rigid && values[k] > far_off * std::max(found[k], softest_told * mean_))
+        return true;
+    return false;
+  }
+
+  /// Makes a pivot rigid along its eigenvector k, for the time being.
+  static void hold(std::uint32_t i, const PivotSystem& pivot, int k, Work& work, Vector& values) {
+    work.held.push_back({i, k, pivot.eigenvectors().col(k)});
+    values[k] = rigid;
+  }
+
+  /// Gives each direction d that was held the stiffness v^T H v of the motion v that it stands for, or the
+  /// shift of the diagonal where that is more, as free ones get.
+  void release_held() {
+    std::vector<double> stiffness(held_.size());
+    const auto set_root = [this](const HeldDirection& held, double of) {
+      for (int r = 0; r < Dof; ++r)
+        made_.root[held.row].at[r][held.column] = held.direction[r] / std::sqrt(of);
+    };
+    workers_.each(held_.size(), [&](std::size_t k) {
+      Work work{.slot = std::vector<std::uint32_t>(backbone_.grain_count, absent)};
+      Rows<Dof> direction = {};
+      for (int r = 0; r < Dof; ++r)
+        direction.row[r][0] = held_[k].direction[r];
+      stiffness[k] =
+          std::max(motion_energy(held_[k].row, direction, negligible_held, work)[0], rule_.shift * mean_);
+    });
+    for (std::size_t k = 0; k < held_.size(); ++k)
+      set_root(held_[k], stiffness[k]);
+  }
+
+  /// L from L R^-1, in the rows of a piece.
+  void scale(Piece piece, std::vector<Block<Dof>>& lower) const {
+    auto block = lower.begin();
+    for (std::uint32_t i = piece.first; i < piece.last; ++i)
+      for (std::uint32_t e = pattern_.row_start[i]; e < pattern_.row_start[i + 1]; ++e, ++block)
+        *block = product(*block, made_.root[i]);
+  }
+
+  const Backbone& backbone_;
+  const Workers& workers_;
+  const FactorRule& rule_;
+  const FillPattern& pattern_;
+  LinksOfGrains links_;
+  std::vector<std::vector<Entry>> below_; ///< finished blocks of each column
+  std::vector<const Block<Dof>*> row_;    ///< first block of each finished row
+  std::vector<HeldDirection> held_;
+  Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` L R^-1
+  double mean_;          ///< diagonal of H
+};
+
+} // namespace
+
+template <int Dof>
+Eliminated<Dof> eliminate(const Backbone& backbone, const Workers& workers, const FactorRule& rule,
+                          const FillPattern& pattern) {
+  return Elimination<Dof>(backbone, workers, rule, pattern).run();
+}
+
+template Eliminated<3> eliminate(const Backbone&, const Workers&, const FactorRule&, const FillPattern&);
+template Eliminated<6> eliminate(const Backbone&, const Workers&, const FactorRule&, const FillPattern&);
+
+} // namespace granum::network

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/barely_held.hpp"
+
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "large_networks.hpp"
+#include "network/backbone.hpp"
+
+using namespace granum;
+
+namespace {
+
+void join(network::Neighbours& neighbours, std::uint32_t g, std::initializer_list<std::uint32_t> others) {
+  for (const std::uint32_t h : others) {
+    neighbours[g].push_back(h);
+    neighbours[h].push_back(g);
+  }
+}
+
+/// Grains 4 to 8, each of which touches the other four, and four without contacts.
+network::Neighbours five_well_held() {
+  network::Neighbours neighbours(9);
+  join(neighbours, 4, {5, 6, 7, 8});
+  join(neighbours, 5, {6, 7, 8});
+  join(neighbours, 6, {7, 8});
+  join(neighbours, 7, {8});
+  return neighbours;
+}
+
+network::Neighbours neighbours_of(const network::Backbone& backbone) {
+  network::Neighbours neighbours(backbone.grain_count);
+  for (const network::Link& l : backbone.links) {
+    neighbours[l.a].push_back(l.b);
+    neighbours[l.b].push_back(l.a);
+  }
+  return neighbours;
+}
+
+} // namespace
+
+TEST_CASE("a grain is barely held by two contacts, or by three of which one is with such a grain") {
+  network::Neighbours neighbours = five_well_held();
+  join(neighbours, 0, {1, 4});
+  join(neighbours, 1, {5, 6});
+  join(neighbours, 2, {4, 5}); // apart from these two
+  join(neighbours, 3, {6, 7, 8});
+  const network::BarelyHeld barely_held(neighbours);
+  for (std::uint32_t g = 0; g < neighbours.size(); ++g) {
+    CAPTURE(g);
+    CHECK(barely_held.contains(g) == (g <= 2));
+    CHECK(barely_held.first_of_cluster(g) == (g == 1 ? 0 : g));
+  }
+}
+
+TEST_CASE("four contacts hold a grain barely if three are with grains of two, and well if two are") {
+  network::Neighbours neighbours = five_well_held();
+  join(neighbours, 0, {1, 2, 3, 4});
+  join(neighbours, 1, {5});
+  join(neighbours, 2, {6});
+  join(neighbours, 3, {7});
+  CHECK(network::BarelyHeld(neighbours).contains(0));
+  CHECK(network::BarelyHeld(neighbours).first_of_cluster(3) == 0);
+  join(neighbours, 3, {8});
+  CHECK_FALSE(network::BarelyHeld(neighbours).contains(0));
+}
+
+TEST_CASE("barely held grains come first in pieces of the first stage, whole clusters in one") {
+  const network::Backbone backbone = network::load_bearing_network(samples::large_network(29, 0.26), {});
+  REQUIRE(backbone.stages.size() == 3);
+  const network::BarelyHeld barely_held(neighbours_of(backbone));
+  std::vector<std::size_t> piece(backbone.grain_count, 0); // 0: of a later stage
+  std::size_t pieces = 0, out_of_order = 0;
+  for (const network::Piece& p : backbone.stages.front()) {
+    ++pieces;
+    bool before = true;
+    for (std::uint32_t g = p.first; g < p.last; ++g) {
+      piece[g] = pieces;
+      out_of_order += !before && barely_held.contains(g) ? 1U : 0U;
+      before = barely_held.contains(g);
+    }
+  }
+  CHECK(out_of_order == 0);
+  std::size_t barely = 0, elsewhere = 0, split = 0;
+  for (std::uint32_t g = 0; g < backbone.grain_count; ++g)
+    if (barely_held.contains(g)) {
+      ++barely;
+      elsewhere += piece[g] == 0 ? 1U : 0U;
+      split += piece[g] != piece[barely_held.first_of_cluster(g)] ? 1U : 0U;
+    }
+  CHECK(barely > 1000);
+  CHECK(elsewhere == 0);
+  CHECK(split == 0);
+}
