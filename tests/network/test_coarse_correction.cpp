@@ -100,6 +100,63 @@ packing::Assembly with_walls(packing::Assembly a) {
   return a;
 }
 
+/// Against the dense matrix, which has free directions.
+Eigen::MatrixXd check_sparse_factor(std::uint32_t blocks, const network::Workers& workers) {
+  const int size = 6 * static_cast<int>(blocks);
+  // Springs between blocks at random, none on the last two: one has nothing, the others are held by one.
+  samples::Uniform uniform(8);
+  std::vector<network::CoarseFactor::Coupling> pairs;
+  for (std::uint32_t i = 0; i + 2 < blocks; ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (uniform(0, 1) < 0.5)
+        pairs.emplace_back(j, i);
+  network::CoarseFactor factor(blocks, pairs);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+  const auto add = [&](std::uint32_t r, std::uint32_t c, const elastic::Matrix6& m) {
+    factor.add(r, c, m);
+    dense.block<6, 6>(6 * static_cast<int>(r), 6 * static_cast<int>(c)) += m;
+    if (r != c)
+      dense.block<6, 6>(6 * static_cast<int>(c), 6 * static_cast<int>(r)) += m.transpose();
+  };
+  const auto random_stiffness = [&] {
+    elastic::Matrix6 m;
+    for (double& value : m.reshaped())
+      value = number(uniform);
+    return elastic::Matrix6(m * m.transpose());
+  };
+  for (const auto& [i, j] : pairs) {
+    const elastic::Matrix6 k = random_stiffness();
+    add(i, i, k);
+    add(j, j, k);
+    add(j, i, -k);
+  }
+  add(blocks - 2, blocks - 2, elastic::Matrix6(Eigen::Matrix<double, 6, 1>{1, 2, 0, 4, 0, 6}.asDiagonal()));
+  factor.factorise(workers);
+
+  auto x = random_field<6>(blocks, 9);
+  Eigen::MatrixXd wanted(size, 6);
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        wanted(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
+  const Eigen::MatrixXd load = dense * wanted;
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        x[b].row[d][c] = load(static_cast<int>(6 * b) + d, c);
+  factor.solve(x);
+  Eigen::MatrixXd found(size, 6);
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    for (int d = 0; d < 6; ++d)
+      for (int c = 0; c < 6; ++c)
+        found(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
+  CHECK((dense * found - load).norm() < 1e-10 * load.norm());
+  CHECK(found.bottomRows<6>().norm() == 0);
+  CHECK(found.row(size - 10).norm() == 0); // of the block before, the third and the fifth
+  CHECK(found.row(size - 8).norm() == 0);
+  return found;
+}
+
 } // namespace
 
 TEST_CASE("motions of the nodes leave a residual that does no work on any") {
@@ -160,57 +217,13 @@ TEST_CASE("what the nodes have in a grain is linear along the edges of its box, 
 }
 
 TEST_CASE("a sparse factor is that of the dense matrix, and leaves free directions alone") {
-  constexpr std::uint32_t blocks = 9;
-  constexpr int size = 6 * blocks;
-  // Springs between blocks at random, none on the last two: one has nothing, the others are held by one.
-  samples::Uniform uniform(8);
-  std::vector<network::CoarseFactor::Coupling> pairs;
-  for (std::uint32_t i = 0; i + 2 < blocks; ++i)
-    for (std::uint32_t j = 0; j < i; ++j)
-      if (uniform(0, 1) < 0.5)
-        pairs.emplace_back(j, i);
-  network::CoarseFactor factor(blocks, pairs);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
-  const auto add = [&](std::uint32_t r, std::uint32_t c, const elastic::Matrix6& m) {
-    factor.add(r, c, m);
-    dense.block<6, 6>(6 * r, 6 * c) += m;
-    if (r != c)
-      dense.block<6, 6>(6 * c, 6 * r) += m.transpose();
-  };
-  const auto random_stiffness = [&] {
-    elastic::Matrix6 m;
-    for (double& value : m.reshaped())
-      value = number(uniform);
-    return elastic::Matrix6(m * m.transpose());
-  };
-  for (const auto& [i, j] : pairs) {
-    const elastic::Matrix6 k = random_stiffness();
-    add(i, i, k);
-    add(j, j, k);
-    add(j, i, -k);
-  }
-  add(blocks - 2, blocks - 2, elastic::Matrix6(Eigen::Matrix<double, 6, 1>{1, 2, 0, 4, 0, 6}.asDiagonal()));
-  factor.factorise();
+  check_sparse_factor(9, network::Workers());
+}
 
-  auto x = random_field<6>(blocks, 9);
-  Eigen::MatrixXd wanted(size, 6);
-  for (std::uint32_t b = 0; b < blocks; ++b)
-    for (int d = 0; d < 6; ++d)
-      for (int c = 0; c < 6; ++c)
-        wanted(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
-  const Eigen::MatrixXd load = dense * wanted;
-  for (std::uint32_t b = 0; b < blocks; ++b)
-    for (int d = 0; d < 6; ++d)
-      for (int c = 0; c < 6; ++c)
-        x[b].row[d][c] = load(static_cast<int>(6 * b) + d, c);
-  factor.solve(x);
-  Eigen::MatrixXd found(size, 6);
-  for (std::uint32_t b = 0; b < blocks; ++b)
-    for (int d = 0; d < 6; ++d)
-      for (int c = 0; c < 6; ++c)
-        found(static_cast<int>(6 * b) + d, c) = x[b].row[d][c];
-  CHECK((dense * found - load).norm() < 1e-10 * load.norm());
-  CHECK(found.bottomRows<6>().norm() == 0);
-  CHECK(found.row(size - 10).norm() == 0); // of the block before, the third and the fifth
-  CHECK(found.row(size - 8).norm() == 0);
+TEST_CASE("threads make the same sparse factor") {
+  const Eigen::MatrixXd alone = check_sparse_factor(90, network::Workers());
+  for (const std::size_t members : {2U, 3U}) {
+    Team team(members);
+    CHECK(check_sparse_factor(90, network::Workers(&team)) == alone);
+  }
 }

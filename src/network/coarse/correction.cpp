@@ -90,7 +90,7 @@ CoarseCorrection<Dof>::CoarseCorrection(const Backbone& backbone, const Workers&
                                         double grains_a_node)
     : backbone_(backbone), workers_(workers),
       grid_(backbone, std::max(grains_a_node, static_cast<double>(backbone.grain_count) / most_nodes)),
-      factor_(coarse_stiffness<Dof>(backbone, grid_)) {}
+      factor_(coarse_stiffness<Dof>(backbone, grid_, workers)) {}
 
 template <int Dof>
 bool CoarseCorrection<Dof>::pays(const Backbone& backbone) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
@@ -21,6 +22,10 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 // Directions of a pivot below this part of what its diagonal was before the elimination count as free: where
 // soft clusters hang together rounding reaches 1e-7.
 constexpr double free_direction = 1e-6;
+
+// Blocks to be taken off a column, from which on threads share them, and the parts that they share.
+constexpr std::size_t worth_sharing = 2000;
+constexpr std::size_t parts_shared = 8;
 
 using elastic::Matrix6;
 
@@ -46,20 +51,35 @@ Block<6> pivot_inverse(const Block<6>& pivot, const std::array<double, 6>& size)
   return stored(turned * inverse.asDiagonal() * turned.transpose());
 }
 
-/// The finished part of column k from entry e on, taken off the column that row_[e] names:
-/// target -= U D^+ U_e^T for the blocks U = L D of column k.
-GRANUM_INLINE void subtract_column(std::uint32_t e, std::uint32_t end, const std::uint32_t* row,
-                                   const Block<6>* upper, const Block<6>& inverse_pivot, Block<6>* target) {
-  Block<6> factor = {};
+/// The part of a finished column k that is taken off column row[e]: target -= U D^+ U_e^T for the blocks
+/// U = L D of column k from `first` to `last`. Rows of the target are vectors of six numbers.
+GRANUM_INLINE void subtract_column(std::uint32_t e, std::uint32_t first, std::uint32_t last,
+                                   const std::uint32_t* row, const Block<6>* upper,
+                                   const Block<6>& inverse_pivot, Rows<6>* target) {
+  Rows<6> factor = {};
   for (int r = 0; r < 6; ++r)
     for (int k = 0; k < 6; ++k)
       for (int c = 0; c < 6; ++c)
-        factor.at[r][c] += inverse_pivot.at[r][k] * upper[e].at[c][k];
-  for (std::uint32_t f = e; f < end; ++f)
+        factor.row[r][c] += inverse_pivot.at[r][k] * upper[e].at[c][k];
+  for (std::uint32_t f = first; f < last; ++f)
     for (int r = 0; r < 6; ++r)
       for (int k = 0; k < 6; ++k)
-        for (int c = 0; c < 6; ++c)
-          target[row[f]].at[r][c] -= upper[f].at[r][k] * factor.at[k][c];
+        target[row[f]].row[r] -= upper[f].at[r][k] * factor.row[k];
+}
+
+Rows<6> rows_of(const Block<6>& b) {
+  Rows<6> rows;
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c)
+      rows.row[r][c] = b.at[r][c];
+  return rows;
+}
+Block<6> block_of(const Rows<6>& rows) {
+  Block<6> b;
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c)
+      b.at[r][c] = rows.row[r][c];
+  return b;
 }
 
 GRANUM_INLINE void substitute_coarse(std::size_t n, const std::uint32_t* column_start,
@@ -157,42 +177,65 @@ void CoarseFactor::add(std::uint32_t row, std::uint32_t column, const Matrix6& b
   add_to(lower_[static_cast<std::size_t>(found - row_.data())], below ? block : Matrix6(block.transpose()));
 }
 
+/// Takes finished columns off the column j that is in `work`, each from its entry in row j on. Threads share
+/// the rows.
+void CoarseFactor::subtract_columns(std::uint32_t j, const std::vector<Reaching>& columns,
+                                    const Workers& workers, std::vector<Rows<6>>& work) const {
+  std::size_t blocks = 0;
+  for (const auto& [k, entry] : columns)
+    blocks += column_start_[k + 1] - entry;
+  const std::uint32_t rows = column_start_[j + 1] - column_start_[j];
+  const std::size_t parts = blocks < worth_sharing || rows < parts_shared ? 1 : parts_shared;
+  const auto first_row = [&](std::size_t part) {
+    if (part == 0)
+      return j;
+    return part == parts ? none : row_[column_start_[j] + static_cast<std::uint32_t>(rows * part / parts)];
+  };
+  workers.each(parts, [&](std::size_t part) {
+    const auto entry_of = [&](std::uint32_t k, std::uint32_t entry, std::uint32_t row) {
+      return static_cast<std::uint32_t>(
+          std::lower_bound(row_.data() + entry, row_.data() + column_start_[k + 1], row) - row_.data());
+    };
+    const std::uint32_t from = first_row(part), to = first_row(part + 1);
+    for (const Reaching& of : columns) {
+      const std::uint32_t first = entry_of(of.column, of.entry, from), last = entry_of(of.column, first, to);
+      at_vector_level([&](auto) __attribute__((always_inline)) {
+        subtract_column(of.entry, first, last, row_.data(), lower_.data(), inverse_pivot_[of.column],
+                        work.data());
+      });
+    }
+  });
+}
+
 /// Column after column; a finished column waits in the list of the row that it reaches next.
-void CoarseFactor::factorise() {
+void CoarseFactor::factorise(const Workers& workers) {
   const auto n = static_cast<std::uint32_t>(place_.size());
-  std::vector<Block<6>> work(n);
-  std::vector<std::uint32_t> waiting(n, none), behind(n, none), reached(n);
+  std::vector<Rows<6>> work(n); // of one column
+  std::vector<std::vector<Reaching>> waiting(n);
   const auto wait = [&](std::uint32_t column, std::uint32_t entry) {
-    if (entry == column_start_[column + 1])
-      return;
-    reached[column] = entry;
-    behind[column] = waiting[row_[entry]];
-    waiting[row_[entry]] = column;
+    if (entry < column_start_[column + 1])
+      waiting[row_[entry]].push_back({column, entry});
   };
   for (std::uint32_t j = 0; j < n; ++j) {
     std::array<double, 6> size{};
     for (std::size_t r = 0; r < size.size(); ++r)
       size[r] = inverse_pivot_[j].at[r][r];
-    work[j] = inverse_pivot_[j];
+    work[j] = rows_of(inverse_pivot_[j]);
     for (std::uint32_t e = column_start_[j]; e < column_start_[j + 1]; ++e)
-      work[row_[e]] = lower_[e];
-    for (std::uint32_t k = waiting[j]; k != none;) {
-      const std::uint32_t next = behind[k], entry = reached[k];
-      at_vector_level([&](auto) __attribute__((always_inline)) {
-        subtract_column(entry, column_start_[k + 1], row_.data(), lower_.data(), inverse_pivot_[k],
-                        work.data());
-      });
+      work[row_[e]] = rows_of(lower_[e]);
+    const std::vector<Reaching> columns = std::exchange(waiting[j], {});
+    subtract_columns(j, columns, workers, work);
+    for (const auto& [k, entry] : columns)
       wait(k, entry + 1);
-      k = next;
-    }
-    inverse_pivot_[j] = pivot_inverse(work[j], size);
+    inverse_pivot_[j] = pivot_inverse(block_of(work[j]), size);
     for (std::uint32_t e = column_start_[j]; e < column_start_[j + 1]; ++e)
-      lower_[e] = work[row_[e]];
+      lower_[e] = block_of(work[row_[e]]);
     wait(j, column_start_[j]);
   }
-  for (std::uint32_t k = 0; k < n; ++k)
+  workers.each(n, [&](std::size_t k) {
     for (std::uint32_t e = column_start_[k]; e < column_start_[k + 1]; ++e)
       lower_[e] = stored(dense(lower_[e]) * dense(inverse_pivot_[k]));
+  });
 }
 
 void CoarseFactor::solve(Field<6>& x) const {

@@ -9,6 +9,7 @@
 #include <granum/elastic/stiffness.hpp>
 
 #include "network/lanes.hpp"
+#include "network/workers.hpp"
 
 namespace granum::network {
 
@@ -27,13 +28,19 @@ class CoarseFactor {
   /// Adds to a block of A, and what symmetry demands.
   void add(std::uint32_t row, std::uint32_t column, const elastic::Matrix6& block);
   /// Once, when all has been added.
-  void factorise();
+  void factorise(const Workers& workers);
 
   /// x = (L D L^T)^+ x
   void solve(Field<6>& x) const;
   [[nodiscard]] std::size_t nonzeros() const { return (lower_.size() + inverse_pivot_.size()) * 36; }
 
  private:
+  /// A finished column, and its entry in the row that it reaches.
+  struct Reaching {
+    std::uint32_t column, entry;
+  };
+  void subtract_columns(std::uint32_t j, const std::vector<Reaching>& columns, const Workers& workers,
+                        std::vector<Rows<6>>& work) const;
   void find_order(std::size_t size, const std::vector<Coupling>& couplings);
   void find_pattern(std::size_t size, const std::vector<Coupling>& couplings);
 

@@ -110,7 +110,7 @@ std::vector<CoarseFactor::Coupling> coupled_nodes(const std::vector<Placed>& lin
 } // namespace
 
 template <int Dof>
-CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid) {
+CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid, const Workers& workers) {
   const std::vector<Placed> links = by_boxes(backbone.links, grid);
   CoarseFactor factor(grid.size(), coupled_nodes(links, grid));
   const auto sum = std::make_unique<Couplings>();
@@ -129,11 +129,11 @@ CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid) 
     }
     add_between(*sum, grid.nodes_of(first->box_b), grid.nodes_of(first->box_a), factor);
   }
-  factor.factorise();
+  factor.factorise(workers);
   return factor;
 }
 
-template CoarseFactor coarse_stiffness<3>(const Backbone&, const CoarseGrid&);
-template CoarseFactor coarse_stiffness<6>(const Backbone&, const CoarseGrid&);
+template CoarseFactor coarse_stiffness<3>(const Backbone&, const CoarseGrid&, const Workers&);
+template CoarseFactor coarse_stiffness<6>(const Backbone&, const CoarseGrid&, const Workers&);
 
 } // namespace granum::network

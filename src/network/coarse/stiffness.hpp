@@ -10,6 +10,7 @@ namespace granum::network {
 
 /// P^T H P of the motions P of the nodes of a grid (coarse_correction.cpp), factorised.
 template <int Dof>
-[[nodiscard]] CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid);
+[[nodiscard]] CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid,
+                                            const Workers& workers);
 
 } // namespace granum::network
