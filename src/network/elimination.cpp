@@ -241,8 +241,8 @@ class Elimination {
     return values;
   }
 
-  /// Energies of the motions v = L^-T d that directions d of grain i stand for, one in each lane, without
-  /// displacements below `negligible`.
+  /// Energies of the motions that directions of grain i stand for, one in each lane: grains before i give
+  /// way, those behind it stand still. Leaves out displacements below `negligible`.
   [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
                                       Work& work) const {
     const auto bears = [negligible](const Rows<Dof>& x) {
@@ -279,24 +279,22 @@ class Elimination {
     values[k] = rigid;
   }
 
-  /// Gives each direction d that was held the stiffness v^T H v of the motion v that it stands for, or the
-  /// shift of the diagonal where that is more, as free ones get.
+  /// Gives each direction d that was held the stiffness v^T H v of the motion v that it stands for. Free
+  /// ones get the shift of the diagonal, as others did, or stay rigid where pivots are judged.
   void release_held() {
+    const double least = rule_.shift * mean_;
     std::vector<double> stiffness(held_.size());
-    const auto set_root = [this](const HeldDirection& held, double of) {
-      for (int r = 0; r < Dof; ++r)
-        made_.root[held.row].at[r][held.column] = held.direction[r] / std::sqrt(of);
-    };
     workers_.each(held_.size(), [&](std::size_t k) {
       Work work{.slot = std::vector<std::uint32_t>(backbone_.grain_count, absent)};
       Rows<Dof> direction = {};
       for (int r = 0; r < Dof; ++r)
         direction.row[r][0] = held_[k].direction[r];
-      stiffness[k] =
-          std::max(motion_energy(held_[k].row, direction, negligible_held, work)[0], rule_.shift * mean_);
+      const double energy = motion_energy(held_[k].row, direction, negligible_held, work)[0];
+      stiffness[k] = judges() && energy < least ? rigid : std::max(energy, least);
     });
     for (std::size_t k = 0; k < held_.size(); ++k)
-      set_root(held_[k], stiffness[k]);
+      for (int r = 0; r < Dof; ++r)
+        made_.root[held_[k].row].at[r][held_[k].column] = held_[k].direction[r] / std::sqrt(stiffness[k]);
   }
 
   /// L from L R^-1, in the rows of a piece.
