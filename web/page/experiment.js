@@ -4,7 +4,7 @@
 
 const experimentPressures = [10, 13, 17, 22, 28, 36, 46, 60, 77, 100].map((p) => p * 1e3);
 const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overlap", "bulk", "network", "affine", "uniformStrain", "relaxed",
-  "s", "sError", "sUniform", "sUniformError", "sRelaxed", "sRelaxedError", "atRest"];
+  "s", "sError", "atRest"];
 
 class ExperimentPanel {
   constructor(granum, texts) {

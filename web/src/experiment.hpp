@@ -29,12 +29,13 @@ struct View {
 };
 
 struct Experiment {
+  contact::Shape contact = contact::Shape::sphere;
   triaxial::SpecimenRecipe recipe;
   triaxial::Density density = triaxial::Density::dense;
   dem::Specimen state;
   double pressure = 0; ///< that it was compressed to last; 0 before [Pa]
   View view;
-  std::vector<double> ln_pressure, ln_network, ln_uniform_strain, ln_relaxed;
+  std::vector<double> ln_pressure, ln_network;
   std::optional<triaxial::ShearTest> shear; ///< once it has begun
 };
 

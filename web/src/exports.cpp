@@ -24,13 +24,16 @@ void say(const Validity& validity) {
     words() += note + "\n";
 }
 
+contact::Shape shape_of(double number) {
+  const auto place = static_cast<std::size_t>(number);
+  if (!(number >= 0) || place > 2)
+    throw InvalidArgument("shape", number, "", "0 (cone), 1 (sphere) or 2 (flat)");
+  return contact::all_shapes[place];
+}
+
 contact::PowerLaw law_of(const PageGrain& grain) {
-  const auto place = static_cast<std::size_t>(grain.shape);
-  if (!(grain.shape >= 0) || place > 2)
-    throw InvalidArgument("shape", grain.shape, "", "0 (cone), 1 (sphere) or 2 (flat)");
   return contact::law_of(
-      contact::all_shapes[place],
-      {.shear_modulus = grain.shear_modulus, .poisson_ratio = grain.poisson_ratio},
+      shape_of(grain.shape), {.shear_modulus = grain.shear_modulus, .poisson_ratio = grain.poisson_ratio},
       {.radius = grain.radius, .cone_slope = grain.cone_slope, .punch_radius = grain.punch_radius});
 }
 

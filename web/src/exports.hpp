@@ -28,6 +28,9 @@ struct PageGrain {
   double cone_slope;    ///< A_1 of the cone [1]
   double punch_radius;  ///< of the flat contact [m]
 };
+/// 0: cone, 1: sphere, 2: flat.
+/// \throws   InvalidArgument
+contact::Shape shape_of(double number);
 contact::PowerLaw law_of(const PageGrain& grain);
 
 } // namespace granum::web

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "studies/reproduce/experiment_findings.hpp"
+#include "studies/verify/known_scatter.hpp"
 
 namespace granum::studies {
-
-/// What is known beforehand of the scatter between specimens of one kind.
-struct KnownScatter {
-  double deviation = 0; ///< standard deviation of one specimen
-  double degrees = 0;   ///< of freedom that it was measured with; 0: nothing is known
-};
 
 /// Mean of what several specimens gave. Its error is the larger of their scatter, pooled with what is known
 /// of it, and their mean own error, over the root of their number; one specimen without an error of its own,
