@@ -175,7 +175,7 @@ class Elimination {
       add(transposed(link_blocks<Dof>(*work.link).coupling_ba), work.row[work.slot[work.link->a]]);
   }
 
-  /// Row i of L R^-1, and pivot i, from the finished rows.
+  /// Row i of R^-T L, and pivot i, from the finished rows.
   GRANUM_INLINE void eliminate(std::uint32_t i, Work& work, Block<Dof>* row, Block<Dof>& pivot) const {
     const std::uint32_t* const column = pattern_.column.data() + pattern_.row_start[i];
     for (std::size_t e = 0; e < work.row.size(); ++e) {
@@ -297,7 +297,7 @@ class Elimination {
         made_.root[held_[k].row].at[r][held_[k].column] = held_[k].direction[r] / std::sqrt(stiffness[k]);
   }
 
-  /// L from L R^-1, in the rows of a piece.
+  /// L from R^-T L, in the rows of a piece.
   void scale(Piece piece, std::vector<Block<Dof>>& lower) const {
     auto block = lower.begin();
     for (std::uint32_t i = piece.first; i < piece.last; ++i)
@@ -313,7 +313,7 @@ class Elimination {
   std::vector<std::vector<Entry>> below_; ///< finished blocks of each column
   std::vector<const Block<Dof>*> row_;    ///< first block of each finished row
   std::vector<HeldDirection> held_;
-  Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` L R^-1
+  Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` R^-T L
   double mean_;          ///< diagonal of H
 };
 
