@@ -8,7 +8,7 @@
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/assembly.hpp>
 
-#include "numbering.hpp"
+#include "network/numbering/numbering.hpp"
 
 namespace granum::network {
 

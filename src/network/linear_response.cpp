@@ -11,7 +11,7 @@
 
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
-#include "factor_rule.hpp"
+#include "network/factor/factor_rule.hpp"
 #include "preconditioner.hpp"
 
 namespace granum::network {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "incomplete_factor.hpp"
 #include "network/coarse/correction.hpp"
+#include "network/factor/incomplete_factor.hpp"
 
 namespace granum::network {
 

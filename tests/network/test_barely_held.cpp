@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/barely_held.hpp"
+#include "network/numbering/barely_held.hpp"
 
 #include <cstdint>
 #include <initializer_list>

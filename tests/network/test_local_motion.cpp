@@ -10,7 +10,7 @@
 #include "large_networks.hpp"
 #include "network/block_algebra.hpp"
 #include "network/contact_operator.hpp"
-#include "network/local_motion.hpp"
+#include "network/factor/local_motion.hpp"
 
 using namespace granum;
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "link_answer.hpp"
+#include "network/link_answer.hpp"
 
 namespace granum::network {
 

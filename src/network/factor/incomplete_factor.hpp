@@ -5,12 +5,12 @@
 #include <variant>
 #include <vector>
 
-#include "backbone.hpp"
 #include "elimination.hpp"
 #include "factor_rule.hpp"
 #include "fill_pattern.hpp"
-#include "lanes.hpp"
-#include "workers.hpp"
+#include "network/backbone.hpp"
+#include "network/lanes.hpp"
+#include "network/workers.hpp"
 
 namespace granum::network {
 

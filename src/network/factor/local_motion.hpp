@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "backbone.hpp"
-#include "lanes.hpp"
+#include "network/backbone.hpp"
+#include "network/lanes.hpp"
 
 namespace granum::network {
 

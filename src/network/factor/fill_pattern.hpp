@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "backbone.hpp"
+#include "network/backbone.hpp"
 
 namespace granum::network {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "core/vector/level.hpp"
-#include "lanes.hpp"
-#include "numbering.hpp"
+#include "network/lanes.hpp"
+#include "network/numbering/numbering.hpp"
 
 namespace granum::network {
 

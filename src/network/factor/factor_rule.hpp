@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "backbone.hpp"
+#include "network/backbone.hpp"
 
 namespace granum::network {
 

@@ -8,9 +8,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "contact_operator.hpp"
 #include "core/vector/level.hpp"
 #include "local_motion.hpp"
+#include "network/contact_operator.hpp"
 #include "substitution.hpp"
 
 namespace granum::network {

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "backbone.hpp"
 #include "factor_rule.hpp"
 #include "fill_pattern.hpp"
-#include "lanes.hpp"
-#include "workers.hpp"
+#include "network/backbone.hpp"
+#include "network/lanes.hpp"
+#include "network/workers.hpp"
 
 namespace granum::network {
 
