@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's experiment: one specimen, made and then compressed from pressure to pressure, measured at rest.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -60,11 +59,11 @@ Measured exponent(const Experiment& e) {
   std::vector<Point> points;
   for (std::size_t k = 0; k < e.ln_pressure.size(); ++k)
     points.push_back({e.ln_pressure[k], e.ln_network[k]});
-  Measured s = straight_line(points).slope;
-  const studies::KnownScatter between_specimens =
-      studies::exponent_scatter(e.contact, e.density, studies::ExponentRoute::network, e.recipe.grains);
-  s.standard_error = std::max(s.standard_error, between_specimens.deviation);
-  return s;
+  const Measured slope = straight_line(points).slope;
+  const studies::TableValue s = *studies::mean_over_seeds(
+      {{slope.value, slope.standard_error}},
+      studies::exponent_scatter(e.contact, e.density, studies::ExponentRoute::network, e.recipe.grains));
+  return {s.value, *s.standard_error};
 }
 
 double shear_modulus(const analysis::Measurement& found, effective::RungName name) {

@@ -29,9 +29,10 @@ constexpr double least_stiffened = 1e-4;
 constexpr double soft = 1e-2;
 // Their motions leave out displacements whose energy would be below this part of the eigenvalue.
 constexpr double negligible_energy = 1e-2;
-constexpr double softest_told = 1e-8; // over the mean diagonal: to these two, softer directions are like this
 // Directions are lost where the energy of the motion is more than so many times the eigenvalue.
 constexpr double far_off = 10;
+// In these two limits, smaller eigenvalues, and negative ones, count as this part of that mean.
+constexpr double least_compared = 1e-8;
 // Displacements that the motion of a held direction leaves out.
 constexpr double negligible_held = 1e-6;
 constexpr double rigid = std::numeric_limits<double>::infinity();
@@ -100,7 +101,7 @@ class Elimination {
       made_.lower.resize(first + stage.size());
       std::vector<Work> works(stage.size());
       workers_.each(stage.size(),
-                    [&](std::size_t k) { eliminate(stage[k], works[k], made_.lower[first + k]); });
+                    [&](std::size_t k) { eliminate_piece(stage[k], works[k], made_.lower[first + k]); });
       for (const Work& of_piece : works) {
         made_.mended_pivots += of_piece.mended_pivots;
         held_.insert(held_.end(), of_piece.held.begin(), of_piece.held.end());
@@ -134,15 +135,15 @@ class Elimination {
   /// What one piece needs and leaves.
   struct Work {
     std::vector<std::uint32_t> slot; ///< place in `row` of each column, or `absent`; all are, between rows
-    std::vector<Link>::const_iterator link = {}; ///< first of the links that the next rows hold
-    std::vector<Block<Dof>> row = {};            ///< of H less what is eliminated, transposed
-    std::vector<HeldDirection> held = {};
+    std::vector<Link>::const_iterator link; ///< first of the links that the next rows hold
+    std::vector<Block<Dof>> row;            ///< of H less what is eliminated, transposed
+    std::vector<HeldDirection> held;
     std::size_t mended_pivots = 0;
   };
 
   [[nodiscard]] bool judges() const { return rule_.soft_pivots == SoftPivots::judged; }
 
-  void eliminate(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
+  void eliminate_piece(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
     work.slot.assign(backbone_.grain_count, absent);
     work.link = std::lower_bound(backbone_.links.begin(), backbone_.links.end(), piece.first,
                                  [](const Link& l, std::uint32_t g) { return l.b < g; });
@@ -154,7 +155,7 @@ class Elimination {
       for (int r = 0; r < Dof && !judges(); ++r)
         made_.root[i].at[r][r] += rule_.shift * mean_;
       begin_row(i, work);
-      at_vector_level([&](auto) __attribute__((always_inline)) { eliminate(i, work, row, made_.root[i]); });
+      at_vector_level([&](auto) __attribute__((always_inline)) { finish_row(i, work, row, made_.root[i]); });
       for (std::uint32_t e = start[i]; e < start[i + 1]; ++e) {
         below_[pattern_.column[e]].push_back({i, e - start[i]});
         work.slot[pattern_.column[e]] = absent;
@@ -176,7 +177,7 @@ class Elimination {
   }
 
   /// Row i of R^-T L, and pivot i, from the finished rows.
-  GRANUM_INLINE void eliminate(std::uint32_t i, Work& work, Block<Dof>* row, Block<Dof>& pivot) const {
+  GRANUM_INLINE void finish_row(std::uint32_t i, Work& work, Block<Dof>* row, Block<Dof>& pivot) const {
     const std::uint32_t* const column = pattern_.column.data() + pattern_.row_start[i];
     for (std::size_t e = 0; e < work.row.size(); ++e) {
       const std::uint32_t j = column[e];
@@ -226,14 +227,14 @@ class Elimination {
     double softest = 1; // at most, over the mean diagonal
     Rows<Dof> directions = {};
     for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
-      softest = std::min(softest, std::max(std::abs(found[k]) / mean_, softest_told));
+      softest = std::min(softest, std::max(std::abs(found[k]) / mean_, least_compared));
       for (int r = 0; r < Dof; ++r)
         directions.row[r][k] = pivot.eigenvectors()(r, k);
     }
     Vector values = found;
     if (found[0] >= soft * mean_)
       return values;
-    const PerCase energy = motion_energy(i, directions, std::sqrt(negligible_energy * softest), work);
+    const PerCase energy = motion_energy(i, directions, std::sqrt(negligible_energy * softest), work.slot);
     for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
@@ -244,7 +245,7 @@ class Elimination {
   /// Energies of the motions that directions of grain i stand for, one in each lane: grains before i give
   /// way, those behind it stand still. Leaves out displacements below `negligible`.
   [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
-                                      Work& work) const {
+                                      std::vector<std::uint32_t>& slot) const {
     const auto bears = [negligible](const Rows<Dof>& x) {
       for (const Lanes& row : x.row)
         for (int k = 0; k < Dof; ++k)
@@ -252,7 +253,7 @@ class Elimination {
             return true;
       return false;
     };
-    LocalMotion<Dof> motion(work.slot);
+    LocalMotion<Dof> motion(slot);
     motion.of(i) = directions;
     for (std::uint32_t g = i; motion.take_latest(g);) {
       if (g != i)
@@ -268,7 +269,7 @@ class Elimination {
   /// Whether the motion of some soft direction is far stiffer than its pivot.
   [[nodiscard]] bool is_lost(const Vector& found, const Vector& values) const {
     for (int k = 0; k < Dof; ++k)
-      if (values[k] < rigid && values[k] > far_off * std::max(found[k], softest_told * mean_))
+      if (values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_))
         return true;
     return false;
   }
@@ -285,11 +286,11 @@ class Elimination {
     const double least = rule_.shift * mean_;
     std::vector<double> stiffness(held_.size());
     workers_.each(held_.size(), [&](std::size_t k) {
-      Work work{.slot = std::vector<std::uint32_t>(backbone_.grain_count, absent)};
+      std::vector<std::uint32_t> slot(backbone_.grain_count, absent);
       Rows<Dof> direction = {};
       for (int r = 0; r < Dof; ++r)
         direction.row[r][0] = held_[k].direction[r];
-      const double energy = motion_energy(held_[k].row, direction, negligible_held, work)[0];
+      const double energy = motion_energy(held_[k].row, direction, negligible_held, slot)[0];
       stiffness[k] = judges() && energy < least ? rigid : std::max(energy, least);
     });
     for (std::size_t k = 0; k < held_.size(); ++k)

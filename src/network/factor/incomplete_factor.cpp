@@ -33,7 +33,7 @@ IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers&
 
 /// Keeps L in single precision.
 template <int Dof>
-void IncompleteFactor<Dof>::round(std::vector<std::vector<Block<Dof>>>& lower) {
+void IncompleteFactor<Dof>::round(Lower<double>& lower) {
   Lower<float> rounded(lower.size());
   workers_.each(lower.size(), [&](std::size_t piece) {
     rounded[piece].reserve(lower[piece].size());

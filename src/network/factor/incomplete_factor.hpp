@@ -32,16 +32,15 @@ class IncompleteFactor {
  private:
   template <class Number>
   using Lower = std::vector<std::vector<Block<Dof, Number>>>;
-  void round(std::vector<std::vector<Block<Dof>>>& lower);
+  void round(Lower<double>& lower);
   template <class Body>
   void for_piece(std::size_t piece_number, Piece piece, const Body& body) const;
 
   const Backbone& backbone_;
   const Workers& workers_;
-  FillPattern pattern_; ///< of the strictly lower blocks
-  /// As in Eliminated
-  std::variant<Lower<float>, Lower<double>> lower_;
-  std::vector<Block<Dof>> root_;
+  FillPattern pattern_;                             ///< of the strictly lower blocks
+  std::variant<Lower<float>, Lower<double>> lower_; ///< as in Eliminated
+  std::vector<Block<Dof>> root_;                    ///< as in Eliminated
   std::size_t mended_pivots_ = 0;
 };
 

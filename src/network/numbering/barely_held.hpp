@@ -14,7 +14,8 @@ using Neighbours = std::vector<std::vector<std::uint32_t>>;
 /// only resists a change of the distance between these. A contact is a joint, which resists three motions,
 /// but one with a bar resists a single one, and a grain with seven such resistances in place of its six
 /// motions may be free: two joints and a bar let it turn about the axis through the joints where the line of
-/// the bar meets this axis, and balance of the three forces on the grain sees to that.
+/// the bar meets this axis, and balance of the three forces on the grain sees to that. Contacts with walls do
+/// not count.
 class BarelyHeld {
  public:
   explicit BarelyHeld(const Neighbours& neighbours);

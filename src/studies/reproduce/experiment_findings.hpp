@@ -7,17 +7,11 @@
 
 #include "studies/reproduce/experiment.hpp"
 #include "studies/verify/findings.hpp"
+#include "studies/verify/seed_mean.hpp"
 
 /// The paper's tables and claims, measured on an experiment and set beside the printed ones.
 /// Checked by tests/studies/test_experiment_findings.cpp
 namespace granum::studies {
-
-/// A measured number, with its standard error where there is one: the larger of the scatter between seeds and
-/// the mean error of each, over the root of the number of seeds.
-struct TableValue {
-  double value = 0;
-  std::optional<double> standard_error;
-};
 
 /// Whether ours is as near to the paper's as is asked for.
 enum class Agreement {

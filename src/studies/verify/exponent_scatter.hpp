@@ -6,7 +6,7 @@
 #include <granum/contact/shape.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "studies/verify/known_scatter.hpp"
+#include "studies/verify/seed_mean.hpp"
 
 namespace granum::studies {
 

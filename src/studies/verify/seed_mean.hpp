@@ -4,10 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "studies/reproduce/experiment_findings.hpp"
-#include "studies/verify/known_scatter.hpp"
-
 namespace granum::studies {
+
+/// A measured number, with its standard error where there is one: the larger of the scatter between seeds and
+/// the mean error of each, over the root of the number of seeds.
+struct TableValue {
+  double value = 0;
+  std::optional<double> standard_error;
+};
+
+/// What is known beforehand of the scatter between specimens of one kind.
+struct KnownScatter {
+  double deviation = 0; ///< standard deviation of one specimen
+  double degrees = 0;   ///< of freedom that it was measured with; 0: nothing is known
+};
 
 /// Mean of what several specimens gave. Its error is the larger of their scatter, pooled with what is known
 /// of it, and their mean own error, over the root of their number; one specimen without an error of its own,
