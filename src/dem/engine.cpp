@@ -14,7 +14,6 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "dem/sweep/frequency_bound.hpp"
 #include "dem/sweep/unequal_grains.hpp"
 #include "engine_data.hpp"
 
@@ -232,14 +231,15 @@ bool Engine::Data::time_step_is_due() const {
 void Engine::Data::choose_time_step() {
   stiffest_chosen = stiffest;
   contacts_chosen = figures.contacts + figures.wall_contacts;
-  const FrequencyInput input{.pairs = list.pairs(),
+  const FrequencyInput input{.parts = parts,
                              .grains = grains,
                              .cell = cold.cell,
                              .radius = cold.radius,
                              .tangential_ratio = tangential ? material.tangential_ratio : 0,
-                             .mass = mass,
-                             .contacts = figures.contacts};
-  const double omega_squared = highest_frequency_squared(law, input, walls ? &*walls : nullptr);
+                             .mass = mass};
+  const double omega_squared = frequency_bound.highest_squared(
+      law, input, walls ? &*walls : nullptr,
+      [this](const std::function<void(std::size_t)>& job) { each_chunk(job); });
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(omega_squared);
   } else if (dt == 0) {

@@ -12,6 +12,7 @@
 #include "core/team.hpp"
 #include "dem/sweep/contact_sweep.hpp"
 #include "dem/sweep/fire_mixing.hpp"
+#include "dem/sweep/frequency_bound.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
 #include "dem/sweep/partition.hpp"
@@ -90,6 +91,7 @@ struct Engine::Data {
   double stiffest = 0;        ///< k_n in the last sweep [N/m]
   double stiffest_chosen = 0; ///< the same when the time step was chosen
   std::size_t contacts_chosen = 0;
+  FrequencyBound frequency_bound;
   StepFigures figures;
   std::size_t steps = 0;
 };

@@ -1,174 +1,163 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: b branch from a grain over the radii that it spans, n its direction; k stiffness of a contact,
-// r = k_t/k_n.
+// Every sum over the contacts of a grain runs in the order of the list, whatever the chunks.
 #include "frequency_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <variant>
 
 #include <granum/contact/pair.hpp>
+#include <granum/dem/neighbours.hpp>
 
 namespace granum::dem {
 
 namespace {
 
-/// A contact of two grains, b from i to j.
-struct Spring {
-  std::uint32_t i, j;
-  double stiffness;
-  Vec3 branch;
-};
-
-/// A contact with a wall, b from the grain.
-struct WallSpring {
-  std::uint32_t grain;
-  double stiffness;
-  Vec3 branch;
-};
-
-struct Springs {
-  std::vector<Spring> pairs;
-  std::vector<WallSpring> walls;
-};
-
-/// Sum of k nn.
-struct NormalSum {
-  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-
-  /// \param    weight   k/|along|^2
-  void add(double weight, const Vec3& along) {
-    const double x = weight * along.x, y = weight * along.y, z = weight * along.z;
-    xx += x * along.x;
-    yy += y * along.y;
-    zz += z * along.z;
-    xy += x * along.y;
-    xz += x * along.z;
-    yz += y * along.z;
-  }
-  [[nodiscard]] double trace() const { return xx + yy + zz; }
-  /// No eigenvalue is farther from a third of the trace than this.
-  [[nodiscard]] double spread() const {
-    const double mean = trace() / 3, x = xx - mean, y = yy - mean, z = zz - mean;
-    return std::sqrt(2.0 / 3 * (x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)));
-  }
-};
-
-/// Sums over the contacts of a grain.
-struct StiffnessBlock {
-  NormalSum sticking, smooth; ///< contacts with tangential stiffness, and without
-  Vec3 couple;                ///< sum of k b, which ties turning to moving
-
-  void add(double stiffness, double per_squared, const Vec3& b) {
-    sticking.add(stiffness * per_squared, b);
-    couple += stiffness * b;
-  }
-
-  /// At least the largest eigenvalue: sum of k_n nn + k_t (1 - nn) where the grain moves, of k_t (1 - nn) at
-  /// most where it turns (lengths in radii), of k_t b x between both [N/m].
-  [[nodiscard]] double largest(double r) const {
-    const double trace = sticking.trace(), spread = sticking.spread();
-    NormalSum beyond = smooth;
-    const double s = 1 - r;
-    beyond.xx += s * sticking.xx, beyond.yy += s * sticking.yy, beyond.zz += s * sticking.zz;
-    beyond.xy += s * sticking.xy, beyond.xz += s * sticking.xz, beyond.yz += s * sticking.yz;
-    const double moving = r * trace + beyond.trace() / 3 + beyond.spread();
-    const double turning = r * (2.0 / 3 * trace + spread);
-    return (moving + turning) / 2 + std::hypot((moving - turning) / 2, r * norm(couple));
-  }
-};
-
-template <class Law>
-std::vector<Spring> pair_springs(const Law& law, const FrequencyInput& in) {
-  const std::array<Vec3, 27> shifts = shift_vectors(in.cell);
-  std::vector<Spring> springs;
-  springs.reserve(in.contacts);
-  for (const Pair& pair : in.pairs) {
-    const Vec3 branch = in.grains.centre(pair.j) + shifts[pair.image] - in.grains.centre(pair.i);
-    const double squared = dot(branch, branch);
-    const double reach = in.grains.radius_or(in.radius, pair.i) + in.grains.radius_or(in.radius, pair.j);
-    if (squared >= reach * reach)
-      continue;
-    const double overlap = reach - std::sqrt(squared);
-    const auto& own = in.grains.own;
-    const Law of_pair = own.empty() ? law : contact::of_sizes(law, own[pair.i].size, own[pair.j].size);
-    const double stiffness = of_pair(overlap).stiffness;
-    if (stiffness > 0)
-      springs.push_back({pair.i, pair.j, stiffness, 1 / reach * branch});
-  }
-  return springs;
-}
-
-template <class Law>
-std::vector<WallSpring> wall_springs(const Law& law, const FrequencyInput& in, const WallContacts& walls) {
-  const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
-  std::vector<WallSpring> springs;
-  for (const WallHistory& contact : walls.candidates()) {
-    const WallPlane& plane = planes[contact.wall];
-    const double radius = in.grains.radius_or(in.radius, contact.grain);
-    const double distance = wall_distance(plane, in.grains.centre(contact.grain));
-    if (distance < radius)
-      springs.push_back({contact.grain,
-                         wall_response(law, in.grains, contact.grain, radius - distance).stiffness,
-                         -distance / radius * plane.normal});
-  }
-  return springs;
-}
-
-/// Blocks that, each on its own grain, outweigh the stiffness of all contacts: a contact pulls with
-/// k (a - b)^2, at most k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2. Walls do not move.
-/// \param    moved   w of each grain > 0
-std::vector<StiffnessBlock> outweighing_blocks(const Springs& springs, const std::vector<double>& moved,
-                                               bool smooth_walls) {
-  std::vector<StiffnessBlock> blocks(moved.size());
-  for (const Spring& spring : springs.pairs) {
-    const double per_squared = 1 / dot(spring.branch, spring.branch);
-    const double ratio = moved[spring.j] / moved[spring.i];
-    blocks[spring.i].add(spring.stiffness * (1 + ratio), per_squared, spring.branch);
-    blocks[spring.j].add(spring.stiffness * (1 + 1 / ratio), per_squared, -spring.branch);
-  }
-  for (const WallSpring& spring : springs.walls) {
-    const double per_squared = 1 / dot(spring.branch, spring.branch);
-    StiffnessBlock& block = blocks[spring.grain];
-    if (smooth_walls)
-      block.smooth.add(spring.stiffness * per_squared, spring.branch);
-    else
-      block.add(spring.stiffness, per_squared, spring.branch);
-  }
-  return blocks;
+double per_mass(const FrequencyInput& in, std::size_t g) {
+  return in.grains.own.empty() ? 1 / in.mass : in.grains.own[g].per_mass;
 }
 
 } // namespace
 
-double highest_frequency_squared(const contact::NormalKernel& law, const FrequencyInput& in,
-                                 const WallContacts* walls) {
-  const Springs springs = std::visit(
+void FrequencyBound::find_springs(const contact::NormalKernel& law, const FrequencyInput& in,
+                                  const WallContacts* walls, std::size_t chunk) {
+  const Chunk& range = in.parts.chunks[chunk];
+  OfChunk& of = chunks_[chunk];
+  of.springs.clear();
+  of.walls.clear();
+  of.incoming.clear();
+  const std::array<Vec3, 27> shifts = shift_vectors(in.cell);
+  const auto& own = in.grains.own;
+  const auto pair_springs = [&](const auto& kernel) {
+    for (std::size_t k = range.pairs.begin; k < range.pairs.end; ++k) {
+      const ListedPair& pair = in.parts.pairs[k];
+      if (pair.image == far_image)
+        continue;
+      const Vec3 branch = in.grains.centre(pair.j) + shifts[pair.image] - in.grains.centre(pair.i);
+      const double squared = dot(branch, branch);
+      const double reach = in.grains.radius_or(in.radius, pair.i) + in.grains.radius_or(in.radius, pair.j);
+      if (squared >= reach * reach)
+        continue;
+      const double overlap = reach - std::sqrt(squared);
+      const auto of_pair =
+          own.empty() ? kernel : contact::of_sizes(kernel, own[pair.i].size, own[pair.j].size);
+      const double stiffness = of_pair(overlap).stiffness;
+      const Vec3 b = 1 / reach * branch;
+      if (stiffness > 0)
+        of.springs.push_back({pair.i, pair.j, stiffness, 1 / dot(b, b), b});
+    }
+  };
+  const auto wall_springs = [&](const auto& kernel) {
+    const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
+    for (const WallHistory& contact : walls->candidates()) {
+      if (contact.grain < range.grains.begin || contact.grain >= range.grains.end)
+        continue;
+      const WallPlane& plane = planes[contact.wall];
+      const double radius = in.grains.radius_or(in.radius, contact.grain);
+      const double distance = wall_distance(plane, in.grains.centre(contact.grain));
+      if (distance < radius)
+        of.walls.push_back({contact.grain,
+                            wall_response(kernel, in.grains, contact.grain, radius - distance).stiffness,
+                            -distance / radius * plane.normal});
+    }
+  };
+  std::visit(
       [&](const auto& kernel) {
-        return Springs{pair_springs(kernel, in),
-                       walls != nullptr ? wall_springs(kernel, in, *walls) : std::vector<WallSpring>{}};
+        pair_springs(kernel);
+        if (walls != nullptr)
+          wall_springs(kernel);
       },
       law);
-  const auto per_mass = [&](std::size_t g) {
-    return in.grains.own.empty() ? 1 / in.mass : in.grains.own[g].per_mass;
-  };
-  // How far the grains move in the fastest mode, guessed by what holds them, and better from the first bound.
-  std::vector<double> moved(in.grains.size());
-  for (const Spring& spring : springs.pairs) {
-    moved[spring.i] += spring.stiffness * per_mass(spring.i);
-    moved[spring.j] += spring.stiffness * per_mass(spring.j);
+}
+
+/// Shows each chunk the springs of earlier ones that hold its grains.
+void FrequencyBound::hand_over(const Partition& parts) {
+  for (std::size_t c = 0; c + 1 < chunks_.size(); ++c)
+    for (const Spring& spring : chunks_[c].springs)
+      if (spring.j >= parts.chunks[c].grains.end)
+        chunks_[parts.chunk_of(spring.j)].incoming.push_back(&spring);
+}
+
+/// As what holds a grain.
+void FrequencyBound::guess_motion(const FrequencyInput& in, std::size_t chunk) {
+  const Range& grains = in.parts.chunks[chunk].grains;
+  const OfChunk& of = chunks_[chunk];
+  std::fill(moved_.begin() + static_cast<std::ptrdiff_t>(grains.begin),
+            moved_.begin() + static_cast<std::ptrdiff_t>(grains.end), 0.0);
+  for (const Spring* spring : of.incoming)
+    moved_[spring->j] += spring->stiffness * per_mass(in, spring->j);
+  for (const Spring& spring : of.springs) {
+    moved_[spring.i] += spring.stiffness * per_mass(in, spring.i);
+    if (spring.j < grains.end)
+      moved_[spring.j] += spring.stiffness * per_mass(in, spring.j);
   }
+}
+
+/// Blocks that, each on its own grain, outweigh the stiffness of all contacts: a contact pulls with
+/// k (a - b)^2, at most k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2, w how far the guess says that they move.
+/// Walls do not move.
+void FrequencyBound::fill_blocks(const FrequencyInput& in, bool smooth_walls, std::size_t chunk) {
+  const Range& grains = in.parts.chunks[chunk].grains;
+  OfChunk& of = chunks_[chunk];
+  of.blocks.assign(grains.end - grains.begin, StiffnessBlock{});
+  of.smooth.assign(smooth_walls ? of.blocks.size() : 0, NormalSum{});
+  const auto add_to_j = [&](const Spring& spring, double ratio) {
+    of.blocks[spring.j - grains.begin].add(spring.stiffness * (1 + 1 / ratio), spring.per_squared,
+                                           -spring.branch);
+  };
+  for (const Spring* spring : of.incoming)
+    add_to_j(*spring, moved_[spring->j] / moved_[spring->i]);
+  for (const Spring& spring : of.springs) {
+    const double ratio = moved_[spring.j] / moved_[spring.i];
+    of.blocks[spring.i - grains.begin].add(spring.stiffness * (1 + ratio), spring.per_squared, spring.branch);
+    if (spring.j < grains.end)
+      add_to_j(spring, ratio);
+  }
+  for (const WallSpring& spring : of.walls) {
+    const double per_squared = 1 / dot(spring.branch, spring.branch);
+    const std::size_t k = spring.grain - grains.begin;
+    if (smooth_walls)
+      of.smooth[k].add(spring.stiffness * per_squared, spring.branch);
+    else
+      of.blocks[k].add(spring.stiffness, per_squared, spring.branch);
+  }
+}
+
+/// \param    last   no better guess is asked for, and the highest bound of a grain alone counts
+void FrequencyBound::improve_guess(const FrequencyInput& in, bool last, std::size_t chunk) {
+  OfChunk& of = chunks_[chunk];
+  const std::size_t first = in.parts.chunks[chunk].grains.begin;
+  of.highest = 0;
+  for (std::size_t k = 0; k < of.blocks.size(); ++k) {
+    const std::size_t g = first + k;
+    const double floor = last ? of.highest / per_mass(in, g) : 0;
+    const NormalSum smooth = of.smooth.empty() ? NormalSum{} : of.smooth[k];
+    const double own = of.blocks[k].largest(in.tangential_ratio, smooth, floor) * per_mass(in, g);
+    better_[g] = moved_[g] * own;
+    of.highest = std::max(of.highest, own);
+  }
+}
+
+double FrequencyBound::highest_squared(const contact::NormalKernel& law, const FrequencyInput& in,
+                                       const WallContacts* walls, const EachChunk& each_chunk) {
+  chunks_.resize(in.parts.chunks.size());
+  moved_.resize(in.grains.size());
+  better_.resize(in.grains.size());
+  each_chunk([&](std::size_t c) { find_springs(law, in, walls, c); });
+  hand_over(in.parts);
+  each_chunk([&](std::size_t c) { guess_motion(in, c); });
   const bool smooth_walls = walls != nullptr && walls->friction() == 0;
   double bound = std::numeric_limits<double>::infinity();
   for (int guess = 0; guess < 2; ++guess) {
-    const std::vector<StiffnessBlock> blocks = outweighing_blocks(springs, moved, smooth_walls);
+    each_chunk([&](std::size_t c) {
+      fill_blocks(in, smooth_walls, c);
+      improve_guess(in, guess == 1, c);
+    });
+    moved_.swap(better_);
     double highest = 0;
-    for (std::size_t g = 0; g < blocks.size(); ++g) {
-      const double own = blocks[g].largest(in.tangential_ratio) * per_mass(g);
-      moved[g] *= own;
-      highest = std::max(highest, own);
-    }
+    for (const OfChunk& of : chunks_)
+      highest = std::max(highest, of.highest);
     bound = std::min(bound, highest);
   }
   return bound;

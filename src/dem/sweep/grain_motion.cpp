@@ -101,6 +101,13 @@ GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow
   return {.squares = sum_of_three(squares), .fastest = std::sqrt(fastest)};
 }
 
+/// The largest of four sums of three parts, one in each row, and a number.
+GRANUM_INLINE double largest_of(Four (&rows)[4], double other) {
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  const Four sums = rows[0] + rows[1] + rows[2];
+  return std::max({other, sums[0], sums[1], sums[2], sums[3]});
+}
+
 template <class Level>
 GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::vector<LoadRow>& load,
                                        const Kick& kick, double mass, double inertia) {
@@ -108,7 +115,7 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
   const auto push = Level::row(Four{0, 0, 0, kick.turn}, Four{kick.push, kick.push, kick.push, kick.turn});
   auto squares = Level::row(Four{}, Four{}), powers = squares;
   double squares_y = 0, power_y = 0, fastest = 0;
-  for (std::size_t g = range.begin; g < range.end; ++g) {
+  const auto kicked = [&](std::size_t g) __attribute__((always_inline)) {
     const auto on = Level::get(&load[g]);
     const auto grain = keep * Level::get(&grains.row[g]) + push * on;
     const double on_y = load[g].turn[0];
@@ -116,13 +123,19 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
     Level::put(&grains.row[g], grain);
     grains.spin_y[g] = spin_y;
     const auto square = grain * grain;
-    const Four rate_square = high(square);
     squares = squares + square;
     powers = powers + grain * on;
     squares_y += spin_y * spin_y;
     power_y += spin_y * on_y;
-    fastest = std::max(fastest, sum_of_three(rate_square));
+    return high(square);
+  };
+  std::size_t g = range.begin;
+  for (; g + 4 <= range.end; g += 4) {
+    Four of_rates[4] = {kicked(g), kicked(g + 1), kicked(g + 2), kicked(g + 3)};
+    fastest = largest_of(of_rates, fastest);
   }
+  for (; g < range.end; ++g)
+    fastest = std::max(fastest, sum_of_three(kicked(g)));
   const Four spin_squares = low(squares), rate_squares = high(squares);
   return {.kinetic =
               mass * sum_of_three(rate_squares) + inertia * (rate_squares[3] + squares_y + spin_squares[3]),

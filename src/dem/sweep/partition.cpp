@@ -47,12 +47,8 @@ std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t 
 
 /// Sorts the additions by the chunk of their grain; those of one chunk keep the order in which they came.
 void sort_additions(const std::vector<Addition>& additions, Partition& out) {
-  const auto chunk_of = [&](const Addition& addition) {
-    return std::upper_bound(out.chunks.begin(), out.chunks.end(), addition.grain,
-                            [](std::uint32_t grain, const Chunk& chunk) { return grain < chunk.grains.end; });
-  };
   for (const Addition& addition : additions)
-    ++chunk_of(addition)->additions.end;
+    ++out.chunks[out.chunk_of(addition.grain)].additions.end;
   std::size_t before = 0;
   for (Chunk& chunk : out.chunks) {
     const std::size_t count = chunk.additions.end;
@@ -61,10 +57,16 @@ void sort_additions(const std::vector<Addition>& additions, Partition& out) {
   }
   out.additions.resize(additions.size());
   for (const Addition& addition : additions)
-    out.additions[chunk_of(addition)->additions.end++] = addition;
+    out.additions[out.chunks[out.chunk_of(addition.grain)].additions.end++] = addition;
 }
 
 } // namespace
+
+std::size_t Partition::chunk_of(std::uint32_t grain) const {
+  const auto past = [](std::uint32_t g, const Chunk& chunk) { return g < chunk.grains.end; };
+  return static_cast<std::size_t>(std::upper_bound(chunks.begin(), chunks.end(), grain, past) -
+                                  chunks.begin());
+}
 
 Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
   const std::size_t count = std::bit_floor(std::max<std::size_t>(1, grains / smallest_chunk));

@@ -49,6 +49,9 @@ struct Partition {
   std::vector<ListedPair> pairs;
   std::vector<Addition> additions; ///< by the chunk of their grain
   std::size_t rows = 0;            ///< of loads: one a grain, and the spare ones
+
+  /// Number of the chunk that a grain is in.
+  [[nodiscard]] std::size_t chunk_of(std::uint32_t grain) const;
 };
 
 /// \param    pairs   sorted by (i, j), i < j
