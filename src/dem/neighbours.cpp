@@ -89,10 +89,10 @@ struct Offsets {
   int last = 1;
 };
 
-/// Calls visit(grain, image) for the grains in the bin at an offset from a home.
+/// Calls visit(first, last, image) for the bin at an offset from a home, with its range in Bins::grain.
 template <class Visit>
-void each_in_bin(const Bins& bins, const std::array<int, 3>& home, const std::array<int, 3>& offset,
-                 Images images, const Visit& visit) {
+void visit_bin(const Bins& bins, const std::array<int, 3>& home, const std::array<int, 3>& offset,
+               Images images, const Visit& visit) {
   constexpr std::uint32_t no_shift = 13;
   const Neighbour nx = neighbour(home[0], offset[0], bins.count[0]);
   const Neighbour ny = neighbour(home[1], offset[1], bins.count[1]);
@@ -101,8 +101,7 @@ void each_in_bin(const Bins& bins, const std::array<int, 3>& home, const std::ar
   if (images == Images::none && image != no_shift)
     return;
   const std::size_t b = bins.index(nx.bin, ny.bin, nz.bin);
-  for (std::uint32_t k = bins.start[b]; k < bins.start[b + 1]; ++k)
-    visit(bins.grain[k], image);
+  visit(bins.start[b], bins.start[b + 1], image);
 }
 
 /// The same for all bins around a home. With few bins the outer offsets repeat bins, but each with another
@@ -113,7 +112,7 @@ void each_near(const Bins& bins, const std::array<int, 3>& home, const std::arra
   for (int dx = around[0].first; dx <= around[0].last; ++dx)
     for (int dy = around[1].first; dy <= around[1].last; ++dy)
       for (int dz = around[2].first; dz <= around[2].last; ++dz)
-        each_in_bin(bins, home, {dx, dy, dz}, images, visit);
+        visit_bin(bins, home, {dx, dy, dz}, images, visit);
 }
 
 /// The same for half of the bins next to a home, from which the other half is seen; the home is in neither.
@@ -122,7 +121,7 @@ void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images,
   for (int dx = 0; dx <= 1; ++dx)
     for (int dy = dx == 0 ? 0 : -1; dy <= 1; ++dy)
       for (int dz = dx == 0 && dy == 0 ? 1 : -1; dz <= 1; ++dz)
-        each_in_bin(bins, home, {dx, dy, dz}, images, visit);
+        visit_bin(bins, home, {dx, dy, dz}, images, visit);
 }
 
 /// The bins that a distance from s reaches into; at most half of the cell, so that no bin comes in twice.
@@ -197,23 +196,40 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   require_cutoff(cell, cutoff, images);
   const Bins bins = fill_bins(cell, position, cutoff);
   const std::array<Vec3, 27> shifts = shift_vectors(cell);
-  const Mat3 to_fraction = inverse_of(cell);
+  std::vector<Vec3> centre; // in the order of the bins, to be read one after the other
+  centre.reserve(position.size());
+  for (const std::uint32_t g : bins.grain)
+    centre.push_back(position[g]);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
-  for (std::uint32_t i = 0; i < position.size(); ++i) {
-    const auto add_if_near = [&](std::uint32_t j, std::uint32_t image) {
-      const Pair pair = i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)};
-      const Vec3 branch = position[pair.j] + shifts[pair.image] - position[pair.i];
-      if (dot(branch, branch) < cutoff * cutoff)
-        pairs.push_back(pair);
-    };
-    const std::array<int, 3> home = bin_of(bins, to_fraction * position[i]);
-    each_in_bin(bins, home, {}, images, [&](std::uint32_t j, std::uint32_t image) {
-      if (i < j)
-        add_if_near(j, image);
+  const auto add_if_near = [&](std::uint32_t i, std::uint32_t j, std::uint32_t image) {
+    const Pair pair = i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)};
+    const Vec3 branch = position[pair.j] + shifts[pair.image] - position[pair.i];
+    if (dot(branch, branch) < cutoff * cutoff)
+      pairs.push_back(pair);
+  };
+  // The same pair seen from its other grain may differ in the last digit, so the first look is generous.
+  const double generous = cutoff * cutoff * (1 + 1e-9);
+  const auto look_ahead = [&](const std::array<int, 3>& home) {
+    const std::size_t own = bins.index(home[0], home[1], home[2]);
+    for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a)
+      for (std::uint32_t b = a + 1; b < bins.start[own + 1]; ++b)
+        add_if_near(bins.grain[a], bins.grain[b], 13);
+    each_ahead(bins, home, images, [&](std::uint32_t first, std::uint32_t last, std::uint32_t image) {
+      for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a) {
+        const Vec3 from = centre[a] - shifts[image];
+        for (std::uint32_t b = first; b < last; ++b) {
+          const Vec3 branch = centre[b] - from;
+          if (dot(branch, branch) < generous)
+            add_if_near(bins.grain[a], bins.grain[b], image);
+        }
+      }
     });
-    each_ahead(bins, home, images, add_if_near);
-  }
+  };
+  for (int bx = 0; bx < bins.count[0]; ++bx)
+    for (int by = 0; by < bins.count[1]; ++by)
+      for (int bz = 0; bz < bins.count[2]; ++bz)
+        look_ahead({bx, by, bz});
   sort_pairs(pairs, position.size());
   return pairs;
 }
@@ -234,17 +250,21 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   const Mat3 to_fraction = inverse_of(cell);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
+  const auto add_if_near = [&](std::uint32_t i, std::uint32_t j, std::uint32_t image) {
+    if (radius[j] > radius[i] || (radius[j] == radius[i] && j <= i))
+      return;
+    const Vec3 branch = position[j] + shifts[image] - position[i];
+    const double near = radius[i] + radius[j] + gap;
+    if (dot(branch, branch) < near * near)
+      pairs.push_back(i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)});
+  };
   for (std::uint32_t i = 0; i < position.size(); ++i) {
     const Vec3 s = to_fraction * position[i];
     const std::array<int, 3> home = bin_of(bins, s);
     each_near(bins, home, bins_within(bins, s, home, widths, 2 * radius[i] + gap), images,
-              [&](std::uint32_t j, std::uint32_t image) {
-                if (radius[j] > radius[i] || (radius[j] == radius[i] && j <= i))
-                  return;
-                const Vec3 branch = position[j] + shifts[image] - position[i];
-                const double near = radius[i] + radius[j] + gap;
-                if (dot(branch, branch) < near * near)
-                  pairs.push_back(i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)});
+              [&](std::uint32_t first, std::uint32_t last, std::uint32_t image) {
+                for (std::uint32_t k = first; k < last; ++k)
+                  add_if_near(i, bins.grain[k], image);
               });
   }
   sort_pairs(pairs, position.size());

@@ -48,23 +48,49 @@ Grains unequal_grains() {
 
 } // namespace
 
-TEST_CASE("sums over forces count what spare rows hold") {
+TEST_CASE("sums over forces count what spare rows hold, of any number of grains") {
   const Grains grains = moving_grains();
-  std::vector<LoadRow> load = forces();
   const Vec3 lent{0.5, 4, -3};
-  load.push_back(LoadRow{});
-  add_force(load.back(), lent);
   const std::vector<Addition> additions = {{count, 2}};
-  const Chunk chunk{.grains = {1, 5}, .pairs = {}, .spare_rows = {}, .additions = {0, 1}};
-  PushSums expected;
-  for (std::size_t g = 1; g < 5; ++g) {
-    const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
-    expected += {.power = dot(f, grains.velocity(g)), .squares = dot(f, f), .lengths = norm(f)};
+  for (std::size_t end = 3; end <= count; ++end) {
+    CAPTURE(end);
+    std::vector<LoadRow> load = forces();
+    load.push_back(LoadRow{});
+    add_force(load.back(), lent);
+    const Chunk chunk{.grains = {1, end}, .pairs = {}, .spare_rows = {}, .additions = {0, 1}};
+    PushSums expected;
+    for (std::size_t g = 1; g < end; ++g) {
+      const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
+      expected += {.power = dot(f, grains.velocity(g)), .squares = dot(f, f), .lengths = norm(f)};
+    }
+    const PushSums sums = settle_pushes(grains, chunk, additions, load);
+    CHECK(sums.power == relative(expected.power, 1e-14));
+    CHECK(sums.squares == relative(expected.squares, 1e-14));
+    CHECK(sums.lengths == relative(expected.lengths, 1e-14));
+    CHECK(ordered_lengths(chunk, load) == expected.lengths);
   }
-  const PushSums sums = settle_pushes(grains, chunk, additions, load);
-  CHECK(sums.power == relative(expected.power, 1e-14));
-  CHECK(sums.squares == relative(expected.squares, 1e-14));
-  CHECK(sums.lengths == relative(expected.lengths, 1e-14));
+}
+
+TEST_CASE("a kick finds the fastest grain wherever it is") {
+  const Kick kick{.keep = 0.9, .push = 0.3, .turn = 0.2};
+  for (std::size_t end = 1; end <= count; ++end)
+    for (std::size_t fast = 0; fast < end; ++fast) {
+      CAPTURE(end);
+      CAPTURE(fast);
+      Grains grains = moving_grains();
+      grains.set_velocity(fast, {-5, 4, 3});
+      const Vec3 v = kick.keep * Vec3{-5, 4, 3} + kick.push * force(forces()[fast]);
+      const MotionSums sums = kick_grains(grains, {0, end}, forces(), kick, 1.5, 1);
+      CHECK(norm(grains.velocity(fast) - v) < 1e-14);
+      CHECK(sums.speed_squared == relative(dot(v, v), 1e-14));
+      double kinetic = 0, power = 0;
+      for (std::size_t g = 0; g < end; ++g) {
+        kinetic += 1.5 * dot(grains.velocity(g), grains.velocity(g));
+        power += dot(force(forces()[g]), grains.velocity(g));
+      }
+      CHECK(sums.kinetic == relative(kinetic, 1e-14));
+      CHECK(sums.power == relative(power, 1e-14));
+    }
 }
 
 TEST_CASE("grains glide with their new velocities, which have a largest length, and with the cell") {

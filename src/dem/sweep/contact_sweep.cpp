@@ -271,23 +271,30 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
   }
 }
 
+/// What a sweep is for: an engine with friction, one without, or a minimiser, which asks for fewer sums.
+enum class Purpose { friction, smooth, descent };
+
+template <Purpose purpose>
 GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
+  constexpr bool whole = purpose != Purpose::descent;
   SumRows s = sums;
   for (std::size_t k = 0; k < block_size; k += 8) {
     const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
     const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
     const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k);
     s.stress[0] += fx * bx;
-    s.stress[1] += fx * by;
-    s.stress[2] += fx * bz;
-    s.stress[3] += fy * bx;
     s.stress[4] += fy * by;
-    s.stress[5] += fy * bz;
-    s.stress[6] += fz * bx;
-    s.stress[7] += fz * by;
     s.stress[8] += fz * bz;
+    if constexpr (whole) {
+      s.stress[1] += fx * by;
+      s.stress[2] += fx * bz;
+      s.stress[3] += fy * bx;
+      s.stress[5] += fy * bz;
+      s.stress[6] += fz * bx;
+      s.stress[7] += fz * by;
+      s.stiffness += stiffness * eight(p.squared, k);
+    }
     s.normal_force += force;
-    s.stiffness += stiffness * eight(p.squared, k);
     s.stiffest = s.stiffest > stiffness ? s.stiffest : stiffness;
     s.contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
   }
@@ -398,9 +405,10 @@ struct Work {
   SumRows& sums;
 };
 
-template <bool tangential, class Level, class Law, class Sizes>
+template <Purpose purpose, class Level, class Law, class Sizes>
 GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const Work& work, const ListedPair* pairs,
                                MemoryBlock* memory, PairBlock& p) {
+  constexpr bool tangential = purpose == Purpose::friction;
   if constexpr (tangential)
     load_block<Level>(work.in, work.shifts, pairs, p);
   else
@@ -409,14 +417,14 @@ GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const Work& w
   if constexpr (tangential)
     frictional_forces<Level::level>(work.in, sizes, p, work.sums.sliding, memory->x.data(), memory->y.data(),
                                     memory->z.data(), memory->stiffness.data());
-  add_up(p, work.sums);
+  add_up<purpose>(p, work.sums);
   if constexpr (tangential)
     unload_block<Level>(pairs, p, work.load);
   else
     unload_forces(pairs, p, work.load);
 }
 
-template <bool tangential, class Sizes, class Level, class Law>
+template <Purpose purpose, class Sizes, class Level, class Law>
 GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
   PairBlock p;
   Sizes sizes(work.in);
@@ -430,17 +438,19 @@ GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
     if (far)
       prefetch(pairs + next, work.in.grains.row.data(), work.load);
     sizes.load(work.in, pairs + first);
-    sweep_block<tangential, Level>(law, sizes, work, pairs + first,
-                                   tangential ? work.memory + first / block_size : nullptr, p);
+    MemoryBlock* const memory = purpose == Purpose::friction ? work.memory + first / block_size : nullptr;
+    sweep_block<purpose, Level>(law, sizes, work, pairs + first, memory, p);
   }
 }
 
 template <class Sizes, class Level, class Law>
 GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
   if (work.memory != nullptr)
-    sweep_all<true, Sizes, Level>(law, work);
+    sweep_all<Purpose::friction, Sizes, Level>(law, work);
+  else if (work.in.descent)
+    sweep_all<Purpose::descent, Sizes, Level>(law, work);
   else
-    sweep_all<false, Sizes, Level>(law, work);
+    sweep_all<Purpose::smooth, Sizes, Level>(law, work);
 }
 
 /// The law and the vectors are chosen once for all pairs.

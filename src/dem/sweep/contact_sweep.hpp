@@ -42,6 +42,8 @@ struct SweepInput {
   double elapsed;          ///< time that the grains have moved since the last sweep [s]
   double tangential_ratio; ///< k_t/k_n
   double friction;         ///< finite
+  /// Without friction, of the sums only the diagonal of stress, normal_force, stiffest and contacts.
+  bool descent = false;
 };
 
 /// Forces of all pairs of a chunk, added up per row of load in the order of the list, from zero on. With

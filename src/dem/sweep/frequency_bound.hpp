@@ -26,11 +26,11 @@ struct FrequencyInput {
   double mass;             ///< likewise [kg]
 };
 
-/// Strict bound on omega^2 of the highest frequency. A contact couples two grains, so the stiffness matrix is
-/// at most a block diagonal in which each contact counts 1 + w_j/w_i times for grain i, with any w > 0, and is
-/// the closer to it the more w is like the fastest mode's amplitudes: w from the stiffness that holds each
-/// grain, and that times the bound it gives, the better of two. 1.1 to 1.3 times the highest frequency squared
-/// of packings at rest.
+/// Strict bound on omega^2 of the highest frequency. A contact couples two grains, so the stiffness matrix
+/// is at most a block diagonal in which each contact counts 1 + w_j/w_i times for grain i, with any w > 0,
+/// and is the closer to it the more w is like the fastest mode's amplitudes: w from the stiffness that holds
+/// each grain, and that times the bound it gives, the better of two. 1.1 to 1.3 times the highest frequency
+/// squared of packings at rest.
 /// Assumes   a rotational inertia of m R^2.
 /// Checked by tests/dem/test_frequency_bound.cpp
 class FrequencyBound {

@@ -56,13 +56,18 @@ GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk,
 /// Sum of the three parts that a vector has.
 GRANUM_INLINE double sum_of_three(const Four& row) { return row[0] + row[1] + row[2]; }
 
+/// Sums of three parts, one of each of four rows.
+GRANUM_INLINE Four sums_of_three(Four (&rows)[4]) {
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  return rows[0] + rows[1] + rows[2];
+}
+
 template <class Level, bool equal>
 GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
                                        const std::vector<Addition>& additions, std::vector<LoadRow>& load) {
   add_spare_rows<Level>(chunk.additions, additions, load);
-  Four power{}, squares{};
-  double lengths = 0;
-  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
+  Four power{}, squares{}, lengths{};
+  const auto square_of = [&](std::size_t g) __attribute__((always_inline)) {
     const Four push = load[g].push;
     const Four square = push * push;
     power += push * grains.row[g].rate;
@@ -70,9 +75,19 @@ GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
       squares += square;
     else
       squares += square * all(grains.own[g].per_mass);
-    lengths += std::sqrt(sum_of_three(square));
+    return square;
+  };
+  std::size_t g = chunk.grains.begin;
+  for (; g + 4 <= chunk.grains.end; g += 4) {
+    Four square[4] = {square_of(g), square_of(g + 1), square_of(g + 2), square_of(g + 3)};
+    const Four sums = sums_of_three(square);
+    lengths += Four{std::sqrt(sums[0]), std::sqrt(sums[1]), std::sqrt(sums[2]), std::sqrt(sums[3])};
   }
-  return {.power = sum_of_three(power), .squares = sum_of_three(squares), .lengths = lengths};
+  for (; g < chunk.grains.end; ++g)
+    lengths[0] += std::sqrt(sum_of_three(square_of(g)));
+  return {.power = sum_of_three(power),
+          .squares = sum_of_three(squares),
+          .lengths = sum_of_three(lengths) + lengths[3]};
 }
 
 template <bool equal>
@@ -101,13 +116,6 @@ GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow
   return {.squares = sum_of_three(squares), .fastest = std::sqrt(fastest)};
 }
 
-/// The largest of four sums of three parts, one in each row, and a number.
-GRANUM_INLINE double largest_of(Four (&rows)[4], double other) {
-  transpose(rows[0], rows[1], rows[2], rows[3]);
-  const Four sums = rows[0] + rows[1] + rows[2];
-  return std::max({other, sums[0], sums[1], sums[2], sums[3]});
-}
-
 template <class Level>
 GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::vector<LoadRow>& load,
                                        const Kick& kick, double mass, double inertia) {
@@ -132,7 +140,8 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
   std::size_t g = range.begin;
   for (; g + 4 <= range.end; g += 4) {
     Four of_rates[4] = {kicked(g), kicked(g + 1), kicked(g + 2), kicked(g + 3)};
-    fastest = largest_of(of_rates, fastest);
+    const Four sums = sums_of_three(of_rates);
+    fastest = std::max({fastest, sums[0], sums[1], sums[2], sums[3]});
   }
   for (; g < range.end; ++g)
     fastest = std::max(fastest, sum_of_three(kicked(g)));
@@ -225,6 +234,13 @@ PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vect
                               : pushes_at_level<Rows<level>, false>(grains, chunk, additions, load);
   });
   return sums;
+}
+
+double ordered_lengths(const Chunk& chunk, const std::vector<LoadRow>& load) {
+  double lengths = 0;
+  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g)
+    lengths += norm(force(load[g]));
+  return lengths;
 }
 
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {

@@ -31,7 +31,7 @@ struct Kick {
 struct PushSums {
   double power = 0;   ///< sum of f v [W]
   double squares = 0; ///< sum of f^2/m [N^2]
-  double lengths = 0; ///< sum of |f| [N]
+  double lengths = 0; ///< sum of |f|, four grains at a time [N]
 
   PushSums& operator+=(const PushSums& other);
 };
@@ -60,6 +60,8 @@ double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<
 /// Adds the spare rows that hold loads for a chunk, and sums over its forces. Grains do not turn.
 PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                        std::vector<LoadRow>& load);
+/// Sum of |f| over the grains of a chunk in their order, once they are settled [N].
+double ordered_lengths(const Chunk& chunk, const std::vector<LoadRow>& load);
 /// Velocities and centres of all grains after the step. They do not turn.
 GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);
 /// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as

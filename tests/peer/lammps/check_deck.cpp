@@ -103,7 +103,8 @@ double exponent(const States& states, const std::string& modulus) {
 }
 
 /// Probes against the network of the very states they start from. Returns those of the probes.
-States check_probes(const fs::path& folder) {
+States check_probes(const fs::path& folder, triaxial::Density density) {
+  const double limit = density == triaxial::Density::dense ? 0.005 : 0.02;
   States probed;
   States network;
   for (const Row& row : rows_of(folder / "moduli.csv"))
@@ -112,7 +113,7 @@ States check_probes(const fs::path& folder) {
     network[state] = network_moduli(packing_of(folder, state + ".frozen"));
     for (const auto& [name, value] : moduli) {
       const double off = value / network[state].at(name) - 1;
-      expect(std::abs(off) < 0.02, state + ": " + name + " of the probe over network - 1", off, 0.02);
+      expect(std::abs(off) < limit, state + ": " + name + " of the probe over network - 1", off, limit);
       std::printf("       %s = %.5g MPa\n", name.c_str(), value / 1e6);
     }
   }
@@ -162,12 +163,15 @@ dem::Specimen specimen_of(const packing::Assembly& packing, double radius) {
 
 /// Probes by granum's own engine of the very states that LAMMPS probed. In loose specimens contacts that
 /// barely touch open, with LAMMPS's strain of 3e-4 of the mean overlap more of them than with granum's own
-/// of 3e-5.
+/// of 3e-5. On stress paths contacts bear tangential forces, part of which granum's law sheds as they unload
+/// and the deck's (mindlin/force) keeps: 0.6 % of G in a dense specimen at q/p = 1, and nothing else differs
+/// (with that rule taken out of granum's engine the two agree within 0.005 %).
 void check_own_probes(const fs::path& folder, const studies::Scene& scene, triaxial::Density density,
                       const States& probed) {
-  const double limit = density == triaxial::Density::dense ? 0.005 : 0.02;
   const dem::Material material = studies::recipe(scene, contact::Shape::sphere, 1).material;
   for (const auto& [state, moduli] : probed) {
+    const double isotropic = density == triaxial::Density::dense ? 0.005 : 0.02;
+    const double limit = state.starts_with("TXC") ? std::max(0.01, isotropic) : isotropic;
     const dem::Specimen start = specimen_of(packing_of(folder, state + ".frozen"), scene.grain.radius);
     const dem::Specimen at_rest = triaxial::freeze_in_place(start, material).state();
     for (const auto& [name, mode] :
@@ -246,6 +250,7 @@ int main(int argc, char** argv) try {
     return 2;
   const fs::path folder = argv[1];
   const bool dense = std::string(argv[2]) == "dense";
+  const triaxial::Density density = dense ? triaxial::Density::dense : triaxial::Density::loose;
   studies::Scene scene;
   scene.grain.sizes = sizes::parse_distribution(argv[3]);
   scene.study.grains = packing_of(folder, "30kPa").grain_count();
@@ -261,11 +266,10 @@ int main(int argc, char** argv) try {
          static_cast<double>(6 + 2 * moving));
   const bool sheared = dense && scene.grain.sizes.is_equal();
   expect((moving > 0) == sheared, "states on the stress path", static_cast<double>(moving), sheared ? 1 : 0);
-  const States probed = check_probes(folder);
+  const States probed = check_probes(folder, density);
   expect(probed.size() == 2 + moving, "states probed", static_cast<double>(probed.size()), 2);
   check_printed(folder, probed);
   check_again(folder);
-  const triaxial::Density density = dense ? triaxial::Density::dense : triaxial::Density::loose;
   check_own_probes(folder, scene, density, probed);
   check_own(folder, scene, density, probed);
   return failures == 0 ? 0 : 1;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/sweep/contact_sweep.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/dem/neighbours.hpp>
+
+#include "dem/sweep/unequal_grains.hpp"
+#include "lattice_state.hpp"
+
+using namespace granum;
+using namespace granum::dem;
+
+namespace {
+
+constexpr double radius = 0.5e-3;
+
+/// A lattice whose grains have been moved, so that some touch and some do not.
+Specimen shaken_lattice(bool unequal) {
+  Specimen state = test::fcc(radius, 4, 1e-6);
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
+    const double phase = static_cast<double>(g);
+    state.position[g] += 2e-6 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    if (unequal)
+      state.size.push_back(1 + 1e-3 * std::sin(phase));
+  }
+  return state;
+}
+
+struct Swept {
+  SweepSums sums;
+  std::vector<LoadRow> load;
+};
+
+Swept swept(const Specimen& state, bool descent) {
+  Grains grains;
+  grains.resize(state.grain_count());
+  grains.set_sizes(own_sizes(state, 2650));
+  for (std::size_t g = 0; g < state.grain_count(); ++g)
+    grains.set_centre(g, state.position[g]);
+  const Partition parts =
+      partition(neighbour_pairs(state.cell, state.position, 2.1 * radius), state.grain_count());
+  Swept out{.sums = {}, .load = std::vector<LoadRow>(parts.rows)};
+  const SweepInput input{.pairs = parts.pairs,
+                         .grains = grains,
+                         .cell = state.cell,
+                         .gradient = {},
+                         .diameter = 2 * radius * largest_size(state),
+                         .unit_radius = radius,
+                         .elapsed = 0,
+                         .tangential_ratio = 0,
+                         .friction = 0,
+                         .descent = descent};
+  for (const Chunk& chunk : parts.chunks)
+    out.sums += contact_sweep(test::quartz_sphere(radius).kernel(), input, chunk, nullptr, out.load);
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("a descent gets the forces of a sweep without friction, and some of its sums, to the bit") {
+  for (const bool unequal : {false, true}) {
+    CAPTURE(unequal);
+    const Specimen state = shaken_lattice(unequal);
+    const Swept whole = swept(state, false), part = swept(state, true);
+    CHECK(whole.sums.contacts > 500);
+    CHECK(whole.sums.contacts < 6 * state.grain_count());
+    CHECK(part.sums.contacts == whole.sums.contacts);
+    CHECK(part.sums.normal_force == whole.sums.normal_force);
+    CHECK(part.sums.stiffest == whole.sums.stiffest);
+    for (int k = 0; k < 3; ++k)
+      CHECK(part.sums.stress(k, k) == whole.sums.stress(k, k));
+    CHECK(trace(part.sums.stress) > 0);
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      CHECK(force(part.load[g]) == force(whole.load[g]));
+  }
+}
