@@ -16,6 +16,8 @@ namespace granum::dem {
 
 namespace {
 
+constexpr std::uint32_t no_shift = 13;
+
 int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
 /// That of the shift the other way.
 std::uint32_t opposite(std::uint32_t image) { return 26 - image; }
@@ -93,7 +95,6 @@ struct Offsets {
 template <class Visit>
 void visit_bin(const Bins& bins, const std::array<int, 3>& home, const std::array<int, 3>& offset,
                Images images, const Visit& visit) {
-  constexpr std::uint32_t no_shift = 13;
   const Neighbour nx = neighbour(home[0], offset[0], bins.count[0]);
   const Neighbour ny = neighbour(home[1], offset[1], bins.count[1]);
   const Neighbour nz = neighbour(home[2], offset[2], bins.count[2]);
@@ -214,7 +215,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
     const std::size_t own = bins.index(home[0], home[1], home[2]);
     for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a)
       for (std::uint32_t b = a + 1; b < bins.start[own + 1]; ++b)
-        add_if_near(bins.grain[a], bins.grain[b], 13);
+        add_if_near(bins.grain[a], bins.grain[b], no_shift);
     each_ahead(bins, home, images, [&](std::uint32_t first, std::uint32_t last, std::uint32_t image) {
       for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a) {
         const Vec3 from = centre[a] - shifts[image];
