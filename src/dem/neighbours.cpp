@@ -16,6 +16,7 @@ namespace granum::dem {
 
 namespace {
 
+/// Image of a pair inside the cell.
 constexpr std::uint32_t no_shift = 13;
 
 int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
