@@ -12,9 +12,10 @@
 
 namespace granum::dem {
 
-/// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block. Sums
-/// run in this order too, whatever the width of vectors.
-inline constexpr std::size_t block_size = 32;
+/// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block: enough
+/// of them that one vector's chain of products waits while others go on. Sums run eight pairs at a time,
+/// whatever the width of vectors and of blocks.
+inline constexpr std::size_t block_size = 64;
 
 /// Image of the pairs that fill up the last block of a chunk: far out of reach.
 inline constexpr std::uint32_t far_image = 27;

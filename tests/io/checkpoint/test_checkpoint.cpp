@@ -83,7 +83,7 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
   std::string newer = whole;
   newer[8] = static_cast<char>(checkpoint_version + 1);
   overwrite(path, newer);
-  CHECK(complaint(path) == "is a checkpoint of version 6; this granum reads version 5");
+  CHECK(complaint(path) == "is a checkpoint of version 7; this granum reads version 6");
   std::string foreign = whole;
   std::swap(foreign[12], foreign[15]);
   overwrite(path, foreign);

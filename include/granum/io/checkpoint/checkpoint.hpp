@@ -17,7 +17,7 @@ struct Checkpoint {
 };
 
 /// Version of the file format and of the states that this library writes and reads.
-inline constexpr std::uint32_t checkpoint_version = 5;
+inline constexpr std::uint32_t checkpoint_version = 6;
 
 /// Writes a checkpoint in place of the one that path may hold: a reader finds the old one or the whole new
 /// one, whenever the writer is stopped.
