@@ -24,7 +24,7 @@ namespace {
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 100;
 /// Skin of the list/R.
-constexpr double list_skin = 0.02;
+constexpr double list_skin = 0.02, list_wide_skin = 0.2;
 /// Part of the adaptive drag that an engine keeps while it descends. Without any, tremors grow; from 0.1 to
 /// 0.3 steps differ by a tenth.
 constexpr double descent_drag = 0.2;
@@ -41,7 +41,7 @@ void add(WallForces& forces, const WallForces& other) {
 Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_t> given_order)
     : material(m), law(m.law.kernel()), tangential(m.tangential()),
       friction(std::min(m.friction_coefficient, 1e100)), order(std::move(given_order)),
-      cold(std::move(initial)), list(cold, list_skin) {
+      cold(std::move(initial)), list(cold, list_skin, list_wide_skin) {
   require_valid(m);
   require_positive("radius", cold.radius, "m");
   require_valid_sizes(cold);

@@ -58,7 +58,8 @@ class Minimiser {
   Minimiser(const Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
-        options_(options), list_(state, pressure ? pressed_skin : growing_skin),
+        options_(options), list_(state, pressure ? pressed_skin : growing_skin,
+                                 pressure ? pressed_wide_skin : growing_wide_skin),
         cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
                       state.radius * state.radius) {
     grains_.resize(state_.grain_count());
@@ -106,6 +107,7 @@ class Minimiser {
   /// Skin of the list/R. Grains that make room for each other in a fixed cell go farther than those that a
   /// pressure holds: the wider skin halves the time of a growth, and would cost a compression a tenth.
   static constexpr double pressed_skin = 0.1, growing_skin = 0.3;
+  static constexpr double pressed_wide_skin = 0.6, growing_wide_skin = 1;
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
 
@@ -117,7 +119,7 @@ class Minimiser {
   /// Grains that swing to and fro end near where they began: the bounds go on from how far they really came.
   void check_list() {
     fetch_centres();
-    const VerletList::Drift drift = list_.drift(state_.cell, state_.position);
+    const Drift drift = list_.drift(state_.cell, state_.position);
     if (list_.valid(drift)) {
       travelled_ = drift.farthest;
       strained_ = drift.strain;

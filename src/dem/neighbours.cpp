@@ -12,16 +12,14 @@
 #include <granum/core/error.hpp>
 #include <granum/packing/assembly.hpp>
 
+#include "dem/sweep/pair_reach.hpp"
+
 namespace granum::dem {
 
 namespace {
 
 /// Image of a pair inside the cell.
 constexpr std::uint32_t no_shift = 13;
-
-int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
-/// That of the shift the other way.
-std::uint32_t opposite(std::uint32_t image) { return 26 - image; }
 
 struct Bins {
   std::array<int, 3> count{};
@@ -186,8 +184,7 @@ std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
 void wrap(const Mat3& cell, std::span<Vec3> position) {
   const Mat3 to_fraction = inverse_of(cell);
   for (Vec3& x : position) {
-    const Vec3 s = to_fraction * x;
-    const Vec3 whole{std::floor(s.x), std::floor(s.y), std::floor(s.z)};
+    const Vec3 whole = whole_cells(to_fraction, x);
     if (whole != Vec3{})
       x -= cell * whole;
   }
@@ -204,10 +201,10 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
     centre.push_back(position[g]);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
+  const EqualReach near(shifts, position, cutoff);
   const auto add_if_near = [&](std::uint32_t i, std::uint32_t j, std::uint32_t image) {
     const Pair pair = i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)};
-    const Vec3 branch = position[pair.j] + shifts[pair.image] - position[pair.i];
-    if (dot(branch, branch) < cutoff * cutoff)
+    if (near(pair))
       pairs.push_back(pair);
   };
   // The same pair seen from its other grain may differ in the last digit, so the first look is generous.
@@ -252,12 +249,11 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   const Mat3 to_fraction = inverse_of(cell);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);
+  const UnequalReach near(shifts, position, radius, gap);
   const auto add_if_near = [&](std::uint32_t i, std::uint32_t j, std::uint32_t image) {
     if (radius[j] > radius[i] || (radius[j] == radius[i] && j <= i))
       return;
-    const Vec3 branch = position[j] + shifts[image] - position[i];
-    const double near = radius[i] + radius[j] + gap;
-    if (dot(branch, branch) < near * near)
+    if (near.to_smaller(i, j, image))
       pairs.push_back(i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)});
   };
   for (std::uint32_t i = 0; i < position.size(); ++i) {

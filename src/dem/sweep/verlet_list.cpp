@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verlet_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <granum/packing/assembly.hpp>
+
+#include "pair_reach.hpp"
+
+namespace granum::dem {
+
+namespace {
+
+/// Number of the shift to the same grain after both grains of a pair have moved by whole cell vectors; none
+/// where it is no neighbour cell's any more.
+std::optional<std::uint32_t> shifted(std::uint32_t image, const Vec3& of_i, const Vec3& of_j) {
+  const auto number = static_cast<int>(image);
+  const Vec3 k = Vec3{number / 9 - 1.0, number / 3 % 3 - 1.0, number % 3 - 1.0} + of_j - of_i;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(k[axis]) <= 1))
+      return std::nullopt;
+  return static_cast<std::uint32_t>(
+      image_index(static_cast<int>(k.x), static_cast<int>(k.y), static_cast<int>(k.z)));
+}
+
+/// Those pairs of a list that are within reach, in their order.
+template <class Reach>
+void take_within(const Reach& reach, const std::vector<Pair>& from, std::vector<Pair>& to) {
+  to.resize(from.size());
+  std::size_t count = 0;
+  for (const Pair& pair : from) {
+    to[count] = pair;
+    count += static_cast<std::size_t>(reach(pair));
+  }
+  to.resize(count);
+}
+
+} // namespace
+
+Reference::Reference(const Specimen& state)
+    : cell(state.cell), cell_inverse(inverse_of(state.cell)), position(state.position) {}
+
+Drift Reference::drift(const Mat3& now, std::span<const Vec3> position_now) const {
+  const Mat3 gradient = now * cell_inverse;
+  Drift out;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      out.strain += std::abs(gradient(i, j) - (i == j ? 1 : 0));
+  double farthest = 0;
+  for (std::size_t g = 0; g < position_now.size(); ++g) {
+    const Vec3 moved = position_now[g] - gradient * position[g];
+    farthest = std::max(farthest, dot(moved, moved));
+  }
+  out.farthest = std::sqrt(farthest);
+  return out;
+}
+
+VerletList::VerletList(const Specimen& state, double skin, double wide_skin)
+    : contact_distance_(2 * state.radius * largest_size(state)), skin_(skin * state.radius),
+      wide_skin_(wide_skin * state.radius) {}
+
+void VerletList::build(Specimen& state) {
+  if (radius_.empty() && !state.size.empty())
+    for (std::size_t g = 0; g < state.grain_count(); ++g)
+      radius_.push_back(state.radius_of(g));
+  if (!state.walls && !wrap_all(state))
+    wide_reference_ = {};
+  const bool kept =
+      !wide_reference_.position.empty() &&
+      nearing(wide_reference_.drift(state.cell, state.position), wide_skin_) < wide_skin_ - skin_;
+  if (!kept && searches_ > 0 && fits_wide(state)) {
+    wide_pairs_ = search(state, wide_skin_);
+    wide_reference_ = Reference(state);
+  } else if (!kept) {
+    wide_reference_ = {};
+  }
+  if (wide_reference_.position.empty())
+    pairs_ = search(state, skin_);
+  else
+    take_near_pairs(state);
+  reference_ = Reference(state);
+}
+
+std::vector<Pair> VerletList::search(const Specimen& state, double skin) {
+  ++searches_;
+  if (radius_.empty())
+    return neighbour_pairs(state.cell, state.position, contact_distance_ + skin, images(state));
+  return neighbour_pairs(state.cell, state.position, radius_, skin, images(state));
+}
+
+bool VerletList::fits_wide(const Specimen& state) const {
+  const Vec3 widths = packing::cell_widths(state.cell);
+  const double cutoff = contact_distance_ + wide_skin_;
+  return wide_skin_ > skin_ && (state.walls || 2 * cutoff <= std::min({widths.x, widths.y, widths.z}));
+}
+
+/// The wider list follows the grains that are moved. False where it cannot.
+bool VerletList::wrap_all(Specimen& state) {
+  const Mat3 to_fraction = inverse_of(state.cell);
+  const bool has_wide = !wide_reference_.position.empty();
+  std::vector<Vec3> moved;
+  for (std::size_t g = 0; g < state.position.size(); ++g) {
+    const Vec3 whole = whole_cells(to_fraction, state.position[g]);
+    if (whole == Vec3{})
+      continue;
+    state.position[g] -= state.cell * whole;
+    if (!has_wide)
+      continue;
+    wide_reference_.position[g] -= wide_reference_.cell * whole;
+    moved.resize(state.position.size());
+    moved[g] = whole;
+  }
+  if (moved.empty())
+    return true;
+  for (Pair& pair : wide_pairs_) {
+    if (moved[pair.i] == moved[pair.j])
+      continue;
+    const std::optional<std::uint32_t> image = shifted(pair.image, moved[pair.i], moved[pair.j]);
+    if (!image)
+      return false;
+    pair.image = *image;
+  }
+  return true;
+}
+
+void VerletList::take_near_pairs(const Specimen& state) {
+  const std::array<Vec3, 27> shifts = shift_vectors(state.cell);
+  if (radius_.empty())
+    take_within(EqualReach(shifts, state.position, contact_distance_ + skin_), wide_pairs_, pairs_);
+  else
+    take_within(UnequalReach(shifts, state.position, radius_, skin_), wide_pairs_, pairs_);
+}
+
+} // namespace granum::dem
