@@ -71,22 +71,21 @@ class Minimiser {
 
   RelaxReport run() {
     RelaxReport report;
+    Balance balance;
     for (; report.steps < options_.max_steps; ++report.steps) {
       report.stopped = is_stopped(options_.stop_requested);
       if (report.stopped)
         break;
       if (list_.may_be_outdated(travelled_, strained_))
         check_list();
-      const Balance balance = forces();
+      balance = forces();
       report.last_pressure = balance.virial() / (3 * determinant(state_.cell));
-      report.unbalanced_force_ratio = unbalanced(balance, balance.grains.lengths);
-      if (report.unbalanced_force_ratio < near_rest * options_.force_tolerance)
-        report.unbalanced_force_ratio = unbalanced(balance, ordered_lengths());
-      report.converged = arrived(balance, report);
+      report.converged = arrived(balance, report.last_pressure);
       if (report.converged)
         break;
       advance(balance);
     }
+    report.unbalanced_force_ratio = unbalanced(balance, lengths());
     fetch_centres();
     return report;
   }
@@ -140,21 +139,16 @@ class Minimiser {
   }
 
   Balance forces() {
-    const SweepInput input{.pairs = parts_.pairs,
-                           .grains = grains_,
-                           .cell = state_.cell,
-                           .gradient = {},
-                           .diameter = 2 * state_.radius * largest_size_,
-                           .unit_radius = state_.radius,
-                           .elapsed = 0,
-                           .tangential_ratio = 0,
-                           .friction = 0,
-                           .descent = true};
+    const DescentInput input{.pairs = parts_.pairs,
+                             .grains = grains_,
+                             .cell = state_.cell,
+                             .diameter = 2 * state_.radius * largest_size_,
+                             .unit_radius = state_.radius};
     Balance balance;
     for (const Chunk& chunk : parts_.chunks) {
-      SweepSums sums = contact_sweep(law_, input, chunk, nullptr, load_);
+      SweepSums sums = descent_sweep(law_, input, chunk, load_);
       if (walls_)
-        balance.all += walls_->sweep(law_, input, chunk.grains, false, load_, sums).contacts;
+        balance.all += walls_->descent_sweep(law_, input, chunk.grains, load_, sums).contacts;
       // Spare rows come from earlier chunks alone, as j > i.
       balance.grains += settle_pushes(grains_, chunk, parts_.additions, load_);
       balance.contacts += sums;
@@ -163,15 +157,13 @@ class Minimiser {
     return balance;
   }
 
-  /// Where a few pairs of a growing specimen touch, the ratio may be its tolerance to the last digit, and the
-  /// way that a sum rounds would decide. A rest is judged by the sum in the order of the grains.
-  static constexpr double near_rest = 1 + 1e-6;
-
-  [[nodiscard]] double ordered_lengths() const {
-    double lengths = 0;
+  /// Sum of |f| over all grains, in their order: where a few pairs of a growing specimen touch, the ratio may
+  /// be its tolerance to the last digit, and the way that a sum rounds would decide.
+  [[nodiscard]] double lengths() const {
+    double sum = 0;
     for (const Chunk& chunk : parts_.chunks)
-      lengths += dem::ordered_lengths(chunk, load_);
-    return lengths;
+      sum += lengths_of_forces(chunk, load_);
+    return sum;
   }
 
   /// \param    lengths   sum of the forces on all grains, without direction
@@ -182,11 +174,17 @@ class Minimiser {
            balance.contacts.normal_force;
   }
 
-  [[nodiscard]] bool arrived(const Balance& balance, const RelaxReport& report) const {
-    const bool balanced = balance.all > 0 && report.unbalanced_force_ratio < options_.force_tolerance;
+  [[nodiscard]] bool balanced(const Balance& balance) const {
+    // Lengths are at least 1/sqrt(3) of the sums of parts, which take no roots.
+    constexpr double least = 0.577;
+    return balance.all > 0 && unbalanced(balance, least * balance.grains.parts) < options_.force_tolerance &&
+           unbalanced(balance, lengths()) < options_.force_tolerance;
+  }
+
+  [[nodiscard]] bool arrived(const Balance& balance, double pressure) const {
     if (pressure_)
-      return balanced && std::abs(report.last_pressure / *pressure_ - 1) < options_.pressure_tolerance;
-    return balanced || parted(balance);
+      return std::abs(pressure / *pressure_ - 1) < options_.pressure_tolerance && balanced(balance);
+    return balanced(balance) || parted(balance);
   }
 
   /// Whether no overlap beyond its tolerance is left.
@@ -263,9 +261,9 @@ class Minimiser {
   VerletList list_;
   Partition parts_;
   double largest_size_ = largest_size(state_);
-  Grains grains_;
+  SlidingGrains grains_;
   std::optional<WallContacts> walls_;
-  std::vector<LoadRow> load_;
+  std::vector<PushRow> load_;
   double travelled_ = 0; ///< upper bound of own displacement since the list was built [m]
   double strained_ = 0;  ///< upper bound of the cell's strain since then [1]
   double speed_ = 0;     ///< sum of m v^2

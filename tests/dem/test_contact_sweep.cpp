@@ -29,20 +29,32 @@ Specimen shaken_lattice(bool unequal) {
   return state;
 }
 
+template <class Row>
 struct Swept {
   SweepSums sums;
-  std::vector<LoadRow> load;
+  std::vector<Row> load;
 };
 
-Swept swept(const Specimen& state, bool descent) {
-  Grains grains;
+template <class AnyGrains>
+AnyGrains grains_of(const Specimen& state) {
+  AnyGrains grains;
   grains.resize(state.grain_count());
   grains.set_sizes(own_sizes(state, 2650));
   for (std::size_t g = 0; g < state.grain_count(); ++g)
     grains.set_centre(g, state.position[g]);
-  const Partition parts =
-      partition(neighbour_pairs(state.cell, state.position, 2.1 * radius), state.grain_count());
-  Swept out{.sums = {}, .load = std::vector<LoadRow>(parts.rows)};
+  return grains;
+}
+
+Partition parts_of(const Specimen& state) {
+  return partition(neighbour_pairs(state.cell, state.position, 2.1 * radius), state.grain_count());
+}
+
+const contact::NormalKernel law = test::quartz_sphere(radius).kernel();
+
+Swept<LoadRow> smooth(const Specimen& state) {
+  const auto grains = grains_of<Grains>(state);
+  const Partition parts = parts_of(state);
+  Swept<LoadRow> out{.sums = {}, .load = std::vector<LoadRow>(parts.rows)};
   const SweepInput input{.pairs = parts.pairs,
                          .grains = grains,
                          .cell = state.cell,
@@ -51,10 +63,23 @@ Swept swept(const Specimen& state, bool descent) {
                          .unit_radius = radius,
                          .elapsed = 0,
                          .tangential_ratio = 0,
-                         .friction = 0,
-                         .descent = descent};
+                         .friction = 0};
   for (const Chunk& chunk : parts.chunks)
-    out.sums += contact_sweep(test::quartz_sphere(radius).kernel(), input, chunk, nullptr, out.load);
+    out.sums += contact_sweep(law, input, chunk, nullptr, out.load);
+  return out;
+}
+
+Swept<PushRow> descending(const Specimen& state) {
+  const auto grains = grains_of<SlidingGrains>(state);
+  const Partition parts = parts_of(state);
+  Swept<PushRow> out{.sums = {}, .load = std::vector<PushRow>(parts.rows)};
+  const DescentInput input{.pairs = parts.pairs,
+                           .grains = grains,
+                           .cell = state.cell,
+                           .diameter = 2 * radius * largest_size(state),
+                           .unit_radius = radius};
+  for (const Chunk& chunk : parts.chunks)
+    out.sums += descent_sweep(law, input, chunk, out.load);
   return out;
 }
 
@@ -64,7 +89,8 @@ TEST_CASE("a descent gets the forces of a sweep without friction, and some of it
   for (const bool unequal : {false, true}) {
     CAPTURE(unequal);
     const Specimen state = shaken_lattice(unequal);
-    const Swept whole = swept(state, false), part = swept(state, true);
+    const Swept<LoadRow> whole = smooth(state);
+    const Swept<PushRow> part = descending(state);
     CHECK(whole.sums.contacts > 500);
     CHECK(whole.sums.contacts < 6 * state.grain_count());
     CHECK(part.sums.contacts == whole.sums.contacts);

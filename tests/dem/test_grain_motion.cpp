@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t count = 7;
 
-Grains moving_grains() {
-  Grains grains;
+template <class AnyGrains>
+AnyGrains moving_grains() {
+  AnyGrains grains;
   grains.resize(count);
   for (std::size_t g = 0; g < count; ++g) {
     const double n = static_cast<double>(g);
@@ -27,8 +28,9 @@ Grains moving_grains() {
   return grains;
 }
 
-std::vector<LoadRow> forces() {
-  std::vector<LoadRow> load(count, LoadRow{});
+template <class Row>
+std::vector<Row> forces() {
+  std::vector<Row> load(count, Row{});
   for (std::size_t g = 0; g < count; ++g)
     add_force(load[g], {1, -static_cast<double>(g), 0.25});
   return load;
@@ -37,8 +39,8 @@ std::vector<LoadRow> forces() {
 /// One of each grain's own, from 1 to 4.
 double mass_of(std::size_t g) { return 1 + 0.5 * static_cast<double>(g); }
 
-Grains unequal_grains() {
-  Grains grains = moving_grains();
+SlidingGrains unequal_grains() {
+  auto grains = moving_grains<SlidingGrains>();
   std::vector<OwnSize> own;
   for (std::size_t g = 0; g < count; ++g)
     own.push_back({.size = 1, .radius = 1, .mass = mass_of(g), .per_mass = 1 / mass_of(g)});
@@ -49,25 +51,29 @@ Grains unequal_grains() {
 } // namespace
 
 TEST_CASE("sums over forces count what spare rows hold, of any number of grains") {
-  const Grains grains = moving_grains();
+  const auto grains = moving_grains<SlidingGrains>();
   const Vec3 lent{0.5, 4, -3};
   const std::vector<Addition> additions = {{count, 2}};
   for (std::size_t end = 3; end <= count; ++end) {
     CAPTURE(end);
-    std::vector<LoadRow> load = forces();
-    load.push_back(LoadRow{});
+    std::vector<PushRow> load = forces<PushRow>();
+    load.push_back(PushRow{});
     add_force(load.back(), lent);
     const Chunk chunk{.grains = {1, end}, .pairs = {}, .spare_rows = {}, .additions = {0, 1}};
     PushSums expected;
+    double lengths = 0;
     for (std::size_t g = 1; g < end; ++g) {
       const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
-      expected += {.power = dot(f, grains.velocity(g)), .squares = dot(f, f), .lengths = norm(f)};
+      expected += {.power = dot(f, grains.velocity(g)),
+                   .squares = dot(f, f),
+                   .parts = std::abs(f.x) + std::abs(f.y) + std::abs(f.z)};
+      lengths += norm(f);
     }
     const PushSums sums = settle_pushes(grains, chunk, additions, load);
     CHECK(sums.power == relative(expected.power, 1e-14));
     CHECK(sums.squares == relative(expected.squares, 1e-14));
-    CHECK(sums.lengths == relative(expected.lengths, 1e-14));
-    CHECK(ordered_lengths(chunk, load) == expected.lengths);
+    CHECK(sums.parts == relative(expected.parts, 1e-14));
+    CHECK(lengths_of_forces(chunk, load) == lengths);
   }
 }
 
@@ -77,16 +83,17 @@ TEST_CASE("a kick finds the fastest grain wherever it is") {
     for (std::size_t fast = 0; fast < end; ++fast) {
       CAPTURE(end);
       CAPTURE(fast);
-      Grains grains = moving_grains();
+      auto grains = moving_grains<Grains>();
+      const std::vector<LoadRow> load = forces<LoadRow>();
       grains.set_velocity(fast, {-5, 4, 3});
-      const Vec3 v = kick.keep * Vec3{-5, 4, 3} + kick.push * force(forces()[fast]);
-      const MotionSums sums = kick_grains(grains, {0, end}, forces(), kick, 1.5, 1);
+      const Vec3 v = kick.keep * Vec3{-5, 4, 3} + kick.push * force(load[fast]);
+      const MotionSums sums = kick_grains(grains, {0, end}, load, kick, 1.5, 1);
       CHECK(norm(grains.velocity(fast) - v) < 1e-14);
       CHECK(sums.speed_squared == relative(dot(v, v), 1e-14));
       double kinetic = 0, power = 0;
       for (std::size_t g = 0; g < end; ++g) {
         kinetic += 1.5 * dot(grains.velocity(g), grains.velocity(g));
-        power += dot(force(forces()[g]), grains.velocity(g));
+        power += dot(force(load[g]), grains.velocity(g));
       }
       CHECK(sums.kinetic == relative(kinetic, 1e-14));
       CHECK(sums.power == relative(power, 1e-14));
@@ -94,10 +101,10 @@ TEST_CASE("a kick finds the fastest grain wherever it is") {
 }
 
 TEST_CASE("grains glide with their new velocities, which have a largest length, and with the cell") {
-  const Grains before = moving_grains();
-  const std::vector<LoadRow> load = forces();
+  const auto before = moving_grains<SlidingGrains>();
+  const std::vector<PushRow> load = forces<PushRow>();
   const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
-  Grains grains = before;
+  SlidingGrains grains = before;
   const GlideSums sums = glide_grains(grains, load, glide);
   double squares = 0, fastest = 0;
   for (std::size_t g = 0; g < count; ++g) {
@@ -116,12 +123,12 @@ TEST_CASE("grains glide with their new velocities, which have a largest length, 
 }
 
 TEST_CASE("grains of masses of their own glide as much less as they are heavier") {
-  const Grains before = unequal_grains();
-  std::vector<LoadRow> load = forces();
+  const SlidingGrains before = unequal_grains();
+  std::vector<PushRow> load = forces<PushRow>();
   const Chunk all{.grains = {0, count}, .pairs = {}, .spare_rows = {}, .additions = {0, 0}};
   const PushSums pushes = settle_pushes(before, all, {}, load);
   const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
-  Grains grains = before;
+  SlidingGrains grains = before;
   const GlideSums sums = glide_grains(grains, load, glide);
   double power = 0, pull = 0, squares = 0;
   for (std::size_t g = 0; g < count; ++g) {

@@ -16,6 +16,7 @@
 #include "core/vector/inverse_root.hpp"
 #include "core/vector/power.hpp"
 #include "core/vector/rows.hpp"
+#include "pair_sizes.hpp"
 
 namespace granum::dem {
 
@@ -58,8 +59,13 @@ GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
 /// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
 constexpr std::size_t grains_nearby = 16384;
 
+/// What a pair reads of its grains, by their numbers.
+GRANUM_INLINE const MotionRow* rows_of(const Grains& grains) { return grains.row.data(); }
+GRANUM_INLINE const PlaceRow* rows_of(const SlidingGrains& grains) { return grains.place.data(); }
+
 /// Brings the rows of a block's grains near, while the block before it is worked off.
-GRANUM_INLINE void prefetch(const ListedPair* pairs, const MotionRow* rows, const LoadRow* load) {
+template <class Row, class Load>
+GRANUM_INLINE void prefetch(const ListedPair* pairs, const Row* rows, const Load* load) {
   for (std::size_t k = 0; k < block_size; ++k) {
     __builtin_prefetch(&rows[pairs[k].j]);
     __builtin_prefetch(&load[pairs[k].row], 1);
@@ -67,9 +73,10 @@ GRANUM_INLINE void prefetch(const ListedPair* pairs, const MotionRow* rows, cons
 }
 
 /// Branches alone, for pairs without friction.
-GRANUM_INLINE void load_branches(const SweepInput& in, const Shifts& shifts, const ListedPair* pairs,
+template <class Input>
+GRANUM_INLINE void load_branches(const Input& in, const Shifts& shifts, const ListedPair* pairs,
                                  PairBlock& p) {
-  const MotionRow* const rows = in.grains.row.data();
+  const auto* const rows = rows_of(in.grains);
   for (std::size_t k = 0; k < block_size; k += 4) {
     Four place[4];
     for (std::size_t n = 0; n < 4; ++n) {
@@ -131,47 +138,6 @@ GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKern
       law.coefficient * power_from<level>(log2_of<level>(overlap), SplitExponent(law.inverse_alpha));
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
-
-/// What pairs have in common where all grains are equal.
-struct EqualGrains {
-  double diameter;
-
-  explicit EqualGrains(const SweepInput& in) : diameter(in.diameter) {}
-  GRANUM_INLINE void load(const SweepInput& /*in*/, const ListedPair* /*pairs*/) {}
-  GRANUM_INLINE double reach(std::size_t /*pair*/) const { return diameter; }
-  /// What the stored spins of both grains are worth in turning the branch, and its turning in torque.
-  GRANUM_INLINE static double share(std::size_t /*pair*/) { return 0.5; }
-  /// The overlap times the mean curvature of both grains, over that of a grain of size 1.
-  GRANUM_INLINE static double curved(double overlap, std::size_t /*pair*/) { return overlap; }
-};
-
-/// The same for one block of pairs of different grains.
-class UnequalGrains {
- public:
-  explicit UnequalGrains(const SweepInput& in) : unit_radius_(in.unit_radius) {}
-
-  GRANUM_INLINE void load(const SweepInput& in, const ListedPair* pairs) {
-    const Two* const round = in.grains.round.data();
-    for (std::size_t k = 0; k < block_size; k += 2) {
-      const Two a = round[pairs[k].i] + round[pairs[k].j];
-      const Two b = round[pairs[k + 1].i] + round[pairs[k + 1].j];
-      *reinterpret_cast<TwoInMemory*>(&reach_[k]) = __builtin_shufflevector(a, b, 0, 2);
-      *reinterpret_cast<TwoInMemory*>(&curvature_[k]) = __builtin_shufflevector(a, b, 1, 3);
-    }
-    const double half_unit = 0.5 * unit_radius_;
-    for (std::size_t k = 0; k < block_size; ++k) {
-      per_reach_[k] = 1 / reach_[k];
-      curvature_[k] *= half_unit;
-    }
-  }
-  GRANUM_INLINE double reach(std::size_t pair) const { return reach_[pair]; }
-  GRANUM_INLINE double share(std::size_t pair) const { return per_reach_[pair]; }
-  GRANUM_INLINE double curved(double overlap, std::size_t pair) const { return overlap * curvature_[pair]; }
-
- private:
-  double unit_radius_;
-  Block reach_, per_reach_, curvature_;
-};
 
 /// In two loops: in one, the compiler would branch where a pair does not touch.
 template <VectorLevel level, class Law, class Sizes>
@@ -305,10 +271,10 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
 /// again with each pair it would have to wait for its own store every time. Nothing else changes that row
 /// meanwhile: forces on j go to rows of later grains or to spare ones; padding, where j is i, adds zeros.
 /// \param    Part   get and put of what is held of a row
-template <class Part>
+template <class Part, class Load>
 class HeldRow {
  public:
-  GRANUM_INLINE HeldRow(LoadRow* load, std::uint32_t grain)
+  GRANUM_INLINE HeldRow(Load* load, std::uint32_t grain)
       : load_(load), grain_(grain), sum_(Part::get(&load[grain])) {}
   GRANUM_INLINE typename Part::Row& of(std::uint32_t grain) {
     if (grain != grain_) {
@@ -321,7 +287,7 @@ class HeldRow {
   GRANUM_INLINE void put_back() { Part::put(&load_[grain_], sum_); }
 
  private:
-  LoadRow* load_;
+  Load* load_;
   std::uint32_t grain_;
   typename Part::Row sum_;
 };
@@ -329,14 +295,15 @@ class HeldRow {
 /// The force of a row of loads, without its torque.
 struct PushOfRow {
   using Row = Four;
-  GRANUM_INLINE static Four get(const LoadRow* from) { return from->push; }
-  GRANUM_INLINE static void put(LoadRow* to, const Four& push) { to->push = push; }
+  GRANUM_INLINE static Four get(const auto* from) { return from->push; }
+  GRANUM_INLINE static void put(auto* to, const Four& push) { to->push = push; }
 };
 
 /// Adds the forces of a block to its rows, pair by pair in the order of the list.
-GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
+template <class Load>
+GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, Load* load) {
   using Level = Rows<VectorLevel::avx2>;
-  HeldRow<PushOfRow> held(load, pairs[0].i);
+  HeldRow<PushOfRow, Load> held(load, pairs[0].i);
   for (std::size_t k = 0; k < block_size; k += 4) {
     Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
                     Four{}};
@@ -353,7 +320,7 @@ template <class Level>
 GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
   const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
   const typename Level::Column zero{};
-  HeldRow<Level> held(load, pairs[0].i);
+  HeldRow<Level, LoadRow> held(load, pairs[0].i);
   for (std::size_t k = 0; k < block_size; k += Level::lanes) {
     typename Level::Row row[Level::lanes];
     typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
@@ -396,18 +363,23 @@ SweepSums totals(const SumRows& sums) {
   return out;
 }
 
+template <class InputOf, class LoadOf>
 struct Work {
-  const SweepInput& in;
+  using Input = InputOf;
+  using Load = LoadOf;
+  const Input& in;
   const Shifts& shifts;
   const Chunk& chunk;
   MemoryBlock* memory; ///< null: frictionless
-  LoadRow* load;
+  Load* load;
   SumRows& sums;
 };
+using EngineWork = Work<SweepInput, LoadRow>;
+using DescentWork = Work<DescentInput, PushRow>;
 
-template <Purpose purpose, class Level, class Law, class Sizes>
-GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const Work& work, const ListedPair* pairs,
-                               MemoryBlock* memory, PairBlock& p) {
+template <Purpose purpose, class Level, class Law, class Sizes, class AnyWork>
+GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const AnyWork& work,
+                               const ListedPair* pairs, MemoryBlock* memory, PairBlock& p) {
   constexpr bool tangential = purpose == Purpose::friction;
   if constexpr (tangential)
     load_block<Level>(work.in, work.shifts, pairs, p);
@@ -424,19 +396,18 @@ GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const Work& w
     unload_forces(pairs, p, work.load);
 }
 
-template <Purpose purpose, class Sizes, class Level, class Law>
-GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
+template <Purpose purpose, class Sizes, class Level, class Law, class AnyWork>
+GRANUM_INLINE void sweep_all(const Law& law, const AnyWork& work) {
   PairBlock p;
   Sizes sizes(work.in);
   for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
-    for (std::size_t row = rows.begin; row < rows.end; ++row)
-      Level::put(&work.load[row], Level::row(Four{}, Four{}));
+    std::fill(work.load + rows.begin, work.load + rows.end, typename AnyWork::Load{});
   const ListedPair* const pairs = work.in.pairs.data();
   const bool far = work.in.grains.size() > grains_nearby;
   for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {
     const std::size_t next = std::min(first + block_size, work.chunk.pairs.end - block_size);
     if (far)
-      prefetch(pairs + next, work.in.grains.row.data(), work.load);
+      prefetch(pairs + next, rows_of(work.in.grains), work.load);
     sizes.load(work.in, pairs + first);
     MemoryBlock* const memory = purpose == Purpose::friction ? work.memory + first / block_size : nullptr;
     sweep_block<purpose, Level>(law, sizes, work, pairs + first, memory, p);
@@ -444,24 +415,39 @@ GRANUM_INLINE void sweep_all(const Law& law, const Work& work) {
 }
 
 template <class Sizes, class Level, class Law>
-GRANUM_INLINE void sweep_with(const Law& law, const Work& work) {
+GRANUM_INLINE void sweep_with(const Law& law, const EngineWork& work) {
   if (work.memory != nullptr)
     sweep_all<Purpose::friction, Sizes, Level>(law, work);
-  else if (work.in.descent)
-    sweep_all<Purpose::descent, Sizes, Level>(law, work);
   else
     sweep_all<Purpose::smooth, Sizes, Level>(law, work);
 }
+template <class Sizes, class Level, class Law>
+GRANUM_INLINE void sweep_with(const Law& law, const DescentWork& work) {
+  sweep_all<Purpose::descent, Sizes, Level>(law, work);
+}
 
 /// The law and the vectors are chosen once for all pairs.
-template <class Sizes>
-void run_sweep(const contact::NormalKernel& law, const Work& work) {
+template <class Sizes, class AnyWork>
+void run_sweep(const contact::NormalKernel& law, const AnyWork& work) {
   std::visit(
       [&](const auto& kernel) {
         at_vector_level([&]<VectorLevel level>(AtLevel<level>)
                             __attribute__((always_inline)) { sweep_with<Sizes, Rows<level>>(kernel, work); });
       },
       law);
+}
+
+template <class Load, class Input>
+SweepSums sums_of_sweep(const contact::NormalKernel& law, const Input& input, const Chunk& chunk,
+                        MemoryBlock* memory, std::vector<Load>& load) {
+  const Shifts shifts = shift_rows(input.cell, input.diameter);
+  SumRows sums;
+  const Work<Input, Load> work{input, shifts, chunk, memory, load.data(), sums};
+  if (input.grains.own.empty())
+    run_sweep<EqualGrains>(law, work);
+  else
+    run_sweep<UnequalGrains>(law, work);
+  return totals(sums);
 }
 
 } // namespace
@@ -478,14 +464,12 @@ SweepSums& SweepSums::operator+=(const SweepSums& other) {
 
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load) {
-  const Shifts shifts = shift_rows(input.cell, input.diameter);
-  SumRows sums;
-  const Work work{input, shifts, chunk, memory, load.data(), sums};
-  if (input.grains.own.empty())
-    run_sweep<EqualGrains>(law, work);
-  else
-    run_sweep<UnequalGrains>(law, work);
-  return totals(sums);
+  return sums_of_sweep<LoadRow>(law, input, chunk, memory, load);
+}
+
+SweepSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
+                        std::vector<PushRow>& load) {
+  return sums_of_sweep<PushRow>(law, input, chunk, nullptr, load);
 }
 
 } // namespace granum::dem

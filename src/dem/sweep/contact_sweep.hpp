@@ -42,13 +42,25 @@ struct SweepInput {
   double elapsed;          ///< time that the grains have moved since the last sweep [s]
   double tangential_ratio; ///< k_t/k_n
   double friction;         ///< finite
-  /// Without friction, of the sums only the diagonal of stress, normal_force, stiffest and contacts.
-  bool descent = false;
+};
+
+/// The same of a minimiser.
+struct DescentInput {
+  const std::vector<ListedPair>& pairs;
+  const SlidingGrains& grains;
+  Mat3 cell;
+  double diameter;
+  double unit_radius;
 };
 
 /// Forces of all pairs of a chunk, added up per row of load in the order of the list, from zero on. With
 /// memory (of all blocks) null, contacts are frictionless: torques stay zero and nothing is remembered.
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load);
+
+/// The same without friction, for grains that do not turn. Of the sums only the diagonal of stress,
+/// normal_force, stiffest and contacts.
+SweepSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
+                        std::vector<PushRow>& load);
 
 } // namespace granum::dem

@@ -62,46 +62,37 @@ GRANUM_INLINE Four sums_of_three(Four (&rows)[4]) {
   return rows[0] + rows[1] + rows[2];
 }
 
-template <class Level, bool equal>
-GRANUM_INLINE PushSums pushes_at_level(const Grains& grains, const Chunk& chunk,
-                                       const std::vector<Addition>& additions, std::vector<LoadRow>& load) {
-  add_spare_rows<Level>(chunk.additions, additions, load);
-  Four power{}, squares{}, lengths{};
-  const auto square_of = [&](std::size_t g) __attribute__((always_inline)) {
+template <bool equal>
+GRANUM_INLINE PushSums pushes_at_level(const SlidingGrains& grains, const Chunk& chunk,
+                                       const std::vector<Addition>& additions, std::vector<PushRow>& load) {
+  for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k)
+    load[additions[k].grain].push += load[additions[k].row].push;
+  Four power{}, squares{}, parts{};
+  for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
     const Four push = load[g].push;
     const Four square = push * push;
-    power += push * grains.row[g].rate;
+    power += push * grains.rate[g].rate;
     if constexpr (equal)
       squares += square;
     else
       squares += square * all(grains.own[g].per_mass);
-    return square;
-  };
-  std::size_t g = chunk.grains.begin;
-  for (; g + 4 <= chunk.grains.end; g += 4) {
-    Four square[4] = {square_of(g), square_of(g + 1), square_of(g + 2), square_of(g + 3)};
-    const Four sums = sums_of_three(square);
-    lengths += Four{std::sqrt(sums[0]), std::sqrt(sums[1]), std::sqrt(sums[2]), std::sqrt(sums[3])};
+    parts += push > 0 ? push : -push;
   }
-  for (; g < chunk.grains.end; ++g)
-    lengths[0] += std::sqrt(sum_of_three(square_of(g)));
-  return {.power = sum_of_three(power),
-          .squares = sum_of_three(squares),
-          .lengths = sum_of_three(lengths) + lengths[3]};
+  return {.power = sum_of_three(power), .squares = sum_of_three(squares), .parts = sum_of_three(parts)};
 }
 
 template <bool equal>
-GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
+GRANUM_INLINE GlideSums glide_at_level(SlidingGrains& grains, const std::vector<PushRow>& load,
+                                       const Glide& glide) {
   const Four keep = all(glide.keep), push = all(glide.push), dt = all(glide.dt), growth = all(glide.growth);
   Four squares{};
   double fastest = 0;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    MotionRow& grain = grains.row[g];
     Four rate;
     if constexpr (equal)
-      rate = keep * grain.rate + push * load[g].push;
+      rate = keep * grains.rate[g].rate + push * load[g].push;
     else
-      rate = keep * grain.rate + push * (load[g].push * all(grains.own[g].per_mass));
+      rate = keep * grains.rate[g].rate + push * (load[g].push * all(grains.own[g].per_mass));
     const double square = sum_of_three(rate * rate);
     fastest = std::max(fastest, square);
     if (square > glide.largest * glide.largest)
@@ -110,8 +101,8 @@ GRANUM_INLINE GlideSums glide_at_level(Grains& grains, const std::vector<LoadRow
       squares += rate * rate;
     else
       squares += rate * rate * all(grains.own[g].mass);
-    grain.rate = rate;
-    grain.place = growth * (grain.place + dt * rate);
+    grains.rate[g].rate = rate;
+    grains.place[g].place = growth * (grains.place[g].place + dt * rate);
   }
   return {.squares = sum_of_three(squares), .fastest = std::sqrt(fastest)};
 }
@@ -222,28 +213,28 @@ double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<
 PushSums& PushSums::operator+=(const PushSums& other) {
   power += other.power;
   squares += other.squares;
-  lengths += other.lengths;
+  parts += other.parts;
   return *this;
 }
 
-PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
-                       std::vector<LoadRow>& load) {
+PushSums settle_pushes(const SlidingGrains& grains, const Chunk& chunk,
+                       const std::vector<Addition>& additions, std::vector<PushRow>& load) {
   PushSums sums;
-  at_vector_level([&]<VectorLevel level>(AtLevel<level>) __attribute__((always_inline)) {
-    sums = grains.own.empty() ? pushes_at_level<Rows<level>, true>(grains, chunk, additions, load)
-                              : pushes_at_level<Rows<level>, false>(grains, chunk, additions, load);
+  at_vector_level([&](auto) __attribute__((always_inline)) {
+    sums = grains.own.empty() ? pushes_at_level<true>(grains, chunk, additions, load)
+                              : pushes_at_level<false>(grains, chunk, additions, load);
   });
   return sums;
 }
 
-double ordered_lengths(const Chunk& chunk, const std::vector<LoadRow>& load) {
+double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load) {
   double lengths = 0;
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g)
     lengths += norm(force(load[g]));
   return lengths;
 }
 
-GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide) {
+GlideSums glide_grains(SlidingGrains& grains, const std::vector<PushRow>& load, const Glide& glide) {
   GlideSums sums;
   at_vector_level([&](auto) __attribute__((always_inline)) {
     sums = grains.own.empty() ? glide_at_level<true>(grains, load, glide)

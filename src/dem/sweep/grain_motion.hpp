@@ -31,7 +31,7 @@ struct Kick {
 struct PushSums {
   double power = 0;   ///< sum of f v [W]
   double squares = 0; ///< sum of f^2/m [N^2]
-  double lengths = 0; ///< sum of |f|, four grains at a time [N]
+  double parts = 0;   ///< sum of |f_x| + |f_y| + |f_z|: 1 to sqrt(3) times that of |f| [N]
 
   PushSums& operator+=(const PushSums& other);
 };
@@ -57,13 +57,13 @@ void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
 /// their kick [W].
 double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load);
-/// Adds the spare rows that hold loads for a chunk, and sums over its forces. Grains do not turn.
-PushSums settle_pushes(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
-                       std::vector<LoadRow>& load);
+/// Adds the spare rows that hold loads for a chunk, and sums over its forces.
+PushSums settle_pushes(const SlidingGrains& grains, const Chunk& chunk,
+                       const std::vector<Addition>& additions, std::vector<PushRow>& load);
 /// Sum of |f| over the grains of a chunk in their order, once they are settled [N].
-double ordered_lengths(const Chunk& chunk, const std::vector<LoadRow>& load);
-/// Velocities and centres of all grains after the step. They do not turn.
-GlideSums glide_grains(Grains& grains, const std::vector<LoadRow>& load, const Glide& glide);
+double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load);
+/// Velocities and centres of all grains after the step.
+GlideSums glide_grains(SlidingGrains& grains, const std::vector<PushRow>& load, const Glide& glide);
 /// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as
 /// below.
 double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,

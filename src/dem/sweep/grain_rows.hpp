@@ -26,6 +26,8 @@ struct alignas(64) LoadRow {
   Four push; ///< x, y, z of f; x of t
 };
 
+inline Vec3 three_of(const Four& row) { return {row[0], row[1], row[2]}; }
+
 /// What is a grain's own where grains differ.
 struct OwnSize {
   double size;     ///< radius over that of a grain of size 1 [1]
@@ -34,46 +36,47 @@ struct OwnSize {
   double per_mass; ///< [1/kg]
 };
 
-/// The grains of an engine; y of the angular velocity has no room in the rows.
-///
-/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides the
-/// branch as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the
-/// sum of both R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the
-/// difference.
-struct Grains {
-  std::vector<MotionRow> row;
-  std::vector<double> spin_y;
-  std::vector<OwnSize> own; ///< empty: all grains are equal
+/// What grains do not share; empty where all are equal.
+struct GrainSizes {
+  std::vector<OwnSize> own;
   std::vector<Two>
       round; ///< radius and curvature of own, for the loops over pairs, which need no more [m, 1/m]
 
-  void resize(std::size_t count) {
-    row.assign(count, MotionRow{});
-    spin_y.assign(count, 0.0);
-  }
   void set_sizes(std::vector<OwnSize> sizes) {
     own = std::move(sizes);
     round.clear();
     for (const OwnSize& grain : own)
       round.push_back(Two{grain.radius, 1 / grain.radius});
   }
+  /// Radius of a grain, `equal` where all have the same [m].
+  [[nodiscard]] double radius_or(double equal, std::size_t g) const {
+    return own.empty() ? equal : own[g].radius;
+  }
+};
+
+/// The grains of an engine; y of the angular velocity has no room in the rows.
+///
+/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides the
+/// branch as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the
+/// sum of both R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the
+/// difference.
+struct Grains : GrainSizes {
+  std::vector<MotionRow> row;
+  std::vector<double> spin_y;
+
+  void resize(std::size_t count) {
+    row.assign(count, MotionRow{});
+    spin_y.assign(count, 0.0);
+  }
   [[nodiscard]] std::size_t size() const { return row.size(); }
-  [[nodiscard]] Vec3 centre(std::size_t g) const {
-    return {row[g].place[0], row[g].place[1], row[g].place[2]};
-  }
-  [[nodiscard]] Vec3 velocity(std::size_t g) const {
-    return {row[g].rate[0], row[g].rate[1], row[g].rate[2]};
-  }
+  [[nodiscard]] Vec3 centre(std::size_t g) const { return three_of(row[g].place); }
+  [[nodiscard]] Vec3 velocity(std::size_t g) const { return three_of(row[g].rate); }
   /// Angular velocity.
   [[nodiscard]] Vec3 spin(std::size_t g) const {
     const Vec3 stored{row[g].rate[3], spin_y[g], row[g].place[3]};
     return own.empty() ? stored : (1 / own[g].radius) * stored;
   }
 
-  /// Radius of a grain, `equal` where all have the same [m].
-  [[nodiscard]] double radius_or(double equal, std::size_t g) const {
-    return own.empty() ? equal : own[g].radius;
-  }
   /// A torque in the unit of the rows.
   [[nodiscard]] Vec3 stored_torque(std::size_t g, const Vec3& t) const {
     return own.empty() ? t : (1 / own[g].radius) * t;
@@ -89,10 +92,40 @@ struct Grains {
   }
 };
 
-inline Vec3 force(const LoadRow& load) { return {load.push[0], load.push[1], load.push[2]}; }
+/// Half of a row, for grains that do not turn; the last number is 0. In structs, as the compiler may keep its
+/// own vectors of four at addresses for two.
+struct alignas(32) PlaceRow {
+  Four place; ///< x [m]
+};
+struct alignas(32) RateRow {
+  Four rate; ///< v
+};
+struct alignas(32) PushRow {
+  Four push; ///< f [N]
+};
+
+/// The grains of a minimiser, which do not turn: a sweep goes through half the memory.
+struct SlidingGrains : GrainSizes {
+  std::vector<PlaceRow> place;
+  std::vector<RateRow> rate;
+
+  void resize(std::size_t count) {
+    place.assign(count, PlaceRow{});
+    rate.assign(count, RateRow{});
+  }
+  [[nodiscard]] std::size_t size() const { return place.size(); }
+  [[nodiscard]] Vec3 centre(std::size_t g) const { return three_of(place[g].place); }
+  [[nodiscard]] Vec3 velocity(std::size_t g) const { return three_of(rate[g].rate); }
+  void set_centre(std::size_t g, const Vec3& x) { place[g].place = Four{x.x, x.y, x.z, 0}; }
+  void set_velocity(std::size_t g, const Vec3& v) { rate[g].rate = Four{v.x, v.y, v.z, 0}; }
+};
+
+inline Vec3 force(const LoadRow& load) { return three_of(load.push); }
+inline Vec3 force(const PushRow& load) { return three_of(load.push); }
 /// In the unit of the rows.
 inline Vec3 torque(const LoadRow& load) { return {load.push[3], load.turn[0], load.turn[3]}; }
 inline void add_force(LoadRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
+inline void add_force(PushRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
 /// In the unit of the rows: t, or t/R where grains differ.
 inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;

@@ -42,8 +42,8 @@ class VerletList {
   ///           larger, or where the cell is too narrow for it
   VerletList(const Specimen& state, double skin, double wide_skin = 0);
 
-  /// Wraps the centres of a periodic cell and lists the pairs anew. The grains and their order are those of the
-  /// first build.
+  /// Wraps the centres of a periodic cell and lists the pairs anew. The grains and their order are those of
+  /// the first build.
   void build(Specimen& state);
 
   /// Since build.

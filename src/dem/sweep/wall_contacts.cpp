@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <variant>
 
 namespace granum::dem {
@@ -27,9 +28,21 @@ bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, 
   return slides;
 }
 
+/// The same from how grain and wall move. A rigid plate: all of it moves along itself as its centre does, and
+/// turning moves it across only.
+bool drag_along(WallHistory& contact, const WallPlane& plane, const SweepInput& in, const Vec3& arm,
+                const contact::NormalResponse& response, double friction) {
+  const Vec3 wall = in.gradient * plane.centre;
+  const Vec3 surface = in.gradient * in.grains.centre(contact.grain) + in.grains.velocity(contact.grain) +
+                       cross(in.grains.spin(contact.grain), arm);
+  return turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
+                        in.tangential_ratio * response.stiffness, friction * response.force);
+}
+
 } // namespace
 
-void WallContacts::list(const Mat3& cell, const Grains& grains, double radius, double gap,
+template <class AnyGrains>
+void WallContacts::list(const Mat3& cell, const AnyGrains& grains, double radius, double gap,
                         const std::vector<WallHistory>& history) {
   const std::array<WallPlane, wall_count> planes = wall_planes(cell);
   std::vector<WallHistory> listed;
@@ -46,18 +59,21 @@ void WallContacts::list(const Mat3& cell, const Grains& grains, double radius, d
   contacts_ = std::move(listed);
 }
 
-WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& in, Range of_grains,
-                               bool tangential, std::vector<LoadRow>& load, SweepSums& sums) {
+template void WallContacts::list(const Mat3&, const Grains&, double, double, const std::vector<WallHistory>&);
+template void WallContacts::list(const Mat3&, const SlidingGrains&, double, double,
+                                 const std::vector<WallHistory>&);
+
+template <class Input, class Load>
+WallForces WallContacts::sweep_all(const contact::NormalKernel& law, const Input& in, Range of_grains,
+                                   bool rough, std::vector<Load>& load, SweepSums& sums) {
   const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
-  const bool rough = tangential && friction_ > 0;
   WallForces forces;
   const auto before = [](const WallHistory& contact, std::size_t grain) { return contact.grain < grain; };
   const auto first = std::lower_bound(contacts_.begin(), contacts_.end(), of_grains.begin, before);
   const auto last = std::lower_bound(first, contacts_.end(), of_grains.end, before);
   for (WallHistory& contact : std::span(first, last)) {
     const WallPlane& plane = planes[contact.wall];
-    const Vec3 centre = in.grains.centre(contact.grain);
-    const double distance = wall_distance(plane, centre);
+    const double distance = wall_distance(plane, in.grains.centre(contact.grain));
     const double overlap = in.grains.radius_or(in.diameter / 2, contact.grain) - distance;
     if (!(overlap > 0)) {
       contact.tangential_force = {};
@@ -68,15 +84,12 @@ WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInpu
         [&](const auto& kernel) { return wall_response(kernel, in.grains, contact.grain, overlap); }, law);
     const Vec3 arm = -distance * plane.normal;
     Vec3 force = response.force * plane.normal;
-    if (rough) {
-      // A rigid plate: all of it moves along itself as its centre does, and turning moves it across only.
-      const Vec3 wall = in.gradient * plane.centre;
-      const Vec3 surface = in.gradient * centre + in.grains.velocity(contact.grain) +
-                           cross(in.grains.spin(contact.grain), arm);
-      forces.sliding += turn_and_limit(contact, plane.normal, in.elapsed * (surface - wall),
-                                       in.tangential_ratio * response.stiffness, friction_ * response.force);
-      force += contact.tangential_force;
-      add_torque(load[contact.grain], in.grains.stored_torque(contact.grain, cross(arm, force)));
+    if constexpr (std::is_same_v<Input, SweepInput>) {
+      if (rough) {
+        forces.sliding += drag_along(contact, plane, in, arm, response, friction_);
+        force += contact.tangential_force;
+        add_torque(load[contact.grain], in.grains.stored_torque(contact.grain, cross(arm, force)));
+      }
     }
     add_force(load[contact.grain], force);
     forces.force[contact.wall] += force;
@@ -88,6 +101,16 @@ WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInpu
     sums.stiffest = std::max(sums.stiffest, response.stiffness);
   }
   return forces;
+}
+
+WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInput& input, Range of_grains,
+                               bool tangential, std::vector<LoadRow>& load, SweepSums& sums) {
+  return sweep_all(law, input, of_grains, tangential && friction_ > 0, load, sums);
+}
+
+WallForces WallContacts::descent_sweep(const contact::NormalKernel& law, const DescentInput& input,
+                                       Range of_grains, std::vector<PushRow>& load, SweepSums& sums) {
+  return sweep_all(law, input, of_grains, false, load, sums);
 }
 
 std::vector<WallHistory> WallContacts::history() const {

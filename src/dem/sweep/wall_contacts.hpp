@@ -23,7 +23,7 @@ contact::NormalResponse wall_response(const Law& law, double overlap) {
 
 /// The same of one grain among different ones.
 template <class Law>
-contact::NormalResponse wall_response(const Law& law, const Grains& grains, std::size_t grain,
+contact::NormalResponse wall_response(const Law& law, const GrainSizes& grains, std::size_t grain,
                                       double overlap) {
   if (grains.own.empty())
     return wall_response(law, overlap);
@@ -44,12 +44,16 @@ class WallContacts {
   /// Lists the grains nearer to a wall than their radius and the gap; a memory moves to its contact's
   /// new place.
   /// \param    radius   of all grains, where they are equal [m]
-  void list(const Mat3& cell, const Grains& grains, double radius, double gap,
+  template <class AnyGrains>
+  void list(const Mat3& cell, const AnyGrains& grains, double radius, double gap,
             const std::vector<WallHistory>& history);
   /// Adds forces and torques on some grains to load and to the sums, and gives those on the walls. Tangential
   /// ones only where `tangential` and the walls are rough.
   WallForces sweep(const contact::NormalKernel& law, const SweepInput& input, Range of_grains,
                    bool tangential, std::vector<LoadRow>& load, SweepSums& sums);
+  /// Forces alone, on grains that do not turn.
+  WallForces descent_sweep(const contact::NormalKernel& law, const DescentInput& input, Range of_grains,
+                           std::vector<PushRow>& load, SweepSums& sums);
   void set_forces(const WallForces& forces) { forces_ = forces; }
 
   void save(ByteWriter& to) const {
@@ -71,6 +75,10 @@ class WallContacts {
   [[nodiscard]] const std::vector<WallHistory>& candidates() const { return contacts_; }
 
  private:
+  template <class Input, class Load>
+  WallForces sweep_all(const contact::NormalKernel& law, const Input& in, Range of_grains, bool rough,
+                       std::vector<Load>& load, SweepSums& sums);
+
   double friction_;
   std::vector<WallHistory> contacts_; ///< sorted by (grain, wall)
   WallForces forces_;
