@@ -32,9 +32,9 @@ struct Reference {
   [[nodiscard]] Drift drift(const Mat3& now, std::span<const Vec3> position_now) const;
 };
 
-/// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no. From the second
-/// time on it is taken from a list with a wider skin, as long as that one cannot lack a pair: the same pairs as
-/// a search finds, in a fraction of the time.
+/// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no. From the
+/// second time on it is taken from a list with a wider skin, as long as that one cannot lack a pair: the
+/// same pairs as a search finds, in a fraction of the time.
 /// Checked against searches by tests/dem/test_verlet_list.cpp
 class VerletList {
  public:
