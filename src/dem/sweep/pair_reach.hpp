@@ -40,8 +40,8 @@ class EqualReach {
   double squared_;
 };
 
-/// Pairs whose centres are nearer than the sum of both radii and a gap. The branch leads to the smaller grain,
-/// of two equal ones to j.
+/// Pairs whose centres are nearer than the sum of both radii and a gap. The branch leads to the smaller
+/// grain, of two equal ones to j.
 class UnequalReach {
  public:
   UnequalReach(const std::array<Vec3, 27>& shifts, std::span<const Vec3> position,
