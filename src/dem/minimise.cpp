@@ -76,7 +76,7 @@ class Minimiser {
       report.stopped = is_stopped(options_.stop_requested);
       if (report.stopped)
         break;
-      if (list_.may_be_outdated(travelled_, strained_))
+      if (list_.may_be_invalid(travelled_, strained_))
         check_list();
       balance = forces();
       report.last_pressure = balance.virial() / (3 * determinant(state_.cell));
