@@ -23,7 +23,7 @@ namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 100;
-/// Skin of the list/R.
+/// Skins of the list and of the wider one that it is taken from/R.
 constexpr double list_skin = 0.02, list_wide_skin = 0.2;
 /// Part of the adaptive drag that an engine keeps while it descends. Without any, tremors grow; from 0.1 to
 /// 0.3 steps differ by a tenth.

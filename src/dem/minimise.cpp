@@ -106,6 +106,7 @@ class Minimiser {
   /// Skin of the list/R. Grains that make room for each other in a fixed cell go farther than those that a
   /// pressure holds: the wider skin halves the time of a growth, and would cost a compression a tenth.
   static constexpr double pressed_skin = 0.1, growing_skin = 0.3;
+  /// Of the wider list that it is taken from: from 0.4 to 0.8, and from 0.7 to 1, the time is the same.
   static constexpr double pressed_wide_skin = 0.6, growing_wide_skin = 1;
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
@@ -175,9 +176,10 @@ class Minimiser {
   }
 
   [[nodiscard]] bool balanced(const Balance& balance) const {
-    // Lengths are at least 1/sqrt(3) of the sums of parts, which take no roots.
+    // Lengths are at least 1/sqrt(3) of the sums of components, which take no roots.
     constexpr double least = 0.577;
-    return balance.all > 0 && unbalanced(balance, least * balance.grains.parts) < options_.force_tolerance &&
+    return balance.all > 0 &&
+           unbalanced(balance, least * balance.grains.components) < options_.force_tolerance &&
            unbalanced(balance, lengths()) < options_.force_tolerance;
   }
 
@@ -261,7 +263,7 @@ class Minimiser {
   VerletList list_;
   Partition parts_;
   double largest_size_ = largest_size(state_);
-  SlidingGrains grains_;
+  TranslatingGrains grains_;
   std::optional<WallContacts> walls_;
   std::vector<PushRow> load_;
   double travelled_ = 0; ///< upper bound of own displacement since the list was built [m]

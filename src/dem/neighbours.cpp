@@ -182,12 +182,7 @@ std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
 }
 
 void wrap(const Mat3& cell, std::span<Vec3> position) {
-  const Mat3 to_fraction = inverse_of(cell);
-  for (Vec3& x : position) {
-    const Vec3 whole = whole_cells(to_fraction, x);
-    if (whole != Vec3{})
-      x -= cell * whole;
-  }
+  wrap_each(cell, position, [](std::size_t /*grain*/, const Vec3& /*whole*/) {});
 }
 
 std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position, double cutoff,

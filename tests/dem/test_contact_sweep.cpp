@@ -70,7 +70,7 @@ Swept<LoadRow> smooth(const Specimen& state) {
 }
 
 Swept<PushRow> descending(const Specimen& state) {
-  const auto grains = grains_of<SlidingGrains>(state);
+  const auto grains = grains_of<TranslatingGrains>(state);
   const Partition parts = parts_of(state);
   Swept<PushRow> out{.sums = {}, .load = std::vector<PushRow>(parts.rows)};
   const DescentInput input{.pairs = parts.pairs,

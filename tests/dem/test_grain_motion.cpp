@@ -39,8 +39,8 @@ std::vector<Row> forces() {
 /// One of each grain's own, from 1 to 4.
 double mass_of(std::size_t g) { return 1 + 0.5 * static_cast<double>(g); }
 
-SlidingGrains unequal_grains() {
-  auto grains = moving_grains<SlidingGrains>();
+TranslatingGrains unequal_grains() {
+  auto grains = moving_grains<TranslatingGrains>();
   std::vector<OwnSize> own;
   for (std::size_t g = 0; g < count; ++g)
     own.push_back({.size = 1, .radius = 1, .mass = mass_of(g), .per_mass = 1 / mass_of(g)});
@@ -51,7 +51,7 @@ SlidingGrains unequal_grains() {
 } // namespace
 
 TEST_CASE("sums over forces count what spare rows hold, of any number of grains") {
-  const auto grains = moving_grains<SlidingGrains>();
+  const auto grains = moving_grains<TranslatingGrains>();
   const Vec3 lent{0.5, 4, -3};
   const std::vector<Addition> additions = {{count, 2}};
   for (std::size_t end = 3; end <= count; ++end) {
@@ -66,13 +66,13 @@ TEST_CASE("sums over forces count what spare rows hold, of any number of grains"
       const Vec3 f = force(load[g]) + (g == 2 ? lent : Vec3{});
       expected += {.power = dot(f, grains.velocity(g)),
                    .squares = dot(f, f),
-                   .parts = std::abs(f.x) + std::abs(f.y) + std::abs(f.z)};
+                   .components = std::abs(f.x) + std::abs(f.y) + std::abs(f.z)};
       lengths += norm(f);
     }
     const PushSums sums = settle_pushes(grains, chunk, additions, load);
     CHECK(sums.power == relative(expected.power, 1e-14));
     CHECK(sums.squares == relative(expected.squares, 1e-14));
-    CHECK(sums.parts == relative(expected.parts, 1e-14));
+    CHECK(sums.components == relative(expected.components, 1e-14));
     CHECK(lengths_of_forces(chunk, load) == lengths);
   }
 }
@@ -101,10 +101,10 @@ TEST_CASE("a kick finds the fastest grain wherever it is") {
 }
 
 TEST_CASE("grains glide with their new velocities, which have a largest length, and with the cell") {
-  const auto before = moving_grains<SlidingGrains>();
+  const auto before = moving_grains<TranslatingGrains>();
   const std::vector<PushRow> load = forces<PushRow>();
   const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
-  SlidingGrains grains = before;
+  TranslatingGrains grains = before;
   const GlideSums sums = glide_grains(grains, load, glide);
   double squares = 0, fastest = 0;
   for (std::size_t g = 0; g < count; ++g) {
@@ -123,12 +123,12 @@ TEST_CASE("grains glide with their new velocities, which have a largest length, 
 }
 
 TEST_CASE("grains of masses of their own glide as much less as they are heavier") {
-  const SlidingGrains before = unequal_grains();
+  const TranslatingGrains before = unequal_grains();
   std::vector<PushRow> load = forces<PushRow>();
   const Chunk all{.grains = {0, count}, .pairs = {}, .spare_rows = {}, .additions = {0, 0}};
   const PushSums pushes = settle_pushes(before, all, {}, load);
   const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
-  SlidingGrains grains = before;
+  TranslatingGrains grains = before;
   const GlideSums sums = glide_grains(grains, load, glide);
   double power = 0, pull = 0, squares = 0;
   for (std::size_t g = 0; g < count; ++g) {

@@ -61,7 +61,7 @@ constexpr std::size_t grains_nearby = 16384;
 
 /// What a pair reads of its grains, by their numbers.
 GRANUM_INLINE const MotionRow* rows_of(const Grains& grains) { return grains.row.data(); }
-GRANUM_INLINE const PlaceRow* rows_of(const SlidingGrains& grains) { return grains.place.data(); }
+GRANUM_INLINE const PlaceRow* rows_of(const TranslatingGrains& grains) { return grains.place.data(); }
 
 /// Brings the rows of a block's grains near, while the block before it is worked off.
 template <class Row, class Load>
@@ -363,9 +363,8 @@ SweepSums totals(const SumRows& sums) {
   return out;
 }
 
-template <class InputOf, class LoadOf>
+template <class Input, class LoadOf>
 struct Work {
-  using Input = InputOf;
   using Load = LoadOf;
   const Input& in;
   const Shifts& shifts;

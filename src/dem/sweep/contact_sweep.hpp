@@ -47,7 +47,7 @@ struct SweepInput {
 /// The same of a minimiser.
 struct DescentInput {
   const std::vector<ListedPair>& pairs;
-  const SlidingGrains& grains;
+  const TranslatingGrains& grains;
   Mat3 cell;
   double diameter;
   double unit_radius;

@@ -12,7 +12,7 @@ namespace granum::dem {
 
 namespace {
 
-/// Sum of v f + t w from its parts by their places in the rows, and the part of y of w, which has none.
+/// Sum of v f + t w from its components by their places in the rows, and the part of y of w, which has none.
 GRANUM_INLINE double sum_of(const Four& turn, const Four& push, double turn_y) {
   return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
 }
@@ -53,21 +53,21 @@ GRANUM_INLINE double settle_at_level(const Grains& grains, const Chunk& chunk,
   return sum_of(low(sum), high(sum), turn_y);
 }
 
-/// Sum of the three parts that a vector has.
+/// Sum of the three components that a vector has.
 GRANUM_INLINE double sum_of_three(const Four& row) { return row[0] + row[1] + row[2]; }
 
-/// Sums of three parts, one of each of four rows.
+/// Sums of three components, one of each of four rows.
 GRANUM_INLINE Four sums_of_three(Four (&rows)[4]) {
   transpose(rows[0], rows[1], rows[2], rows[3]);
   return rows[0] + rows[1] + rows[2];
 }
 
 template <bool equal>
-GRANUM_INLINE PushSums pushes_at_level(const SlidingGrains& grains, const Chunk& chunk,
+GRANUM_INLINE PushSums pushes_at_level(const TranslatingGrains& grains, const Chunk& chunk,
                                        const std::vector<Addition>& additions, std::vector<PushRow>& load) {
   for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k)
     load[additions[k].grain].push += load[additions[k].row].push;
-  Four power{}, squares{}, parts{};
+  Four power{}, squares{}, components{};
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
     const Four push = load[g].push;
     const Four square = push * push;
@@ -76,13 +76,14 @@ GRANUM_INLINE PushSums pushes_at_level(const SlidingGrains& grains, const Chunk&
       squares += square;
     else
       squares += square * all(grains.own[g].per_mass);
-    parts += push > 0 ? push : -push;
+    components += push > 0 ? push : -push;
   }
-  return {.power = sum_of_three(power), .squares = sum_of_three(squares), .parts = sum_of_three(parts)};
+  return {
+      .power = sum_of_three(power), .squares = sum_of_three(squares), .components = sum_of_three(components)};
 }
 
 template <bool equal>
-GRANUM_INLINE GlideSums glide_at_level(SlidingGrains& grains, const std::vector<PushRow>& load,
+GRANUM_INLINE GlideSums glide_at_level(TranslatingGrains& grains, const std::vector<PushRow>& load,
                                        const Glide& glide) {
   const Four keep = all(glide.keep), push = all(glide.push), dt = all(glide.dt), growth = all(glide.growth);
   Four squares{};
@@ -213,11 +214,11 @@ double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<
 PushSums& PushSums::operator+=(const PushSums& other) {
   power += other.power;
   squares += other.squares;
-  parts += other.parts;
+  components += other.components;
   return *this;
 }
 
-PushSums settle_pushes(const SlidingGrains& grains, const Chunk& chunk,
+PushSums settle_pushes(const TranslatingGrains& grains, const Chunk& chunk,
                        const std::vector<Addition>& additions, std::vector<PushRow>& load) {
   PushSums sums;
   at_vector_level([&](auto) __attribute__((always_inline)) {
@@ -234,7 +235,7 @@ double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load) {
   return lengths;
 }
 
-GlideSums glide_grains(SlidingGrains& grains, const std::vector<PushRow>& load, const Glide& glide) {
+GlideSums glide_grains(TranslatingGrains& grains, const std::vector<PushRow>& load, const Glide& glide) {
   GlideSums sums;
   at_vector_level([&](auto) __attribute__((always_inline)) {
     sums = grains.own.empty() ? glide_at_level<true>(grains, load, glide)

@@ -29,9 +29,9 @@ struct Kick {
 
 /// Sums over the forces on grains, before anything moves. Masses m are 1 where all grains are equal.
 struct PushSums {
-  double power = 0;   ///< sum of f v [W]
-  double squares = 0; ///< sum of f^2/m [N^2]
-  double parts = 0;   ///< sum of |f_x| + |f_y| + |f_z|: 1 to sqrt(3) times that of |f| [N]
+  double power = 0;      ///< sum of f v [W]
+  double squares = 0;    ///< sum of f^2/m [N^2]
+  double components = 0; ///< sum of |f_x| + |f_y| + |f_z|: 1 to sqrt(3) times that of |f| [N]
 
   PushSums& operator+=(const PushSums& other);
 };
@@ -58,12 +58,12 @@ void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
 double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load);
 /// Adds the spare rows that hold loads for a chunk, and sums over its forces.
-PushSums settle_pushes(const SlidingGrains& grains, const Chunk& chunk,
+PushSums settle_pushes(const TranslatingGrains& grains, const Chunk& chunk,
                        const std::vector<Addition>& additions, std::vector<PushRow>& load);
 /// Sum of |f| over the grains of a chunk in their order, once they are settled [N].
 double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load);
 /// Velocities and centres of all grains after the step.
-GlideSums glide_grains(SlidingGrains& grains, const std::vector<PushRow>& load, const Glide& glide);
+GlideSums glide_grains(TranslatingGrains& grains, const std::vector<PushRow>& load, const Glide& glide);
 /// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as
 /// below.
 double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,

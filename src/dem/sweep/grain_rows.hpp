@@ -105,7 +105,7 @@ struct alignas(32) PushRow {
 };
 
 /// The grains of a minimiser, which do not turn: a sweep goes through half the memory.
-struct SlidingGrains : GrainSizes {
+struct TranslatingGrains : GrainSizes {
   std::vector<PlaceRow> place;
   std::vector<RateRow> rate;
 

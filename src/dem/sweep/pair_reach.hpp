@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Whether the grains of a pair are near each other, each time by the same sums, so that a
-// list taken from another holds the very pairs that a search would find.
+// Private to src/dem. What a search for pairs and a list taken from another have in common, each time by the
+// same sums, so that both find the very same pairs: images, the way back into the cell, and what is near.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -18,10 +19,19 @@ constexpr int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 
 /// That of the shift the other way.
 constexpr std::uint32_t opposite(std::uint32_t image) { return 26 - image; }
 
-/// Whole cell vectors that a centre lies outside of its cell.
-inline Vec3 whole_cells(const Mat3& to_fraction, const Vec3& centre) {
-  const Vec3 s = to_fraction * centre;
-  return {std::floor(s.x), std::floor(s.y), std::floor(s.z)};
+/// Moves every centre into the cell, and calls moved(grain, whole) for those that were `whole` cell vectors
+/// outside.
+template <class Moved>
+void wrap_each(const Mat3& cell, std::span<Vec3> position, const Moved& moved) {
+  const Mat3 to_fraction = inverse_of(cell);
+  for (std::size_t g = 0; g < position.size(); ++g) {
+    const Vec3 s = to_fraction * position[g];
+    const Vec3 whole{std::floor(s.x), std::floor(s.y), std::floor(s.z)};
+    if (whole == Vec3{})
+      continue;
+    position[g] -= cell * whole;
+    moved(g, whole);
+  }
 }
 
 /// Pairs whose centres are nearer than a cutoff.

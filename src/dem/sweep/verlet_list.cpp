@@ -100,20 +100,14 @@ bool VerletList::fits_wide(const Specimen& state) const {
 
 /// The wider list follows the grains that are moved. False where it cannot.
 bool VerletList::wrap_all(Specimen& state) {
-  const Mat3 to_fraction = inverse_of(state.cell);
-  const bool has_wide = !wide_reference_.position.empty();
   std::vector<Vec3> moved;
-  for (std::size_t g = 0; g < state.position.size(); ++g) {
-    const Vec3 whole = whole_cells(to_fraction, state.position[g]);
-    if (whole == Vec3{})
-      continue;
-    state.position[g] -= state.cell * whole;
-    if (!has_wide)
-      continue;
+  wrap_each(state.cell, state.position, [&](std::size_t g, const Vec3& whole) {
+    if (wide_reference_.position.empty())
+      return;
     wide_reference_.position[g] -= wide_reference_.cell * whole;
     moved.resize(state.position.size());
     moved[g] = whole;
-  }
+  });
   if (moved.empty())
     return true;
   for (Pair& pair : wide_pairs_) {

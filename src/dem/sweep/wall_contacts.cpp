@@ -60,7 +60,7 @@ void WallContacts::list(const Mat3& cell, const AnyGrains& grains, double radius
 }
 
 template void WallContacts::list(const Mat3&, const Grains&, double, double, const std::vector<WallHistory>&);
-template void WallContacts::list(const Mat3&, const SlidingGrains&, double, double,
+template void WallContacts::list(const Mat3&, const TranslatingGrains&, double, double,
                                  const std::vector<WallHistory>&);
 
 template <class Input, class Load>
