@@ -116,12 +116,23 @@ void each_near(const Bins& bins, const std::array<int, 3>& home, const std::arra
 }
 
 /// The same for half of the bins next to a home, from which the other half is seen; the home is in neither.
+/// Bins that follow each other come as one range.
 template <class Visit>
 void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images, const Visit& visit) {
+  std::uint32_t begin = 0, end = 0, shift = no_shift;
+  const auto join = [&](std::uint32_t first, std::uint32_t last, std::uint32_t image) {
+    if (first != end || image != shift) {
+      visit(begin, end, shift);
+      begin = first;
+      shift = image;
+    }
+    end = last;
+  };
   for (int dx = 0; dx <= 1; ++dx)
     for (int dy = dx == 0 ? 0 : -1; dy <= 1; ++dy)
       for (int dz = dx == 0 && dy == 0 ? 1 : -1; dz <= 1; ++dz)
-        visit_bin(bins, home, {dx, dy, dz}, images, visit);
+        visit_bin(bins, home, {dx, dy, dz}, images, join);
+  visit(begin, end, shift);
 }
 
 /// The bins that a distance from s reaches into; at most half of the cell, so that no bin comes in twice.
@@ -148,25 +159,25 @@ void require_cutoff(const Mat3& cell, double cutoff, Images images) {
                               " m]; the specimen has too few grains");
 }
 
-/// By (i, j).
-void sort_pairs(std::vector<Pair>& pairs, std::size_t grains) {
-  std::vector<std::size_t> next(grains + 1, 0);
+/// By one of both grains; pairs of the same grain keep their order.
+template <class GrainOf>
+void sort_by(std::vector<Pair>& pairs, std::size_t grains, std::vector<Pair>& spare, const GrainOf& grain) {
+  std::vector<std::uint32_t> next(grains + 1, 0);
   for (const Pair& pair : pairs)
-    ++next[pair.i + 1];
+    ++next[grain(pair) + 1];
   for (std::size_t g = 0; g < grains; ++g)
     next[g + 1] += next[g];
-  std::vector<Pair> sorted(pairs.size());
+  spare.resize(pairs.size());
   for (const Pair& pair : pairs)
-    sorted[next[pair.i]++] = pair;
-  // next[i] is now where the pairs of grain i end.
-  std::size_t first = 0;
-  for (std::size_t g = 0; g < grains; ++g) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first),
-              sorted.begin() + static_cast<std::ptrdiff_t>(next[g]),
-              [](const Pair& a, const Pair& b) { return a.j < b.j; });
-    first = next[g];
-  }
-  pairs = std::move(sorted);
+    spare[next[grain(pair)]++] = pair;
+  pairs.swap(spare);
+}
+
+/// By (i, j).
+void sort_pairs(std::vector<Pair>& pairs, std::size_t grains) {
+  std::vector<Pair> spare;
+  sort_by(pairs, grains, spare, [](const Pair& pair) { return pair.j; });
+  sort_by(pairs, grains, spare, [](const Pair& pair) { return pair.i; });
 }
 
 } // namespace
@@ -202,22 +213,29 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
     if (near(pair))
       pairs.push_back(pair);
   };
-  // The same pair seen from its other grain may differ in the last digit, so the first look is generous.
+  std::vector<std::uint32_t> found(position.size());
+  // Pairs of a grain with those in a range. The same pair seen from its other grain may differ in the last
+  // digit, so the first look is generous; it does not branch, as no branch could be foreseen.
   const double generous = cutoff * cutoff * (1 + 1e-9);
+  const auto look_at = [&](std::uint32_t a, std::uint32_t first, std::uint32_t last, std::uint32_t image) {
+    const Vec3 from = centre[a] - shifts[image];
+    std::size_t count = 0;
+    for (std::uint32_t b = first; b < last; ++b) {
+      const Vec3 branch = centre[b] - from;
+      found[count] = b;
+      count += static_cast<std::size_t>(dot(branch, branch) < generous);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      add_if_near(bins.grain[a], bins.grain[found[k]], image);
+  };
   const auto look_ahead = [&](const std::array<int, 3>& home) {
     const std::size_t own = bins.index(home[0], home[1], home[2]);
-    for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a)
-      for (std::uint32_t b = a + 1; b < bins.start[own + 1]; ++b)
-        add_if_near(bins.grain[a], bins.grain[b], no_shift);
+    const std::uint32_t begin = bins.start[own], end = bins.start[own + 1];
+    for (std::uint32_t a = begin; a < end; ++a)
+      look_at(a, a + 1, end, no_shift);
     each_ahead(bins, home, images, [&](std::uint32_t first, std::uint32_t last, std::uint32_t image) {
-      for (std::uint32_t a = bins.start[own]; a < bins.start[own + 1]; ++a) {
-        const Vec3 from = centre[a] - shifts[image];
-        for (std::uint32_t b = first; b < last; ++b) {
-          const Vec3 branch = centre[b] - from;
-          if (dot(branch, branch) < generous)
-            add_if_near(bins.grain[a], bins.grain[b], image);
-        }
-      }
+      for (std::uint32_t a = begin; a < end; ++a)
+        look_at(a, first, last, image);
     });
   };
   for (int bx = 0; bx < bins.count[0]; ++bx)

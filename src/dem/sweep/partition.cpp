@@ -46,9 +46,14 @@ std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t 
 }
 
 /// Sorts the additions by the chunk of their grain; those of one chunk keep the order in which they came.
-void sort_additions(const std::vector<Addition>& additions, Partition& out) {
+void sort_additions(const std::vector<Addition>& additions, std::size_t grains, Partition& out) {
+  std::vector<std::uint32_t> chunk_of(grains);
+  for (std::size_t c = 0; c < out.chunks.size(); ++c)
+    std::fill(chunk_of.begin() + static_cast<std::ptrdiff_t>(out.chunks[c].grains.begin),
+              chunk_of.begin() + static_cast<std::ptrdiff_t>(out.chunks[c].grains.end),
+              static_cast<std::uint32_t>(c));
   for (const Addition& addition : additions)
-    ++out.chunks[out.chunk_of(addition.grain)].additions.end;
+    ++out.chunks[chunk_of[addition.grain]].additions.end;
   std::size_t before = 0;
   for (Chunk& chunk : out.chunks) {
     const std::size_t count = chunk.additions.end;
@@ -57,7 +62,7 @@ void sort_additions(const std::vector<Addition>& additions, Partition& out) {
   }
   out.additions.resize(additions.size());
   for (const Addition& addition : additions)
-    out.additions[out.chunks[out.chunk_of(addition.grain)].additions.end++] = addition;
+    out.additions[out.chunks[chunk_of[addition.grain]].additions.end++] = addition;
 }
 
 } // namespace
@@ -90,7 +95,7 @@ Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
     chunk.spare_rows.end = out.rows;
     out.chunks.push_back(chunk);
   }
-  sort_additions(spare.additions(), out);
+  sort_additions(spare.additions(), grains, out);
   return out;
 }
 
