@@ -28,11 +28,9 @@ namespace {
 
 /// Sums over one sweep.
 struct Balance {
-  SweepSums contacts;  ///< those at walls among them
-  std::size_t all = 0; ///< contacts, those at walls among them
+  DescentSums contacts; ///< those at walls among them
+  std::size_t all = 0;  ///< contacts, those at walls among them
   PushSums grains;
-
-  [[nodiscard]] double virial() const { return trace(contacts.stress); }
 };
 
 /// FIRE's rule for time step and mixing, as published, with the dimensionless time step bounded by stability.
@@ -58,7 +56,7 @@ class Minimiser {
   Minimiser(const Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
-        options_(options), list_(state, pressure ? pressed_skin : growing_skin,
+        options_(options), list_(state, pressure ? first_pressed_skin : growing_skin,
                                  pressure ? pressed_wide_skin : growing_wide_skin),
         cell_inertia_(cell_inertia_per_grain(state.grain_count()) * static_cast<double>(state.grain_count()) *
                       state.radius * state.radius) {
@@ -72,14 +70,14 @@ class Minimiser {
   RelaxReport run() {
     RelaxReport report;
     Balance balance;
-    for (; report.steps < options_.max_steps; ++report.steps) {
+    for (; report.steps < options_.max_steps; ++report.steps, ++list_age_) {
       report.stopped = is_stopped(options_.stop_requested);
       if (report.stopped)
         break;
       if (list_.may_be_invalid(travelled_, strained_))
         check_list();
       balance = forces();
-      report.last_pressure = balance.virial() / (3 * determinant(state_.cell));
+      report.last_pressure = balance.contacts.virial / (3 * determinant(state_.cell));
       report.converged = arrived(balance, report.last_pressure);
       if (report.converged)
         break;
@@ -104,8 +102,9 @@ class Minimiser {
     return 500 * std::pow(std::max(1.0, static_cast<double>(grains) / 1000), 2.0 / 3);
   }
   /// Skin of the list/R. Grains that make room for each other in a fixed cell go farther than those that a
-  /// pressure holds: the wider skin halves the time of a growth, and would cost a compression a tenth.
-  static constexpr double pressed_skin = 0.1, growing_skin = 0.3;
+  /// pressure holds, whose skin follows their pace from the second list on.
+  static constexpr double first_pressed_skin = 0.03, growing_skin = 0.3;
+  static constexpr double least_pressed_skin = 0.005, largest_pressed_skin = 0.1;
   /// Of the wider list that it is taken from: from 0.4 to 0.8, and from 0.7 to 1, the time is the same.
   static constexpr double pressed_wide_skin = 0.6, growing_wide_skin = 1;
   /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
@@ -118,14 +117,25 @@ class Minimiser {
 
   /// Grains that swing to and fro end near where they began: the bounds go on from how far they really came.
   void check_list() {
-    fetch_centres();
-    const Drift drift = list_.drift(state_.cell, state_.position);
+    const Drift drift = list_.drift(state_.cell, [this](std::size_t g) { return grains_.centre(g); });
     if (list_.valid(drift)) {
       travelled_ = drift.farthest;
       strained_ = drift.strain;
     } else {
+      if (pressure_)
+        list_.set_skin(skin_for(list_.nearing(drift) / static_cast<double>(list_age_)));
+      fetch_centres();
       list_pairs();
     }
+  }
+
+  /// Skin [m] for grains that near each other at a pace [m] a step. A list lasts skin/pace steps and takes
+  /// about three to make; the pairs in it that do not touch lengthen a step by some 1.7 skin/R. Both together
+  /// take the least time where they take the same.
+  [[nodiscard]] double skin_for(double pace) const {
+    constexpr double list_steps = 3, longer_by = 1.7;
+    const double skin = std::sqrt(list_steps / longer_by * pace / state_.radius);
+    return std::clamp(skin, least_pressed_skin, largest_pressed_skin) * state_.radius;
   }
 
   void list_pairs() {
@@ -137,6 +147,7 @@ class Minimiser {
     if (walls_)
       walls_->list(state_.cell, grains_, state_.radius, list_.skin(), {});
     travelled_ = strained_ = 0;
+    list_age_ = 0;
   }
 
   Balance forces() {
@@ -147,7 +158,7 @@ class Minimiser {
                              .unit_radius = state_.radius};
     Balance balance;
     for (const Chunk& chunk : parts_.chunks) {
-      SweepSums sums = descent_sweep(law_, input, chunk, load_);
+      DescentSums sums = descent_sweep(law_, input, chunk, load_);
       if (walls_)
         balance.all += walls_->descent_sweep(law_, input, chunk.grains, load_, sums).contacts;
       // Spare rows come from earlier chunks alone, as j > i.
@@ -215,7 +226,7 @@ class Minimiser {
   void advance(const Balance& balance) {
     const double volume = determinant(state_.cell);
     const double cell_force =
-        pressure_ ? (balance.virial() - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
+        pressure_ ? (balance.contacts.virial - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
     // No mass is below 1: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen
     // lately.
     stiffness_scale_ = std::max(balance.contacts.stiffest, 0.98 * stiffness_scale_);
@@ -240,7 +251,7 @@ class Minimiser {
 
   /// Velocities become keep v + push f, and all moves with them for dt.
   void move(double dt, double keep, double push, double cell_force) {
-    // No grain moves farther than a tenth of the skin's order in one step, whatever the forces.
+    // No grain moves farther than this in one step, whatever the forces.
     const double largest_move = 0.02 * state_.radius;
     const double cell_rate = (keep * cell_velocity_ + push * cell_force) / std::sqrt(cell_inertia_);
     const double cell_step = std::clamp(dt * cell_rate, -largest_cell_step, largest_cell_step);
@@ -266,9 +277,10 @@ class Minimiser {
   TranslatingGrains grains_;
   std::optional<WallContacts> walls_;
   std::vector<PushRow> load_;
-  double travelled_ = 0; ///< upper bound of own displacement since the list was built [m]
-  double strained_ = 0;  ///< upper bound of the cell's strain since then [1]
-  double speed_ = 0;     ///< sum of m v^2
+  std::size_t list_age_ = 0; ///< steps since the list was built
+  double travelled_ = 0;     ///< upper bound of own displacement since the list was built [m]
+  double strained_ = 0;      ///< upper bound of the cell's strain since then [1]
+  double speed_ = 0;         ///< sum of m v^2
   double cell_velocity_ = 0;
   double cell_inertia_;
   double stiffness_scale_ = 0;

@@ -3,6 +3,7 @@
 // wander through the faces of a cell that is strained.
 #include "dem/sweep/verlet_list.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -39,13 +40,13 @@ Specimen scattered(const Mat3& shape, std::size_t grains, unsigned seed, bool un
 }
 
 /// What a search finds for the state as it is.
-std::vector<Pair> searched(const Specimen& state) {
+std::vector<Pair> searched(const Specimen& state, double skin_of_list = skin) {
   std::vector<double> radius;
   for (std::size_t g = 0; g < state.grain_count(); ++g)
     radius.push_back(state.radius_of(g));
   if (state.size.empty())
-    return neighbour_pairs(state.cell, state.position, 2 + skin, images(state));
-  return neighbour_pairs(state.cell, state.position, radius, skin, images(state));
+    return neighbour_pairs(state.cell, state.position, 2 + skin_of_list, images(state));
+  return neighbour_pairs(state.cell, state.position, radius, skin_of_list, images(state));
 }
 
 /// All grains by up to `step` on each axis, the cell and they by a little strain.
@@ -84,6 +85,28 @@ TEST_CASE("lists taken from a wider one hold the pairs of a search, in its order
       }
 }
 
+TEST_CASE("each list may have another skin than the one before") {
+  for (const bool unequal : {false, true}) {
+    CAPTURE(unequal);
+    Specimen state = scattered(skew, 500, 17, unequal);
+    VerletList list(state, skin, wide_skin);
+    std::mt19937_64 random(19);
+    constexpr std::size_t builds = 30;
+    for (std::size_t b = 0; b < builds; ++b) {
+      const double next = std::array{0.005, 0.1, 0.03, 0.3}[b % 4];
+      list.set_skin(next);
+      CHECK(list.skin() == next);
+      list.build(state);
+      REQUIRE(list.pairs() == searched(state, next));
+      CHECK(list.valid({.farthest = 0.49 * next, .strain = 0}));
+      CHECK_FALSE(list.valid({.farthest = 0.51 * next, .strain = 0}));
+      wander(state, random, 0.02);
+    }
+    CHECK(list.searches() > 2);
+    CHECK(list.searches() < builds / 2);
+  }
+}
+
 TEST_CASE("a grain that crosses faces again and again keeps its pairs") {
   Specimen state = scattered(cube, 300, 5, false);
   VerletList list(state, skin, wide_skin);
@@ -106,29 +129,31 @@ TEST_CASE("a grain that crosses faces again and again keeps its pairs") {
 }
 
 TEST_CASE("two grains that come from afar, straight at each other, are listed in time") {
-  for (const bool by_strain : {false, true}) {
-    Specimen state;
-    state.radius = 1;
-    state.cell = Mat3::diagonal(10, 10, 10);
-    state.position = {{5 - 1.3005, 5, 5}, {5 + 1.3005, 5, 5}}; // just not in the wider list
-    VerletList list(state, skin, wide_skin);
-    list.build(state);
-    for (int b = 0; b < 60; ++b) {
+  for (const bool by_strain : {false, true})
+    for (const double later_skin : {skin, 0.3}) {
+      Specimen state;
+      state.radius = 1;
+      state.cell = Mat3::diagonal(10, 10, 10);
+      state.position = {{5 - 1.3005, 5, 5}, {5 + 1.3005, 5, 5}}; // just not in the wider list
+      VerletList list(state, skin, wide_skin);
       list.build(state);
-      REQUIRE(list.pairs() == searched(state));
-      if (by_strain) {
-        const Mat3 squeeze = Mat3::diagonal(0.995, 1, 1);
-        state.cell = squeeze * state.cell;
-        for (Vec3& x : state.position)
-          x = squeeze * x;
-      } else {
-        state.position[0].x += 0.005;
-        state.position[1].x -= 0.005;
+      list.set_skin(later_skin);
+      for (int b = 0; b < 60; ++b) {
+        list.build(state);
+        REQUIRE(list.pairs() == searched(state, later_skin));
+        if (by_strain) {
+          const Mat3 squeeze = Mat3::diagonal(0.995, 1, 1);
+          state.cell = squeeze * state.cell;
+          for (Vec3& x : state.position)
+            x = squeeze * x;
+        } else {
+          state.position[0].x += 0.005;
+          state.position[1].x -= 0.005;
+        }
       }
+      CHECK(list.pairs().size() == 1);
+      CHECK(list.searches() < 15);
     }
-    CHECK(list.pairs().size() == 1);
-    CHECK(list.searches() < 15);
-  }
 }
 
 TEST_CASE("without a wider skin, in a cell too narrow for one and after a leap each list is searched") {

@@ -34,7 +34,7 @@ struct PairBlock {
 /// Running sums, one for each place in a vector of eight.
 struct SumRows {
   std::array<Eight, 9> stress{};
-  Eight normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
+  Eight virial{}, normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
 };
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
@@ -240,26 +240,31 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
 /// What a sweep is for: an engine with friction, one without, or a minimiser, which asks for fewer sums.
 enum class Purpose { friction, smooth, descent };
 
+/// \param    stiffness   k_n l^2
+GRANUM_INLINE void add_stress(const PairBlock& p, std::size_t k, const Eight& stiffness, SumRows& s) {
+  const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
+  const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
+  s.stress[0] += fx * bx;
+  s.stress[1] += fx * by;
+  s.stress[2] += fx * bz;
+  s.stress[3] += fy * bx;
+  s.stress[4] += fy * by;
+  s.stress[5] += fy * bz;
+  s.stress[6] += fz * bx;
+  s.stress[7] += fz * by;
+  s.stress[8] += fz * bz;
+  s.stiffness += stiffness;
+}
+
 template <Purpose purpose>
 GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
-  constexpr bool whole = purpose != Purpose::descent;
   SumRows s = sums;
   for (std::size_t k = 0; k < block_size; k += 8) {
-    const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
-    const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
-    const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k);
-    s.stress[0] += fx * bx;
-    s.stress[4] += fy * by;
-    s.stress[8] += fz * bz;
-    if constexpr (whole) {
-      s.stress[1] += fx * by;
-      s.stress[2] += fx * bz;
-      s.stress[3] += fy * bx;
-      s.stress[5] += fy * bz;
-      s.stress[6] += fz * bx;
-      s.stress[7] += fz * by;
-      s.stiffness += stiffness * eight(p.squared, k);
-    }
+    const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k), squared = eight(p.squared, k);
+    if constexpr (purpose == Purpose::descent)
+      s.virial += force * (squared * eight(p.inverse_length, k));
+    else
+      add_stress(p, k, stiffness * squared, s);
     s.normal_force += force;
     s.stiffest = s.stiffest > stiffness ? s.stiffest : stiffness;
     s.contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
@@ -349,18 +354,31 @@ double total(const Eight& row) {
   return sum;
 }
 
-SweepSums totals(const SumRows& sums) {
+double largest(const Eight& row) {
+  double most = 0;
+  for (std::size_t k = 0; k < 8; ++k)
+    most = std::max(most, row[k]);
+  return most;
+}
+
+SweepSums whole_totals(const SumRows& sums) {
   SweepSums out;
   for (int row = 0; row < 3; ++row)
     for (int col = 0; col < 3; ++col)
       out.stress(row, col) = total(sums.stress[static_cast<std::size_t>(3 * row + col)]);
   out.normal_force = total(sums.normal_force);
   out.stiffness = total(sums.stiffness);
-  for (std::size_t k = 0; k < 8; ++k)
-    out.stiffest = std::max(out.stiffest, sums.stiffest[k]);
+  out.stiffest = largest(sums.stiffest);
   out.contacts = static_cast<std::size_t>(total(sums.contacts));
   out.sliding = static_cast<std::size_t>(total(sums.sliding));
   return out;
+}
+
+DescentSums descent_totals(const SumRows& sums) {
+  return {.virial = total(sums.virial),
+          .normal_force = total(sums.normal_force),
+          .stiffest = largest(sums.stiffest),
+          .contacts = static_cast<std::size_t>(total(sums.contacts))};
 }
 
 template <class Input, class LoadOf>
@@ -437,8 +455,8 @@ void run_sweep(const contact::NormalKernel& law, const AnyWork& work) {
 }
 
 template <class Load, class Input>
-SweepSums sums_of_sweep(const contact::NormalKernel& law, const Input& input, const Chunk& chunk,
-                        MemoryBlock* memory, std::vector<Load>& load) {
+SumRows sums_of_sweep(const contact::NormalKernel& law, const Input& input, const Chunk& chunk,
+                      MemoryBlock* memory, std::vector<Load>& load) {
   const Shifts shifts = shift_rows(input.cell, input.diameter);
   SumRows sums;
   const Work<Input, Load> work{input, shifts, chunk, memory, load.data(), sums};
@@ -446,7 +464,7 @@ SweepSums sums_of_sweep(const contact::NormalKernel& law, const Input& input, co
     run_sweep<EqualGrains>(law, work);
   else
     run_sweep<UnequalGrains>(law, work);
-  return totals(sums);
+  return sums;
 }
 
 } // namespace
@@ -461,14 +479,22 @@ SweepSums& SweepSums::operator+=(const SweepSums& other) {
   return *this;
 }
 
-SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
-                        MemoryBlock* memory, std::vector<LoadRow>& load) {
-  return sums_of_sweep<LoadRow>(law, input, chunk, memory, load);
+DescentSums& DescentSums::operator+=(const DescentSums& other) {
+  virial += other.virial;
+  normal_force += other.normal_force;
+  stiffest = std::max(stiffest, other.stiffest);
+  contacts += other.contacts;
+  return *this;
 }
 
-SweepSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
-                        std::vector<PushRow>& load) {
-  return sums_of_sweep<PushRow>(law, input, chunk, nullptr, load);
+SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
+                        MemoryBlock* memory, std::vector<LoadRow>& load) {
+  return whole_totals(sums_of_sweep<LoadRow>(law, input, chunk, memory, load));
+}
+
+DescentSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
+                          std::vector<PushRow>& load) {
+  return descent_totals(sums_of_sweep<PushRow>(law, input, chunk, nullptr, load));
 }
 
 } // namespace granum::dem

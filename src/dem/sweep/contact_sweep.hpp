@@ -32,6 +32,16 @@ struct SweepSums {
   SweepSums& operator+=(const SweepSums& other);
 };
 
+/// The same of a minimiser.
+struct DescentSums {
+  double virial = 0;       ///< sum of f l: the trace of stress [J]
+  double normal_force = 0; ///< [N]
+  double stiffest = 0;     ///< [N/m]
+  std::size_t contacts = 0;
+
+  DescentSums& operator+=(const DescentSums& other);
+};
+
 struct SweepInput {
   const std::vector<ListedPair>& pairs;
   const Grains& grains;
@@ -58,9 +68,8 @@ struct DescentInput {
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load);
 
-/// The same without friction, for grains that do not turn. Of the sums only the diagonal of stress,
-/// normal_force, stiffest and contacts.
-SweepSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
-                        std::vector<PushRow>& load);
+/// The same without friction, for grains that do not turn.
+DescentSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
+                          std::vector<PushRow>& load);
 
 } // namespace granum::dem

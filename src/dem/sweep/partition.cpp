@@ -35,12 +35,22 @@ class SpareRows {
 /// Where chunks of like work end: a grain takes about as long as a pair.
 std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t grains, std::size_t count) {
   std::vector<std::size_t> ends(count, grains);
-  std::size_t c = 0, before = 0; // pairs of the grains up to g
-  for (std::size_t g = 0; g < grains; ++g) {
-    while (before < pairs.size() && pairs[before].i == g)
-      ++before;
-    if (c + 1 < count && count * (before + g + 1) >= (c + 1) * (pairs.size() + grains))
-      ends[c++] = g + 1;
+  const auto past = [](std::size_t g, const Pair& pair) { return g < pair.i; };
+  for (std::size_t c = 0; c + 1 < count; ++c) {
+    // The first grain up to which there is a share of grains and their pairs.
+    const auto upto = [&](std::size_t g) {
+      const auto before = std::upper_bound(pairs.begin(), pairs.end(), g, past) - pairs.begin();
+      return count * (static_cast<std::size_t>(before) + g + 1) >= (c + 1) * (pairs.size() + grains);
+    };
+    std::size_t low = c == 0 ? 0 : std::min(ends[c - 1], grains - 1), high = grains - 1;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (upto(middle))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    ends[c] = low + 1;
   }
   return ends;
 }

@@ -44,19 +44,12 @@ void take_within(const Reach& reach, const std::vector<Pair>& from, std::vector<
 Reference::Reference(const Specimen& state)
     : cell(state.cell), cell_inverse(inverse_of(state.cell)), position(state.position) {}
 
-Drift Reference::drift(const Mat3& now, std::span<const Vec3> position_now) const {
-  const Mat3 gradient = now * cell_inverse;
-  Drift out;
+double size_of_strain(const Mat3& gradient) {
+  double size = 0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      out.strain += std::abs(gradient(i, j) - (i == j ? 1 : 0));
-  double farthest = 0;
-  for (std::size_t g = 0; g < position_now.size(); ++g) {
-    const Vec3 moved = position_now[g] - gradient * position[g];
-    farthest = std::max(farthest, dot(moved, moved));
-  }
-  out.farthest = std::sqrt(farthest);
-  return out;
+      size += std::abs(gradient(i, j) - (i == j ? 1 : 0));
+  return size;
 }
 
 VerletList::VerletList(const Specimen& state, double skin, double wide_skin)
@@ -69,9 +62,9 @@ void VerletList::build(Specimen& state) {
       radius_.push_back(state.radius_of(g));
   if (!state.walls && !wrap_all(state))
     wide_reference_ = {};
-  const bool kept =
-      !wide_reference_.position.empty() &&
-      nearing(wide_reference_.drift(state.cell, state.position), wide_skin_) < wide_skin_ - skin_;
+  const auto centre = [&](std::size_t g) { return state.position[g]; };
+  const bool kept = !wide_reference_.position.empty() &&
+                    nearing(wide_reference_.drift(state.cell, centre), wide_skin_) < wide_skin_ - skin_;
   if (!kept && searches_ > 0 && fits_wide(state)) {
     wide_pairs_ = search(state, wide_skin_);
     wide_reference_ = Reference(state);

@@ -2,8 +2,9 @@
 // Private to src/dem.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Drift {
   double strain = 0;   ///< of the cell, the sum of magnitudes
 };
 
+/// Sum of the magnitudes of a strain's components.
+[[nodiscard]] double size_of_strain(const Mat3& gradient);
+
 /// Where grains and cell were at some moment.
 struct Reference {
   Mat3 cell, cell_inverse;
@@ -29,7 +33,17 @@ struct Reference {
 
   explicit Reference(const Specimen& state);
   Reference() = default;
-  [[nodiscard]] Drift drift(const Mat3& now, std::span<const Vec3> position_now) const;
+  /// \param    centre_now   of a grain by its number
+  template <class CentreOf>
+  [[nodiscard]] Drift drift(const Mat3& now, const CentreOf& centre_now) const {
+    const Mat3 gradient = now * cell_inverse;
+    double farthest = 0;
+    for (std::size_t g = 0; g < position.size(); ++g) {
+      const Vec3 moved = centre_now(g) - gradient * position[g];
+      farthest = std::max(farthest, dot(moved, moved));
+    }
+    return {.farthest = std::sqrt(farthest), .strain = size_of_strain(gradient)};
+  }
 };
 
 /// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no. From the
@@ -47,12 +61,18 @@ class VerletList {
   void build(Specimen& state);
 
   /// Since build.
-  [[nodiscard]] Drift drift(const Mat3& cell, std::span<const Vec3> position) const {
-    return reference_.drift(cell, position);
+  template <class CentreOf>
+  [[nodiscard]] Drift drift(const Mat3& cell_now, const CentreOf& centre_now) const {
+    return reference_.drift(cell_now, centre_now);
   }
 
   /// False when two grains that are not listed could have come into contact since build.
-  [[nodiscard]] bool valid(const Drift& drift) const { return nearing(drift, skin_) < skin_; }
+  [[nodiscard]] bool valid(const Drift& drift) const { return nearing(drift) < skin_; }
+  /// What the centres of a pair that the list lacks have neared each other at most since build [m].
+  [[nodiscard]] double nearing(const Drift& drift) const { return nearing(drift, skin_); }
+
+  /// Of the next list, which is to be built before anything else is asked [m].
+  void set_skin(double skin) { skin_ = skin; }
 
   /// Whether valid() could say no before long, from upper bounds of the drift.
   [[nodiscard]] bool may_be_outdated(double travelled, double strained) const {

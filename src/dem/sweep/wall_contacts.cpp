@@ -63,9 +63,9 @@ template void WallContacts::list(const Mat3&, const Grains&, double, double, con
 template void WallContacts::list(const Mat3&, const TranslatingGrains&, double, double,
                                  const std::vector<WallHistory>&);
 
-template <class Input, class Load>
+template <class Input, class Load, class Sums>
 WallForces WallContacts::sweep_all(const contact::NormalKernel& law, const Input& in, Range of_grains,
-                                   bool rough, std::vector<Load>& load, SweepSums& sums) {
+                                   bool rough, std::vector<Load>& load, Sums& sums) {
   const std::array<WallPlane, wall_count> planes = wall_planes(in.cell);
   WallForces forces;
   const auto before = [](const WallHistory& contact, std::size_t grain) { return contact.grain < grain; };
@@ -95,9 +95,13 @@ WallForces WallContacts::sweep_all(const contact::NormalKernel& law, const Input
     forces.force[contact.wall] += force;
     ++forces.contacts;
     // The grain bears -force on the wall, over the branch `arm`.
-    sums.stress += outer(-force, arm);
+    if constexpr (std::is_same_v<Sums, SweepSums>) {
+      sums.stress += outer(-force, arm);
+      sums.stiffness += response.stiffness * distance * distance;
+    } else {
+      sums.virial += dot(-force, arm);
+    }
     sums.normal_force += response.force;
-    sums.stiffness += response.stiffness * distance * distance;
     sums.stiffest = std::max(sums.stiffest, response.stiffness);
   }
   return forces;
@@ -109,7 +113,7 @@ WallForces WallContacts::sweep(const contact::NormalKernel& law, const SweepInpu
 }
 
 WallForces WallContacts::descent_sweep(const contact::NormalKernel& law, const DescentInput& input,
-                                       Range of_grains, std::vector<PushRow>& load, SweepSums& sums) {
+                                       Range of_grains, std::vector<PushRow>& load, DescentSums& sums) {
   return sweep_all(law, input, of_grains, false, load, sums);
 }
 

@@ -53,7 +53,7 @@ class WallContacts {
                    bool tangential, std::vector<LoadRow>& load, SweepSums& sums);
   /// Forces alone, on grains that do not turn.
   WallForces descent_sweep(const contact::NormalKernel& law, const DescentInput& input, Range of_grains,
-                           std::vector<PushRow>& load, SweepSums& sums);
+                           std::vector<PushRow>& load, DescentSums& sums);
   void set_forces(const WallForces& forces) { forces_ = forces; }
 
   void save(ByteWriter& to) const {
@@ -75,9 +75,9 @@ class WallContacts {
   [[nodiscard]] const std::vector<WallHistory>& candidates() const { return contacts_; }
 
  private:
-  template <class Input, class Load>
+  template <class Input, class Load, class Sums>
   WallForces sweep_all(const contact::NormalKernel& law, const Input& in, Range of_grains, bool rough,
-                       std::vector<Load>& load, SweepSums& sums);
+                       std::vector<Load>& load, Sums& sums);
 
   double friction_;
   std::vector<WallHistory> contacts_; ///< sorted by (grain, wall)
