@@ -46,9 +46,12 @@ void check_energy(const packing::Assembly& a, const std::vector<std::uint32_t>& 
           row[c] = uniform(-1, 1);
       motion.of(g) = x[g];
     }
-    const network::PerCase energy = motion.energy(backbone, links);
+    const network::PerCase energy = motion.energy(backbone, links), squares = motion.squares();
     network::apply_stiffness<Dof>(backbone, alone, 0, x, answer);
     const elastic::Matrix6 expected = network::products<Dof>(alone, x, answer);
+    const elastic::Matrix6 sizes = network::products<Dof>(alone, x, x);
+    for (int c = 0; c < network::load_cases; ++c)
+      CHECK(squares[static_cast<std::size_t>(c)] == doctest::Approx(sizes(c, c)).epsilon(1e-13));
     for (int c = 0; c < network::load_cases; ++c)
       CHECK(energy[static_cast<std::size_t>(c)] == doctest::Approx(expected(c, c)).epsilon(1e-13));
   }

@@ -27,14 +27,17 @@ constexpr double lost_stiffness = 0.1;
 constexpr double least_stiffened = 1e-4;
 // Where pivots are judged: directions whose eigenvalue is below this part of that mean are.
 constexpr double soft = 1e-2;
-// Their motions leave out displacements whose energy would be below this part of the eigenvalue.
-constexpr double negligible_energy = 1e-2;
+// Their motions leave out displacements below this part of the eigenvalue over that mean.
+constexpr double negligible_soft = 0.3;
 // Directions are lost where the energy of the motion is more than so many times the eigenvalue.
 constexpr double far_off = 10;
 // In these two limits, smaller eigenvalues, and negative ones, count as this part of that mean.
 constexpr double least_compared = 1e-8;
 // Displacements that the motion of a held direction leaves out.
 constexpr double negligible_held = 1e-6;
+// Energies below this part of that mean and of the sum of the squares of all displacements are those of free
+// motions: no more is left when terms of that size cancel.
+constexpr double rounding = 1e-15;
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
 /// target -= left^T right
@@ -234,7 +237,7 @@ class Elimination {
     Vector values = found;
     if (found[0] >= soft * mean_)
       return values;
-    const PerCase energy = motion_energy(i, directions, std::sqrt(negligible_energy * softest), work.slot);
+    const PerCase energy = motion_energy(i, directions, negligible_soft * softest, work.slot);
     for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
@@ -243,7 +246,7 @@ class Elimination {
   }
 
   /// Energies of the motions that directions of grain i stand for, one in each lane: grains before i give
-  /// way, those behind it stand still. Leaves out displacements below `negligible`.
+  /// way, those behind it stand still. Leaves out displacements below `negligible`; 0 for free motions.
   [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
                                       std::vector<std::uint32_t>& slot) const {
     const auto bears = [negligible](const Rows<Dof>& x) {
@@ -263,7 +266,12 @@ class Elimination {
       for (std::uint32_t e = first; e < last && bears(here); ++e)
         subtract(row_[g][e - first], here, motion.of(pattern_.column[e]));
     }
-    return motion.energy(backbone_, links_);
+    PerCase energy = motion.energy(backbone_, links_);
+    const PerCase squares = motion.squares();
+    for (std::size_t k = 0; k < energy.size(); ++k)
+      if (energy[k] < rounding * mean_ * squares[k])
+        energy[k] = 0;
+    return energy;
   }
 
   /// Whether the motion of some soft direction is far stiffer than its pivot.

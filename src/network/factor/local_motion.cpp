@@ -58,6 +58,17 @@ bool LocalMotion<Dof>::take_latest(std::uint32_t& grain) {
 }
 
 template <int Dof>
+PerCase LocalMotion<Dof>::squares() const {
+  Lanes sum = {};
+  for (const Rows<Dof>& x : rows_)
+    add_work<Dof>(x, x, sum);
+  PerCase squares;
+  for (std::size_t c = 0; c < squares.size(); ++c)
+    squares[c] = sum[static_cast<int>(c)];
+  return squares;
+}
+
+template <int Dof>
 PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& links) const {
   const Rows<Dof> still = {};
   Lanes sum = {};

@@ -57,6 +57,8 @@ class LocalMotion {
   bool take_latest(std::uint32_t& grain);
   /// x^T H x of each motion.
   [[nodiscard]] PerCase energy(const Backbone& backbone, const LinksOfGrains& links) const;
+  /// Sum of the squares of all displacements of each motion.
+  [[nodiscard]] PerCase squares() const;
 
  private:
   [[nodiscard]] bool moves(std::uint32_t grain) const { return place_[grain] != absent; }
