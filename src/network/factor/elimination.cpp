@@ -35,8 +35,8 @@ constexpr double far_off = 10;
 constexpr double least_compared = 1e-8;
 // Displacements that the motion of a held direction leaves out.
 constexpr double negligible_held = 1e-6;
-// Energies below this part of that mean and of the sum of the squares of all displacements are those of free
-// motions: no more is left when terms of that size cancel.
+// A motion is free where its energy is below this part of that mean times the sum of the squares of all its
+// displacements: so much is left when terms of that size cancel.
 constexpr double rounding = 1e-15;
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
