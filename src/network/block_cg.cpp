@@ -88,6 +88,8 @@ class Relaxation {
       if (solution.status == Status::not_positive_definite) // on the way from the best: by rounding
         solution.status = Status::iteration_limit;
     }
+    if (solution.status == Status::not_positive_definite && !is_prestressed())
+      solution.status = Status::iteration_limit; // by rounding: nothing else makes energies negative
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
     solution.residual = worst_of(size);
@@ -96,6 +98,11 @@ class Relaxation {
   }
 
  private:
+  [[nodiscard]] bool is_prestressed() const {
+    return std::any_of(backbone_.links.begin(), backbone_.links.end(),
+                       [](const Link& l) { return l.prestress != 0; });
+  }
+
   /// Load cases whose forces cancel on every grain are solved by q = 0.
   void silence_noise() {
     const PerCase size = norms(load_), terms = affine_force_scale(backbone_);

@@ -31,15 +31,18 @@ TEST_CASE(
     double kept;
     int measured;
   };
-  for (const Lattice& of : {Lattice{0.255, 51}, Lattice{0.258, 40}, Lattice{0.262, 36}, Lattice{0.28, 25}}) {
+  std::size_t lost = 0;
+  for (const Lattice& of :
+       {Lattice{0.245, 53}, Lattice{0.255, 47}, Lattice{0.258, 39}, Lattice{0.262, 35}, Lattice{0.28, 24}}) {
     CAPTURE(of.kept);
     const network::Response response =
         network::linear_response(samples::large_network(29, of.kept), {.iteration_limit = 300});
     REQUIRE(response.converged());
     REQUIRE(response.report().grains >= 20000);
-    CHECK(response.report().mended_pivots > 0); // or nothing is tested
+    lost += response.report().mended_pivots;
     CHECK(response.report().iterations <= of.measured + of.measured / 10);
   }
+  CHECK(lost > 0); // or their part is not tested
 }
 
 TEST_CASE("networks that lose many pivots are solved") {
@@ -51,6 +54,13 @@ TEST_CASE("networks that lose many pivots are solved") {
     REQUIRE(response.converged());
     CHECK(response.report().mended_pivots > 0); // or nothing is tested
   }
+}
+
+TEST_CASE("a network without prestress is not called unstable where rounding makes an energy negative") {
+  // The first factor comes to a negative energy after 108 iterations.
+  const network::Response response =
+      network::linear_response(samples::large_network(28, 0.24727, 1, 7003), {.iteration_limit = 120});
+  CHECK(response.report().status != network::Status::not_positive_definite);
 }
 
 TEST_CASE("where one factor loses too many pivots, another is tried") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -94,8 +95,8 @@ class Elimination {
   Elimination(const Backbone& backbone, const Workers& workers, const FactorRule& rule,
               const FillPattern& pattern)
       : backbone_(backbone), workers_(workers), rule_(rule), pattern_(pattern), links_(backbone),
-        below_(backbone.grain_count),
-        row_(backbone.grain_count), made_{.root = diagonal_blocks<Dof>(backbone)},
+        below_(backbone.grain_count), row_(backbone.grain_count),
+        soft_(backbone.grain_count), made_{.root = diagonal_blocks<Dof>(backbone)},
         mean_(mean_diagonal(made_.root)) {}
 
   Eliminated<Dof> run() {
@@ -129,6 +130,17 @@ class Elimination {
     std::uint32_t row;
     int column; ///< of R, which is zero at first
     Vector direction;
+  };
+  /// What a grain after a soft pivot feels of the motions of its soft directions.
+  struct Coupling {
+    std::uint32_t grain;
+    Rows<Dof> force; ///< one motion in each lane, of energy 1; 0 where it is free
+  };
+  /// A pivot whose first directions were judged: what their motions do to later grains is found with them, as
+  /// what is left of the elimination is right for the stiffness that it leaves, which is not theirs.
+  struct SoftPivot {
+    int directions = 0; ///< the first columns of R
+    std::vector<Coupling> couplings;
   };
   /// A finished block of a column.
   struct Entry {
@@ -184,13 +196,26 @@ class Elimination {
     const std::uint32_t* const column = pattern_.column.data() + pattern_.row_start[i];
     for (std::size_t e = 0; e < work.row.size(); ++e) {
       const std::uint32_t j = column[e];
-      const Block<Dof> finished = product_of_transposed(made_.root[j], work.row[e]);
+      Block<Dof> finished = product_of_transposed(made_.root[j], work.row[e]);
+      if (soft_[j])
+        take_couplings(*soft_[j], i, finished);
       for (const auto [k, place] : below_[j])
         if (const std::uint32_t slot = work.slot[k]; slot != absent)
           subtract_product(row_[k][place], finished, work.row[slot]);
       subtract_product(finished, finished, pivot);
       row[e] = finished;
     }
+  }
+
+  /// Replaces what soft directions of an earlier pivot leave in a block of row i.
+  static void take_couplings(const SoftPivot& pivot, std::uint32_t i, Block<Dof>& finished) {
+    Rows<Dof> force = {};
+    for (const Coupling& c : pivot.couplings)
+      if (c.grain == i)
+        force = c.force;
+    for (int k = 0; k < pivot.directions; ++k)
+      for (int c = 0; c < Dof; ++c)
+        finished.at[k][c] = force.row[c][k];
   }
 
   /// Replaces pivot i by the root of its inverse; returns whether it had to be mended first.
@@ -211,44 +236,80 @@ class Elimination {
     bool mended = true;
     if (rule_.soft_pivots == SoftPivots::stiffened)
       values = found.unaryExpr([&](double v) { return std::max(std::abs(v), least_stiffened * mean_); });
-    else {
-      if (judges())
-        values = judged_values(i, pivot, work);
-      mended = !judges() || is_lost(found, values);
-      for (int k = 0; k < Dof && mended && found[k] < lost_stiffness * mean_; ++k)
-        if (values[k] < rigid)
-          hold(i, pivot, k, work, values);
-    }
+    else if (judges())
+      mended = judge(i, pivot, work, values);
+    else
+      for (int k = 0; k < Dof && found[k] < lost_stiffness * mean_; ++k)
+        hold(i, pivot, k, work, values);
     map = pivot.eigenvectors() * values.cwiseSqrt().cwiseInverse().asDiagonal();
     return mended;
   }
 
-  /// Eigenvalues of a pivot, the soft ones after what their motions say. Free motions bear no load, and
-  /// rounding would drive them: there the pivot is rigid.
-  [[nodiscard]] Vector judged_values(std::uint32_t i, const PivotSystem& pivot, Work& work) const {
+  /// Gives soft directions of a pivot the stiffness of their motions. Free motions bear no load, and rounding
+  /// would drive them: there the pivot is rigid. Lost directions are held; returns whether there are any.
+  bool judge(std::uint32_t i, const PivotSystem& pivot, Work& work, Vector& values) {
     const Vector found = pivot.eigenvalues();
     double softest = 1; // at most, over the mean diagonal
     Rows<Dof> directions = {};
-    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
+    SoftPivot judged;
+    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k, ++judged.directions) {
       softest = std::min(softest, std::max(std::abs(found[k]) / mean_, least_compared));
       for (int r = 0; r < Dof; ++r)
         directions.row[r][k] = pivot.eigenvectors()(r, k);
     }
-    Vector values = found;
-    if (found[0] >= soft * mean_)
-      return values;
-    const PerCase energy = motion_energy(i, directions, negligible_soft * softest, work.slot);
-    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k) {
+    if (judged.directions == 0)
+      return false;
+    LocalMotion<Dof> motion(work.slot);
+    give_way(i, directions, negligible_soft * softest, motion);
+    const PerCase energy = energies_of(motion);
+    bool lost = false;
+    for (int k = 0; k < judged.directions; ++k) {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
+      if (values[k] < rigid && of_motion > far_off * std::max(found[k], least_compared * mean_)) {
+        hold(i, pivot, k, work, values);
+        lost = true;
+      }
     }
-    return values;
+    judged.couplings = couplings_of(i, motion, values);
+    soft_[i] = std::make_unique<SoftPivot>(std::move(judged));
+    return lost;
   }
 
-  /// Energies of the motions that directions of grain i stand for, one in each lane: grains before i give
-  /// way, those behind it stand still. Leaves out displacements below `negligible`; 0 for free motions.
-  [[nodiscard]] PerCase motion_energy(std::uint32_t i, const Rows<Dof>& directions, double negligible,
-                                      std::vector<std::uint32_t>& slot) const {
+  /// Forces of motions on the later grains that the pattern couples with grain i.
+  [[nodiscard]] std::vector<Coupling> couplings_of(std::uint32_t i, const LocalMotion<Dof>& motion,
+                                                   const Vector& stiffness) const {
+    std::vector<Coupling> couplings;
+    motion.forces_after(i, links_, [&](std::uint32_t g, const Rows<Dof>& force) {
+      if (!is_coupled(g, i))
+        return;
+      auto of_grain =
+          std::find_if(couplings.begin(), couplings.end(), [g](const Coupling& c) { return c.grain == g; });
+      if (of_grain == couplings.end())
+        of_grain = couplings.insert(of_grain, {g, {}});
+      for (int r = 0; r < Dof; ++r)
+        of_grain->force.row[r] += force.row[r];
+    });
+    Lanes scale = {};
+    for (int k = 0; k < Dof; ++k)
+      scale[k] = stiffness[k] > 0 ? 1 / std::sqrt(stiffness[k]) : 0;
+    for (Coupling& c : couplings)
+      for (Lanes& row : c.force.row)
+        row *= scale;
+    return couplings;
+  }
+
+  /// Whether row `later` has a place for column `earlier`.
+  [[nodiscard]] bool is_coupled(std::uint32_t later, std::uint32_t earlier) const {
+    const std::uint32_t* const column = pattern_.column.data();
+    return std::binary_search(column + pattern_.row_start[later], column + pattern_.row_start[later + 1],
+                              earlier);
+  }
+
+  /// The motions that directions of grain i stand for, one in each lane: grains before i give way, those
+  /// behind it stand still. Leaves out what displacements below `negligible` would move.
+  void give_way(std::uint32_t i, const Rows<Dof>& directions, double negligible,
+                LocalMotion<Dof>& motion) const {
     const auto bears = [negligible](const Rows<Dof>& x) {
       for (const Lanes& row : x.row)
         for (int k = 0; k < Dof; ++k)
@@ -256,7 +317,6 @@ class Elimination {
             return true;
       return false;
     };
-    LocalMotion<Dof> motion(slot);
     motion.of(i) = directions;
     for (std::uint32_t g = i; motion.take_latest(g);) {
       if (g != i)
@@ -266,20 +326,16 @@ class Elimination {
       for (std::uint32_t e = first; e < last && bears(here); ++e)
         subtract(row_[g][e - first], here, motion.of(pattern_.column[e]));
     }
+  }
+
+  /// Energies of motions; 0 for free ones.
+  [[nodiscard]] PerCase energies_of(const LocalMotion<Dof>& motion) const {
     PerCase energy = motion.energy(backbone_, links_);
     const PerCase squares = motion.squares();
     for (std::size_t k = 0; k < energy.size(); ++k)
       if (energy[k] < rounding * mean_ * squares[k])
         energy[k] = 0;
     return energy;
-  }
-
-  /// Whether the motion of some soft direction is far stiffer than its pivot.
-  [[nodiscard]] bool is_lost(const Vector& found, const Vector& values) const {
-    for (int k = 0; k < Dof; ++k)
-      if (values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_))
-        return true;
-    return false;
   }
 
   /// Makes a pivot rigid along its eigenvector k, for the time being.
@@ -298,7 +354,9 @@ class Elimination {
       Rows<Dof> direction = {};
       for (int r = 0; r < Dof; ++r)
         direction.row[r][0] = held_[k].direction[r];
-      const double energy = motion_energy(held_[k].row, direction, negligible_held, slot)[0];
+      LocalMotion<Dof> motion(slot);
+      give_way(held_[k].row, direction, negligible_held, motion);
+      const double energy = energies_of(motion)[0];
       stiffness[k] = judges() && energy < least ? rigid : std::max(energy, least);
     });
     for (std::size_t k = 0; k < held_.size(); ++k)
@@ -322,6 +380,7 @@ class Elimination {
   std::vector<std::vector<Entry>> below_; ///< finished blocks of each column
   std::vector<const Block<Dof>*> row_;    ///< first block of each finished row
   std::vector<HeldDirection> held_;
+  std::vector<std::unique_ptr<SoftPivot>> soft_; ///< of each row, where its pivot is one
   Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` R^-T L
   double mean_;          ///< diagonal of H
 };

@@ -8,6 +8,7 @@
 
 #include "network/backbone.hpp"
 #include "network/lanes.hpp"
+#include "network/link_answer.hpp"
 
 namespace granum::network {
 
@@ -55,6 +56,20 @@ class LocalMotion {
   Rows<Dof>& of(std::uint32_t grain);
   /// Takes the latest of the grains that have not been taken yet; false where none is left.
   bool take_latest(std::uint32_t& grain);
+  /// add(grain, force) for each contact between a grain that moves and one after `last`, where all stand still:
+  /// what the contact does to the latter in each motion, H x in its rows.
+  template <class Add>
+  void forces_after(std::uint32_t last, const LinksOfGrains& links, const Add& add) const {
+    const Rows<Dof> still = {};
+    for (std::size_t k = 0; k < grains_.size(); ++k)
+      links.with_later(grains_[k], [&](const Link& l) {
+        if (l.b <= last)
+          return;
+        Rows<Dof> on_earlier = {}, on_later = {};
+        answer<Dof>(l, rows_[k], still, on_earlier, on_later);
+        add(l.b, on_later);
+      });
+  }
   /// x^T H x of each motion.
   [[nodiscard]] PerCase energy(const Backbone& backbone, const LinksOfGrains& links) const;
   /// Sum of the squares of all displacements of each motion.
