@@ -31,18 +31,15 @@ TEST_CASE(
     double kept;
     int measured;
   };
-  std::size_t lost = 0;
-  for (const Lattice& of :
-       {Lattice{0.245, 53}, Lattice{0.255, 47}, Lattice{0.258, 39}, Lattice{0.262, 35}, Lattice{0.28, 24}}) {
+  for (const Lattice& of : {Lattice{0.255, 51}, Lattice{0.258, 40}, Lattice{0.262, 36}, Lattice{0.28, 25}}) {
     CAPTURE(of.kept);
     const network::Response response =
         network::linear_response(samples::large_network(29, of.kept), {.iteration_limit = 300});
     REQUIRE(response.converged());
     REQUIRE(response.report().grains >= 20000);
-    lost += response.report().mended_pivots;
+    CHECK(response.report().mended_pivots > 0); // or nothing is tested
     CHECK(response.report().iterations <= of.measured + of.measured / 10);
   }
-  CHECK(lost > 0); // or their part is not tested
 }
 
 TEST_CASE("networks that lose many pivots are solved") {

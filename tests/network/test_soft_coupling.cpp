@@ -43,7 +43,7 @@ TEST_CASE(
   const FillPattern pattern = fill_pattern(backbone, 0);
   REQUIRE(pattern.size() == backbone.links.size());
   const Eliminated<3> made =
-      eliminate<3>(backbone, Workers(nullptr), {.shift = 1e-12, .soft_pivots = SoftPivots::judged}, pattern);
+      eliminate<3>(backbone, Workers(nullptr), {.shift = 1e-12, .soft_pivots = SoftPivots::coupled}, pattern);
 
   // Where 2 moves by 1: 1 and 0 are in balance, 3 stands still.
   const double x0 = 1 / (2 * (1 + to_wall + from_0_to_3) - 1), x1 = (1 + x0) / 2;

@@ -156,7 +156,8 @@ class Elimination {
     std::size_t mended_pivots = 0;
   };
 
-  [[nodiscard]] bool judges() const { return rule_.soft_pivots == SoftPivots::judged; }
+  [[nodiscard]] bool couples() const { return rule_.soft_pivots == SoftPivots::coupled; }
+  [[nodiscard]] bool judges() const { return rule_.soft_pivots == SoftPivots::judged || couples(); }
 
   void eliminate_piece(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
     work.slot.assign(backbone_.grain_count, absent);
@@ -246,7 +247,8 @@ class Elimination {
   }
 
   /// Gives soft directions of a pivot the stiffness of their motions. Free motions bear no load, and rounding
-  /// would drive them: there the pivot is rigid. Lost directions are held; returns whether there are any.
+  /// would drive them: there the pivot is rigid. Where directions are lost, they are held, and with
+  /// SoftPivots::judged the others of the pivot as well; returns whether there are any.
   bool judge(std::uint32_t i, const PivotSystem& pivot, Work& work, Vector& values) {
     const Vector found = pivot.eigenvalues();
     double softest = 1; // at most, over the mean diagonal
@@ -262,17 +264,22 @@ class Elimination {
     LocalMotion<Dof> motion(work.slot);
     give_way(i, directions, negligible_soft * softest, motion);
     const PerCase energy = energies_of(motion);
-    bool lost = false;
     for (int k = 0; k < judged.directions; ++k) {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
-      if (values[k] < rigid && of_motion > far_off * std::max(found[k], least_compared * mean_)) {
-        hold(i, pivot, k, work, values);
-        lost = true;
-      }
     }
-    judged.couplings = couplings_of(i, motion, values);
-    soft_[i] = std::make_unique<SoftPivot>(std::move(judged));
+    const Vector least = far_off * found.cwiseMax(least_compared * mean_);
+    const auto is_lost = [&](int k) { return values[k] < rigid && values[k] > least[k]; };
+    bool lost = false;
+    for (int k = 0; k < judged.directions; ++k)
+      lost = lost || is_lost(k);
+    for (int k = 0; k < Dof && lost && found[k] < lost_stiffness * mean_; ++k)
+      if (values[k] < rigid && (!couples() || is_lost(k)))
+        hold(i, pivot, k, work, values);
+    if (couples()) {
+      judged.couplings = couplings_of(i, motion, values);
+      soft_[i] = std::make_unique<SoftPivot>(std::move(judged));
+    }
     return lost;
   }
 

@@ -33,7 +33,9 @@ std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
     return {{.fill_level = 1}};
   if (backbone.grain_count < many_grains)
     return {{.fill_level = 3}};
-  return {{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::judged}, {.fill_level = 3}};
+  return {{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::judged},
+          {.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::coupled},
+          {.fill_level = 3}};
 }
 
 } // namespace

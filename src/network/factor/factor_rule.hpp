@@ -16,9 +16,11 @@ enum class SoftPivots {
   /// Where it is not positive, it is held while the others are eliminated, so that it cannot spoil those
   /// behind it, and gets the stiffness v^T H v of the motion v that it stands for afterwards.
   held,
-  /// It gets v^T H v at once, and H v is what couples it with later grains. Where v^T H v is far from the
-  /// pivot's own stiffness, it is held; where it is nothing, it stays rigid. Takes longer.
-  judged
+  /// It gets v^T H v at once. Where that is far from the pivot's own stiffness, it is held; where it is
+  /// nothing, it stays rigid. Takes longer.
+  judged,
+  /// The same, and the forces H v on later grains couple it with them, not what the elimination leaves.
+  coupled
 };
 
 /// How an incomplete factor is made.
