@@ -56,8 +56,8 @@ class LocalMotion {
   Rows<Dof>& of(std::uint32_t grain);
   /// Takes the latest of the grains that have not been taken yet; false where none is left.
   bool take_latest(std::uint32_t& grain);
-  /// add(grain, force) for each contact between a grain that moves and one after `last`, where all stand still:
-  /// what the contact does to the latter in each motion, H x in its rows.
+  /// add(grain, force) for each contact between a grain that moves and one after `last`, where all stand
+  /// still: what the contact does to the latter in each motion, H x in its rows.
   template <class Add>
   void forces_after(std::uint32_t last, const LinksOfGrains& links, const Add& add) const {
     const Rows<Dof> still = {};
