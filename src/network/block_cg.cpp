@@ -98,6 +98,7 @@ class Relaxation {
   }
 
  private:
+  /// Contacts with walls aside, whose prestress has no part in H.
   [[nodiscard]] bool is_prestressed() const {
     return std::any_of(backbone_.links.begin(), backbone_.links.end(),
                        [](const Link& l) { return l.prestress != 0; });

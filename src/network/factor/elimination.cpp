@@ -136,10 +136,10 @@ class Elimination {
     std::uint32_t grain;
     Rows<Dof> force; ///< one motion in each lane, of energy 1; 0 where it is free
   };
-  /// A pivot whose first directions were judged: what their motions do to later grains is found with them, as
-  /// what is left of the elimination is right for the stiffness that it leaves, which is not theirs.
+  /// A pivot with soft directions, whose motions couple it with later grains: what the elimination leaves of
+  /// that goes with the stiffness that it leaves, which may be far from that of the motions.
   struct SoftPivot {
-    int directions = 0; ///< the first columns of R
+    int directions = 0; ///< that are soft: the first columns of R
     std::vector<Coupling> couplings;
   };
   /// A finished block of a column.
@@ -268,8 +268,9 @@ class Elimination {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
     }
-    const Vector least = far_off * found.cwiseMax(least_compared * mean_);
-    const auto is_lost = [&](int k) { return values[k] < rigid && values[k] > least[k]; };
+    const auto is_lost = [&](int k) {
+      return values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_);
+    };
     bool lost = false;
     for (int k = 0; k < judged.directions; ++k)
       lost = lost || is_lost(k);
@@ -387,7 +388,7 @@ class Elimination {
   std::vector<std::vector<Entry>> below_; ///< finished blocks of each column
   std::vector<const Block<Dof>*> row_;    ///< first block of each finished row
   std::vector<HeldDirection> held_;
-  std::vector<std::unique_ptr<SoftPivot>> soft_; ///< of each row, where its pivot is one
+  std::vector<std::unique_ptr<SoftPivot>> soft_; ///< of each row that has one, with SoftPivots::coupled
   Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` R^-T L
   double mean_;          ///< diagonal of H
 };

@@ -19,7 +19,8 @@ enum class SoftPivots {
   /// It gets v^T H v at once. Where that is far from the pivot's own stiffness, it is held; where it is
   /// nothing, it stays rigid. Takes longer.
   judged,
-  /// The same, and the forces H v on later grains couple it with them, not what the elimination leaves.
+  /// The same, but the forces H v on later grains couple it with them, not what the elimination leaves, and
+  /// only directions whose stiffness is far off are held, not the others of their pivot.
   coupled
 };
 
