@@ -94,11 +94,11 @@ TradeLaws laws_of(const std::vector<TradeRow>& rows) {
 
 const TradeLaws& recorded_laws() {
   static const TradeLaws laws{
-      .dense_modulus = {.size = {0.2665, -3.295, 0.7382, 250, 16000}, .rate = {0.007227, 0.0005184}},
-      .dense_exponent = {.size = {0.06762, -0.04511, 0.1873, 250, 16000}, .rate = {0.002736, 0.0004214}},
-      .loose_modulus = {.size = {1.164, -9.055, 3.224, 250, 16000}, .rate = {-0.9354, 1.165}},
-      .loose_exponent = {.size = {0.5144, -1.556, 1.425, 250, 16000}, .rate = {1.914, 0.9638}},
-      .dense_peak = {.size = {0.9973, 2.755, 2.762, 250, 16000}, .rate = {35.52, 0.4443}},
+      .dense_modulus = {.size = {0.2817, -2.548, 0.7801, 250, 16000}, .rate = {0.007396, 0.001287}},
+      .dense_exponent = {.size = {0.06387, -0.2971, 0.1769, 250, 16000}, .rate = {0.0007718, 0.0003914}},
+      .loose_modulus = {.size = {1.328, 1.146, 3.679, 250, 16000}, .rate = {2.147, 1.155}},
+      .loose_exponent = {.size = {0.544, -6.011, 1.507, 250, 16000}, .rate = {-2.255, 0.5819}},
+      .dense_peak = {.size = {1.168, 5.382, 3.235, 250, 16000}, .rate = {32.37, 0.5158}},
   };
   return laws;
 }
