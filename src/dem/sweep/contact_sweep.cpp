@@ -16,6 +16,7 @@
 #include "core/vector/inverse_root.hpp"
 #include "core/vector/power.hpp"
 #include "core/vector/rows.hpp"
+#include "fetch_ahead.hpp"
 #include "pair_sizes.hpp"
 
 namespace granum::dem {
@@ -56,21 +57,9 @@ GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
   return *reinterpret_cast<const EightInMemory*>(&block[k]);
 }
 
-/// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
-constexpr std::size_t grains_nearby = 16384;
-
 /// What a pair reads of its grains, by their numbers.
 GRANUM_INLINE const MotionRow* rows_of(const Grains& grains) { return grains.row.data(); }
 GRANUM_INLINE const PlaceRow* rows_of(const TranslatingGrains& grains) { return grains.place.data(); }
-
-/// Brings the rows of a block's grains near, while the block before it is worked off.
-template <class Row, class Load>
-GRANUM_INLINE void prefetch(const ListedPair* pairs, const Row* rows, const Load* load) {
-  for (std::size_t k = 0; k < block_size; ++k) {
-    __builtin_prefetch(&rows[pairs[k].j]);
-    __builtin_prefetch(&load[pairs[k].row], 1);
-  }
-}
 
 /// Branches alone, for pairs without friction.
 template <class Input>
@@ -422,9 +411,8 @@ GRANUM_INLINE void sweep_all(const Law& law, const AnyWork& work) {
   const ListedPair* const pairs = work.in.pairs.data();
   const bool far = work.in.grains.size() > grains_nearby;
   for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {
-    const std::size_t next = std::min(first + block_size, work.chunk.pairs.end - block_size);
     if (far)
-      prefetch(pairs + next, rows_of(work.in.grains), work.load);
+      fetch_ahead(work.in.pairs.data(), work.in.grains, work.memory, work.load, first, work.chunk);
     sizes.load(work.in, pairs + first);
     MemoryBlock* const memory = purpose == Purpose::friction ? work.memory + first / block_size : nullptr;
     sweep_block<purpose, Level>(law, sizes, work, pairs + first, memory, p);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/dem. Brings near what a sweep needs next, where its grains are more than the caches hold. It
+// changes no result.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "contact_sweep.hpp"
+#include "core/vector/level.hpp"
+#include "grain_rows.hpp"
+#include "partition.hpp"
+
+namespace granum::dem {
+
+/// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
+inline constexpr std::size_t grains_nearby = 16384;
+
+template <class T>
+GRANUM_INLINE void fetch_lines(const T* first, std::size_t count) {
+  constexpr std::size_t line = 64;
+  const auto* const bytes = reinterpret_cast<const char*>(first);
+  for (std::size_t k = 0; k < count * sizeof(T); k += line)
+    __builtin_prefetch(bytes + k);
+}
+
+GRANUM_INLINE void fetch_grain(const Grains& grains, std::uint32_t g) {
+  __builtin_prefetch(&grains.row[g]);
+  __builtin_prefetch(&grains.spin_y[g]);
+}
+GRANUM_INLINE void fetch_grain(const TranslatingGrains& grains, std::uint32_t g) {
+  __builtin_prefetch(&grains.place[g]);
+}
+
+/// While the block of pairs that begins at `first` is worked off: what the next one needs, and the pairs of
+/// the one that is fetched two blocks later.
+/// \param    memory   null: frictionless
+template <class AnyGrains, class Load>
+GRANUM_INLINE void fetch_ahead(const ListedPair* pairs, const AnyGrains& grains, const MemoryBlock* memory,
+                               const Load* load, std::size_t first, const Chunk& chunk) {
+  const std::size_t last = chunk.pairs.end - block_size;
+  const std::size_t next = std::min(first + block_size, last);
+  for (std::size_t k = next; k < next + block_size; ++k) {
+    fetch_grain(grains, pairs[k].j);
+    __builtin_prefetch(&load[pairs[k].row], 1);
+  }
+  if (memory != nullptr)
+    fetch_lines(memory + next / block_size, 1);
+  fetch_lines(pairs + std::min(first + 3 * block_size, last), block_size);
+}
+
+} // namespace granum::dem
