@@ -113,7 +113,8 @@ RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance)
   factor.error = std::hypot(factor.error, kernel::bulk_codes * kernel::looseness(z));
   const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
   factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
-  return with_size_scatter(factor, kernel::bulk_sizes, 0, r * factor.by_ratio, branch_variance);
+  factor.error = std::hypot(factor.error, kernel::bulk_size_measure(branch_variance) * kernel::bulk_sizes);
+  return factor;
 }
 
 double isostatic(double r) {

@@ -2,6 +2,8 @@
 // What the closed forms say of a packing of validation/gradation.
 #pragma once
 
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>
@@ -36,6 +38,8 @@ inline ClosedForms closed_forms(const effective::State& counted, double z_star, 
   from_sizes.law =
       contact::PowerLaw::sphere(counted.law.grain(), mean_radius * from_sizes.contacts.pair_radius);
   const effective::RelaxedEstimate relaxed = effective::relaxed(counted, z_star);
+  if (!(relaxed.stiffness.C44 > 0))
+    throw InvalidArgument("z* = " + short_text(z_star, 3) + " is so low that rung 3 has no stiffness");
   return {.uniform_strain = isotropic_shear_modulus(effective::uniform_strain(counted).stiffness),
           .relaxed = isotropic_shear_modulus(relaxed.stiffness),
           .stated_error = (relaxed.relative_error.G_hh + relaxed.relative_error.G_vh) / 2,

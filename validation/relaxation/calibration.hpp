@@ -131,10 +131,11 @@ inline EqualFit equal_fit(const Result& result) {
           .bulk_scatter = result.bulk_scatter};
 }
 
-/// \param    unequal   packings of unequal grains, and of equal ones made as they were
-/// \param    of_codes  packings that other codes made
+/// \param    unequal      packings of unequal grains, and of equal ones made as they were
+/// \param    gradations   further ones, for the scatter of K between them
+/// \param    of_codes     packings that other codes made
 inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
-                             const std::vector<Packing>& of_codes) {
+                             const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes) {
   Result result{.shear = fit_shear(packings, everything),
                 .bulk = fit_bulk(packings, everything),
                 .stretch = {},
@@ -146,7 +147,7 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   result.shear_scatter = scatter_parts(residuals(packings, result.shear, shear_residual, everything));
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
-  result.sizes = fit_size_effect(unequal, equal_fit(result), everything);
+  result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
   return result;
 }

@@ -6,7 +6,7 @@
 //                                         on packings left out of the fit, are in reach
 //     relaxation_fit points FILES         measured and fitted factors as CSV, for a picture
 //
-// FILES: states.csv unequal.csv codes.csv
+// FILES: states.csv unequal.csv gradations.csv codes.csv
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -20,6 +20,7 @@
 #include "calibration.hpp"
 #include "coverage.hpp"
 #include "factor_errors.hpp"
+#include "gradations.hpp"
 #include "library_errors.hpp"
 #include "reading.hpp"
 #include "size_coverage.hpp"
@@ -79,9 +80,9 @@ void print_scatter(const char* name, const ScatterParts& parts) {
 void print_coefficients(const Result& r) {
   std::printf(
       "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-      "// Written by `relaxation_fit coefficients states.csv unequal.csv` in validation/relaxation; the "
-      "test\n"
-      "// \"validation: relaxation\" fits them again and compares. Not to be edited by hand.\n"
+      "// Written by `relaxation_fit coefficients` in validation/relaxation, whose README says from which "
+      "files; the\n"
+      "// test \"validation: relaxation\" fits them again and compares. Not to be edited by hand.\n"
       "// clang-format off\n#pragma once\n\n#include <array>\n\nnamespace granum::effective::kernel {\n\n");
   const struct {
     const char* name;
@@ -108,11 +109,12 @@ void print_coefficients(const Result& r) {
               "/// What unequal grains lose of K, and its standard error.\n"
               "inline constexpr double size_loss = %.9g;\n"
               "inline constexpr double size_loss_error = %.9g;\n"
-              "/// What they add to the scatter, over the root of that variance.\n"
+              "/// What they add to the scatter: of G over the root of that variance, of K over "
+              "bulk_size_measure.\n"
               "inline constexpr Scatter shear_sizes{%.9g, %.9g};\n"
-              "inline constexpr Scatter bulk_sizes{%.9g, %.9g};\n",
+              "inline constexpr double bulk_sizes = %.9g;\n",
               r.sizes.shift, r.sizes.shift_error, r.sizes.loss, r.sizes.loss_error, r.sizes.shear.base,
-              r.sizes.shear.gain, r.sizes.bulk.base, r.sizes.bulk.gain);
+              r.sizes.shear.gain, r.sizes.bulk);
   std::printf("/// Scatter of K between codes: this times the looseness.\n"
               "inline constexpr double bulk_codes = %.9g;\n",
               r.bulk_codes);
@@ -275,10 +277,10 @@ bool same(const Eigen::Matrix<double, n, n>& fitted, const double (&recorded)[m]
 
 bool same(const SizeEffect& fitted) {
   return same(std::array{fitted.shift, fitted.shift_error, fitted.loss, fitted.loss_error, fitted.shear.base,
-                         fitted.shear.gain, fitted.bulk.base},
+                         fitted.shear.gain, fitted.bulk},
               std::array{kernel::size_shift, kernel::size_shift_error, kernel::size_loss,
                          kernel::size_loss_error, kernel::shear_sizes.base, kernel::shear_sizes.gain,
-                         kernel::bulk_sizes.base});
+                         kernel::bulk_sizes});
 }
 
 /// Largest difference between z* and C_n/(1 - x_0), relative.
@@ -308,13 +310,19 @@ void claim_coverage(Claims& claims, const Coverage& c, double two, const char* o
 }
 
 /// Whether unequal grains are what is stated of them.
-void check_sizes(const std::vector<Packing>& unequal, const Result& result, Claims& claims) {
+void check_sizes(const std::vector<Packing>& unequal, const std::vector<Packing>& gradations,
+                 const Result& result, Claims& claims) {
   const EqualFit equal = equal_fit(result);
   std::printf("unequal grains: z* shifted by %.3f +- %.3f times the relative variance of branches\n",
               result.sizes.shift, result.sizes.shift_error);
-  const auto by_sizes = coverage_of_left_out_sizes(unequal, equal, [](const Packing& p) { return p.sizes; });
-  const auto by_preparation =
-      coverage_of_left_out_sizes(unequal, equal, [](const Packing& p) { return unsheared(p.preparation); });
+  const auto sizes = [](const Packing& p) { return p.sizes; };
+  const auto preparation = [](const Packing& p) { return unsheared(p.preparation); };
+  const auto by_sizes = coverage_of_left_out_sizes(unequal, gradations, equal, sizes, unequal);
+  const auto by_preparation = coverage_of_left_out_sizes(unequal, gradations, equal, preparation, unequal);
+  std::printf("the gradations\n");
+  const auto gradations_by_sizes = coverage_of_left_out_sizes(unequal, gradations, equal, sizes, gradations);
+  const auto gradations_by_preparation =
+      coverage_of_left_out_sizes(unequal, gradations, equal, preparation, gradations);
   print_coverage(
       "equal grains, as small specimens",
       coverage_of(unequal, equal, result.sizes, [](const Packing& p) { return p.sizes == "equal"; }));
@@ -324,6 +332,9 @@ void check_sizes(const std::vector<Packing>& unequal, const Result& result, Clai
   claim_coverage(claims, by_preparation.bulk, 0.90, "K, preparations of unequal grains left out");
   claims.require(by_sizes.shear.two() >= 0.85 && by_sizes.bulk.two() >= 0.90,
                  "distributions left out: 85 % of G and 90 % of K within two stated errors");
+  for (const CoverageOfBoth* left_out : {&gradations_by_sizes, &gradations_by_preparation})
+    claims.require(left_out->bulk.two() >= 0.90,
+                   "gradations and their preparations left out: 90 % of K within two stated errors");
 }
 
 /// Whether what is stated holds for packings of a code that no fit has seen.
@@ -349,7 +360,8 @@ void check_codes(const std::vector<Packing>& of_codes, const std::vector<Packing
 }
 
 int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfitted,
-          const std::vector<Packing>& unequal, const std::vector<Packing>& of_codes, const Result& result) {
+          const std::vector<Packing>& unequal, const std::vector<Packing>& gradations,
+          const std::vector<Packing>& of_codes, const Result& result) {
   std::printf("errors of the factors by k_t/k_n, all isotropic states\n");
   for (const double r : {0.0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1.0})
     print_errors("  k_t/k_n = " + number(r, 3),
@@ -398,7 +410,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                  "s within 0.03, growth given; of dense cones within 0.04");
   claims.require(rattler_error < 0.02,
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
-  check_sizes(unequal, result, claims);
+  check_sizes(unequal, gradations, result, claims);
   check_codes(of_codes, packings, result, claims);
   return claims.failed() == 0 ? 0 : 1;
 }
@@ -416,15 +428,18 @@ void print_points(const std::vector<Packing>& packings, const Result& result) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::fprintf(stderr, "usage: %s coefficients|check|points states.csv unequal.csv codes.csv\n", argv[0]);
+  if (argc != 6) {
+    std::fprintf(stderr,
+                 "usage: %s coefficients|check|points states.csv unequal.csv gradations.csv codes.csv\n",
+                 argv[0]);
     return 2;
   }
   try {
     const auto [packings, unfitted] = split_by_use(read_packings(argv[2]));
     const std::vector<Packing> unequal = read_packings(argv[3]);
-    const std::vector<Packing> of_codes = read_packings(argv[4]);
-    const Result result = fit_everything(packings, unequal, of_codes);
+    const std::vector<Packing> gradations = read_gradations(argv[4]);
+    const std::vector<Packing> of_codes = read_packings(argv[5]);
+    const Result result = fit_everything(packings, unequal, gradations, of_codes);
     if (std::strcmp(argv[1], "coefficients") == 0) {
       print_coefficients(result);
       return 0;
@@ -434,7 +449,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (std::strcmp(argv[1], "check") == 0)
-      return check(packings, unfitted, unequal, of_codes, result);
+      return check(packings, unfitted, unequal, gradations, of_codes, result);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

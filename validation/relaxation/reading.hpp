@@ -82,6 +82,12 @@ inline State state(const Row& row, const std::string& contact, double tangential
           .contacts = contacts};
 }
 
+/// Of the mean force, over the diameter.
+inline double relative_overlap(const State& state) {
+  return state.law.overlap(granum::effective::mean_contact_force(state)) /
+         (2 * state.radius * state.contacts.branch);
+}
+
 inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
                        const std::string& preparation) {
   static const std::map<std::string, double> ratios{
@@ -107,8 +113,7 @@ inline Packing packing(const Row& row, const std::string& sizes, const std::stri
   if (sizes != "equal")
     p.affine_share =
         p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
-  p.relative_overlap = p.state.law.overlap(granum::effective::mean_contact_force(p.state)) /
-                       (2 * p.state.radius * p.state.contacts.branch);
+  p.relative_overlap = relative_overlap(p.state);
   for (const auto& [name, ratio] : ratios)
     p.networks.push_back({ratio, stiffness(row, name)});
   return p;

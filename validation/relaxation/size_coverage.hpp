@@ -36,7 +36,7 @@ inline Judged judged_bulk(const Packing& p, const Network& n, const EqualFit& eq
   const Residual K = lessened_bulk_residual(p, n, equal.bulk, effect.loss);
   const double by_loss =
       (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
-  const double by_sizes = std::sqrt(branch_variance(p)) * effect.bulk.base;
+  const double by_sizes = kernel::bulk_size_measure(branch_variance(p)) * effect.bulk;
   return {K.error, std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
                               deviation(equal.bulk_scatter, K.sensitivity), std::hypot(by_sizes, by_loss))};
 }
@@ -58,17 +58,19 @@ inline CoverageOfBoth coverage_of(const std::vector<Packing>& packings, const Eq
 }
 
 /// Each value of a label left out of the fit of the sizes in turn: what a fit to the others states of it.
+/// \param    judged   the packings that are asked: those of the fit, or the gradations
 template <class Label>
-CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings, const EqualFit& equal,
-                                          const Label& label) {
+CoverageOfBoth coverage_of_left_out_sizes(const std::vector<Packing>& packings,
+                                          const std::vector<Packing>& gradations, const EqualFit& equal,
+                                          const Label& label, const std::vector<Packing>& judged) {
   std::set<std::string> names;
-  for (const Packing& p : packings)
+  for (const Packing& p : judged)
     if (p.isotropic() && p.sizes != "equal")
       names.insert(label(p));
   return coverage_of_each(names, "left out, together", [&](const std::string& name) {
     const SizeEffect effect =
-        fit_size_effect(packings, equal, [&](const Packing& p) { return label(p) != name; });
-    return coverage_of(packings, equal, effect,
+        fit_size_effect(packings, gradations, equal, [&](const Packing& p) { return label(p) != name; });
+    return coverage_of(judged, equal, effect,
                        [&](const Packing& p) { return label(p) == name && p.sizes != "equal"; });
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What unequal grains add to the relaxation factors, fitted to unequal.csv with the factors of equal grains
-// given.
+// What unequal grains add to the relaxation factors, fitted to unequal.csv, and the scatter of K to
+// gradations.csv too, with the factors of equal grains given.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,8 @@ struct SizeEffect {
   double shift_error = 0; ///< its standard error
   double loss = 0;        ///< of K, as kernel::size_bulk_share has it
   double loss_error = 0;  ///< its standard error
-  Scatter shear, bulk;    ///< standard deviations over the root of that variance
+  Scatter shear;          ///< standard deviation over the root of that variance
+  double bulk = 0;        ///< the same of K, over kernel::bulk_size_measure
 };
 
 /// What the fit to equal grains says: coefficients and both scatters.
@@ -109,32 +110,56 @@ inline Residual shifted_shear_residual(const Packing& p, const Network& n, const
   return shear_residual(shifted, n, equal);
 }
 
-/// What is left of errors beyond the scatter of equal grains, over the root of the variance of branches.
-/// Every recipe counts the same, and the more the more its grains differ.
-inline Scatter size_scatter(const std::vector<Residual>& residuals, const std::vector<double>& variances,
-                            const ScatterParts& equal, bool with_gain) {
+/// How many residuals each recipe has.
+inline std::map<std::string, double> counts_of(const std::vector<Residual>& residuals) {
   std::map<std::string, double> counts;
   for (const Residual& r : residuals)
     counts[r.recipe] += 1;
+  return counts;
+}
+
+/// What is left of errors of G beyond the scatter of equal grains, over the root of the variance of branches.
+/// Every recipe counts the same, and the more the more its grains differ.
+inline Scatter shear_size_scatter(const std::vector<Residual>& residuals,
+                                  const std::vector<double>& variances, const ScatterParts& equal) {
+  const std::map<std::string, double> counts = counts_of(residuals);
   std::vector<Deviation> deviations;
-  double left = 0, weights = 0;
   for (std::size_t k = 0; k < residuals.size(); ++k) {
     if (!(variances[k] > 0))
       continue;
     const Residual& r = residuals[k];
     const double of_equal = deviation(equal, r.sensitivity);
-    const double squared = (r.error * r.error - of_equal * of_equal) / variances[k];
-    const double weight = variances[k] * variances[k] / counts.at(r.recipe);
-    deviations.push_back({squared, r.sensitivity * r.sensitivity, weight});
-    left += weight * squared;
-    weights += weight;
+    deviations.push_back({(r.error * r.error - of_equal * of_equal) / variances[k],
+                          r.sensitivity * r.sensitivity, variances[k] * variances[k] / counts.at(r.recipe)});
   }
-  if (with_gain)
-    return most_likely_scatter(deviations);
-  return {std::sqrt(std::max(0.0, left / weights)), 0};
+  return most_likely_scatter(deviations);
 }
 
-inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const EqualFit& equal,
+/// What makes errors of K most likely beside the scatter of equal grains, over kernel::bulk_size_measure.
+/// Every recipe counts the same.
+inline double bulk_size_scatter(const std::vector<Residual>& residuals, const std::vector<double>& variances,
+                                const ScatterParts& equal) {
+  const std::map<std::string, double> counts = counts_of(residuals);
+  double found = 0.01;
+  for (int round = 0; round < 100; ++round) {
+    double left = 0, weights = 0;
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      const Residual& r = residuals[k];
+      const double known = std::pow(deviation(equal, r.sensitivity), 2);
+      const double row = std::pow(kernel::bulk_size_measure(variances[k]), 2);
+      const double weight = row / std::pow(known + found * row, 2) / counts.at(r.recipe);
+      left += weight * (r.error * r.error - known);
+      weights += weight * row;
+    }
+    found = std::max(0.0, left / weights);
+  }
+  return std::sqrt(found);
+}
+
+/// \param    packings     what all but the scatter of K is fitted to
+/// \param    gradations   further ones for that scatter (gradations.hpp)
+inline SizeEffect fit_size_effect(const std::vector<Packing>& packings,
+                                  const std::vector<Packing>& gradations, const EqualFit& equal,
                                   const Choice& chosen) {
   const Fit<2> shift = fit_shift(packings, equal.shear, chosen);
   const Fit<2> loss = fit_loss(packings, equal.bulk, chosen);
@@ -142,19 +167,25 @@ inline SizeEffect fit_size_effect(const std::vector<Packing>& packings, const Eq
                     .shift_error = std::sqrt(shift.covariance(0, 0)),
                     .loss = loss.coefficients[0],
                     .loss_error = std::sqrt(loss.covariance(0, 0)),
-                    .shear = {},
-                    .bulk = {}};
+                    .shear = {}};
   std::vector<Residual> G, K;
   std::vector<double> variances;
+  const auto add = [&](const Packing& p, const Network& n) {
+    K.push_back(lessened_bulk_residual(p, n, equal.bulk, effect.loss));
+    variances.push_back(branch_variance(p));
+  };
   for (const Packing& p : packings)
     for (const Network& n : p.networks)
       if (is_usual(p, n) && chosen(p)) {
         G.push_back(shifted_shear_residual(p, n, equal.shear, effect.shift));
-        K.push_back(lessened_bulk_residual(p, n, equal.bulk, effect.loss));
-        variances.push_back(branch_variance(p));
+        add(p, n);
       }
-  effect.shear = size_scatter(G, variances, equal.shear_scatter, true);
-  effect.bulk = size_scatter(K, variances, equal.bulk_scatter, false);
+  effect.shear = shear_size_scatter(G, variances, equal.shear_scatter);
+  for (const Packing& p : gradations)
+    for (const Network& n : p.networks)
+      if (is_usual(p, n) && chosen(p))
+        add(p, n);
+  effect.bulk = bulk_size_scatter(K, variances, equal.bulk_scatter);
   return effect;
 }
 

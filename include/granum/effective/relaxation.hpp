@@ -82,7 +82,7 @@ struct RelaxedEstimate {
 /// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
-/// of state.contacts, K's over 1 + 0.56 v/(z* - 3.5 + 0.92 b), and errors that grow with sqrt(v): 6 % of G
+/// of state.contacts, K's over 1 + 0.56 v/(z* - 3.5 + 0.92 b), and errors that grow with v: 6 % of G
 /// for C_u = 2, more beyond.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
