@@ -6,8 +6,8 @@
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
 // that the file holds already: it may be stopped at any time, and a state whose row was deleted is made
-// again. States that do not come to rest, or are looser than rung 3 has a stiffness for, are named on the error
-// stream and left out.
+// again. States that do not come to rest, or are looser than rung 3 has a stiffness for, are named on the
+// error stream and left out.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
