@@ -37,23 +37,29 @@ constexpr double near_rounding = 1e-11;
 // Springs that then hold every grain while the solver starts again, over the mean k_n.
 constexpr double holding_spring = 1e-14;
 
+// An energy is a sum over contacts whose stiffness is about 1; each comes with rounding of this share of the
+// squares of the motion.
+constexpr double rounding_of_energy = 1e-14;
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
 struct Whitening {
   Matrix6 matrix; ///< T with T^T m T = 1 on the independent directions; dropped directions are zero columns
-  bool positive = true;
+  Vector6 negative = Vector6::Zero(); ///< a direction along which m is negative, if there is one
+  [[nodiscard]] bool positive() const { return negative.isZero(0); }
 };
 
 /// Whitening of a positive semidefinite matrix m whose rows may differ in scale by many orders.
 Whitening whitening(const Matrix6& m) {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
   const Vector6 diagonal = m.diagonal();
-  if (diagonal.minCoeff() < 0)
-    return {Matrix6::Zero(), false};
+  if (Eigen::Index least = 0; diagonal.minCoeff(&least) < 0)
+    return {Matrix6::Zero(), Vector6::Unit(least)};
   const Vector6 scale = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
   const Matrix6 scaled = scale.asDiagonal() * ((m + m.transpose()) / 2) * scale.asDiagonal();
   const elastic::EigenSystem eigen = elastic::eigen_system(scaled);
   const double largest = eigen.values[5];
   if (eigen.values[0] < -indefinite * largest)
-    return {Matrix6::Zero(), false};
+    return {Matrix6::Zero(), scale.asDiagonal() * eigen.vectors.col(0)};
   const Vector6 inverse_root =
       eigen.values.unaryExpr([&](double v) { return v > dependent * largest ? 1 / std::sqrt(v) : 0.0; });
   return {scale.asDiagonal() * eigen.vectors * inverse_root.asDiagonal()};
@@ -88,8 +94,6 @@ class Relaxation {
       if (solution.status == Status::not_positive_definite) // on the way from the best: by rounding
         solution.status = Status::iteration_limit;
     }
-    if (solution.status == Status::not_positive_definite && !is_prestressed())
-      solution.status = Status::iteration_limit; // by rounding: nothing else makes energies negative
     if (solution.status == Status::converged && !arrived(size))
       solution.status = Status::iteration_limit;
     solution.residual = worst_of(size);
@@ -98,10 +102,12 @@ class Relaxation {
   }
 
  private:
-  /// Contacts with walls aside, whose prestress has no part in H.
-  [[nodiscard]] bool is_prestressed() const {
-    return std::any_of(backbone_.links.begin(), backbone_.links.end(),
-                       [](const Link& l) { return l.prestress != 0; });
+  /// Whether the energy of a negative direction among those of p is more than rounding makes of it. Contacts
+  /// without prestress never are.
+  [[nodiscard]] bool is_unstable(const Matrix6& energies, const Vector6& direction) const {
+    const double energy = direction.dot(energies * direction);
+    const double squares = direction.dot(products<Dof>(workers_, p_, p_) * direction);
+    return energy < -rounding_of_energy * squares;
   }
 
   /// Load cases whose forces cancel on every grain are solved by q = 0.
@@ -172,9 +178,11 @@ class Relaxation {
         return Status::stopped;
       ++iterations;
       apply_stiffness<Dof>(backbone_, workers_, hold_, p_, s_);
-      const Whitening energy = whitening(products<Dof>(workers_, p_, s_));
-      if (!energy.positive)
-        return Status::not_positive_definite;
+      const Matrix6 energies = products<Dof>(workers_, p_, s_);
+      const Whitening energy = whitening(energies);
+      if (!energy.positive())
+        return is_unstable(energies, energy.negative) ? Status::not_positive_definite
+                                                      : Status::iteration_limit;
       const Matrix6 zeta = energy.matrix * energy.matrix.transpose();
       const Matrix6 squares = advance<Dof>(workers_, p_, zeta * sigma, q_, s_, -zeta, w_);
       const PerCase size = residual_size(sigma, squares);
