@@ -30,6 +30,18 @@ Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double ra
           .prestress = options.prestress ? c.normal_force / length : 0};
 }
 
+LoadedContact loaded(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii) {
+  // k_n ~ overlap^(1/alpha), 1 + 1/alpha = k_n overlap/f, and k_t goes with it
+  const bool pressed = c.normal_force > 0 && c.overlap > 0;
+  return {.i = i,
+          .j = j,
+          .branch = c.branch,
+          .lever = norm(c.branch) / radii,
+          .normal_force = c.normal_force,
+          .tangential_force = c.tangential_force,
+          .tangential_share = pressed ? c.normal_stiffness / c.normal_force - 1 / c.overlap : 0};
+}
+
 /// Every centre, moved into the cell.
 std::vector<Vec3> inside(const packing::Assembly& assembly) {
   const Mat3 to_parts = inverse_of(assembly.cell);
@@ -62,6 +74,13 @@ void remove_units(Backbone& backbone) {
       l.tangential_stiffness /= backbone.stiffness_scale;
       l.prestress /= backbone.stiffness_scale;
     }
+  const double per_force = 1 / (backbone.stiffness_scale * backbone.length_scale);
+  for (LoadedContact& c : backbone.loaded) {
+    c.branch *= 1 / backbone.length_scale;
+    c.normal_force *= per_force;
+    c.tangential_force *= per_force;
+    c.tangential_share *= backbone.length_scale;
+  }
   for (Vec3& x : backbone.centre)
     x *= 1 / backbone.length_scale;
   backbone.cell = (1 / backbone.length_scale) * backbone.cell;
@@ -94,9 +113,12 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const Options& 
       backbone.radius[number[g]] = assembly.radius[g];
     }
   for (const packing::Contact& c : assembly.contacts)
-    if (number[c.i] != unset && number[c.j] != unset)
-      backbone.links.push_back(
-          link(c, number[c.i], number[c.j], assembly.radius[c.i] + assembly.radius[c.j], options));
+    if (number[c.i] != unset && number[c.j] != unset) {
+      const double radii = assembly.radius[c.i] + assembly.radius[c.j];
+      backbone.links.push_back(link(c, number[c.i], number[c.j], radii, options));
+      if (options.force_terms)
+        backbone.loaded.push_back(loaded(c, number[c.i], number[c.j], radii));
+    }
   for (const packing::Contact& c : assembly.wall_contacts)
     if (number[c.i] != unset)
       backbone.wall_links.push_back(link(c, number[c.i], number[c.i], assembly.radius[c.i], options));

@@ -26,6 +26,17 @@ struct Link {
   double prestress = 0; ///< f_n / |branch|, or 0 when the prestress term is left out
 };
 
+/// What the forces of a contact between two grains have to do with their motions, with the units of Backbone.
+struct LoadedContact {
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  Vec3 branch;                 ///< from i to j
+  double lever = 0;            ///< as of Link
+  double normal_force = 0;     ///< compression positive
+  Vec3 tangential_force;       ///< on j
+  double tangential_share = 0; ///< d ln k_t over d overlap
+};
+
 /// The grains that carry load, renumbered.
 struct Backbone {
   std::size_t grain_count = 0;
@@ -34,6 +45,7 @@ struct Backbone {
   double length_scale = 1;                ///< mean branch length [m]
   std::vector<Link> links;                ///< sorted by (b, a)
   std::vector<Link> wall_links;           ///< sorted by a; b is a's number too
+  std::vector<LoadedContact> loaded;      ///< empty unless force terms are asked for
   std::vector<std::vector<Piece>> stages; ///< of the numbers
   std::vector<Vec3> centre;               ///< of each grain, inside the cell
   std::vector<double> radius;

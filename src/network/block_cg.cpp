@@ -98,6 +98,7 @@ class Relaxation {
       solution.status = Status::iteration_limit;
     solution.residual = worst_of(size);
     solution.work = products<Dof>(workers_, load_, q_);
+    solution.by_forces = force_energies<Dof>(backbone_, q_);
     return solution;
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "backbone.hpp"
+#include "force_energies.hpp"
 #include "lanes.hpp"
 #include "preconditioner.hpp"
 
@@ -13,6 +14,7 @@ struct Solution {
   int iterations = 0;
   double residual = 0;                              ///< worst load case, relative to its right-hand side
   elastic::Matrix6 work = elastic::Matrix6::Zero(); ///< W^T q, the (negative) energy that relaxation gains
+  ForceEnergies by_forces;                          ///< of the motions q, if the backbone has loaded contacts
 };
 
 /// Solves H q = -W for all load cases at once, in one shared Krylov space.

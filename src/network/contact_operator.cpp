@@ -14,6 +14,7 @@
 
 #include "core/vector/level.hpp"
 #include "link_answer.hpp"
+#include "strains.hpp"
 
 namespace granum::network {
 
@@ -32,16 +33,6 @@ GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Rows<
 }
 
 using Matrix3 = Eigen::Matrix3d;
-using Strain = Eigen::Matrix<double, 3, load_cases>;
-
-Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-Matrix3 cross_matrix(const Vec3& n) {
-  Matrix3 m;
-  m << 0, -n.z, n.y, n.z, 0, -n.x, -n.y, n.x, 0;
-  return m;
-}
-
 Matrix3 contact_stiffness(double along, double across, const Vec3& n) {
   return across * Matrix3::Identity() + (along - across) * eigen(n) * eigen(n).transpose();
 }
@@ -51,17 +42,6 @@ Matrix3 elastic_stiffness(const Link& l) {
 }
 
 Matrix3 prestress_stiffness(const Link& l) { return contact_stiffness(0, -l.prestress, l.normal); }
-
-/// Relative displacement of the two centres for unit strains in the order 11 22 33 23 13 12, engineering
-/// shears.
-Strain branch_strain(const Link& l) {
-  const Vec3 b = l.length * l.normal;
-  Strain e;
-  e << b.x, 0, 0, 0, b.z / 2, b.y / 2, //
-      0, b.y, 0, b.z / 2, 0, b.x / 2,  //
-      0, 0, b.z, b.y / 2, b.x / 2, 0;
-  return e;
-}
 
 /// delta = B x: the two halves of B, for the grains a and b.
 template <int Dof>
@@ -125,7 +105,7 @@ template <int Dof>
 Field<Dof> affine_forces(const Backbone& backbone) {
   Field<Dof> w(backbone.grain_count);
   for (const Link& l : backbone.links) {
-    const Strain strain = branch_strain(l);
+    const Strain strain = branch_strain(l.length * l.normal);
     const Strain contact_force = elastic_stiffness(l) * strain;
     const Strain prestress_force = prestress_stiffness(l) * strain;
     using Forces = Eigen::Matrix<double, Dof, load_cases>;
@@ -137,7 +117,7 @@ Field<Dof> affine_forces(const Backbone& backbone) {
     add(prestress_force, w[l.b]);
   }
   for (const Link& l : backbone.wall_links) {
-    const Strain strain = branch_strain(l);
+    const Strain strain = branch_strain(l.length * l.normal);
     const Strain contact_force = elastic_stiffness(l) * strain;
     using Forces = Eigen::Matrix<double, Dof, load_cases>;
     const Forces on_a = kinematics<Dof>(l, -1).transpose() * contact_force;
@@ -151,7 +131,7 @@ PerCase affine_force_scale(const Backbone& backbone) {
   Eigen::Matrix<double, 1, load_cases> squares = Eigen::Matrix<double, 1, load_cases>::Zero();
   for (const auto* links : {&backbone.links, &backbone.wall_links})
     for (const Link& l : *links)
-      squares += (elastic_stiffness(l) * branch_strain(l)).colwise().squaredNorm();
+      squares += (elastic_stiffness(l) * branch_strain(l.length * l.normal)).colwise().squaredNorm();
   PerCase scale{};
   for (std::size_t c = 0; c < scale.size(); ++c)
     scale[c] = std::sqrt(squares[static_cast<Eigen::Index>(c)]);
@@ -161,11 +141,11 @@ PerCase affine_force_scale(const Backbone& backbone) {
 elastic::Matrix6 affine_energy(const Backbone& backbone) {
   elastic::Matrix6 energy = elastic::Matrix6::Zero();
   for (const Link& l : backbone.links) {
-    const Strain strain = branch_strain(l);
+    const Strain strain = branch_strain(l.length * l.normal);
     energy += strain.transpose() * (elastic_stiffness(l) + prestress_stiffness(l)) * strain;
   }
   for (const Link& l : backbone.wall_links) {
-    const Strain strain = branch_strain(l);
+    const Strain strain = branch_strain(l.length * l.normal);
     energy += strain.transpose() * (elastic_stiffness(l) - 3 * prestress_stiffness(l)) * strain;
   }
   return energy;

@@ -44,10 +44,9 @@ Attempt attempt(const Backbone& backbone, const FactorRule& rule, Options option
           .mended_pivots = preconditioner.factor().mended_pivots()};
 }
 
-/// -W^T H^+ W, dimensionless. Each factor in turn is given some iterations, the one that came nearest the
-/// rest.
+/// H q = -W. Each factor in turn is given some iterations, the one that came nearest the rest.
 template <int Dof>
-Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Response::Report& report) {
+Solution relaxation(const Backbone& backbone, const Options& options, Response::Report& report) {
   std::optional<Team> team;
   if (const std::size_t members = std::min(options.threads, backbone.stages.front().size()); members > 1)
     team.emplace(members);
@@ -70,7 +69,7 @@ Matrix6 relaxation_energy(const Backbone& backbone, const Options& options, Resp
   report.residual = best->solution.residual;
   report.factor_nonzeros = best->factor_nonzeros;
   report.mended_pivots = best->mended_pivots;
-  return best->solution.work;
+  return best->solution;
 }
 
 std::string failure_text(const Response::Report& report) {
@@ -96,6 +95,9 @@ Response linear_response(const packing::Assembly& assembly, const Options& optio
   require_open("tolerance", options.tolerance, 0, 1);
   require_positive("iteration_limit", options.iteration_limit);
   require_positive("threads", static_cast<double>(options.threads));
+  if (options.force_terms && !assembly.wall_contacts.empty())
+    throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
+                          " contacts with walls, of which they are not known");
 
   const Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,
@@ -108,13 +110,16 @@ Response linear_response(const packing::Assembly& assembly, const Options& optio
   const double unit =
       backbone.stiffness_scale * backbone.length_scale * backbone.length_scale / assembly.volume();
   const Matrix6 affine = affine_energy(backbone);
-  const Matrix6 gain = backbone.rotations ? relaxation_energy<6>(backbone, options, report)
-                                          : relaxation_energy<3>(backbone, options, report);
-  const Matrix6 relaxed = affine + gain;
+  const Solution solution = backbone.rotations ? relaxation<6>(backbone, options, report)
+                                               : relaxation<3>(backbone, options, report);
+  const Matrix6 relaxed = affine + solution.work;
   const double largest = relaxed.cwiseAbs().maxCoeff();
   if (largest > 0)
     report.symmetry_residual = (relaxed - relaxed.transpose()).cwiseAbs().maxCoeff() / largest;
-  return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report};
+  std::optional<ForceTerms> by_forces;
+  if (options.force_terms)
+    by_forces = ForceTerms{{unit * solution.by_forces.geometric}, {unit * solution.by_forces.shedding}};
+  return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report, by_forces};
 }
 
 } // namespace granum::network

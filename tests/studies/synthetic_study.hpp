@@ -25,6 +25,17 @@ inline void set_uniform_strain(CompressedState& state, double K, double G) {
   response = network::Response(solid(K, G), response.last_iterate(), response.report());
 }
 
+/// Gives all shear moduli of its network such force terms [Pa].
+inline void set_force_terms(CompressedState& state, double geometric, double shedding) {
+  network::Response& response = state.packing.network.value().response;
+  network::ForceTerms terms;
+  for (int plane = 3; plane < 6; ++plane) {
+    terms.geometric.matrix(plane, plane) = geometric;
+    terms.shedding.matrix(plane, plane) = shedding;
+  }
+  response = network::Response(response.affine(), response.last_iterate(), response.report(), terms);
+}
+
 /// One state of a specimen whose moduli follow G = 200 MPa (p / 100 kPa)^s, with every figure inside the
 /// limits of the verdicts.
 inline CompressedState power_law_state(double s, double pressure) {

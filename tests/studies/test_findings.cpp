@@ -229,7 +229,7 @@ TEST_CASE("relaxation curve: a cubic is met, a deviation from it is measured") {
 
 TEST_CASE("a sound study bears every claim out") {
   const std::vector<Verdict> all = verdicts(sphere_scene(), sound_study());
-  CHECK(all.size() == 7);
+  CHECK(all.size() == 8);
   for (const Verdict& verdict : all) {
     INFO(verdict.claim, ": ", verdict.measured);
     CHECK(verdict.holds);
@@ -281,11 +281,11 @@ TEST_CASE("verdict on the bounds of K") {
   CHECK_FALSE(upper(1 - 1e-8));
 }
 
-TEST_CASE("verdict on the probes beside the network: 1 % in every state, 10/N where grains are fewer") {
-  const char* network = "the probe's moduli are the network's";
-  const auto within = [&](double part, std::size_t grains, bool across) {
+TEST_CASE(
+    "verdict on the probes beside the network: 0.3 % if dense, 1 % if loose, more where grains are few") {
+  const auto within = [&](std::size_t specimen, double part, std::size_t grains, bool across) {
     std::vector<SpecimenResult> study = sound_study();
-    Probes& probes = *study[1].states[2].probes;
+    Probes& probes = *study[specimen].states[2].probes;
     if (across) {
       probes.G_hv *= 1 + part;
       probes.G_vh *= 1 + part;
@@ -294,16 +294,39 @@ TEST_CASE("verdict on the probes beside the network: 1 % in every state, 10/N wh
     }
     Scene scene = sphere_scene();
     scene.study.grains = grains;
-    return holds(study, network, scene);
+    return holds(study, specimen == 0 ? "dense: the probe's moduli" : "loose: the probe's moduli", scene);
   };
   for (const double sign : {1.0, -1.0})
-    for (const bool across : {false, true}) {
-      CHECK(within(sign * 0.0099, 1000, across));
-      CHECK_FALSE(within(sign * 0.0101, 1000, across));
-      CHECK_FALSE(within(sign * 0.0101, 10000, across));
-      CHECK(within(sign * 0.0495, 200, across));
-      CHECK_FALSE(within(sign * 0.0505, 200, across));
-    }
+    for (const bool across : {false, true})
+      for (const std::size_t specimen : {0U, 1U}) {
+        const double limit = sign * (specimen == 0 ? 0.003 : 0.01);
+        CHECK(within(specimen, 0.99 * limit, 1000, across));
+        CHECK_FALSE(within(specimen, 1.01 * limit, 1000, across));
+        CHECK_FALSE(within(specimen, 1.01 * limit, 10000, across));
+        CHECK(within(specimen, 4.95 * limit, 200, across));
+        CHECK_FALSE(within(specimen, 5.05 * limit, 200, across));
+      }
+}
+
+TEST_CASE(
+    "verdict on the probes: with what forces add, and states that forces hold are left out and counted") {
+  const char* claim = "loose: the probe's moduli";
+  const auto with_terms = [&](double probed, double geometric, double shedding) {
+    std::vector<SpecimenResult> study = sound_study();
+    CompressedState& state = study[1].states[2];
+    const double G = G_hh_network(state);
+    test::set_force_terms(state, geometric * G, shedding * G);
+    for (double* modulus : {&state.probes->G_hh, &state.probes->G_hv, &state.probes->G_vh})
+      *modulus *= 1 + probed;
+    return study;
+  };
+  CHECK_FALSE(holds(with_terms(0.012, 0, 0), claim));
+  CHECK(holds(with_terms(0.012, 0.002, 0.003), claim));
+  CHECK_FALSE(holds(with_terms(0.012, -0.002, 0.003), claim));
+  CHECK(holds(with_terms(0.5, -0.3, 0), claim));
+  for (const Verdict& verdict : verdicts(sphere_scene(), with_terms(0.5, -0.3, 0)))
+    if (verdict.claim.starts_with(claim))
+      CHECK(verdict.measured.ends_with("; 1 held by forces left out"));
 }
 
 TEST_CASE("verdict on G_hv = G_vh") {
@@ -338,7 +361,7 @@ TEST_CASE("what was stopped is not judged, nor is s of a part of a path") {
   study[1].failure = "stopped on request";
   bool of_dense = false;
   for (const Verdict& verdict : verdicts(sphere_scene(), study)) {
-    CHECK(verdict.claim.find("loose") == std::string::npos);
+    CHECK_FALSE(verdict.claim.starts_with("loose sphere"));
     of_dense = of_dense || verdict.claim.starts_with("dense sphere");
   }
   CHECK(of_dense);

@@ -71,12 +71,16 @@ void check_state(const CompressedState& s) {
   CHECK(s.steps > 0);
 }
 
-/// 1 %: the prestress terms that only the probe has, times the softening of weakly coordinated networks.
-void check_probes(const CompressedState& s) {
+/// Measured: 1e-4 and 6e-4. Without what forces add 1.5e-3 and 6e-3; in loose specimens soft modes relax
+/// slowly.
+void check_probes(const CompressedState& s, triaxial::Density density) {
   REQUIRE(s.probes);
-  CHECK(s.probes->G_hh == relative(G_hh_network(s), 0.01));
-  CHECK(s.probes->G_hv == relative(G_vh_network(s), 0.01));
-  CHECK(s.probes->G_vh == relative(G_vh_network(s), 0.01));
+  const bool dense = density == triaxial::Density::dense;
+  const double limit = dense ? 1e-3 : 4e-3;
+  const double G_hh = G_hh_network(s) + G_hh_by_forces(s), G_vh = G_vh_network(s) + G_vh_by_forces(s);
+  CHECK(s.probes->G_hh == relative(G_hh, limit));
+  CHECK(s.probes->G_hv == relative(G_vh, limit));
+  CHECK(s.probes->G_vh == relative(G_vh, limit));
   CHECK(s.probes->amplitude > 0);
 }
 
@@ -102,7 +106,7 @@ TEST_CASE("a study is complete, in order, and within the bounds of theory") {
       CHECK(state.probes.has_value() == (stage == 1));
       check_state(state);
       if (state.probes)
-        check_probes(state);
+        check_probes(state, study[k].density);
     }
   }
   // Dense packings of one grain law have more contacts than loose ones.

@@ -125,10 +125,9 @@ FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& mat
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.
 /// \throws   InvalidArgument for a negative amplitude, or a normal stress to hold that is not positive;
 ///           Stopped if options.stop_requested says so
-/// Accuracy  as the amplitude goes to zero the network's answer with its prestress term, but for what
-/// contacts shed of their tangential forces as they unload, which no linear answer knows: 0.6 % of G in a
-/// dense specimen sheared to q/p = 1. At the chosen amplitude, contacts that barely touch are open for half
-/// of the cycle: 0.3 % of G in small, loose specimens.
+/// Accuracy  as the amplitude goes to zero the network's answer with what forces add to it
+/// (network::ForceTerms): 0.6 % of G in a dense specimen sheared to q/p = 1. At the chosen amplitude,
+/// contacts that barely touch are open for half of the cycle: 0.3 % of G in small, loose specimens.
 /// Checked against the network's answer by tests/triaxial/test_probe.cpp
 ProbeResult probe(const dem::Specimen& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options = {});

@@ -90,20 +90,49 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// The network takes contacts that barely touch for closed, and the probe opens them one way: single states
-/// part by a few contacts' share of all, which is larger where grains are few.
-void judge_probes(std::vector<Verdict>& out, std::size_t grains,
+/// Of the network's two shear moduli, what forces add to them over them, in sum [1].
+double largest_force_share(const CompressedState& s) {
+  return std::max(std::abs(G_hh_by_forces(s) / G_hh_network(s)),
+                  std::abs(G_vh_by_forces(s) / G_vh_network(s)));
+}
+
+/// How far the probes are from the network with what its forces add.
+double probe_error(const CompressedState& s) {
+  return std::max(relative_difference(s.probes->G_hh, G_hh_network(s) + G_hh_by_forces(s)),
+                  relative_difference(s.probes->G_hv, G_vh_network(s) + G_vh_by_forces(s)));
+}
+
+/// Forces count to their first order. Contacts that barely touch part, and in loose packings soft modes relax
+/// slowly: a few contacts' share of all, which is larger where grains are few. Of 37 seeds of the default
+/// scene the worst are 0.16 % (dense) and 0.78 % (loose).
+/// States in which that first order is beyond the loose limit have a motion so soft that forces hold it, not
+/// stiffness, and are not judged: 3 of some 330 loose ones.
+void judge_probes(std::vector<Verdict>& out, const Scene& scene,
                   const std::vector<SpecimenResult>& specimens) {
-  const double limit = 0.01 * std::max(1.0, 1000.0 / static_cast<double>(grains));
-  judge_worst(out, detail::formatted("the probe's moduli are the network's within %.2g %%", 100 * limit),
-              worst_of(specimens,
-                       [](const CompressedState& s) -> std::optional<double> {
-                         if (!s.probes)
-                           return std::nullopt;
-                         return std::max(relative_difference(s.probes->G_hh, G_hh_network(s)),
-                                         relative_difference(s.probes->G_hv, G_vh_network(s)));
-                       }),
-              limit, "worst %.2g");
+  constexpr double dense_limit = 3e-3, loose_limit = 1e-2;
+  const double few = std::max(1.0, 1000.0 / static_cast<double>(scene.study.grains));
+  for (const Density density : scene.study.densities) {
+    const double limit = few * (density == Density::dense ? dense_limit : loose_limit);
+    Worst worst;
+    std::size_t by_forces = 0;
+    for (const SpecimenResult& specimen : specimens)
+      for (const CompressedState& state : specimen.states)
+        if (specimen.density == density && state.probes) {
+          if (largest_force_share(state) > few * loose_limit)
+            ++by_forces;
+          else
+            worst.take(probe_error(state));
+        }
+    judge_worst(
+        out,
+        std::string(name(density)) + ": " +
+            detail::formatted("the probe's moduli are the network's, with what its forces add, within "
+                              "%.2g %%",
+                              100 * limit),
+        worst, limit, "worst %.2g");
+    if (by_forces > 0 && worst.states > 0)
+      out.back().measured += "; " + std::to_string(by_forces) + " held by forces left out";
+  }
 }
 
 void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& rows) {
@@ -223,7 +252,7 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
                          return std::optional(std::max(lower / K, K / s.uniform_strain().bulk_modulus()) - 1);
                        }),
               1e-9, "nearest to a bound: %.2g beyond it");
-  judge_probes(out, scene.study.grains, specimens);
+  judge_probes(out, scene, specimens);
   judge_worst(out, "G_hv = G_vh within 1 %",
               worst_of(specimens,
                        [](const CompressedState& s) -> std::optional<double> {

@@ -50,16 +50,17 @@ CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::Spec
   const dem::Material& material = recipe.material;
   const triaxial::FrozenState frozen =
       triaxial::freeze_in_place(snapshot.state, material, triaxial::usual_force_tolerance, stop_requested);
-  CompressedState out{.pressure = snapshot.pressure,
-                      .contact_pressure = trace(snapshot.report.stress()) / 3,
-                      .sliding_fraction = sliding_fraction(dem::contact_network(snapshot.state, material)),
-                      .packing = analysis::measure(
-                          dem::contact_network(frozen.state(), material), known_of(frozen.state(), material),
-                          {.work = true, .network = network::Options{.stop_requested = stop_requested}}),
-                      .probes = {},
-                      .steps = snapshot.report.steps + frozen.report.steps,
-                      .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
-                      .largest_inertial_number = snapshot.report.largest_inertial_number};
+  CompressedState out{
+      .pressure = snapshot.pressure,
+      .contact_pressure = trace(snapshot.report.stress()) / 3,
+      .sliding_fraction = sliding_fraction(dem::contact_network(snapshot.state, material)),
+      .packing = analysis::measure(
+          dem::contact_network(frozen.state(), material), known_of(frozen.state(), material),
+          {.work = true, .network = network::Options{.force_terms = true, .stop_requested = stop_requested}}),
+      .probes = {},
+      .steps = snapshot.report.steps + frozen.report.steps,
+      .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
+      .largest_inertial_number = snapshot.report.largest_inertial_number};
   (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
   estimate_closed_form(material, out);
   if (probed)
@@ -97,6 +98,12 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     out.failure = "the path ended early";
 }
 
+/// \param    plane   row of the 6x6
+double by_forces(const CompressedState& state, int plane) {
+  const auto& terms = state.packing.solved_network().response.force_terms();
+  return terms ? terms->geometric.matrix(plane, plane) + terms->shedding.matrix(plane, plane) : 0;
+}
+
 void prepare(const Scene& scene, Packing& packing, Meter& meter) {
   packing.failure = failure_or_stop_of([&] {
     throw_if_stopped(meter.stop_request());
@@ -116,6 +123,10 @@ double G_hh_network(const CompressedState& state) {
 double G_vh_network(const CompressedState& state) {
   return state.packing.solved_network().response.relaxed().matrix(4, 4);
 }
+
+double G_hh_by_forces(const CompressedState& state) { return by_forces(state, 5); }
+
+double G_vh_by_forces(const CompressedState& state) { return by_forces(state, 4); }
 
 std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control) {
   require_valid(scene);

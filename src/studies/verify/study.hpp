@@ -48,6 +48,9 @@ struct CompressedState {
 /// Shear moduli of the network in the planes that the probes shear, 12 and 13 [Pa].
 [[nodiscard]] double G_hh_network(const CompressedState& state);
 [[nodiscard]] double G_vh_network(const CompressedState& state);
+/// What the contacts' forces add to them, as a probe finds (network::ForceTerms) [Pa].
+[[nodiscard]] double G_hh_by_forces(const CompressedState& state);
+[[nodiscard]] double G_vh_by_forces(const CompressedState& state);
 
 /// One specimen on its isotropic path.
 struct SpecimenResult {
