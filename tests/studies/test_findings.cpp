@@ -229,7 +229,7 @@ TEST_CASE("relaxation curve: a cubic is met, a deviation from it is measured") {
 
 TEST_CASE("a sound study bears every claim out") {
   const std::vector<Verdict> all = verdicts(sphere_scene(), sound_study());
-  CHECK(all.size() == 8);
+  CHECK(all.size() == 9);
   for (const Verdict& verdict : all) {
     INFO(verdict.claim, ": ", verdict.measured);
     CHECK(verdict.holds);
@@ -329,6 +329,20 @@ TEST_CASE(
       CHECK(verdict.measured.ends_with("; 1 held by forces left out"));
 }
 
+TEST_CASE("verdict on what came to rest: three quarters, and the others by name") {
+  const char* claim = "three quarters of the states";
+  std::vector<SpecimenResult> study = sound_study(); // 8 states with probes
+  study[1].left_out = {"10 kPa: a probe did not come to rest"};
+  CHECK(holds(study, claim));
+  for (const Verdict& verdict : verdicts(sphere_scene(), study))
+    if (verdict.claim.starts_with(claim))
+      CHECK(verdict.measured == "16 of 17; " + title(study[1]) + " at 10 kPa: a probe did not come to rest");
+  study[1].left_out.assign(5, "10 kPa: why");
+  CHECK(holds(study, claim)); // 16 of 21
+  study[1].left_out.assign(6, "10 kPa: why");
+  CHECK_FALSE(holds(study, claim)); // 16 of 22
+}
+
 TEST_CASE("verdict on G_hv = G_vh") {
   const char* symmetry = "G_hv = G_vh";
   for (const double sign : {1.0, -1.0}) {
@@ -384,7 +398,8 @@ TEST_CASE("no verdict without data for it") {
   for (CompressedState& state : study[0].states)
     state.probes.reset();
   const std::vector<Verdict> all = verdicts(sphere_scene(), study);
-  REQUIRE(all.size() == 2);
+  REQUIRE(all.size() == 3);
   CHECK(all[0].claim.starts_with("K("));
   CHECK(all[1].claim.starts_with("pressure"));
+  CHECK(all[2].claim.starts_with("three quarters"));
 }

@@ -95,6 +95,7 @@ ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_f
                           {"density", studies::name(specimen.density)},
                           {"seed", specimen.seed},
                           {"failure", specimen.failure},
+                          {"left_out", specimen.left_out},
                           {"states", ordered_json::array()}};
     for (const studies::CompressedState& state : specimen.states)
       entry["states"].push_back(members(studies::state_columns(), state));

@@ -41,15 +41,21 @@ struct Packing {
   std::string failure;
 };
 
-std::string title(contact::Shape contact, triaxial::Density density, std::uint64_t seed) {
-  return std::string(name(contact)) + " " + std::string(name(density)) + " #" + std::to_string(seed);
-}
-
-CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe,
-                        bool probed, const StopRequest& stop_requested) {
+/// A state, and its probes, if they come to rest; else why not.
+void measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe& recipe, bool probed,
+             const StopRequest& stop_requested, SpecimenResult& specimen) {
   const dem::Material& material = recipe.material;
+  const auto leave_out = [&](const NotConverged& why) {
+    specimen.left_out.push_back(pretty(snapshot.pressure, Dimension::pressure) + ": " + why.what());
+  };
   const triaxial::FrozenState frozen =
       triaxial::freeze_in_place(snapshot.state, material, triaxial::usual_force_tolerance, stop_requested);
+  try {
+    (void)frozen.state();
+  } catch (const NotConverged& why) {
+    leave_out(why);
+    return;
+  }
   CompressedState out{
       .pressure = snapshot.pressure,
       .contact_pressure = trace(snapshot.report.stress()) / 3,
@@ -64,8 +70,12 @@ CompressedState measure(const triaxial::Snapshot& snapshot, const triaxial::Spec
   (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
   estimate_closed_form(material, out);
   if (probed)
-    out.probes = run_probes(frozen.state(), material, stop_requested);
-  return out;
+    try {
+      out.probes = run_probes(frozen.state(), material, stop_requested);
+    } catch (const NotConverged& why) {
+      leave_out(why);
+    }
+  specimen.states.push_back(std::move(out));
 }
 
 void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& out, Meter& meter) {
@@ -76,6 +86,7 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
   const triaxial::SpecimenRecipe specimen = recipe(scene, out.contact, out.seed);
   dem::QuasistaticOptions options = triaxial::compression_options();
   options.stop_requested = meter.stop_request();
+  std::size_t stage = 0;
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged()) {
       out.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
@@ -84,10 +95,9 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
     }
     const bool probed = std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(),
                                   snapshot.pressure) != scene.study.probe_pressures.end();
-    out.states.push_back(measure(snapshot, specimen, probed, options.stop_requested));
-    meter.add(stage_work(scene, out.density, out.contact, out.states.size() - 1),
-              title(out.contact, out.density, out.seed));
-    if (meter.stopped() && out.states.size() < scene.study.pressures.size())
+    measure(snapshot, specimen, probed, options.stop_requested, out);
+    meter.add(stage_work(scene, out.density, out.contact, stage++), title(out));
+    if (meter.stopped() && stage < scene.study.pressures.size())
       out.failure = stopped_on_request;
     return out.failure.empty();
   };
@@ -115,6 +125,11 @@ void prepare(const Scene& scene, Packing& packing, Meter& meter) {
 }
 
 } // namespace
+
+std::string title(const SpecimenResult& specimen) {
+  return std::string(name(specimen.contact)) + " " + std::string(name(specimen.density)) + " #" +
+         std::to_string(specimen.seed);
+}
 
 double G_hh_network(const CompressedState& state) {
   return state.packing.solved_network().response.relaxed().matrix(5, 5);

@@ -59,7 +59,11 @@ struct SpecimenResult {
   std::uint64_t seed = 0;
   std::vector<CompressedState> states; ///< as far as it came
   std::string failure;                 ///< empty when the whole path was run
+  std::vector<std::string> left_out{}; ///< states and probes that did not come to rest: pressure, and why
 };
+
+/// "flat loose #3".
+[[nodiscard]] std::string title(const SpecimenResult& specimen);
 
 struct Progress {
   double done = 0; ///< share of the predicted work, 0..1

@@ -146,6 +146,8 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
     out += io::heading_line(columns) + "\n";
     for (const CompressedState& state : specimen.states)
       out += io::number_line(columns, state) + "\n";
+    for (const std::string& why : specimen.left_out)
+      out += "  left out: at " + why + "\n";
     if (!specimen.failure.empty())
       out += "  ended early: " + specimen.failure + "\n";
   }
