@@ -210,6 +210,14 @@ TEST_CASE("frame warnings: a network that was given too few iterations") {
               wanted(network::Options{.iteration_limit = 1})));
 }
 
+TEST_CASE("frame warnings: forces that matter beside the stiffness of the contacts") {
+  const char* words = "change a shear modulus by";
+  CHECK_FALSE(warns(through_csv(specimen()), words, given_modulus, wanted(network::Options{})));
+  const Given soft{.grain_shear_modulus = specimen_grain.shear_modulus / 1000}; // for the same forces
+  CHECK(warns(through_csv(specimen()), words, soft, wanted(network::Options{})));
+  CHECK_FALSE(warns(through_csv(specimen()), words, soft));
+}
+
 TEST_CASE("frame warnings: strains that nothing resists are named") {
   // a straight chain through the faces of the cell bears stress along itself, and nothing else
   packing::Assembly chain{

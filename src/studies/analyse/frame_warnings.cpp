@@ -235,6 +235,24 @@ void judge_network(const network::Response::Report& report, std::vector<std::str
     out.emplace_back("the network is unstable: it has no moduli");
 }
 
+/// Forces that matter beside the stiffness of the contacts, by the shear modulus that they change most.
+void judge_force_terms(const network::Response& response, std::vector<std::string>& out) {
+  constexpr double matters = 0.02, resists = 1e-6; // of the modulus; of that under uniform strain
+  if (!response.converged() || !response.force_terms())
+    return;
+  double most = 0;
+  for (int plane = 3; plane < 6; ++plane) {
+    const double G = response.relaxed().matrix(plane, plane);
+    const double share = response.force_terms()->geometric.matrix(plane, plane) / G;
+    if (G > resists * response.affine().matrix(plane, plane) && std::abs(share) > std::abs(most))
+      most = share;
+  }
+  if (std::abs(most) > matters)
+    out.push_back("the forces that the contacts bear change a shear modulus by " + percent(most) +
+                  " to first order, which the network leaves out: overlaps are large, or a motion is so soft "
+                  "that forces hold it");
+}
+
 } // namespace
 
 void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out) {
@@ -270,6 +288,7 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.network) {
     judge_network(measured.network->response.report(), out);
     judge_free_strains(*measured.network, out);
+    judge_force_terms(measured.network->response, out);
   }
 }
 

@@ -48,6 +48,8 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   const bool by_overlaps = packing.has(Finding::contacts_from_overlaps);
   analysis::Wanted measured = wanted;
   measured.law_check = wanted.law_check && !by_overlaps; // forces by the law would agree with it
+  if (measured.network)
+    measured.network->force_terms = given.normal_forces && packing.assembly.wall_contacts.empty();
   MeasuredFrame out{.step = packing.step,
                     .time = packing.time,
                     .materials_given = !given.materials.empty(),
