@@ -81,7 +81,8 @@ class [[nodiscard]] Response {
   [[nodiscard]] const elastic::VoigtStiffness& relaxed() const;
   /// Nothing unless options asked for them, and there is a network. Of the last iterate.
   /// Accuracy  of the sum beside DEM probes, 1,000 grains: dense 0.01 % rms, 0.16 % at worst; loose 0.2 %
-  ///           rms, 0.8 % at worst.  Checked by tests/network/test_force_terms.cpp, tests/studies/test_study.cpp
+  ///           rms, 0.8 % at worst.
+  /// Checked by tests/network/test_force_terms.cpp, tests/studies/test_study.cpp
   [[nodiscard]] const std::optional<ForceTerms>& force_terms() const { return force_terms_; }
   /// The last iterate of relaxed(), converged or not [Pa].
   [[nodiscard]] const elastic::VoigtStiffness& last_iterate() const { return relaxed_; }
