@@ -26,8 +26,8 @@ struct Motion {
 template <int Dof>
 Motion motion_of(const LoadedContact& c, const Field<Dof>& q) {
   Motion m{branch_strain(c.branch), Strain::Zero()};
-  for (unsigned row = 0; row < 3; ++row)
-    for (unsigned k = 0; k < load_cases; ++k) {
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k < load_cases; ++k) {
       m.v(row, k) += q[c.j].row[row][k] - q[c.i].row[row][k];
       if constexpr (Dof == 6)
         m.omega(row, k) = c.lever * (q[c.i].row[3 + row][k] + q[c.j].row[3 + row][k]);
