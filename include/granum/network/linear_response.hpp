@@ -40,7 +40,7 @@ enum class Status {
 
 /// What the forces that contacts carry add to Response::relaxed, to first order in their share f/(k_n l), by
 /// the motions that it found [Pa]. A test that measures Cauchy stress, as triaxial::probe does, finds the sum
-/// of all three. Contacts between grains of any size; forces in balance.
+/// of relaxed() and both parts. Contacts between grains of any size; forces in balance.
 struct ForceTerms {
   /// Forces turn with their contacts, their arms and the cell change. Where this is not small beside
   /// relaxed(), some motion is so soft that forces matter as much as stiffness, and neither is the answer.

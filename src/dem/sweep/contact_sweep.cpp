@@ -412,7 +412,7 @@ GRANUM_INLINE void sweep_all(const Law& law, const AnyWork& work) {
   const bool far = work.in.grains.size() > grains_nearby;
   for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {
     if (far)
-      fetch_ahead(work.in.pairs.data(), work.in.grains, work.memory, work.load, first, work.chunk);
+      fetch_ahead(pairs, work.in.grains, work.memory, work.load, first, work.chunk);
     sizes.load(work.in, pairs + first);
     MemoryBlock* const memory = purpose == Purpose::friction ? work.memory + first / block_size : nullptr;
     sweep_block<purpose, Level>(law, sizes, work, pairs + first, memory, p);

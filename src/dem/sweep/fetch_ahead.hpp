@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "contact_sweep.hpp"
 #include "core/vector/level.hpp"

@@ -90,7 +90,7 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// Of the network's two shear moduli, what forces add to them over them, in sum [1].
+/// What forces add to a shear modulus of the network, as a part of it; the larger of the two [1].
 double largest_force_share(const CompressedState& s) {
   return std::max(std::abs(G_hh_by_forces(s) / G_hh_network(s)),
                   std::abs(G_vh_by_forces(s) / G_vh_network(s)));
