@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time and memory of the engine and of the network as specimens grow; bench/growth.sh runs it.
 //   bench_growth pack dense|loose GRAINS SEED OUT.data at 10 kPa, loose: without its histories
-//   bench_growth network IN.data X Y Z THREADS         of so many copies along the axes
+//   bench_growth copies IN.data X Y Z OUT.data         so many copies along the axes, as a file
+//   bench_growth network IN.data X Y Z THREADS         of such copies
 //   bench_growth engine IN.data X Y Z STEPS THREADS
 //   bench_growth specimen GRAINS SEED                  dense, from nothing to rest at 10 kPa, on one core
 // Copies of a network would answer like one: there the stiffness of each contact is multiplied by a random
@@ -115,6 +116,8 @@ int main(int argc, char** argv) try {
   };
   if (what == "pack" && given.size() == 5)
     pack(given[1], count_of(given[2]), count_of(given[3]), given[4]);
+  else if (what == "copies" && given.size() == 6)
+    save_packing(copies(), given[5]);
   else if (what == "network" && given.size() == 6)
     solve(copies(), count_of(given[2]) * count_of(given[3]) * count_of(given[4]) > 1, count_of(given[5]));
   else if (what == "engine" && given.size() == 7)
@@ -122,8 +125,8 @@ int main(int argc, char** argv) try {
   else if (what == "specimen" && given.size() == 3)
     prepare(count_of(given[1]), count_of(given[2]));
   else {
-    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS SEED OUT | network IN X Y Z THREADS | "
-                         "engine IN X Y Z STEPS THREADS | specimen GRAINS SEED\n");
+    std::fprintf(stderr, "usage: bench_growth pack dense|loose GRAINS SEED OUT | copies IN X Y Z OUT | "
+                         "network IN X Y Z THREADS | engine IN X Y Z STEPS THREADS | specimen GRAINS SEED\n");
     return 2;
   }
   return 0;

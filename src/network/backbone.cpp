@@ -90,7 +90,8 @@ void remove_units(Backbone& backbone) {
 
 } // namespace
 
-Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options) {
+Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options,
+                              const std::vector<bool>& soft) {
   Backbone backbone;
   for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
     for (const packing::Contact& c : *contacts)
@@ -103,12 +104,14 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const Options& 
 
   backbone.cell = assembly.cell;
   const std::vector<Vec3> centre = inside(assembly);
-  auto [number, stages] = number_grains(assembly, mechanics.rattler, centre);
+  auto [number, stages] = number_grains(assembly, mechanics.rattler, centre, soft);
   backbone.stages = std::move(stages);
+  backbone.grain.resize(backbone.grain_count);
   backbone.centre.resize(backbone.grain_count);
   backbone.radius.resize(backbone.grain_count);
-  for (std::size_t g = 0; g < number.size(); ++g)
+  for (std::uint32_t g = 0; g < number.size(); ++g)
     if (number[g] != unset) {
+      backbone.grain[number[g]] = g;
       backbone.centre[number[g]] = centre[g];
       backbone.radius[number[g]] = assembly.radius[g];
     }

@@ -47,12 +47,16 @@ struct Backbone {
   std::vector<Link> wall_links;           ///< sorted by a; b is a's number too
   std::vector<LoadedContact> loaded;      ///< empty unless force terms are asked for
   std::vector<std::vector<Piece>> stages; ///< of the numbers
+  std::vector<std::uint32_t> grain;       ///< of the assembly, that has each number
   std::vector<Vec3> centre;               ///< of each grain, inside the cell
   std::vector<double> radius;
   Mat3 cell; ///< columns are its three edges
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.
-[[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options);
+/// \param    soft   of each grain of the assembly, whether it is numbered as one that is barely held in any
+///                  case; or empty
+[[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options,
+                                            const std::vector<bool>& soft = {});
 
 } // namespace granum::network

@@ -12,6 +12,7 @@
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
 #include "network/factor/factor_rule.hpp"
+#include "network/factor/soft_first.hpp"
 #include "preconditioner.hpp"
 
 namespace granum::network {
@@ -23,7 +24,7 @@ using elastic::Matrix6;
 /// Iterations in which a solver with a good factor arrives; packings take 20 to 110.
 constexpr int patience = 150;
 
-/// Solves with one factor, within a number of iterations.
+/// What one factor came to, within a number of iterations.
 struct Attempt {
   FactorRule rule;
   Solution solution;
@@ -34,9 +35,12 @@ struct Attempt {
 };
 
 template <int Dof>
-Attempt attempt(const Backbone& backbone, const FactorRule& rule, Options options, int iteration_limit,
-                const Workers& workers) {
-  const Preconditioner<Dof> preconditioner(backbone, workers, rule);
+Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const FactorRule& rule,
+                Options options, int iteration_limit, const Workers& workers) {
+  const Preconditioner<Dof> preconditioner(
+      backbone, workers,
+      judges(rule.soft_pivots) ? factor_with_soft_first<Dof>(assembly, options, rule, workers, backbone)
+                               : IncompleteFactor<Dof>(backbone, workers, rule));
   options.iteration_limit = iteration_limit;
   return {.rule = rule,
           .solution = relax<Dof>(backbone, preconditioner, options, workers),
@@ -45,8 +49,10 @@ Attempt attempt(const Backbone& backbone, const FactorRule& rule, Options option
 }
 
 /// H q = -W. Each factor in turn is given some iterations, the one that came nearest the rest.
+/// \param    backbone   of the assembly; may be numbered anew
 template <int Dof>
-Solution relaxation(const Backbone& backbone, const Options& options, Response::Report& report) {
+Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const Options& options,
+                    Response::Report& report) {
   std::optional<Team> team;
   if (const std::size_t members = std::min(options.threads, backbone.stages.front().size()); members > 1)
     team.emplace(members);
@@ -54,7 +60,7 @@ Solution relaxation(const Backbone& backbone, const Options& options, Response::
   int left = options.iteration_limit;
   std::optional<Attempt> best;
   const auto solve = [&](FactorRule rule, int iteration_limit) {
-    Attempt next = attempt<Dof>(backbone, rule, options, std::min(iteration_limit, left), workers);
+    Attempt next = attempt<Dof>(assembly, backbone, rule, options, std::min(iteration_limit, left), workers);
     left -= next.solution.iterations;
     if (!best || next.is_final() || next.solution.residual < best->solution.residual)
       best = std::move(next);
@@ -99,7 +105,7 @@ Response linear_response(const packing::Assembly& assembly, const Options& optio
     throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
                           " contacts with walls, of which they are not known");
 
-  const Backbone backbone = load_bearing_network(assembly, options);
+  Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,
                           .contacts = backbone.links.size(),
                           .wall_contacts = backbone.wall_links.size(),
@@ -110,8 +116,8 @@ Response linear_response(const packing::Assembly& assembly, const Options& optio
   const double unit =
       backbone.stiffness_scale * backbone.length_scale * backbone.length_scale / assembly.volume();
   const Matrix6 affine = affine_energy(backbone);
-  const Solution solution = backbone.rotations ? relaxation<6>(backbone, options, report)
-                                               : relaxation<3>(backbone, options, report);
+  const Solution solution = backbone.rotations ? relaxation<6>(assembly, backbone, options, report)
+                                               : relaxation<3>(assembly, backbone, options, report);
   const Matrix6 relaxed = affine + solution.work;
   const double largest = relaxed.cwiseAbs().maxCoeff();
   if (largest > 0)

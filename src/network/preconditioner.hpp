@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "network/coarse/correction.hpp"
 #include "network/factor/incomplete_factor.hpp"
@@ -14,8 +15,8 @@ namespace granum::network {
 template <int Dof>
 class Preconditioner {
  public:
-  Preconditioner(const Backbone& backbone, const Workers& workers, const FactorRule& rule)
-      : factor_(backbone, workers, rule) {
+  Preconditioner(const Backbone& backbone, const Workers& workers, IncompleteFactor<Dof> factor)
+      : factor_(std::move(factor)) {
     if (CoarseCorrection<Dof>::pays(backbone))
       coarse_.emplace(backbone, workers);
   }

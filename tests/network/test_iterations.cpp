@@ -31,15 +31,23 @@ TEST_CASE(
     double kept;
     int measured;
   };
-  for (const Lattice& of : {Lattice{0.255, 51}, Lattice{0.258, 40}, Lattice{0.262, 36}, Lattice{0.28, 25}}) {
+  for (const Lattice& of : {Lattice{0.255, 48}, Lattice{0.258, 34}, Lattice{0.262, 31}, Lattice{0.28, 24}}) {
     CAPTURE(of.kept);
     const network::Response response =
         network::linear_response(samples::large_network(29, of.kept), {.iteration_limit = 300});
     REQUIRE(response.converged());
     REQUIRE(response.report().grains >= 20000);
-    CHECK(response.report().mended_pivots > 0); // or nothing is tested
+    CHECK(response.report().mended_pivots <= 5);
     CHECK(response.report().iterations <= of.measured + of.measured / 10);
   }
+}
+
+TEST_CASE(
+    "a lattice whose factor lost many pivots takes few iterations with the grains of soft motions first") {
+  const network::Response response =
+      network::linear_response(samples::large_network(28, 0.23909, 1, 5001), {.iteration_limit = 300});
+  REQUIRE(response.converged());
+  CHECK(response.report().iterations <= 73); // measured 66; 224 without
 }
 
 TEST_CASE("networks that lose many pivots are solved") {

@@ -32,6 +32,13 @@ constexpr double soft = 1e-2;
 constexpr double negligible_soft = 0.3;
 // Directions are lost where the energy of the motion is more than so many times the eigenvalue.
 constexpr double far_off = 10;
+// Motions are very soft whose energy is below this part of the mean diagonal. A larger one makes the grains
+// that they move so many that some pivots are still lost with all of them first.
+constexpr double very_soft = 1e-3;
+// Of such a motion, and of one whose pivot was lost, grains count that move at least this part of the way of
+// the one that moves farthest.
+constexpr double moving = 0.03;
+constexpr double moving_where_lost = 0.003;
 // In these two limits, smaller eigenvalues, and negative ones, count as this part of that mean.
 constexpr double least_compared = 1e-8;
 // Displacements that the motion of a held direction leaves out.
@@ -89,6 +96,11 @@ double mean_diagonal(const std::vector<Block<Dof>>& blocks) {
   return mean > 0 ? mean : 1;
 }
 
+template <class T>
+void append(const std::vector<T>& more, std::vector<T>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 template <int Dof>
 class Elimination {
  public:
@@ -108,7 +120,9 @@ class Elimination {
                     [&](std::size_t k) { eliminate_piece(stage[k], works[k], made_.lower[first + k]); });
       for (const Work& of_piece : works) {
         made_.mended_pivots += of_piece.mended_pivots;
-        held_.insert(held_.end(), of_piece.held.begin(), of_piece.held.end());
+        append(of_piece.held, held_);
+        append(of_piece.lost_grains, made_.lost_grains);
+        append(of_piece.soft_grains, made_.soft_grains);
       }
     }
     release_held();
@@ -154,10 +168,11 @@ class Elimination {
     std::vector<Block<Dof>> row;            ///< of H less what is eliminated, transposed
     std::vector<HeldDirection> held;
     std::size_t mended_pivots = 0;
+    std::vector<std::uint32_t> lost_grains, soft_grains;
   };
 
   [[nodiscard]] bool couples() const { return rule_.soft_pivots == SoftPivots::coupled; }
-  [[nodiscard]] bool judges() const { return rule_.soft_pivots == SoftPivots::judged || couples(); }
+  [[nodiscard]] bool judges() const { return network::judges(rule_.soft_pivots); }
 
   void eliminate_piece(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
     work.slot.assign(backbone_.grain_count, absent);
@@ -271,9 +286,17 @@ class Elimination {
     const auto is_lost = [&](int k) {
       return values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_);
     };
-    bool lost = false;
-    for (int k = 0; k < judged.directions; ++k)
+    bool lost = false, is_very_soft = false;
+    for (int k = 0; k < judged.directions; ++k) {
       lost = lost || is_lost(k);
+      is_very_soft = is_very_soft || values[k] < very_soft * mean_;
+    }
+    for (int k = 0; k < judged.directions; ++k) {
+      if (lost)
+        motion.add_movers(k, moving_where_lost, work.lost_grains);
+      if (is_very_soft)
+        motion.add_movers(k, moving, work.soft_grains);
+    }
     for (int k = 0; k < Dof && lost && found[k] < lost_stiffness * mean_; ++k)
       if (values[k] < rigid && (!couples() || is_lost(k)))
         hold(i, pivot, k, work, values);

@@ -21,6 +21,9 @@ struct Eliminated {
   /// Strictly lower blocks of each piece, pieces counted through all stages; each is transposed.
   std::vector<std::vector<Block<Dof>>> lower = {};
   std::size_t mended_pivots = 0;
+  /// Where pivots are judged: the grains that take part in motions whose pivots were lost, and in very soft
+  /// ones. Some more than once.
+  std::vector<std::uint32_t> lost_grains = {}, soft_grains = {};
 };
 
 /// Eliminates grain after grain, in double precision: where grains are barely held, the coupling of a soft

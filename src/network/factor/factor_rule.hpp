@@ -24,6 +24,10 @@ enum class SoftPivots {
   coupled
 };
 
+[[nodiscard]] constexpr bool judges(SoftPivots soft) {
+  return soft == SoftPivots::judged || soft == SoftPivots::coupled;
+}
+
 /// How an incomplete factor is made.
 struct FactorRule {
   int fill_level = 1;

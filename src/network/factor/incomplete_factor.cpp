@@ -25,6 +25,7 @@ IncompleteFactor<Dof>::IncompleteFactor(const Backbone& backbone, const Workers&
   Eliminated<Dof> made = eliminate<Dof>(backbone, workers, rule, pattern_);
   root_ = std::move(made.root);
   mended_pivots_ = made.mended_pivots;
+  lost_grains_ = std::move(made.lost_grains);
   if (rule.soft_pivots == SoftPivots::stiffened)
     lower_ = std::move(made.lower);
   else

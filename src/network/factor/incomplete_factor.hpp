@@ -2,6 +2,8 @@
 // Private to src/network.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -27,6 +29,8 @@ class IncompleteFactor {
   void solve(const Field<Dof>& r, Field<Dof>& z) const;
 
   [[nodiscard]] std::size_t mended_pivots() const { return mended_pivots_; }
+  /// As in Eliminated.
+  [[nodiscard]] const std::vector<std::uint32_t>& lost_grains() const { return lost_grains_; }
   [[nodiscard]] std::size_t nonzeros() const { return (pattern_.size() + root_.size()) * Dof * Dof; }
 
  private:
@@ -42,6 +46,7 @@ class IncompleteFactor {
   std::variant<Lower<float>, Lower<double>> lower_; ///< as in Eliminated
   std::vector<Block<Dof>> root_;                    ///< as in Eliminated
   std::size_t mended_pivots_ = 0;
+  std::vector<std::uint32_t> lost_grains_;
 };
 
 } // namespace granum::network

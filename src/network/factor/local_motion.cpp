@@ -69,6 +69,21 @@ PerCase LocalMotion<Dof>::squares() const {
 }
 
 template <int Dof>
+void LocalMotion<Dof>::add_movers(int lane, double part, std::vector<std::uint32_t>& grains) const {
+  std::vector<double> squares(rows_.size());
+  double most = 0;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    for (const Lanes& row : rows_[k].row)
+      squares[k] += row[lane] * row[lane];
+    most = std::max(most, squares[k]);
+  }
+  const double least = part * part * most;
+  for (std::size_t k = 0; k < squares.size(); ++k)
+    if (squares[k] >= least)
+      grains.push_back(grains_[k]);
+}
+
+template <int Dof>
 PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& links) const {
   const Rows<Dof> still = {};
   Lanes sum = {};

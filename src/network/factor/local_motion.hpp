@@ -74,6 +74,9 @@ class LocalMotion {
   [[nodiscard]] PerCase energy(const Backbone& backbone, const LinksOfGrains& links) const;
   /// Sum of the squares of all displacements of each motion.
   [[nodiscard]] PerCase squares() const;
+  /// Adds the grains that move at least so large a part of the way of the one that moves farthest in the
+  /// motion of a lane.
+  void add_movers(int lane, double part, std::vector<std::uint32_t>& grains) const;
 
  private:
   [[nodiscard]] bool moves(std::uint32_t grain) const { return place_[grain] != absent; }

@@ -20,10 +20,11 @@ bool is_barely_held(const Neighbours& neighbours, std::uint32_t g) {
 
 } // namespace
 
-BarelyHeld::BarelyHeld(const Neighbours& neighbours) : first_(neighbours.size(), none) {
+BarelyHeld::BarelyHeld(const Neighbours& neighbours, const std::vector<bool>& soft)
+    : first_(neighbours.size(), none) {
   std::vector<bool> waits(neighbours.size());
   for (std::uint32_t g = 0; g < neighbours.size(); ++g)
-    waits[g] = is_barely_held(neighbours, g);
+    waits[g] = is_barely_held(neighbours, g) || (!soft.empty() && soft[g]);
   std::vector<std::uint32_t> reached;
   const auto reach = [&](std::uint32_t g, std::uint32_t first) {
     if (!waits[g])

@@ -15,10 +15,11 @@ using Neighbours = std::vector<std::vector<std::uint32_t>>;
 /// but one with a bar resists a single one, and a grain with seven such resistances in place of its six
 /// motions may be free: two joints and a bar let it turn about the axis through the joints where the line of
 /// the bar meets this axis, and balance of the three forces on the grain sees to that. Contacts with walls do
-/// not count.
+/// not count. Others are known by their motions alone (network/factor/soft_first.hpp).
 class BarelyHeld {
  public:
-  explicit BarelyHeld(const Neighbours& neighbours);
+  /// \param    soft   of each grain, whether it counts as barely held in any case; or empty
+  explicit BarelyHeld(const Neighbours& neighbours, const std::vector<bool>& soft = {});
 
   [[nodiscard]] bool contains(std::uint32_t g) const { return first_[g] != none; }
   /// Of the grains that hang together with g, if g is barely held; else g itself.

@@ -31,8 +31,9 @@ Neighbours adjacency(const packing::Assembly& assembly, const std::vector<bool>&
 
 class Counter {
  public:
-  Counter(const Neighbours& neighbours, const std::vector<Vec3>& position)
-      : neighbours_(neighbours), position_(position), barely_held_(neighbours), group_(neighbours.size(), 0) {
+  Counter(const Neighbours& neighbours, const std::vector<Vec3>& position, const std::vector<bool>& soft)
+      : neighbours_(neighbours), position_(position), barely_held_(neighbours, soft),
+        group_(neighbours.size(), 0) {
     numbering_.number.assign(neighbours.size(), Numbering::unset);
   }
 
@@ -145,12 +146,12 @@ class Counter {
 } // namespace
 
 Numbering number_grains(const packing::Assembly& assembly, const std::vector<bool>& rattler,
-                        const std::vector<Vec3>& position) {
+                        const std::vector<Vec3>& position, const std::vector<bool>& soft) {
   std::vector<std::uint32_t> grains;
   for (std::uint32_t g = 0; g < assembly.grain_count(); ++g)
     if (!rattler[g])
       grains.push_back(g);
-  return Counter(adjacency(assembly, rattler), position).run(std::move(grains));
+  return Counter(adjacency(assembly, rattler), position, soft).run(std::move(grains));
 }
 
 } // namespace granum::network

@@ -28,7 +28,8 @@ struct Numbering {
 };
 
 /// \param    position   inside the cell [m]
+/// \param    soft       of each grain that bears load, whether it counts as barely held in any case; or empty
 [[nodiscard]] Numbering number_grains(const packing::Assembly& assembly, const std::vector<bool>& rattler,
-                                      const std::vector<Vec3>& position);
+                                      const std::vector<Vec3>& position, const std::vector<bool>& soft);
 
 } // namespace granum::network

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "soft_first.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "elimination.hpp"
+#include "fill_pattern.hpp"
+
+namespace granum::network {
+
+namespace {
+
+// Of the factor that shows soft motions, which depend little on it. It takes a fifth of the time of level 3.
+constexpr int level_of_search = 1;
+// Times that the grains of lost pivots are put first: packings of a million grains need one or two.
+constexpr int most_tries = 3;
+// Pivots that may be lost: one or two have cost hardly an iteration, with thirty a packing was not solved.
+constexpr std::size_t few = 5;
+
+template <int Dof>
+std::vector<std::uint32_t> soft_grains(const Backbone& backbone, FactorRule rule, const Workers& workers) {
+  rule.fill_level = level_of_search;
+  return eliminate<Dof>(backbone, workers, rule, fill_pattern(backbone, rule.fill_level)).soft_grains;
+}
+
+} // namespace
+
+template <int Dof>
+IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly, const Options& options,
+                                             FactorRule rule, const Workers& workers, Backbone& backbone) {
+  std::vector<bool> first(assembly.grain_count());
+  const auto add = [&](const std::vector<std::uint32_t>& grains) {
+    bool more = false;
+    for (const std::uint32_t g : grains)
+      if (const std::uint32_t of_assembly = backbone.grain[g]; !first[of_assembly])
+        first[of_assembly] = more = true;
+    return more;
+  };
+  if (add(soft_grains<Dof>(backbone, rule, workers)))
+    backbone = load_bearing_network(assembly, options, first);
+  for (int tries = 0;; ++tries) {
+    bool more = false;
+    {
+      IncompleteFactor<Dof> factor(backbone, workers, rule);
+      more = tries < most_tries && add(factor.lost_grains());
+      if (!more && (rule.soft_pivots == SoftPivots::coupled || factor.mended_pivots() <= few))
+        return factor;
+    } // and gives its memory back
+    if (more) {
+      backbone = load_bearing_network(assembly, options, first);
+    } else {
+      rule.soft_pivots = SoftPivots::coupled;
+      tries = 0;
+    }
+  }
+}
+
+template IncompleteFactor<3> factor_with_soft_first(const packing::Assembly&, const Options&, FactorRule,
+                                                    const Workers&, Backbone&);
+template IncompleteFactor<6> factor_with_soft_first(const packing::Assembly&, const Options&, FactorRule,
+                                                    const Workers&, Backbone&);
+
+} // namespace granum::network

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large diluted lattices in which the factor loses pivots.
+#include "network/factor/soft_first.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "large_networks.hpp"
+#include "network/numbering/barely_held.hpp"
+
+using namespace granum;
+using namespace granum::network;
+
+namespace {
+
+const Workers alone;
+
+/// The numbers of the assembly's grains that each contact joins.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> joined(const Backbone& backbone) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const Link& l : backbone.links)
+    pairs.push_back(std::minmax(backbone.grain[l.a], backbone.grain[l.b]));
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+} // namespace
+
+TEST_CASE("with the grains of soft motions first the factor loses no pivot") {
+  for (const std::uint64_t seed : {5006U, 5010U, 6005U}) {
+    CAPTURE(seed);
+    const packing::Assembly a =
+        samples::large_network(28, 0.235 + 0.045 * static_cast<double>(seed % 1000) / 11, 1, seed);
+    Backbone backbone = load_bearing_network(a, {});
+    const FactorRule rule = factor_rules(backbone).front();
+    REQUIRE(judges(rule.soft_pivots));
+    const IncompleteFactor<6> plain(backbone, alone, rule);
+    CHECK_FALSE(plain.lost_grains().empty()); // or nothing is tested
+    const auto pairs = joined(backbone);
+    const IncompleteFactor<6> factor = factor_with_soft_first<6>(a, {}, rule, alone, backbone);
+    CHECK(factor.lost_grains().empty());
+    CHECK(joined(backbone) == pairs);
+  }
+}
+
+TEST_CASE("grains that count as barely held come first in pieces of the first stage") {
+  const packing::Assembly a = samples::large_network(28, 0.3);
+  std::vector<bool> soft(a.grain_count());
+  for (std::uint32_t g = 0; g < a.grain_count(); g += 40)
+    soft[g] = true;
+  const Backbone backbone = load_bearing_network(a, {}, soft);
+  Neighbours neighbours(backbone.grain_count);
+  for (const Link& l : backbone.links) {
+    neighbours[l.a].push_back(l.b);
+    neighbours[l.b].push_back(l.a);
+  }
+  const BarelyHeld by_contacts(neighbours);
+  const auto is_first = [&](std::uint32_t g) { return by_contacts.contains(g) || soft[backbone.grain[g]]; };
+  std::size_t out_of_order = 0, in_first_stage = 0;
+  for (const Piece& p : backbone.stages.front()) {
+    bool before = true;
+    for (std::uint32_t g = p.first; g < p.last; ++g) {
+      out_of_order += !before && is_first(g) ? 1U : 0U;
+      before = is_first(g);
+      in_first_stage += soft[backbone.grain[g]] ? 1U : 0U;
+    }
+  }
+  CHECK(out_of_order == 0);
+  const auto numbered = [&](std::uint32_t g) { return soft[g]; };
+  CHECK(in_first_stage ==
+        static_cast<std::size_t>(std::count_if(backbone.grain.begin(), backbone.grain.end(), numbered)));
+  CHECK(in_first_stage > 400);
+}
