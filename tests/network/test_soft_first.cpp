@@ -47,6 +47,26 @@ TEST_CASE("with the grains of soft motions first the factor loses no pivot") {
   }
 }
 
+TEST_CASE("a stop ends the search for a numbering after a factor") {
+  const packing::Assembly a = samples::large_network(28, 0.235 + 0.045 * 4 / 11, 1, 6004);
+  int asked = 0;
+  const auto lost_when = [&](bool stopped) {
+    asked = 0;
+    Options options;
+    options.stop_requested = [&asked, stopped] {
+      ++asked;
+      return stopped;
+    };
+    Backbone backbone = load_bearing_network(a, options);
+    const FactorRule rule = factor_rules(backbone).front();
+    return !factor_with_soft_first<6>(a, options, rule, alone, backbone).lost_grains().empty();
+  };
+  CHECK_FALSE(lost_when(false));
+  CHECK(asked > 0); // or nothing is tested
+  CHECK(lost_when(true));
+  CHECK(asked == 1);
+}
+
 TEST_CASE("grains that count as barely held come first in pieces of the first stage") {
   const packing::Assembly a = samples::large_network(28, 0.3);
   std::vector<bool> soft(a.grain_count());

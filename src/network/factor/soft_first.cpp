@@ -46,7 +46,8 @@ IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly, 
     {
       IncompleteFactor<Dof> factor(backbone, workers, rule);
       more = tries < most_tries && add(factor.lost_grains());
-      if (!more && (rule.soft_pivots == SoftPivots::coupled || factor.mended_pivots() <= few))
+      const bool good = factor.mended_pivots() <= few || rule.soft_pivots == SoftPivots::coupled;
+      if ((!more && good) || is_stopped(options.stop_requested))
         return factor;
     } // and gives its memory back
     if (more) {
