@@ -18,7 +18,7 @@ namespace granum::network {
 /// fill shows the grains of very soft motions, and these count as barely held: eliminated first, they lose
 /// nothing. Then the factor itself shows those of pivots that it still loses. Where it goes on to lose many,
 /// soft pivots are coupled as their motions say.
-/// \param    options    stop_requested is asked after a factor that is not good enough, and makes it the answer
+/// \param    options    stop_requested is asked after a factor that is not good enough; then it is the answer
 /// \param    backbone   of the assembly and the options; numbered anew
 template <int Dof>
 [[nodiscard]] IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,
