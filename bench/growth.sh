@@ -46,7 +46,7 @@ while [ "$#" -gt 0 ]; do
   shift 2
 done
 [[ $rounds =~ ^[1-9][0-9]?$ ]] || usage "--rounds $rounds"
-[[ $seed =~ ^[1-9][0-9]{0,8}$ ]] || usage "--seed $seed: 1 to 999999999"
+[[ $seed =~ ^[1-9][0-9]{0,8}$ && $seed -le 999999995 ]] || usage "--seed $seed: 1 to 999999995"
 [[ $largest =~ ^1000(0{0,3})$ ]] || usage "--largest $largest: 1000, 10000, 100000 or 1000000"
 for file in growth.csv growth.md; do
   [ "$force" = yes ] || ! [ -e "$out/$file" ] || usage "$out/$file exists; --force replaces it"

@@ -50,8 +50,8 @@ def analyse_table(of):
     for (what, density, size, threads), two in of.items():
         if what == "analyse" and threads == 2:
             one = of.get((what, density, size, 1))
-            yield f"| {density} | {size} | {one['wall']:.3g} | {two['wall']:.3g} | {two['runs']} |" if one else (
-                f"| {density} | {size} | – | {two['wall']:.3g} | {two['runs']} |")
+            seconds = f"{one['wall']:.3g}" if one else "–"
+            yield f"| {density} | {size} | {seconds} | {two['wall']:.3g} | {two['runs']} |"
 
 
 def iterations_table(of):

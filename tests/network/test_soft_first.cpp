@@ -10,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include "large_networks.hpp"
-#include "network/numbering/barely_held.hpp"
 
 using namespace granum;
 using namespace granum::network;
@@ -65,33 +64,4 @@ TEST_CASE("a stop ends the search for a numbering after a factor") {
   CHECK(asked > 0); // or nothing is tested
   CHECK(lost_when(true));
   CHECK(asked == 1);
-}
-
-TEST_CASE("grains that count as barely held come first in pieces of the first stage") {
-  const packing::Assembly a = samples::large_network(28, 0.3);
-  std::vector<bool> soft(a.grain_count());
-  for (std::uint32_t g = 0; g < a.grain_count(); g += 40)
-    soft[g] = true;
-  const Backbone backbone = load_bearing_network(a, {}, soft);
-  Neighbours neighbours(backbone.grain_count);
-  for (const Link& l : backbone.links) {
-    neighbours[l.a].push_back(l.b);
-    neighbours[l.b].push_back(l.a);
-  }
-  const BarelyHeld by_contacts(neighbours);
-  const auto is_first = [&](std::uint32_t g) { return by_contacts.contains(g) || soft[backbone.grain[g]]; };
-  std::size_t out_of_order = 0, in_first_stage = 0;
-  for (const Piece& p : backbone.stages.front()) {
-    bool before = true;
-    for (std::uint32_t g = p.first; g < p.last; ++g) {
-      out_of_order += !before && is_first(g) ? 1U : 0U;
-      before = is_first(g);
-      in_first_stage += soft[backbone.grain[g]] ? 1U : 0U;
-    }
-  }
-  CHECK(out_of_order == 0);
-  const auto numbered = [&](std::uint32_t g) { return soft[g]; };
-  CHECK(in_first_stage ==
-        static_cast<std::size_t>(std::count_if(backbone.grain.begin(), backbone.grain.end(), numbered)));
-  CHECK(in_first_stage > 400);
 }
