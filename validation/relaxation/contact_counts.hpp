@@ -5,10 +5,16 @@
 #include <vector>
 
 #include <granum/packing/assembly.hpp>
+#include <granum/packing/coordination.hpp>
 
 namespace relaxation {
 
 using namespace granum;
+
+/// Whether grains hold one another. A specimen that ran out of steps before its grains met is at rest too.
+inline bool is_jammed(const packing::Assembly& assembly) {
+  return mechanical_coordination(assembly, packing::ContactKind::frictional).contact_count > 0;
+}
 
 inline double mean_tangential_share(const packing::Assembly& assembly) {
   double normal_sum = 0, tangential_sum = 0;

@@ -100,10 +100,22 @@ Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, co
   return groups / (groups - 1) * inverse * scatter * inverse;
 }
 
+/// A row that is no number would count as a bad one wherever the fit goes, which then arrives nowhere.
+template <int n>
+void require_finite(const Observations<n>& rows, const Numbers<double, n>& start) {
+  for (const Observation<n>& row : rows)
+    if (!std::isfinite(residual<n>(row, start).value()))
+      throw std::invalid_argument("the fit cannot begin: a row of " + row.group +
+                                  " is no number there, target " + std::to_string(row.target));
+}
+
 } // namespace detail
 
+/// \throws   std::invalid_argument if the residual of a row is not finite at the start
+/// \throws   std::runtime_error if the fit does not arrive
 template <int n>
 Fit<n> least_squares(std::vector<Observation<n>> rows, const Numbers<double, n>& start) {
+  detail::require_finite<n>(rows, start);
   gsl_multifit_nlinear_fdf system{};
   system.f = detail::fill_values<n>;
   system.df = detail::fill_slopes<n>;

@@ -8,7 +8,8 @@
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
 // that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
-// anew, to the same bits. States that do not come to rest are named on the error stream and left out.
+// anew, to the same bits. States that do not come to rest, or whose
+// grains have not met, are named on the error stream and left out.
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -159,6 +160,16 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
   return row;
 }
 
+/// Empty for a packing at rest.
+std::string left_out_because(const triaxial::FrozenState& frozen, const dem::Material& material) {
+  if (!frozen.at_rest())
+    return "not at rest, unbalanced force ratio " +
+           relaxation::short_number(frozen.report.unbalanced_force_ratio);
+  if (!relaxation::is_jammed(dem::contact_network(frozen.state(), material)))
+    return "its steps ran out before the grains met";
+  return "";
+}
+
 void run_specimen(const Shape& shape, const Preparation& preparation, std::uint64_t seed, Packings& packings,
                   bool with_sizes, Record& record) {
   std::vector<Row> keys;
@@ -177,9 +188,8 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
     if (record.has(keys[k]))
       continue;
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
-    if (!frozen.at_rest()) {
-      std::fprintf(stderr, "%s: not at rest, unbalanced force ratio %.2g\n",
-                   record.key_of(keys[k].cells).c_str(), frozen.report.unbalanced_force_ratio);
+    if (const std::string why = left_out_because(frozen, specimen.material); !why.empty()) {
+      std::fprintf(stderr, "%s: %s\n", record.key_of(keys[k].cells).c_str(), why.c_str());
       continue;
     }
     Row row = keys[k];
