@@ -244,7 +244,8 @@ CarriedContacts carried_contacts(const State& known, const ContactCounts& counts
   CarriedContacts carried{.counts = rest.counts,
                           .void_ratio = rest.void_ratio,
                           .relative_overlap = rest.overlap,
-                          .coordination_error = kernel::carried_scatter,
+                          .coordination_error =
+                              kernel::carried_scatter * kernel::carried_distance(before, rest.overlap),
                           .validity = {}};
   note_overlap(std::max(before, rest.overlap), carried.validity);
   return carried;

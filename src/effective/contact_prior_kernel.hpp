@@ -64,6 +64,12 @@ T contacts_of_overlap(const T& rigid_contacts, double overlap, const ContactCoef
   return (c[4] + c[5] * (most_rigid_contacts - rigid_contacts)) * std::sqrt(overlap);
 }
 
+/// What the error of a z* that is carried from one overlap to another grows with: as that of a random walk
+/// whose time is the root of the overlap, so that all steps of a way add up to the whole.
+inline double carried_distance(double overlap_before, double overlap) {
+  return std::sqrt(std::abs(std::sqrt(overlap) - std::sqrt(overlap_before)));
+}
+
 /// z* of the densest line less that of the packing, after the overlap has changed: its root falls as the root
 /// of the overlap grows, faster where the packing is nearly as dense as it can be. Above the line (missing <
 /// 0) it stays.

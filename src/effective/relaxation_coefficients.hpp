@@ -16,30 +16,30 @@ template <class T>
 using StretchCoefficients = std::array<T, 2>;
 
 inline constexpr std::array<double, 8> shear_coefficients{
-    0.3672767, 0.243494499, 3.47584074, 0.136017104, 1.44804889, 1.14019579, 2.4018506, 3.96651821};
+    0.368985207, 0.208283469, 3.48105895, 0.135047061, 1.49166538, 1.09466552, 2.39875522, 3.95375863};
 inline constexpr double shear_covariance[8][8] = {
-    {3.3405e-05, 8.1586e-05, -5.57e-05, -2.2483e-05, 3.43e-05, -2.7977e-05, -8.1623e-05, -1.8388e-06},
-    {8.1586e-05, 0.0036472, -0.010998, -0.0012527, -0.0042693, -0.001564, 0.0022956, 0.00023325},
-    {-5.57e-05, -0.010998, 0.039169, 0.0049336, 0.012779, 0.0055843, -0.0079379, -0.00045817},
-    {-2.2483e-05, -0.0012527, 0.0049336, 0.0007865, 0.0011663, 0.00028604, -0.00078945, -9.1284e-06},
-    {3.43e-05, -0.0042693, 0.012779, 0.0011663, 0.0066684, 0.0017084, -0.0037208, -0.00041335},
-    {-2.7977e-05, -0.001564, 0.0055843, 0.00028604, 0.0017084, 0.0050959, -0.00077824, -7.1618e-05},
-    {-8.1623e-05, 0.0022956, -0.0079379, -0.00078945, -0.0037208, -0.00077824, 0.0028321, 0.00018831},
-    {-1.8388e-06, 0.00023325, -0.00045817, -9.1284e-06, -0.00041335, -7.1618e-05, 0.00018831, 3.8881e-05}};
+    {3.0913e-05, 9.1261e-05, -0.00011149, -3.0723e-05, 8.2431e-06, -2.026e-05, -6.822e-05, 1.7251e-07},
+    {9.1261e-05, 0.0028658, -0.0078217, -0.00097168, -0.0035694, 0.00018966, 0.0017089, 0.00032051},
+    {-0.00011149, -0.0078217, 0.028645, 0.0040917, 0.0092779, 6.7356e-05, -0.0058206, -0.00040112},
+    {-3.0723e-05, -0.00097168, 0.0040917, 0.00070529, 0.00086717, -8.1274e-05, -0.00059306, 9.812e-06},
+    {8.2431e-06, -0.0035694, 0.0092779, 0.00086717, 0.0061526, -0.00054305, -0.0031062, -0.00058997},
+    {-2.026e-05, 0.00018966, 6.7356e-05, -8.1274e-05, -0.00054305, 0.0025736, 0.00025563, 3.329e-05},
+    {-6.822e-05, 0.0017089, -0.0058206, -0.00059306, -0.0031062, 0.00025563, 0.0024363, 0.00020902},
+    {1.7251e-07, 0.00032051, -0.00040112, 9.812e-06, -0.00058997, 3.329e-05, 0.00020902, 9.084e-05}};
 inline constexpr std::array<double, 6> bulk_coefficients{
-    0.24635774, 3.49603438, 0.165955543, 2.94908803, 0.00486451851, 0.921615252};
+    0.253319417, 3.45765967, 0.171392567, 2.92733103, 0.00484897423, 0.964571974};
 inline constexpr double bulk_covariance[6][6] = {
-    {8.2286e-05, -0.00026647, -7.9732e-05, 0.00018261, -2.1246e-06, 0.00047316},
-    {-0.00026647, 0.0022422, 1.57e-05, -6.6466e-05, 6.6825e-07, 0.0021034},
-    {-7.9732e-05, 1.57e-05, 0.00031066, -0.001128, 8.8451e-07, -0.00060309},
-    {0.00018261, -6.6466e-05, -0.001128, 0.0049641, 6.4543e-06, 0.00036724},
-    {-2.1246e-06, 6.6825e-07, 8.8451e-07, 6.4543e-06, 2.5171e-07, -2.0162e-05},
-    {0.00047316, 0.0021034, -0.00060309, 0.00036724, -2.0162e-05, 0.017504}};
+    {6.5591e-05, -0.00015425, -8.2329e-05, 0.0002245, -1.7654e-06, 0.0004134},
+    {-0.00015425, 0.0010194, 0.00014982, -0.00069195, 1.4978e-06, 0.0010817},
+    {-8.2329e-05, 0.00014982, 0.000303, -0.0010974, 7.7209e-08, -0.00024114},
+    {0.0002245, -0.00069195, -0.0010974, 0.0047334, 7.7794e-06, -0.00060418},
+    {-1.7654e-06, 1.4978e-06, 7.7209e-08, 7.7794e-06, 1.9249e-07, -1.41e-05},
+    {0.0004134, 0.0010817, -0.00024114, -0.00060418, -1.41e-05, 0.012944}};
 inline constexpr std::array<double, 2> stretch_coefficients{
-    2.25066901, 0.663096326};
+    2.14153075, 0.697036906};
 inline constexpr double stretch_covariance[2][2] = {
-    {0.0083441, -0.002787},
-    {-0.002787, 0.0021533}};
+    {0.016959, -0.0067894},
+    {-0.0067894, 0.0042958}};
 
 /// Relative scatter about a factor: base, and gain times d ln/dz* (shear) or d ln/d ln r (bulk), in
 /// quadrature; of recipes about the curve, and of the packings of one recipe.
@@ -47,34 +47,34 @@ struct Scatter {
   double base;
   double gain;
 };
-inline constexpr Scatter shear_recipes{0.0189100323, 0.00569109521};
-inline constexpr Scatter shear_packings{0.0222611579, 0.0081302599};
-inline constexpr Scatter bulk_recipes{0, 0.185159964};
-inline constexpr Scatter bulk_packings{0.0131222741, 0.193066505};
+inline constexpr Scatter shear_recipes{0.0195759224, 0};
+inline constexpr Scatter shear_packings{0.0216562563, 0.00894248575};
+inline constexpr Scatter bulk_recipes{0, 0.178222977};
+inline constexpr Scatter bulk_packings{0.0130856473, 0.190067984};
 /// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
 /// lengths of branches.
-inline constexpr double size_shift = 1.58222691;
-inline constexpr double size_shift_error = 0.202457619;
+inline constexpr double size_shift = 1.63505719;
+inline constexpr double size_shift_error = 0.277644142;
 /// What unequal grains lose of K, and its standard error.
-inline constexpr double size_loss = 0.559645464;
-inline constexpr double size_loss_error = 0.0521487593;
+inline constexpr double size_loss = 0.597944703;
+inline constexpr double size_loss_error = 0.0661497784;
 /// What they add to the scatter: of G over the root of that variance, of K over bulk_size_measure.
-inline constexpr Scatter shear_sizes{0.0791708164, 0.143617664};
-inline constexpr double bulk_sizes = 0.153525038;
+inline constexpr Scatter shear_sizes{0.0732320691, 0.144482586};
+inline constexpr double bulk_sizes = 0.159397562;
 /// Scatter of K between codes: this times the looseness.
-inline constexpr double bulk_codes = 0.181222182;
+inline constexpr double bulk_codes = 0.179333251;
 /// Scatter of ln C33/C11 over ln of the stretch.
-inline constexpr double stretch_scatter = 0.136071463;
+inline constexpr double stretch_scatter = 0.140960362;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.
-inline constexpr double shear_by_stress = 0.0527703676;
-inline constexpr double bulk_by_stress = 0.0432989516;
+inline constexpr double shear_by_stress = 0.0603855213;
+inline constexpr double bulk_by_stress = 0.0471801532;
 
 /// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard errors.
-// 0.01, 1.8, 0.039, 0.054, 3.8, 0.25
+// 0.0084, 1.7, 0.042, 0.048, 2.6, 0.37
 inline constexpr std::array<double, 7> dense_gaps{
-    6.03461723, 9.42445637, 0.557854885, -0.374389876, 7.45403893, 3.05825334, 0.0235712522};
-// 0.03, 72, 0.057, 0.059, 0.0096, 0.1
+    6.01875909, 8.34677761, 0.534731715, -0.419000846, 3.37459987, 2.65634103, 0.0280293872};
+// 0.019, 50, 0.038, 0.038, 0.01, 0.085
 inline constexpr std::array<double, 7> loose_gaps{
-    4.24866557, 179.591677, 0.705165227, 0.778953478, 0.179032393, 1.86940707, 0.0424926297};
+    4.25025277, 192.563323, 0.714124535, 0.772011321, 0.18734024, 1.8496298, 0.037587591};
 
 } // namespace granum::effective::kernel

@@ -23,8 +23,8 @@ using effective::State;
 /// Errors of measurements are not taken to be smaller: exact ones of dependent quantities leave no room.
 constexpr double smallest_error = 1e-4;
 /// Of the variance that rung 3 states, what packings of one preparation have in common: recipes scatter by
-/// 1.9 %, the packings of one by 2.2 %. [validation/relaxation]
-constexpr double shared_by_preparation = 0.42;
+/// 2.0 %, the packings of one by 2.2 %. [validation/relaxation]
+constexpr double shared_by_preparation = 0.45;
 /// Of the sum of squares, what is too little to go on for.
 constexpr double negligible_gain = 1e-12;
 /// However far the least squares look around.
@@ -151,10 +151,7 @@ effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, d
   } else {
     const effective::CarriedContacts carried = effective::carried_contacts(first_, counts, mean_stress);
     counts = carried.counts;
-    // The error of being carried is that of steps of a factor of three to ten in stress.
-    const double reach = std::min(1.0, std::abs(step) / std::log(10.0));
-    counts.mechanical_coordination_number +=
-        reach * carried.coordination_error * theta[free_count() + growth_prior];
+    counts.mechanical_coordination_number += carried.coordination_error * theta[free_count() + growth_prior];
   }
   counts.mechanical_coordination_number =
       std::max(counts.mechanical_coordination_number, isostatic_ + just_rigid);

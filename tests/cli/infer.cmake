@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What estimate says of known contacts gives the contacts back: C_n = 5 and 2 % of rattlers make z* = 5.1020408163265.
 set(packing --void-ratio 0.6 --pressure 100kPa)
-set(G 122976867.55661069Pa)
+set(G 122946301.70086603Pa)
 set(glass --grain-shear-modulus 29GPa --grain-poisson-ratio 0.2 --radius 0.05mm --grain-density 2480kg/m3)
 set(beads infer --void-ratio 0.613 --pressure 2.76MPa ${glass})
 foreach(expectation "answer/mechanical_coordination_number/value=^5\\.10204081(6326|6327)" "answer/coordination_number/value=^(5\\.0$|5\\.0000000000|4\\.999999999)"
-    "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1627481(06\\.6|0[67]\\.)"
-    "predictions/0/G/value=^12297686[78]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
+    "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1626730(92\\.8|9[23]\\.)"
+    "predictions/0/G/value=^12294630[12]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
     "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0")
   granum_cli_test("infer: there and back ${expectation}" EXIT 0 JSON "${expectation}"
     ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)

@@ -72,10 +72,10 @@ granum_cli_test("estimate --uncertainty: no calibration in uniform strain" EXIT 
   ARGS ${dense} --mechanical-coordination-number 6.02 --json --uncertainty void-ratio=0.01)
 # z* = C_n/(1-x): with a given share of rattlers x C_n moves z* too, beside its own 2/3; 0.02 of z* are 0.02 (1-x)/z*
 # of x.
-foreach(way "--mechanical-coordination-number;6.020408163265306;mechanical-coordination-number=0.02;0\\.03551[0-9]+$"
-    "--rattler-fraction;2%;rattler-fraction=0.0032555555555555553;0\\.03551[0-9]+$"
-    "--mechanical-coordination-number;6.020408163265306;coordination-number=0.1;0\\.1275[0-9]+$"
-    "--rattler-fraction;2%;coordination-number=0.1;0\\.6495[0-9]+$")
+foreach(way "--mechanical-coordination-number;6.020408163265306;mechanical-coordination-number=0.02;0\\.03534[0-9]+$"
+    "--rattler-fraction;2%;rattler-fraction=0.0032555555555555553;0\\.03534[0-9]+$"
+    "--mechanical-coordination-number;6.020408163265306;coordination-number=0.1;0\\.1277[0-9]+$"
+    "--rattler-fraction;2%;coordination-number=0.1;0\\.6488[0-9]+$")
   list(GET way 0 option)
   list(GET way 1 value)
   list(GET way 2 deviation)

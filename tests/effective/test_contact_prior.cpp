@@ -194,6 +194,20 @@ TEST_CASE("contact prior: a packing of the densest line stays on it when it is c
   CHECK(close(carried.counts.rattler_fraction, there.middle.rattler_fraction, 1e-9));
 }
 
+TEST_CASE("contact prior: the error of being carried is that of a random walk in the root of the overlap") {
+  const ContactCounts counts{.mechanical_coordination_number = 4.5, .rattler_fraction = 0.05};
+  const State start = spheres(0.6, 1e4);
+  CHECK(effective::carried_contacts(start, counts, 1e4).coordination_error < 1e-6);
+  const auto near = effective::carried_contacts(start, counts, 1e5);
+  const auto far = effective::carried_contacts(start, counts, 1e6);
+  const auto onward = effective::carried_contacts(spheres(near.void_ratio, 1e5), near.counts, 1e6);
+  const auto back = effective::carried_contacts(spheres(near.void_ratio, 1e5), near.counts, 1e4);
+  CHECK(near.coordination_error == doctest::Approx(0.0464).epsilon(0.05)); // spheres of 30 GPa
+  CHECK(far.coordination_error ==
+        doctest::Approx(std::hypot(near.coordination_error, onward.coordination_error)).epsilon(1e-9));
+  CHECK(back.coordination_error == doctest::Approx(near.coordination_error).epsilon(1e-9));
+}
+
 TEST_CASE("contact prior: the less a packing was opened, the faster it gains contacts") {
   // Spheres of friction 0.5 from 10 to 100 kPa: 4.38 to 4.75 at e = 0.573, 4.28 to 4.46 at 0.716; the densest
   // 6.08 to 6.11; means of two seeds.

@@ -90,6 +90,21 @@ inline std::vector<Step> steps_of(const std::vector<Packing>& packings) {
   return steps;
 }
 
+/// All pairs of pressures of each specimen, the smaller one first.
+inline std::vector<Step> ways_of(const std::vector<Packing>& packings) {
+  std::vector<Step> ways;
+  for (const Packing& first : packings)
+    for (const Packing& later : packings)
+      if (first.specimen == later.specimen && first.pressure < later.pressure)
+        ways.push_back({&first, &later});
+  return ways;
+}
+
+/// What the error of a carried z* grows with.
+inline double distance(const Step& way) {
+  return kernel::carried_distance(way.first->relative_overlap, way.later->relative_overlap);
+}
+
 /// Root mean square.
 class Scatter {
  public:
@@ -157,7 +172,8 @@ inline double rattlers_of(const Packing& p, const Numbers<double, rattlers_n>& c
 
 /// Errors of packings of which the fit has seen no other of the same preparation: what the prior states.
 struct LeftOut {
-  Scatter line, friction, carried;
+  Scatter line, friction;
+  Scatter carried; ///< over the distance
 };
 inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
   std::set<std::string> preparations;
@@ -171,8 +187,9 @@ inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
     const auto c = fit_contacts(kept).coefficients;
     for (const Packing& p : left)
       (on_densest_line(p) ? errors.line : errors.friction).add(by_recipe(p, c) - p.mechanical_coordination);
-    for (const Step& s : steps_of(left))
-      errors.carried.add(by_carrying(*s.first, *s.later, c) - s.later->mechanical_coordination);
+    for (const Step& way : ways_of(left))
+      errors.carried.add((by_carrying(*way.first, *way.later, c) - way.later->mechanical_coordination) /
+                         distance(way));
   }
   return errors;
 }

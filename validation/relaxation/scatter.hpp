@@ -74,24 +74,27 @@ std::vector<Residual> residuals(const std::vector<Packing>& packings, const Fit&
   return all;
 }
 
-/// A squared deviation that base^2 + gain^2 sensitivity^2 is to explain, and how much it counts.
+/// A squared deviation that known + measure (base^2 + gain^2 sensitivity^2) is to explain, and how much it
+/// counts.
 struct Deviation {
   double squared = 0;
   double squared_sensitivity = 0;
   double weight = 1;
+  double known = 0;
+  double measure = 1;
 };
 
-/// The two variances, base^2 and gain^2, that make the deviations most likely.
+/// The base and the gain that make the deviations most likely.
 inline Scatter most_likely_scatter(const std::vector<Deviation>& deviations) {
   double v = 1e-3, w = 1e-4;
   for (int round = 0; round < 200; ++round) {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const Deviation& d : deviations) {
-      const Eigen::Vector2d row(1, d.squared_sensitivity);
-      const double variance = v + w * row[1];
+      const Eigen::Vector2d row(d.measure, d.measure * d.squared_sensitivity);
+      const double variance = d.known + v * row[0] + w * row[1];
       normal += d.weight * row * row.transpose() / (variance * variance);
-      right += d.weight * row * d.squared / (variance * variance);
+      right += d.weight * row * (d.squared - d.known) / (variance * variance);
     }
     const Eigen::Vector2d next = normal.inverse() * right;
     v = std::max(next[0], 1e-8);

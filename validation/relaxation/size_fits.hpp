@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What unequal grains add to the relaxation factors, fitted to unequal.csv, and the scatter of K to
+// What unequal grains add to the relaxation factors, fitted to unequal.csv, and their scatters to
 // gradations.csv too, with the factors of equal grains given.
 #pragma once
 
@@ -118,8 +118,8 @@ inline std::map<std::string, double> counts_of(const std::vector<Residual>& resi
   return counts;
 }
 
-/// What is left of errors of G beyond the scatter of equal grains, over the root of the variance of branches.
-/// Every recipe counts the same, and the more the more its grains differ.
+/// What makes errors of G most likely beside the scatter of equal grains, over the root of the variance of
+/// branches. Every recipe counts the same.
 inline Scatter shear_size_scatter(const std::vector<Residual>& residuals,
                                   const std::vector<double>& variances, const ScatterParts& equal) {
   const std::map<std::string, double> counts = counts_of(residuals);
@@ -129,8 +129,11 @@ inline Scatter shear_size_scatter(const std::vector<Residual>& residuals,
       continue;
     const Residual& r = residuals[k];
     const double of_equal = deviation(equal, r.sensitivity);
-    deviations.push_back({(r.error * r.error - of_equal * of_equal) / variances[k],
-                          r.sensitivity * r.sensitivity, variances[k] * variances[k] / counts.at(r.recipe)});
+    deviations.push_back({.squared = r.error * r.error,
+                          .squared_sensitivity = r.sensitivity * r.sensitivity,
+                          .weight = 1 / counts.at(r.recipe),
+                          .known = of_equal * of_equal,
+                          .measure = variances[k]});
   }
   return most_likely_scatter(deviations);
 }
@@ -156,8 +159,8 @@ inline double bulk_size_scatter(const std::vector<Residual>& residuals, const st
   return std::sqrt(found);
 }
 
-/// \param    packings     what all but the scatter of K is fitted to
-/// \param    gradations   further ones for that scatter (gradations.hpp)
+/// \param    packings     what all but the scatters is fitted to
+/// \param    gradations   further ones for the scatters (gradations.hpp)
 inline SizeEffect fit_size_effect(const std::vector<Packing>& packings,
                                   const std::vector<Packing>& gradations, const EqualFit& equal,
                                   const Choice& chosen) {
@@ -170,21 +173,15 @@ inline SizeEffect fit_size_effect(const std::vector<Packing>& packings,
                     .shear = {}};
   std::vector<Residual> G, K;
   std::vector<double> variances;
-  const auto add = [&](const Packing& p, const Network& n) {
-    K.push_back(lessened_bulk_residual(p, n, equal.bulk, effect.loss));
-    variances.push_back(branch_variance(p));
-  };
-  for (const Packing& p : packings)
-    for (const Network& n : p.networks)
-      if (is_usual(p, n) && chosen(p)) {
-        G.push_back(shifted_shear_residual(p, n, equal.shear, effect.shift));
-        add(p, n);
-      }
+  for (const std::vector<Packing>* all : {&packings, &gradations})
+    for (const Packing& p : *all)
+      for (const Network& n : p.networks)
+        if (is_usual(p, n) && chosen(p)) {
+          G.push_back(shifted_shear_residual(p, n, equal.shear, effect.shift));
+          K.push_back(lessened_bulk_residual(p, n, equal.bulk, effect.loss));
+          variances.push_back(branch_variance(p));
+        }
   effect.shear = shear_size_scatter(G, variances, equal.shear_scatter);
-  for (const Packing& p : gradations)
-    for (const Network& n : p.networks)
-      if (is_usual(p, n) && chosen(p))
-        add(p, n);
   effect.bulk = bulk_size_scatter(K, variances, equal.bulk_scatter);
   return effect;
 }

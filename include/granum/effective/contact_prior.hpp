@@ -83,9 +83,11 @@ struct ContactPrior {
 /// Contacts carried from the mean stress at which they are known to another.
 struct CarriedContacts {
   ContactCounts counts;
-  double void_ratio = 0;         ///< overlaps change it [1]
-  double relative_overlap = 0;   ///< as in ContactPrior [1]
-  double coordination_error = 0; ///< standard deviation of z* that carrying it adds [1]
+  double void_ratio = 0;       ///< overlaps change it [1]
+  double relative_overlap = 0; ///< as in ContactPrior [1]
+  /// Standard deviation of z* that carrying adds: 0 where nothing changes, and as the root of what the root
+  /// of the overlap changes by [1]
+  double coordination_error = 0;
   Validity validity;
 };
 
@@ -98,7 +100,8 @@ struct CarriedContacts {
 /// \param    counts     z* and x_0 there
 /// \param    pressure   p >= 0 to carry them to [Pa]
 /// \throws   InvalidArgument naming the first that is out of its range; no z* is too small
-/// Accuracy  z* within 0.05 (one standard deviation) from 10 kPa to 100 kPa or 1 MPa of quartz spheres.
+/// Accuracy  z* within coordination_error (one standard deviation): of quartz spheres from 10 kPa on 0.04 to
+///           100 kPa, 0.07 to 1 MPa and 0.14 to 30 MPa.
 ///           Carrying there and back: 1e-9, unless z* met the densest line on the way.
 /// Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior
 [[nodiscard]] CarriedContacts carried_contacts(const State& known, const ContactCounts& counts,

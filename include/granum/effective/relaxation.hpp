@@ -32,14 +32,14 @@ struct Relaxation {
 /// Accuracy  1 ulp of the formula.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double mechanical_coordination_number(double coordination_number, double rattler_fraction);
 
-/// z* at which a network of contacts loses its rigidity: 3.967, and 6 for r = 0.
+/// z* at which a network of contacts loses its rigidity: 3.954, and 6 for r = 0.
 /// [validation/relaxation]
 /// \param    tangential_ratio   r = k_t/k_n >= 0 [1]
 /// \throws   InvalidArgument if r is out of its range
-/// Accuracy  0.006, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
+/// Accuracy  0.010, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double isostatic_coordination_number(double tangential_ratio);
 
-/// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.9; 6 for
+/// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
 /// depend weakly on the contact law, as the scatter of its stiffnesses does.
@@ -50,9 +50,9 @@ struct Relaxation {
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
-/// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 13 % at worst; K 2 % rms, worse for
+/// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 10 % at worst; K 2 % rms, worse for
 ///           z* < 4.3. The stated errors hold the scatter of recipes and of specimens: for z* >= 4.3 they
-///           cover 64 % of G and 76 % of K, twice as large 95 and 99 %. K of loose packings that other codes
+///           cover 64 % of G and 74 % of K, twice as large 94 and 99 %. K of loose packings that other codes
 ///           made is 3 to 8 % larger: its stated error holds a scatter between codes besides, 18 % over
 ///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:

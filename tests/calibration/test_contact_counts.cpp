@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <contact_counts.hpp>
+
+#include <doctest/doctest.h>
+
+#include "packing/sample_packings.hpp"
+
+using namespace granum;
+
+TEST_CASE("contact counts: grains that hold one another are jammed, pairs that touch are not") {
+  packing::Assembly grains = samples::lattice(samples::simple_cubic, {});
+  CHECK(relaxation::is_jammed(grains));
+  grains.contacts.resize(1);
+  CHECK_FALSE(relaxation::is_jammed(grains));
+  grains.contacts.clear();
+  CHECK_FALSE(relaxation::is_jammed(grains));
+}
