@@ -94,7 +94,7 @@ struct CarriedContacts {
 /// How z* and rattlers of one and the same packing change with pressure: overlaps close gaps. Of z* the root
 /// of what is missing to the densest line falls as the root of the overlap grows; fast in packings opened a
 /// little below the densest, slowly in those compressed with friction from a gas, as each void ratio has it.
-/// The way back is the same: packings unloaded from 3 MPa retrace it within 0.2.
+/// The way back is the same: packings unloaded from 3 MPa retrace it within 0.25.
 /// Assumes   isotropic stress, no sliding that rebuilds the packing.
 /// \param    known      law, radius, void_ratio, contacts, and the stresses at which the counts are known
 /// \param    counts     z* and x_0 there

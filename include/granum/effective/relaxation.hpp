@@ -90,7 +90,7 @@ struct RelaxedEstimate {
 /// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none; a note where
 ///           sqrt(v) exceeds 0.51, beyond C_u of about 4
 /// \throws   InvalidArgument as require_valid(State) and relaxation
-/// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.28.
+/// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.3.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number);
 

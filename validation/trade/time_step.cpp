@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does the time step change loose packings? Specimens of 1,000 spheres, each compressed from one start with
+// two time steps: means of the differences and their standard errors.
+//
+//     trade_time_step [specimens, by default 64 [shares of the stability limit, by default 0.8 0.2]]
+//
+// Exit code: 0 if s is the same within three standard errors.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <granum/contact/friction.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/hardin/fit.hpp>
+#include <granum/network/linear_response.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/triaxial/probe.hpp>
+
+#include "../relaxation/specimens.hpp"
+
+namespace {
+
+using namespace granum;
+using relaxation::kPa;
+
+constexpr std::array pressures{10 * kPa, 20 * kPa, 50 * kPa, 100 * kPa};
+
+/// What the comparison is about: ln G and z* at each pressure, then s.
+using Figures = std::array<double, 2 * pressures.size() + 1>;
+
+relaxation::Preparation loose() {
+  const double friction = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  return {.name = "loose", .friction_coefficient = friction, .path = {{pressures[0]}}, .grains = 1000};
+}
+
+/// Nothing if a state does not come to rest.
+std::optional<Figures> compressed(dem::Specimen state, const dem::Material& material, double share) {
+  Figures figures{};
+  std::vector<hardin::MeasuredModulus> moduli;
+  for (std::size_t k = 0; k < pressures.size(); ++k) {
+    dem::QuasistaticOptions options = triaxial::compression_options();
+    options.time_step_fraction = share;
+    dem::Engine engine(std::move(state), material);
+    (void)dem::equilibrate(engine, {pressures[k], pressures[k], pressures[k]}, options);
+    engine.rest();
+    state = engine.state();
+    const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
+    if (!frozen.at_rest())
+      return std::nullopt;
+    const packing::Assembly network = dem::contact_network(frozen.state(), material);
+    const double G =
+        elastic::isotropic_projection(network::linear_response(network).relaxed()).shear_modulus();
+    figures[2 * k] = std::log(G);
+    figures[2 * k + 1] =
+        mechanical_coordination(network, packing::ContactKind::frictional).coordination_number;
+    moduli.push_back({G, {pressures[k], pressures[k], dem::void_ratio(frozen.state())}});
+  }
+  figures.back() = hardin::fit_exponent_sum(moduli, {.atmospheric_pressure = 100 * kPa,
+                                                     .void_ratio_function = hardin::VoidRatioFunction::none,
+                                                     .weights = hardin::Weights::absolute})
+                       .fit()
+                       .exponent_sum.value;
+  return figures;
+}
+
+struct Mean {
+  double value = 0, error = 0;
+};
+
+Mean mean_of(const std::vector<Figures>& differences, std::size_t k) {
+  const double count = static_cast<double>(differences.size());
+  double sum = 0, squares = 0;
+  for (const Figures& d : differences) {
+    sum += d[k];
+    squares += d[k] * d[k];
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt((squares / count - mean * mean) / (count - 1))};
+}
+
+/// What the second share of the stability limit adds to the figures of the first.
+std::vector<Figures> differences(std::uint64_t specimens, double first, double second) {
+  const contact::PowerLaw law = contact::PowerLaw::sphere(relaxation::grain, 0.5e-3);
+  std::vector<Figures> all;
+  for (std::uint64_t seed = 1; seed <= specimens; ++seed) {
+    const triaxial::SpecimenRecipe recipe = relaxation::recipe(law, 0.5e-3, loose(), seed);
+    const dem::Specimen start =
+        relaxation::start_of_path(triaxial::frictionless_specimen(recipe).state, loose(), recipe);
+    const auto a = compressed(start, recipe.material, first), b = compressed(start, recipe.material, second);
+    if (!a || !b)
+      continue;
+    all.emplace_back();
+    for (std::size_t k = 0; k < all.back().size(); ++k)
+      all.back()[k] = (*b)[k] - (*a)[k];
+  }
+  return all;
+}
+
+/// \return   whether s is the same within three standard errors
+bool report(const std::vector<Figures>& differences) {
+  for (std::size_t k = 0; k < pressures.size(); ++k) {
+    const Mean G = mean_of(differences, 2 * k), z = mean_of(differences, 2 * k + 1);
+    std::printf("  %4g kPa  G %+.2f +- %.2f %%  z* %+.4f +- %.4f\n", pressures[k] / kPa, 100 * G.value,
+                100 * G.error, z.value, z.error);
+  }
+  const Mean s = mean_of(differences, 2 * pressures.size());
+  std::printf("  s %+.4f +- %.4f\n", s.value, s.error);
+  return std::abs(s.value) <= 3 * s.error;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto specimens = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 64;
+    const double first = argc > 2 ? std::atof(argv[2]) : dem::default_time_step_fraction;
+    const double second = argc > 3 ? std::atof(argv[3]) : 0.2;
+    const std::vector<Figures> found = differences(specimens, first, second);
+    std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first, found.size(),
+                specimens);
+    return report(found) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "trade_time_step: %s\n", error.what());
+    return 1;
+  }
+}
