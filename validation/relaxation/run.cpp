@@ -8,8 +8,8 @@
 //
 // One row a state is appended as soon as the state is finished. A run that is started again skips the states
 // that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
-// anew, to the same bits. States that do not come to rest, or whose
-// grains have not met, are named on the error stream and left out.
+// anew, to the same bits. States that do not come to rest, or whose grains have not met, are named on the
+// error stream and left out.
 #include <atomic>
 #include <cmath>
 #include <cstdio>
