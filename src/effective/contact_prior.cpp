@@ -245,7 +245,7 @@ CarriedContacts carried_contacts(const State& known, const ContactCounts& counts
                           .void_ratio = rest.void_ratio,
                           .relative_overlap = rest.overlap,
                           .coordination_error =
-                              kernel::carried_scatter * kernel::carried_distance(before, rest.overlap),
+                              kernel::carried_scatter * kernel::root_of_way(before, rest.overlap),
                           .validity = {}};
   note_overlap(std::max(before, rest.overlap), carried.validity);
   return carried;

@@ -18,7 +18,7 @@ inline constexpr std::array<double, 10> contact_coefficients{
 inline constexpr std::array<double, 3> rattler_coefficients{
     0.14405386, 1.1641672, 11.390889};
 /// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of
-/// those with a friction, of carrying z* to another pressure, over carried_distance; and that of ln x_0.
+/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln x_0.
 inline constexpr double line_scatter = 0.10054;
 inline constexpr double friction_scatter = 0.099651;
 inline constexpr double carried_scatter = 0.444;

@@ -64,9 +64,9 @@ T contacts_of_overlap(const T& rigid_contacts, double overlap, const ContactCoef
   return (c[4] + c[5] * (most_rigid_contacts - rigid_contacts)) * std::sqrt(overlap);
 }
 
-/// What the error of a z* that is carried from one overlap to another grows with: as that of a random walk
-/// whose time is the root of the overlap, so that all steps of a way add up to the whole.
-inline double carried_distance(double overlap_before, double overlap) {
+/// Root of the way from one overlap to another, a way being the change of the root of the overlap. The error
+/// of a z* that is carried grows with it, as that of a random walk.
+inline double root_of_way(double overlap_before, double overlap) {
   return std::sqrt(std::abs(std::sqrt(overlap) - std::sqrt(overlap_before)));
 }
 

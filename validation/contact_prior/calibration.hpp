@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../relaxation/factor_errors.hpp"
 #include "../relaxation/least_squares.hpp"
 #include "../relaxation/reading.hpp"
 #include "effective/contact_prior_kernel.hpp"
@@ -17,6 +18,7 @@ namespace contact_prior {
 
 namespace kernel = granum::effective::kernel;
 using relaxation::Dual;
+using relaxation::Errors;
 using relaxation::Fit;
 using relaxation::Numbers;
 using relaxation::Observation;
@@ -100,29 +102,9 @@ inline std::vector<Step> ways_of(const std::vector<Packing>& packings) {
   return ways;
 }
 
-/// What the error of a carried z* grows with.
-inline double distance(const Step& way) {
-  return kernel::carried_distance(way.first->relative_overlap, way.later->relative_overlap);
+inline double root_of(const Step& way) {
+  return kernel::root_of_way(way.first->relative_overlap, way.later->relative_overlap);
 }
-
-/// Root mean square.
-class Scatter {
- public:
-  void add(double error) {
-    sum_ += error * error;
-    mean_ += error;
-    worst_ = std::max(worst_, std::abs(error));
-    ++count_;
-  }
-  [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : 0; }
-  [[nodiscard]] double mean() const { return count_ > 0 ? mean_ / count_ : 0; }
-  [[nodiscard]] double worst() const { return worst_; }
-  [[nodiscard]] int count() const { return count_; }
-
- private:
-  double sum_ = 0, mean_ = 0, worst_ = 0;
-  int count_ = 0;
-};
 
 /// Everything that contact_prior_coefficients.hpp holds.
 struct Result {
@@ -172,8 +154,8 @@ inline double rattlers_of(const Packing& p, const Numbers<double, rattlers_n>& c
 
 /// Errors of packings of which the fit has seen no other of the same preparation: what the prior states.
 struct LeftOut {
-  Scatter line, friction;
-  Scatter carried; ///< over the distance
+  Errors line, friction;
+  Errors carried; ///< over root_of_way
 };
 inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
   std::set<std::string> preparations;
@@ -189,7 +171,7 @@ inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
       (on_densest_line(p) ? errors.line : errors.friction).add(by_recipe(p, c) - p.mechanical_coordination);
     for (const Step& way : ways_of(left))
       errors.carried.add((by_carrying(*way.first, *way.later, c) - way.later->mechanical_coordination) /
-                         distance(way));
+                         root_of(way));
   }
   return errors;
 }
@@ -200,7 +182,7 @@ inline Result fit_everything(const std::vector<Packing>& packings) {
   result.line_scatter = errors.line.rms();
   result.friction_scatter = errors.friction.rms();
   result.carried_scatter = errors.carried.rms();
-  Scatter rattlers;
+  Errors rattlers;
   for (const Packing& p : packings)
     if (p.rattler_fraction > countable_rattlers)
       rattlers.add(std::log(rattlers_of(p, result.rattlers.coefficients) / p.rattler_fraction));

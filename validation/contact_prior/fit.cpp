@@ -19,6 +19,7 @@
 #include <granum/io/csv/table.hpp>
 
 #include "../claims.hpp"
+#include "../relaxation/coverage.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
 
@@ -28,6 +29,7 @@ using namespace contact_prior;
 using granum::effective::ContactPrior;
 using granum::effective::Preparation;
 using granum::effective::State;
+using relaxation::Coverage;
 using Coefficients = Numbers<double, size>;
 
 std::string number(double value, int digits) {
@@ -63,7 +65,7 @@ void print_coefficients(const Result& r) {
   print_fit("c, k, w_r.", "rattler", r.rattlers);
   std::printf(
       "/// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of\n"
-      "/// those with a friction, of carrying z* to another pressure, over carried_distance; and that of ln "
+      "/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln "
       "x_0.\n"
       "inline constexpr double line_scatter = %.5g;\ninline constexpr double friction_scatter = %.5g;\n"
       "inline constexpr double carried_scatter = %.5g;\ninline constexpr double rattler_scatter = %.5g;\n"
@@ -78,34 +80,21 @@ std::string preparation_of(const Packing& p) { return p.preparation; }
 std::string contact_of(const Packing& p) { return p.contact; }
 std::string seed_of(const Packing& p) { return std::to_string(p.seed % 100); }
 
-/// Errors, and how often they are larger than what is stated.
-struct Coverage {
-  Scatter errors;
-  int within_one = 0, within_two = 0;
-
-  void add(double error, double stated) {
-    errors.add(error);
-    within_one += std::abs(error) < stated;
-    within_two += std::abs(error) < 2 * stated;
-  }
-  [[nodiscard]] double one() const { return static_cast<double>(within_one) / errors.count(); }
-  [[nodiscard]] double two() const { return static_cast<double>(within_two) / errors.count(); }
-};
-
-/// How far z* is missed.
+/// How far z* is missed, and how often by more than is stated.
 struct Misses {
-  Coverage by_recipe;
-  Scatter carried_to_next; ///< pressure of the specimen
-  Coverage carried;        ///< to all larger ones
+  Errors by_recipe;
+  Errors carried_to_next; ///< pressure of the specimen
+  Coverage of_recipes;
+  Coverage of_ways; ///< carried to all larger pressures
 };
 
 void print(const std::string& what, const Misses& m) {
   std::printf(
       "  %-28s %4d | z* rms %.3f mean %+.3f worst %.2f | within one %3.0f %% two %3.0f %% | carried rms "
       "%.3f worst %.2f | %4d carried anywhere, within one %3.0f %% two %3.0f %%\n",
-      what.c_str(), m.by_recipe.errors.count(), m.by_recipe.errors.rms(), m.by_recipe.errors.mean(),
-      m.by_recipe.errors.worst(), 100 * m.by_recipe.one(), 100 * m.by_recipe.two(), m.carried_to_next.rms(),
-      m.carried_to_next.worst(), m.carried.errors.count(), 100 * m.carried.one(), 100 * m.carried.two());
+      what.c_str(), m.by_recipe.count(), m.by_recipe.rms(), m.by_recipe.mean(), m.by_recipe.worst(),
+      100 * m.of_recipes.one(), 100 * m.of_recipes.two(), m.carried_to_next.rms(), m.carried_to_next.worst(),
+      m.of_ways.count, 100 * m.of_ways.one(), 100 * m.of_ways.two());
 }
 
 double carrying_error(const Step& way, const Coefficients& c) {
@@ -115,13 +104,15 @@ double carrying_error(const Step& way, const Coefficients& c) {
 /// \param    stated   whose scatters are held against the errors of the coefficients
 void judge(const std::vector<Packing>& packings, const Coefficients& c, const Result& stated,
            Misses& misses) {
-  for (const Packing& p : packings)
-    misses.by_recipe.add(by_recipe(p, c) - p.mechanical_coordination,
-                         on_densest_line(p) ? stated.line_scatter : stated.friction_scatter);
+  for (const Packing& p : packings) {
+    const double error = by_recipe(p, c) - p.mechanical_coordination;
+    misses.by_recipe.add(error);
+    misses.of_recipes.add(error, on_densest_line(p) ? stated.line_scatter : stated.friction_scatter);
+  }
   for (const Step& step : steps_of(packings))
     misses.carried_to_next.add(carrying_error(step, c));
   for (const Step& way : ways_of(packings))
-    misses.carried.add(carrying_error(way, c), stated.carried_scatter * distance(way));
+    misses.of_ways.add(carrying_error(way, c), stated.carried_scatter * root_of(way));
 }
 
 /// Everything of one label left out of the fit in turn.
@@ -187,9 +178,9 @@ double worst_difference_of_library(const std::vector<Packing>& packings) {
 }
 
 /// Loading to 3 MPa and unloading, carried from the first state on.
-Scatter cycles(const std::vector<Packing>& packings) {
+Errors cycles(const std::vector<Packing>& packings) {
   std::map<std::string, const Packing*> first;
-  Scatter errors;
+  Errors errors;
   for (const Packing& p : packings)
     if (p.preparation == "cycle") {
       const auto [start, fresh] = first.try_emplace(p.specimen, &p);
@@ -273,7 +264,7 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
   Misses by_unfitted;
   judge(unfitted, result.contacts.coefficients, result, by_unfitted);
   print("a shape that no fit has seen", by_unfitted);
-  const Scatter unloaded = cycles(all);
+  const Errors unloaded = cycles(all);
   std::printf("  cycles to 3 MPa and back: rms %.3f worst %.2f\n", unloaded.rms(), unloaded.worst());
   const double in_range = share_in_range(packings);
   const bool published_inside = compare_published(published);
@@ -289,14 +280,14 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
   claims.require(worst_difference_of_library(packings) < 0.01,
                  "the library finds the measured overlaps, and so z* of the recipes, within 0.01");
   for (const Misses* m : {&by_preparation, &by_contact, &by_seed}) {
-    for (const Coverage* c : {&m->by_recipe, &m->carried}) {
-      const std::string what = c == &m->carried ? "carried z* of packings" : "packings";
+    for (const Coverage* c : {&m->of_recipes, &m->of_ways}) {
+      const std::string what = c == &m->of_ways ? "carried z* of packings" : "packings";
       claims.require(c->one() >= 0.55, "at least 55 % of " + what + " left out within one stated error");
       claims.require(c->two() >= 0.90, "at least 90 % within two");
     }
     claims.require(m->carried_to_next.rms() < 0.08, "z* carried to the next pressure: 0.08 rms");
   }
-  claims.require(by_unfitted.by_recipe.errors.rms() < 2 * result.friction_scatter,
+  claims.require(by_unfitted.by_recipe.rms() < 2 * result.friction_scatter,
                  "alpha = 4 within two errors, rms");
   claims.require(unloaded.rms() < 0.15, "cycles retrace within 0.15 rms");
   claims.require(in_range >= 0.95,

@@ -171,9 +171,8 @@ void run(const Task& task, relaxation::Packings& packings, relaxation::Record& r
       relaxation::start_of_path(packings.get("sphere", recipe), task.preparation, recipe), task.preparation,
       0, recipe.material);
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(compressed, recipe.material);
-  if (!frozen.at_rest()) {
-    std::fprintf(stderr, "%s: not at rest, unbalanced force ratio %.2g\n", row.cells.c_str(),
-                 frozen.report.unbalanced_force_ratio);
+  if (const std::string why = relaxation::why_left_out(frozen, recipe.material); !why.empty()) {
+    std::fprintf(stderr, "%s: %s\n", row.cells.c_str(), why.c_str());
     return;
   }
   describe(row, frozen.state(), recipe.material, task);

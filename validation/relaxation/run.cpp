@@ -160,16 +160,6 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
   return row;
 }
 
-/// Empty for a packing at rest.
-std::string left_out_because(const triaxial::FrozenState& frozen, const dem::Material& material) {
-  if (!frozen.at_rest())
-    return "not at rest, unbalanced force ratio " +
-           relaxation::short_number(frozen.report.unbalanced_force_ratio);
-  if (!relaxation::is_jammed(dem::contact_network(frozen.state(), material)))
-    return "its steps ran out before the grains met";
-  return "";
-}
-
 void run_specimen(const Shape& shape, const Preparation& preparation, std::uint64_t seed, Packings& packings,
                   bool with_sizes, Record& record) {
   std::vector<Row> keys;
@@ -188,7 +178,7 @@ void run_specimen(const Shape& shape, const Preparation& preparation, std::uint6
     if (record.has(keys[k]))
       continue;
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
-    if (const std::string why = left_out_because(frozen, specimen.material); !why.empty()) {
+    if (const std::string why = relaxation::why_left_out(frozen, specimen.material); !why.empty()) {
       std::fprintf(stderr, "%s: %s\n", record.key_of(keys[k].cells).c_str(), why.c_str());
       continue;
     }

@@ -13,10 +13,14 @@
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/core/number.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/sizes/distribution_text.hpp>
+#include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
+
+#include "contact_counts.hpp"
 
 namespace relaxation {
 
@@ -52,8 +56,9 @@ struct Preparation {
   std::size_t grains = 4000;
   std::size_t max_steps = 40000; ///< of a stage
   double approach = 1;           ///< how many times faster than usual the first stage may be compressed
-  bool unfitted_shapes = false;  ///< makes packings of the shapes that no fit sees as well
-  std::string sizes = {};        ///< of the grains: a text of sizes::parse_distribution; empty: all are equal
+  double time_step_fraction = dem::default_time_step_fraction; ///< of the stability limit
+  bool unfitted_shapes = false; ///< makes packings of the shapes that no fit sees as well
+  std::string sizes = {};       ///< of the grains: a text of sizes::parse_distribution; empty: all are equal
 };
 
 inline Preparation gas(const char* name, double friction_coefficient, const std::vector<Stage>& path,
@@ -137,12 +142,22 @@ inline dem::Specimen at_stage(dem::Specimen state, const Preparation& preparatio
   dem::QuasistaticOptions options = triaxial::compression_options();
   options.max_steps = preparation.max_steps;
   options.inertial_number *= stage == 0 ? preparation.approach : 1;
+  options.time_step_fraction = preparation.time_step_fraction;
   dem::Engine engine(std::move(state), material);
   const dem::QuasistaticReport report = dem::equilibrate(engine, {stress_h, stress_h, stress_v}, options);
   if (report.outcome == dem::Outcome::unstable)
     throw std::runtime_error("stage " + std::to_string(stage) + " became unstable");
   engine.rest();
   return engine.state();
+}
+
+/// Why a state is no packing at rest; empty for one that is.
+inline std::string why_left_out(const triaxial::FrozenState& frozen, const dem::Material& material) {
+  if (!frozen.at_rest())
+    return "not at rest, unbalanced force ratio " + short_text(frozen.report.unbalanced_force_ratio, 2);
+  if (!is_jammed(dem::contact_network(frozen.state(), material)))
+    return "its steps ran out before the grains met";
+  return "";
 }
 
 } // namespace relaxation

@@ -4,7 +4,7 @@
 //
 //     trade_time_step [specimens, by default 64 [shares of the stability limit, by default 0.8 0.2]]
 //
-// Exit code: 0 if s is the same within three standard errors.
+// Exit code: 0 if s is the same within three standard errors, 1 if not, 2 usage.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +20,7 @@
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/triaxial/probe.hpp>
+#include <granum/triaxial/specimen.hpp>
 
 #include "../relaxation/specimens.hpp"
 
@@ -34,23 +35,27 @@ constexpr std::array pressures{10 * kPa, 20 * kPa, 50 * kPa, 100 * kPa};
 using Figures = std::array<double, 2 * pressures.size() + 1>;
 
 relaxation::Preparation loose() {
-  const double friction = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
-  return {.name = "loose", .friction_coefficient = friction, .path = {{pressures[0]}}, .grains = 1000};
+  relaxation::Preparation preparation{.name = "loose",
+                                      .friction_coefficient =
+                                          contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+                                      .path = {},
+                                      .grains = 1000,
+                                      .max_steps = triaxial::compression_options().max_steps};
+  for (const double pressure : pressures)
+    preparation.path.push_back({pressure});
+  return preparation;
 }
 
 /// Nothing if a state does not come to rest.
-std::optional<Figures> compressed(dem::Specimen state, const dem::Material& material, double share) {
+std::optional<Figures> compressed(dem::Specimen state, const dem::Material& material, double time_step) {
+  relaxation::Preparation preparation = loose();
+  preparation.time_step_fraction = time_step;
   Figures figures{};
   std::vector<hardin::MeasuredModulus> moduli;
   for (std::size_t k = 0; k < pressures.size(); ++k) {
-    dem::QuasistaticOptions options = triaxial::compression_options();
-    options.time_step_fraction = share;
-    dem::Engine engine(std::move(state), material);
-    (void)dem::equilibrate(engine, {pressures[k], pressures[k], pressures[k]}, options);
-    engine.rest();
-    state = engine.state();
+    state = relaxation::at_stage(std::move(state), preparation, k, material);
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
-    if (!frozen.at_rest())
+    if (!relaxation::why_left_out(frozen, material).empty())
       return std::nullopt;
     const packing::Assembly network = dem::contact_network(frozen.state(), material);
     const double G =
@@ -120,6 +125,12 @@ int main(int argc, char** argv) {
     const auto specimens = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 64;
     const double first = argc > 2 ? std::atof(argv[2]) : dem::default_time_step_fraction;
     const double second = argc > 3 ? std::atof(argv[3]) : 0.2;
+    if (argc > 4 || specimens < 2 || !(first > 0 && first <= 1 && second > 0 && second <= 1)) {
+      std::fprintf(stderr,
+                   "usage: %s [specimens, 2 or more [two shares of the stability limit, in (0, 1]]]\n",
+                   argv[0]);
+      return 2;
+    }
     const std::vector<Figures> found = differences(specimens, first, second);
     std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first, found.size(),
                 specimens);
