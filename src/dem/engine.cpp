@@ -90,7 +90,7 @@ std::vector<ContactHistory> Engine::Data::history() const {
       const MemoryBlock& of = memory[b];
       const ListedPair& pair = parts.pairs[b * block_size + k];
       if (of.stiffness[k] > 0)
-        out.push_back({pair.i, pair.j, {of.x[k], of.y[k], of.z[k]}, of.stiffness[k]});
+        out.push_back({pair.i().number(), pair.j().number(), {of.x[k], of.y[k], of.z[k]}, of.stiffness[k]});
     }
   return out;
 }
@@ -141,11 +141,12 @@ void Engine::Data::rebuild() {
     auto past = cold.history.begin();
     for (std::size_t k = 0; k < parts.pairs.size(); ++k) {
       const ListedPair& pair = parts.pairs[k];
-      if (pair.image == far_image)
+      if (pair.image() == far_image)
         continue;
-      while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(pair.i, pair.j))
+      const std::uint32_t i = pair.i().number(), j = pair.j().number();
+      while (past != cold.history.end() && std::tie(past->i, past->j) < std::tie(i, j))
         ++past;
-      if (past != cold.history.end() && past->i == pair.i && past->j == pair.j) {
+      if (past != cold.history.end() && past->i == i && past->j == j) {
         MemoryBlock& block = memory[k / block_size];
         block.x[k % block_size] = past->tangential_force.x;
         block.y[k % block_size] = past->tangential_force.y;

@@ -141,7 +141,7 @@ class Minimiser {
   void list_pairs() {
     list_.build(state_);
     parts_ = partition(list_.pairs(), grains_.size());
-    load_.resize(parts_.rows);
+    load_.assign(parts_.rows, PushRow{});
     for (std::size_t g = 0; g < grains_.size(); ++g)
       grains_.set_centre(g, state_.position[g]);
     if (walls_)

@@ -136,14 +136,15 @@ TEST_CASE("a partition holds every pair once, and each chunk writes rows that no
     CHECK((chunk.pairs.end - chunk.pairs.begin) % block_size == 0);
     for (std::size_t k = chunk.pairs.begin; k < chunk.pairs.end; ++k) {
       const ListedPair& pair = parts.pairs[k];
-      for (const std::uint32_t row : {pair.i, pair.row}) {
+      for (const std::uint32_t row : {pair.i().number(), pair.row().number()}) {
         REQUIRE((writer[row] == -1 || writer[row] == static_cast<int>(c)));
         writer[row] = static_cast<int>(c);
       }
-      REQUIRE(owner[pair.row] == pair.j);
-      if (pair.image == far_image)
+      REQUIRE(owner[pair.row().number()] == pair.j().number());
+      if (pair.image() == far_image)
         continue;
-      REQUIRE((pairs[next].i == pair.i && pairs[next].j == pair.j && pairs[next].image == pair.image));
+      REQUIRE((pairs[next].i == pair.i().number() && pairs[next].j == pair.j().number() &&
+               pairs[next].image == pair.image().number()));
       ++next;
     }
     for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: b branch from i to j, u relative velocity of the centres j - i, w sum of both angular velocities,
-// s tangential force on j. A block holds one number of each of its pairs per array; pairs that do
-// not touch, and the padding of the last block, carry zeros through every formula.
+// Notation as in normal_forces.hpp, and s tangential force on j.
 //
 // This file is compiled without math errno and trapping (CMakeLists.txt), which lets the loops below become
 // vector code; neither changes a result.
@@ -13,24 +11,14 @@
 
 #include <granum/dem/neighbours.hpp>
 
-#include "core/vector/inverse_root.hpp"
-#include "core/vector/power.hpp"
 #include "core/vector/rows.hpp"
 #include "fetch_ahead.hpp"
+#include "normal_forces.hpp"
 #include "pair_sizes.hpp"
 
 namespace granum::dem {
 
 namespace {
-
-struct PairBlock {
-  Block bx, by, bz;
-  Block ux, uy, uz;
-  Block wx, wy, wz;
-  Block squared, inverse_length, overlap, force, stiffness, shear_squared;
-  Block fx, fy, fz; ///< whole force on j
-  Block tx, ty, tz; ///< torque on either grain
-};
 
 /// Running sums, one for each place in a vector of eight.
 struct SumRows {
@@ -40,16 +28,16 @@ struct SumRows {
 
 /// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
 /// padding far out of reach.
-using Shifts = std::array<MotionRow, far_image + 1>;
+using Shifts = std::array<MotionRow, image_count + 1>;
 
 /// In the shape of rows of motion; -0 leaves velocities as they are, to the bit.
 Shifts shift_rows(const Mat3& cell, double diameter) {
-  const std::array<Vec3, far_image> vectors = shift_vectors(cell);
+  const std::array<Vec3, image_count> vectors = shift_vectors(cell);
   Shifts rows;
   rows.fill(MotionRow{.place = Four{0, 0, 0, -0.0}, .rate = Four{-0.0, -0.0, -0.0, -0.0}});
-  for (std::size_t k = 0; k < far_image; ++k)
+  for (std::size_t k = 0; k < image_count; ++k)
     rows[k].place = Four{vectors[k].x, vectors[k].y, vectors[k].z, -0.0};
-  rows[far_image].place[0] = 2 * diameter;
+  rows[image_count].place[0] = 2 * diameter;
   return rows;
 }
 
@@ -70,7 +58,8 @@ GRANUM_INLINE void load_branches(const Input& in, const Shifts& shifts, const Li
     Four place[4];
     for (std::size_t n = 0; n < 4; ++n) {
       const ListedPair& pair = pairs[k + n];
-      place[n] = rows[pair.j].place - rows[pair.i].place + shifts[pair.image].place;
+      place[n] = row_at(rows, pair.j()).place - row_at(rows, pair.i()).place +
+                 row_at(shifts.data(), pair.image()).place;
     }
     transpose(place[0], place[1], place[2], place[3]);
     Rows<VectorLevel::avx2>::put_column(&p.bx[k], place[0]);
@@ -92,62 +81,14 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
     typename Level::Column column[8];
     for (std::size_t n = 0; n < Level::lanes; ++n) {
       const ListedPair& pair = pairs[k + n];
-      row[n] = Level::get(&rows[pair.j]) + sign * Level::get(&rows[pair.i]) + Level::get(&shifts[pair.image]);
-      p.wy[k + n] = spin_y[pair.j] + spin_y[pair.i];
+      row[n] = Level::get(&row_at(rows, pair.j())) + sign * Level::get(&row_at(rows, pair.i())) +
+               Level::get(&row_at(shifts.data(), pair.image()));
+      p.wy[k + n] = row_at(spin_y, pair.j()) + row_at(spin_y, pair.i());
     }
     to_columns(row, column);
     Block* const blocks[8] = {&p.bx, &p.by, &p.bz, &p.wz, &p.ux, &p.uy, &p.uz, &p.wx};
     for (std::size_t c = 0; c < 8; ++c)
       Level::put_column(&(*blocks[c])[k], column[c]);
-  }
-}
-
-/// Scalar product of (ax, ay, az) and (bx, by, bz).
-template <VectorLevel level>
-GRANUM_INLINE double product(double ax, double ay, double az, double bx, double by, double bz) {
-  return fused<level>(az, bz, fused<level>(ay, by, ax * bx));
-}
-
-/// \param    curved   the overlap over contact::pair_radius, in units of a grain of size 1
-template <VectorLevel, class Law>
-GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap, double /*curved*/) {
-  return law(overlap);
-}
-template <VectorLevel level>
-GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap,
-                                                      double curved) {
-  const double root = law.coefficient * (overlap * inverse_root<level>(curved));
-  return {root * overlap, 1.5 * root};
-}
-
-template <VectorLevel level>
-GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap,
-                                                      double /*curved*/) {
-  const double root =
-      law.coefficient * power_from<level>(log2_of<level>(overlap), SplitExponent(law.inverse_alpha));
-  return {root * overlap, (1 + law.inverse_alpha) * root};
-}
-
-/// In two loops: in one, the compiler would branch where a pair does not touch.
-template <VectorLevel level, class Law, class Sizes>
-GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& __restrict p) {
-  for (std::size_t k = 0; k < block_size; ++k) {
-    const double squared = product<level>(p.bx[k], p.by[k], p.bz[k], p.bx[k], p.by[k], p.bz[k]);
-    const double inverse_length = inverse_root<level>(squared);
-    const double overlap = fused<level>(-squared, inverse_length, sizes.reach(k));
-    p.squared[k] = squared;
-    p.inverse_length[k] = inverse_length;
-    p.overlap[k] = overlap > 0 ? overlap : 0.0;
-  }
-  for (std::size_t k = 0; k < block_size; ++k) {
-    const contact::NormalResponse response =
-        normal_response<level>(law, p.overlap[k], sizes.curved(p.overlap[k], k));
-    p.force[k] = response.force;
-    p.stiffness[k] = p.overlap[k] > 0 ? response.stiffness : 0.0;
-    const double per_length = response.force * p.inverse_length[k];
-    p.fx[k] = per_length * p.bx[k];
-    p.fy[k] = per_length * p.by[k];
-    p.fz[k] = per_length * p.bz[k];
   }
 }
 
@@ -173,8 +114,8 @@ GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, E
     sliding += eight(slides_of, k);
 }
 
-/// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque. mx
-/// .. mk: this block's memory.
+/// Tangential increment against the relative displacement of the two surfaces, Coulomb's limit, torque, in
+/// loops of short chains (normal_forces.hpp). mx .. mk: this block's memory.
 template <VectorLevel level, class Sizes>
 GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, PairBlock& __restrict p,
                                      Eight& __restrict sliding, double* __restrict mx, double* __restrict my,
@@ -195,9 +136,14 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
     const double stiffness = ratio * p.stiffness[k];
     const double keep = stiffness < mk[k] ? stiffness / mk[k] : 1.0;
     const double increment = stiffness * elapsed;
-    double sx = fused<level>(keep, mx[k], -increment * vx);
-    double sy = fused<level>(keep, my[k], -increment * vy);
-    double sz = fused<level>(keep, mz[k], -increment * vz);
+    mx[k] = fused<level>(keep, mx[k], -increment * vx);
+    my[k] = fused<level>(keep, my[k], -increment * vy);
+    mz[k] = fused<level>(keep, mz[k], -increment * vz);
+    mk[k] = stiffness;
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
+    double sx = mx[k], sy = my[k], sz = mz[k];
     const double along = product<level>(sx, sy, sz, bx, by, bz) * (p.inverse_length[k] * p.inverse_length[k]);
     sx = fused<level>(-along, bx, sx);
     sy = fused<level>(-along, by, sy);
@@ -209,7 +155,6 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
     mx[k] = sx;
     my[k] = sy;
     mz[k] = sz;
-    mk[k] = stiffness;
   }
   if (any_slides != 0)
     limit_block(friction, p, sliding, mx, my, mz);
@@ -268,21 +213,21 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
 template <class Part, class Load>
 class HeldRow {
  public:
-  GRANUM_INLINE HeldRow(Load* load, std::uint32_t grain)
-      : load_(load), grain_(grain), sum_(Part::get(&load[grain])) {}
-  GRANUM_INLINE typename Part::Row& of(std::uint32_t grain) {
+  GRANUM_INLINE HeldRow(Load* load, RowPlace grain)
+      : load_(load), grain_(grain), sum_(Part::get(&row_at(load, grain))) {}
+  GRANUM_INLINE typename Part::Row& of(RowPlace grain) {
     if (grain != grain_) {
       put_back();
       grain_ = grain;
-      sum_ = Part::get(&load_[grain]);
+      sum_ = Part::get(&row_at(load_, grain));
     }
     return sum_;
   }
-  GRANUM_INLINE void put_back() { Part::put(&load_[grain_], sum_); }
+  GRANUM_INLINE void put_back() { Part::put(&row_at(load_, grain_), sum_); }
 
  private:
   Load* load_;
-  std::uint32_t grain_;
+  RowPlace grain_;
   typename Part::Row sum_;
 };
 
@@ -297,14 +242,14 @@ struct PushOfRow {
 template <class Load>
 GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, Load* load) {
   using Level = Rows<VectorLevel::avx2>;
-  HeldRow<PushOfRow, Load> held(load, pairs[0].i);
+  HeldRow<PushOfRow, Load> held(load, pairs[0].i());
   for (std::size_t k = 0; k < block_size; k += 4) {
     Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
                     Four{}};
     transpose(push[0], push[1], push[2], push[3]);
     for (std::size_t n = 0; n < 4; ++n) {
-      held.of(pairs[k + n].i) -= push[n];
-      load[pairs[k + n].row].push += push[n];
+      held.of(pairs[k + n].i()) -= push[n];
+      row_at(load, pairs[k + n].row()).push += push[n];
     }
   }
   held.put_back();
@@ -314,7 +259,7 @@ template <class Level>
 GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
   const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
   const typename Level::Column zero{};
-  HeldRow<Level, LoadRow> held(load, pairs[0].i);
+  HeldRow<Level, LoadRow> held(load, pairs[0].i());
   for (std::size_t k = 0; k < block_size; k += Level::lanes) {
     typename Level::Row row[Level::lanes];
     typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
@@ -327,9 +272,9 @@ GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, Loa
                                         Level::get_column(&p.tx[k])};
     to_rows(column, row);
     for (std::size_t n = 0; n < Level::lanes; ++n) {
-      typename Level::Row& on_i = held.of(pairs[k + n].i);
+      typename Level::Row& on_i = held.of(pairs[k + n].i());
       on_i = on_i + sign * row[n];
-      LoadRow& on_j = load[pairs[k + n].row];
+      LoadRow& on_j = row_at(load, pairs[k + n].row());
       Level::put(&on_j, Level::get(&on_j) + row[n]);
     }
   }
@@ -406,8 +351,9 @@ template <Purpose purpose, class Sizes, class Level, class Law, class AnyWork>
 GRANUM_INLINE void sweep_all(const Law& law, const AnyWork& work) {
   PairBlock p;
   Sizes sizes(work.in);
-  for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
-    std::fill(work.load + rows.begin, work.load + rows.end, typename AnyWork::Load{});
+  if constexpr (purpose != Purpose::descent) // a descent's rows are empty (glide_grains)
+    for (const Range& rows : {work.chunk.grains, work.chunk.spare_rows})
+      std::fill(work.load + rows.begin, work.load + rows.end, typename AnyWork::Load{});
   const ListedPair* const pairs = work.in.pairs.data();
   const bool far = work.in.grains.size() > grains_nearby;
   for (std::size_t first = work.chunk.pairs.begin; first < work.chunk.pairs.end; first += block_size) {

@@ -68,7 +68,7 @@ struct DescentInput {
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load);
 
-/// The same without friction, for grains that do not turn.
+/// The same without friction, for grains that do not turn; adds to load, whose rows are to be empty.
 DescentSums descent_sweep(const contact::NormalKernel& law, const DescentInput& input, const Chunk& chunk,
                           std::vector<PushRow>& load);
 

@@ -25,12 +25,12 @@ GRANUM_INLINE void fetch_lines(const T* first, std::size_t count) {
     __builtin_prefetch(bytes + k);
 }
 
-GRANUM_INLINE void fetch_grain(const Grains& grains, std::uint32_t g) {
-  __builtin_prefetch(&grains.row[g]);
-  __builtin_prefetch(&grains.spin_y[g]);
+GRANUM_INLINE void fetch_grain(const Grains& grains, RowPlace g) {
+  __builtin_prefetch(&row_at(grains.row.data(), g));
+  __builtin_prefetch(&row_at(grains.spin_y.data(), g));
 }
-GRANUM_INLINE void fetch_grain(const TranslatingGrains& grains, std::uint32_t g) {
-  __builtin_prefetch(&grains.place[g]);
+GRANUM_INLINE void fetch_grain(const TranslatingGrains& grains, RowPlace g) {
+  __builtin_prefetch(&row_at(grains.place.data(), g));
 }
 
 /// While the block of pairs that begins at `first` is worked off: what the next one needs, and the pairs of
@@ -42,8 +42,8 @@ GRANUM_INLINE void fetch_ahead(const ListedPair* pairs, const AnyGrains& grains,
   const std::size_t last = chunk.pairs.end - block_size;
   const std::size_t next = std::min(first + block_size, last);
   for (std::size_t k = next; k < next + block_size; ++k) {
-    fetch_grain(grains, pairs[k].j);
-    __builtin_prefetch(&load[pairs[k].row], 1);
+    fetch_grain(grains, pairs[k].j());
+    __builtin_prefetch(&row_at(load, pairs[k].row()), 1);
   }
   if (memory != nullptr)
     fetch_lines(memory + next / block_size, 1);

@@ -32,20 +32,20 @@ void FrequencyBound::find_springs(const contact::NormalKernel& law, const Freque
   const auto pair_springs = [&](const auto& kernel) {
     for (std::size_t k = range.pairs.begin; k < range.pairs.end; ++k) {
       const ListedPair& pair = in.parts.pairs[k];
-      if (pair.image == far_image)
+      if (pair.image() == far_image)
         continue;
-      const Vec3 branch = in.grains.centre(pair.j) + shifts[pair.image] - in.grains.centre(pair.i);
+      const std::uint32_t i = pair.i().number(), j = pair.j().number();
+      const Vec3 branch = in.grains.centre(j) + shifts[pair.image().number()] - in.grains.centre(i);
       const double squared = dot(branch, branch);
-      const double reach = in.grains.radius_or(in.radius, pair.i) + in.grains.radius_or(in.radius, pair.j);
+      const double reach = in.grains.radius_or(in.radius, i) + in.grains.radius_or(in.radius, j);
       if (squared >= reach * reach)
         continue;
       const double overlap = reach - std::sqrt(squared);
-      const auto of_pair =
-          own.empty() ? kernel : contact::of_sizes(kernel, own[pair.i].size, own[pair.j].size);
+      const auto of_pair = own.empty() ? kernel : contact::of_sizes(kernel, own[i].size, own[j].size);
       const double stiffness = of_pair(overlap).stiffness;
       const Vec3 b = 1 / reach * branch;
       if (stiffness > 0)
-        of.springs.push_back({pair.i, pair.j, stiffness, 1 / dot(b, b), b});
+        of.springs.push_back({i, j, stiffness, 1 / dot(b, b), b});
     }
   };
   const auto wall_springs = [&](const auto& kernel) {

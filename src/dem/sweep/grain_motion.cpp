@@ -65,8 +65,11 @@ GRANUM_INLINE Four sums_of_three(Four (&rows)[4]) {
 template <bool equal>
 GRANUM_INLINE PushSums pushes_at_level(const TranslatingGrains& grains, const Chunk& chunk,
                                        const std::vector<Addition>& additions, std::vector<PushRow>& load) {
-  for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k)
-    load[additions[k].grain].push += load[additions[k].row].push;
+  for (std::size_t k = chunk.additions.begin; k < chunk.additions.end; ++k) {
+    Four& spare = load[additions[k].row].push;
+    load[additions[k].grain].push += spare;
+    spare = Four{};
+  }
   Four power{}, squares{}, components{};
   for (std::size_t g = chunk.grains.begin; g < chunk.grains.end; ++g) {
     const Four push = load[g].push;
@@ -83,7 +86,7 @@ GRANUM_INLINE PushSums pushes_at_level(const TranslatingGrains& grains, const Ch
 }
 
 template <bool equal>
-GRANUM_INLINE GlideSums glide_at_level(TranslatingGrains& grains, const std::vector<PushRow>& load,
+GRANUM_INLINE GlideSums glide_at_level(TranslatingGrains& grains, std::vector<PushRow>& load,
                                        const Glide& glide) {
   const Four keep = all(glide.keep), push = all(glide.push), dt = all(glide.dt), growth = all(glide.growth);
   Four squares{};
@@ -94,6 +97,7 @@ GRANUM_INLINE GlideSums glide_at_level(TranslatingGrains& grains, const std::vec
       rate = keep * grains.rate[g].rate + push * load[g].push;
     else
       rate = keep * grains.rate[g].rate + push * (load[g].push * all(grains.own[g].per_mass));
+    load[g].push = Four{};
     const double square = sum_of_three(rate * rate);
     fastest = std::max(fastest, square);
     if (square > glide.largest * glide.largest)
@@ -235,7 +239,7 @@ double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load) {
   return lengths;
 }
 
-GlideSums glide_grains(TranslatingGrains& grains, const std::vector<PushRow>& load, const Glide& glide) {
+GlideSums glide_grains(TranslatingGrains& grains, std::vector<PushRow>& load, const Glide& glide) {
   GlideSums sums;
   at_vector_level([&](auto) __attribute__((always_inline)) {
     sums = grains.own.empty() ? glide_at_level<true>(grains, load, glide)

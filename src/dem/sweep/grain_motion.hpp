@@ -57,13 +57,14 @@ void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
 /// their kick [W].
 double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load);
-/// Adds the spare rows that hold loads for a chunk, and sums over its forces.
+/// Adds the spare rows that hold loads for a chunk, which are empty then, and sums over its forces.
 PushSums settle_pushes(const TranslatingGrains& grains, const Chunk& chunk,
                        const std::vector<Addition>& additions, std::vector<PushRow>& load);
 /// Sum of |f| over the grains of a chunk in their order, once they are settled [N].
 double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load);
-/// Velocities and centres of all grains after the step.
-GlideSums glide_grains(TranslatingGrains& grains, const std::vector<PushRow>& load, const Glide& glide);
+/// Velocities and centres of all grains after the step; their rows of load are empty then, for the next
+/// sweep.
+GlideSums glide_grains(TranslatingGrains& grains, std::vector<PushRow>& load, const Glide& glide);
 /// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as
 /// below.
 double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,

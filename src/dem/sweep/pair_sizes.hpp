@@ -35,8 +35,8 @@ class UnequalGrains {
   GRANUM_INLINE void load(const Input& in, const ListedPair* pairs) {
     const Two* const round = in.grains.round.data();
     for (std::size_t k = 0; k < block_size; k += 2) {
-      const Two a = round[pairs[k].i] + round[pairs[k].j];
-      const Two b = round[pairs[k + 1].i] + round[pairs[k + 1].j];
+      const Two a = row_at(round, pairs[k].i()) + row_at(round, pairs[k].j());
+      const Two b = row_at(round, pairs[k + 1].i()) + row_at(round, pairs[k + 1].j());
       *reinterpret_cast<TwoInMemory*>(&reach_[k]) = __builtin_shufflevector(a, b, 0, 2);
       *reinterpret_cast<TwoInMemory*>(&curvature_[k]) = __builtin_shufflevector(a, b, 1, 3);
     }

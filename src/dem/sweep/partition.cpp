@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
+
+#include <granum/core/error.hpp>
 
 namespace granum::dem {
 
@@ -97,14 +100,18 @@ Partition partition(const std::vector<Pair>& pairs, std::size_t grains) {
     chunk.pairs.begin = out.pairs.size();
     chunk.spare_rows.begin = out.rows;
     for (; next != pairs.end() && next->i < chunk.grains.end; ++next)
-      out.pairs.push_back({next->i, next->j, next->image, spare.row(next->j, chunk, out.rows)});
-    const auto own = static_cast<std::uint32_t>(chunk.grains.begin);
+      out.pairs.emplace_back(RowPlace::of(next->i), RowPlace::of(next->j), RowPlace::of(next->image),
+                             RowPlace::of(spare.row(next->j, chunk, out.rows)));
+    const RowPlace own = RowPlace::of(static_cast<std::uint32_t>(chunk.grains.begin));
     while ((out.pairs.size() - chunk.pairs.begin) % block_size != 0)
-      out.pairs.push_back({own, own, far_image, own});
+      out.pairs.emplace_back(own, own, far_image, own);
     chunk.pairs.end = out.pairs.size();
     chunk.spare_rows.end = out.rows;
     out.chunks.push_back(chunk);
   }
+  if (out.rows > RowPlace::most_rows)
+    throw InvalidArgument("grains and spare rows of a list of pairs: " + std::to_string(out.rows) +
+                          " [1], allowed: at most " + std::to_string(RowPlace::most_rows));
   sort_additions(spare.additions(), grains, out);
   return out;
 }

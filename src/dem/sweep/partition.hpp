@@ -10,6 +10,8 @@
 
 #include <granum/dem/neighbours.hpp>
 
+#include "row_place.hpp"
+
 namespace granum::dem {
 
 /// Pairs are worked off in blocks of this many, so that each law is one vectorised loop over a block: enough
@@ -17,15 +19,24 @@ namespace granum::dem {
 /// whatever the width of vectors and of blocks.
 inline constexpr std::size_t block_size = 64;
 
+inline constexpr std::uint32_t image_count = 27;
 /// Image of the pairs that fill up the last block of a chunk: far out of reach.
-inline constexpr std::uint32_t far_image = 27;
+inline constexpr RowPlace far_image = RowPlace::of(image_count);
 
 /// A pair, and the row of loads that takes the force on j: that of j, or, where j is in another chunk, a
 /// spare row after those of all grains.
-struct ListedPair {
-  std::uint32_t i, j;
-  std::uint32_t image;
-  std::uint32_t row;
+class ListedPair {
+ public:
+  constexpr ListedPair(RowPlace i, RowPlace j, RowPlace image, RowPlace row)
+      : j_and_image_(j, image), i_and_row_(i, row) {}
+  GRANUM_INLINE RowPlace i() const { return i_and_row_.low(); }
+  GRANUM_INLINE RowPlace j() const { return j_and_image_.low(); }
+  /// Among the shifts of all images.
+  GRANUM_INLINE RowPlace image() const { return j_and_image_.high(); }
+  GRANUM_INLINE RowPlace row() const { return i_and_row_.high(); }
+
+ private:
+  TwoPlaces j_and_image_, i_and_row_; // what branches ask for besides i, and what forces ask for
 };
 
 /// Half-open ranges.
@@ -56,6 +67,7 @@ struct Partition {
 };
 
 /// \param    pairs   sorted by (i, j), i < j
+/// \throws   InvalidArgument beyond RowPlace::most_rows, 5e8 grains
 [[nodiscard]] Partition partition(const std::vector<Pair>& pairs, std::size_t grains);
 
 } // namespace granum::dem

@@ -31,6 +31,19 @@ TEST_CASE_TEMPLATE(
   CHECK(worst > 0);
 }
 
+TEST_CASE_TEMPLATE("what the inverse root begins with is within 8e-7", Level, Plain, Fused) {
+  constexpr VectorLevel level = Level::value;
+  long double worst = 0;
+  for (int k = 0; k < 30000; ++k) {
+    const double x = 1 + 1e-4 * k; // all mantissas of two octaves
+    const long double exact = 1 / std::sqrt(static_cast<long double>(x));
+    worst = std::max(worst, std::abs(near_inverse_root<level>(x) / exact - 1));
+    CHECK(nearer_inverse_root<level>(x, near_inverse_root<level>(x)) == inverse_root<level>(x));
+  }
+  CHECK(worst < 8e-7);
+  CHECK(worst > 6e-7);
+}
+
 TEST_CASE_TEMPLATE("the inverse root near powers of two, where the guess turns over, and of zero", Level,
                    Plain, Fused) {
   constexpr VectorLevel level = Level::value;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to src/dem. Notation: b branch from i to j, u relative velocity of the centres j - i, w sum of both
+// angular velocities. A block holds one number of each of its pairs per array; pairs that do not touch, and
+// the padding of the last block, carry zeros through every formula.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include <granum/contact/power_law.hpp>
+
+#include "contact_sweep.hpp"
+#include "core/vector/inverse_root.hpp"
+#include "core/vector/power.hpp"
+
+namespace granum::dem {
+
+struct PairBlock {
+  Block bx, by, bz;
+  Block ux, uy, uz;
+  Block wx, wy, wz;
+  Block squared, inverse_length, overlap, force, stiffness, shear_squared;
+  Block fx, fy, fz; ///< whole force on j
+  Block tx, ty, tz; ///< torque on either grain
+};
+
+/// Scalar product of (ax, ay, az) and (bx, by, bz).
+template <VectorLevel level>
+GRANUM_INLINE double product(double ax, double ay, double az, double bx, double by, double bz) {
+  return fused<level>(az, bz, fused<level>(ay, by, ax * bx));
+}
+
+/// What a law begins with, where that is most of its work.
+template <VectorLevel, class Law>
+GRANUM_INLINE double first_guess(const Law& /*law*/, double /*curved*/) {
+  return 0;
+}
+template <VectorLevel level>
+GRANUM_INLINE double first_guess(const contact::SphereKernel& /*law*/, double curved) {
+  return near_inverse_root<level>(curved);
+}
+
+/// \param    curved   the overlap over contact::pair_radius, in units of a grain of size 1
+/// \param    guess    what first_guess made of that
+template <VectorLevel, class Law>
+GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap, double /*curved*/,
+                                                      double /*guess*/) {
+  return law(overlap);
+}
+template <VectorLevel level>
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap,
+                                                      double curved, double guess) {
+  const double root = law.coefficient * (overlap * nearer_inverse_root<level>(curved, guess));
+  return {root * overlap, 1.5 * root};
+}
+template <VectorLevel level>
+GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKernel& law, double overlap,
+                                                      double /*curved*/, double /*guess*/) {
+  const double root =
+      law.coefficient * power_from<level>(log2_of<level>(overlap), SplitExponent(law.inverse_alpha));
+  return {root * overlap, (1 + law.inverse_alpha) * root};
+}
+
+/// Whether a law gives an overlap of 0 a stiffness of 0 by itself.
+template <class Law>
+inline constexpr bool starts_soft =
+    std::is_same_v<Law, contact::SphereKernel> || std::is_same_v<Law, contact::ConeKernel>;
+
+/// From branches to forces on j, in loops of short chains of products: the instructions that a processor may
+/// hold back until their operands are there are some dozens, and with longer chains those of two or three
+/// vectors fill that room. In one loop the compiler would also branch where a pair does not touch.
+template <VectorLevel level, class Law, class Sizes>
+GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& __restrict p) {
+  Block guess;
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double squared = product<level>(p.bx[k], p.by[k], p.bz[k], p.bx[k], p.by[k], p.bz[k]);
+    p.squared[k] = squared;
+    guess[k] = near_inverse_root<level>(squared);
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double inverse_length = nearer_inverse_root<level>(p.squared[k], guess[k]);
+    const double overlap = fused<level>(-p.squared[k], inverse_length, sizes.reach(k));
+    p.inverse_length[k] = inverse_length;
+    p.overlap[k] = overlap > 0 ? overlap : 0.0;
+  }
+  for (std::size_t k = 0; k < block_size; ++k)
+    guess[k] = first_guess<level>(law, sizes.curved(p.overlap[k], k));
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double overlap = p.overlap[k];
+    const contact::NormalResponse response =
+        normal_response<level>(law, overlap, sizes.curved(overlap, k), guess[k]);
+    p.force[k] = response.force;
+    p.stiffness[k] = starts_soft<Law> || overlap > 0 ? response.stiffness : 0.0;
+    const double per_length = response.force * p.inverse_length[k];
+    p.fx[k] = per_length * p.bx[k];
+    p.fy[k] = per_length * p.by[k];
+    p.fz[k] = per_length * p.bz[k];
+  }
+}
+
+} // namespace granum::dem
