@@ -244,6 +244,11 @@ double isostatic_coordination_number(double tangential_ratio) {
   return isostatic(require_non_negative("tangential_ratio", tangential_ratio));
 }
 
+double scatter_share_of_preparation() {
+  constexpr double recipes = kernel::shear_recipes.base, packings = kernel::shear_packings.base;
+  return recipes * recipes / (recipes * recipes + packings * packings);
+}
+
 Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                       double stiffness_exponent) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);

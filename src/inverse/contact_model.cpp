@@ -22,9 +22,6 @@ using effective::State;
 
 /// Errors of measurements are not taken to be smaller: exact ones of dependent quantities leave no room.
 constexpr double smallest_error = 1e-4;
-/// Of the variance that rung 3 states, what packings of one preparation have in common: recipes scatter by
-/// 2.0 %, the packings of one by 2.2 %. [validation/relaxation]
-constexpr double shared_by_preparation = 0.45;
 /// Of the sum of squares, what is too little to go on for.
 constexpr double negligible_gain = 1e-12;
 /// However far the least squares look around.
@@ -197,7 +194,7 @@ double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, 
   const double value = std::log(effective::modulus(packing.stiffness, row.modulus));
   const double bulk_density = elastic::bulk_density(
       {.grain_density = density, .void_ratio = state.void_ratio, .pore_density = options_.pore_density});
-  const double shared = std::sqrt(shared_by_preparation) *
+  const double shared = std::sqrt(effective::scatter_share_of_preparation()) *
                         calibration_of(row, packing).dot(theta.segment<2>(priors + rung_prior).transpose());
   return shared + (row.speed ? (value - std::log(bulk_density)) / 2 : value);
 }
@@ -206,7 +203,7 @@ Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quant
                                              Specimen specimen) const {
   const auto [z, rattlers] = contacts(theta, at, specimen);
   const State state = effective::with_contacts(at, z, rattlers);
-  return std::sqrt(1 - shared_by_preparation) *
+  return std::sqrt(1 - effective::scatter_share_of_preparation()) *
          calibration_of(row_of(quantity), effective::relaxed(state, z));
 }
 

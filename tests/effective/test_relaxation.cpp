@@ -14,6 +14,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/mandel.hpp>
 
+#include "effective/relaxation_coefficients.hpp"
 #include "relative.hpp"
 #include "support.hpp"
 
@@ -44,6 +45,17 @@ TEST_CASE("relaxation: z* from C_n and rattlers") {
   CHECK_THROWS_AS((void)effective::mechanical_coordination_number(-1, 0.1), InvalidArgument);
   CHECK_THROWS_AS((void)effective::mechanical_coordination_number(4, 1), InvalidArgument);
   CHECK_THROWS_AS((void)effective::mechanical_coordination_number(4, NAN), InvalidArgument);
+}
+
+TEST_CASE(
+    "relaxation: what packings of a preparation share of G's variance is what its stated error has of it") {
+  const double share = effective::scatter_share_of_preparation();
+  const double recipes = effective::kernel::shear_recipes.base, all = recipes / std::sqrt(share);
+  CHECK(share == doctest::Approx(0.45).epsilon(0.01)); // 2.0 and 2.2 % (validation/relaxation)
+  // Far above the isostatic point a stated error holds both scatters and little else.
+  const double stated = effective::relaxation(6.5, 1, 1.0 / 3).shear.relative_error;
+  CHECK(stated > all);
+  CHECK(stated < 1.2 * all);
 }
 
 TEST_CASE("relaxation: no rigidity, no modulus, and a note") {

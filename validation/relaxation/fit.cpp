@@ -5,6 +5,7 @@
 //     relaxation_fit check FILES          fits again, compares with that file, and asks whether errors, also
 //                                         on packings left out of the fit, are in reach
 //     relaxation_fit points FILES         measured and fitted factors as CSV, for a picture
+//     relaxation_fit besides FILES        what the void ratio and the stretch do, and errors by z*
 //
 // FILES: states.csv unequal.csv gradations.csv codes.csv
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <granum/hardin/fit.hpp>
 
 #include "../claims.hpp"
+#include "besides.hpp"
 #include "calibration.hpp"
 #include "coverage.hpp"
 #include "factor_errors.hpp"
@@ -429,9 +431,10 @@ void print_points(const std::vector<Packing>& packings, const Result& result) {
 
 int main(int argc, char** argv) {
   if (argc != 6) {
-    std::fprintf(stderr,
-                 "usage: %s coefficients|check|points states.csv unequal.csv gradations.csv codes.csv\n",
-                 argv[0]);
+    std::fprintf(
+        stderr,
+        "usage: %s coefficients|check|points|besides states.csv unequal.csv gradations.csv codes.csv\n",
+        argv[0]);
     return 2;
   }
   try {
@@ -446,6 +449,12 @@ int main(int argc, char** argv) {
     }
     if (std::strcmp(argv[1], "points") == 0) {
       print_points(packings, result);
+      return 0;
+    }
+    if (std::strcmp(argv[1], "besides") == 0) {
+      print_void_ratio(packings, result.shear);
+      print_stretch(packings, result);
+      print_stated(packings, unequal, result);
       return 0;
     }
     if (std::strcmp(argv[1], "check") == 0)

@@ -39,6 +39,12 @@ struct Relaxation {
 /// Accuracy  0.010, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double isostatic_coordination_number(double tangential_ratio);
 
+/// Of the variance of G about its curve, far above the isostatic point, what all packings of one preparation
+/// share: how recipes scatter, beside the packings of one. 0.45. [validation/relaxation]
+/// Assumes   equal grains.
+/// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
+[[nodiscard]] double scatter_share_of_preparation();
+
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
@@ -82,7 +88,7 @@ struct RelaxedEstimate {
 /// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
-/// of state.contacts, K's over 1 + 0.56 v/(z* - 3.5 + 0.92 b), and errors that grow with v: 6 % of G
+/// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
 /// for C_u = 2, more beyond.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains

@@ -127,18 +127,17 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
     const double bx = p.bx[k], by = p.by[k], bz = p.bz[k];
     const double share = sizes.share(k);
     const double wx = share * p.wx[k], wy = share * p.wy[k], wz = share * p.wz[k];
-    const double vx =
-        p.ux[k] + product<level>(gradient(0, 0), gradient(0, 1) + wz, gradient(0, 2) - wy, bx, by, bz);
-    const double vy =
-        p.uy[k] + product<level>(gradient(1, 0) - wz, gradient(1, 1), gradient(1, 2) + wx, bx, by, bz);
-    const double vz =
-        p.uz[k] + product<level>(gradient(2, 0) + wy, gradient(2, 1) - wx, gradient(2, 2), bx, by, bz);
+    p.ux[k] += product<level>(gradient(0, 0), gradient(0, 1) + wz, gradient(0, 2) - wy, bx, by, bz);
+    p.uy[k] += product<level>(gradient(1, 0) - wz, gradient(1, 1), gradient(1, 2) + wx, bx, by, bz);
+    p.uz[k] += product<level>(gradient(2, 0) + wy, gradient(2, 1) - wx, gradient(2, 2), bx, by, bz);
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
     const double stiffness = ratio * p.stiffness[k];
     const double keep = stiffness < mk[k] ? stiffness / mk[k] : 1.0;
     const double increment = stiffness * elapsed;
-    mx[k] = fused<level>(keep, mx[k], -increment * vx);
-    my[k] = fused<level>(keep, my[k], -increment * vy);
-    mz[k] = fused<level>(keep, mz[k], -increment * vz);
+    mx[k] = fused<level>(keep, mx[k], -increment * p.ux[k]);
+    my[k] = fused<level>(keep, my[k], -increment * p.uy[k]);
+    mz[k] = fused<level>(keep, mz[k], -increment * p.uz[k]);
     mk[k] = stiffness;
   }
   for (std::size_t k = 0; k < block_size; ++k) {

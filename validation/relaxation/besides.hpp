@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the README of validation/relaxation says besides errors and coverage: what the formula leaves out, and
+// where its stated errors grow.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <granum/effective/relaxation.hpp>
+
+#include "calibration.hpp"
+#include "factor_errors.hpp"
+#include "size_fits.hpp"
+
+namespace relaxation {
+
+// ---- the void ratio ----
+
+/// A straight line through points, by least squares.
+class Line {
+ public:
+  void add(double x, double y) {
+    n_ += 1;
+    x_ += x;
+    y_ += y;
+    xx_ += x * x;
+    xy_ += x * y;
+  }
+  [[nodiscard]] double mean() const { return n_ > 0 ? y_ / n_ : 0; }
+  [[nodiscard]] double slope() const { return (n_ * xy_ - x_ * y_) / (n_ * xx_ - x_ * x_); }
+  [[nodiscard]] double count() const { return n_; }
+
+ private:
+  double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
+};
+
+/// How much stiffer in G packings compressed from a gas are than those that were only opened a little, and
+/// how that goes with the void ratio.
+inline void print_void_ratio(const std::vector<Packing>& packings, const ShearFit& shear) {
+  std::printf("ln G of the network over the fit, isotropic states, k_t/k_n >= %.1f\n", lowest_usual_ratio);
+  for (const auto& [low, high] : {std::pair{4.3, 5.5}, std::pair{5.5, 6.0}, std::pair{4.3, 6.0}}) {
+    Line gas, opened, all;
+    for (const Packing& p : packings)
+      for (const Network& n : p.networks) {
+        const double z = p.mechanical_coordination;
+        if (!is_usual(p, n) || z < low || z >= high)
+          continue;
+        const double residual = std::log(shear_factor(p, n) / shear_model(p, n, shear.coefficients));
+        (p.preparation.starts_with("gas") ? gas : opened).add(p.state.void_ratio, residual);
+        all.add(p.state.void_ratio, residual);
+      }
+    std::printf("  z* from %.1f to %.1f: from a gas %+.3f (%.0f), others %+.3f (%.0f); %+.2f a unit of e\n",
+                low, high, gas.mean(), gas.count(), opened.mean(), opened.count(), all.slope());
+  }
+}
+
+// ---- the stretch ----
+
+/// Errors of ln C33/C11 of sheared states.
+inline Errors errors_of_axis_ratio(const std::vector<Packing>& packings, const Result& result) {
+  Errors errors;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      if (!p.isotropic() && n.ratio >= lowest_usual_ratio) {
+        const auto c = relaxed_state(p, n, result).c;
+        errors.add(std::log(c.C33 / c.C11 / (n.stiffness.C33 / n.stiffness.C11)));
+      }
+  return errors;
+}
+
+inline void print_stretch(const std::vector<Packing>& packings, const Result& result) {
+  Result factors_alone = result;
+  factors_alone.stretch.coefficients = {};
+  for (const auto& [what, errors] :
+       {std::pair{"by the two factors alone", errors_of_axis_ratio(packings, factors_alone)},
+        std::pair{"with the stretch", errors_of_axis_ratio(packings, result)}})
+    std::printf("ln C33/C11 of sheared states %s: rms %.1f %%, worst %.1f %%, %d values\n", what,
+                100 * errors.rms(), 100 * errors.worst(), errors.count());
+}
+
+// ---- stated errors ----
+
+/// The least z* from which on a stated error of relaxed() is at most `largest`.
+template <class Stated>
+double lowest_within(const Stated& stated, double largest) {
+  double low = lowest_usual_coordination, high = 8;
+  if (stated(low) <= largest)
+    return low;
+  while (high - low > 1e-3)
+    (stated((low + high) / 2) <= largest ? high : low) = (low + high) / 2;
+  return high;
+}
+
+/// What relaxed() states of a packing's like with other contacts.
+inline granum::effective::RelaxedEstimate estimate_at(const Packing& like, double z) {
+  State state = like.state;
+  state.coordination_number = z * (1 - like.rattler_fraction);
+  state.fabric_anisotropy = 0;
+  return granum::effective::relaxed(state, z);
+}
+
+inline void print_stated(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
+                         const Result& result) {
+  std::printf("stated errors by z*, equal grains at 100 kPa, dense ones with other contacts\n");
+  for (const Packing& p : packings) {
+    if (p.preparation != "dense" || p.pressure != 100e3 || p.seed % 100 != 1)
+      continue;
+    const auto K = [&](double z) { return estimate_at(p, z).relative_error.bulk_modulus; };
+    std::printf("  %-12s K %.1f %% at z* = 4.3, %.1f at 4.7, %.1f at 6; at most 6 %% from %.2f on\n",
+                p.contact.c_str(), 100 * K(4.3), 100 * K(4.7), 100 * K(6), lowest_within(K, 0.06));
+  }
+  std::printf("  of it between codes: %.1f %% at z* = 4.3, %.1f at 4.7, %.1f at 6\n",
+              100 * result.bulk_codes * kernel::looseness(4.3),
+              100 * result.bulk_codes * kernel::looseness(4.7),
+              100 * result.bulk_codes * kernel::looseness(6.0));
+  std::map<std::string, const Packing*> spheres;
+  for (const Packing& p : unequal)
+    if (p.isotropic() && p.contact == "sphere")
+      spheres.try_emplace(p.sizes, &p);
+  for (const auto& [sizes, p] : spheres) {
+    const auto G = [&, like = p](double z) { return estimate_at(*like, z).relative_error.G_vh; };
+    std::printf("  spheres, %-20s G at most 6 %% from z* = %.2f on\n", sizes.c_str(), lowest_within(G, 0.06));
+  }
+}
+
+} // namespace relaxation
