@@ -70,18 +70,16 @@ class Minimiser {
   RelaxReport run() {
     RelaxReport report;
     Balance balance;
-    for (; report.steps < options_.max_steps; ++report.steps, ++list_age_) {
-      report.stopped = is_stopped(options_.stop_requested);
-      if (report.stopped)
-        break;
+    for (;; ++report.steps, ++list_age_) {
       if (list_.may_be_invalid(travelled_, strained_))
         check_list();
       balance = forces();
       report.last_pressure = balance.contacts.virial / (3 * determinant(state_.cell));
-      report.converged = arrived(balance, report.last_pressure);
-      if (report.converged)
+      report.stopped = is_stopped(options_.stop_requested);
+      report.converged = !report.stopped && arrived(balance, report.last_pressure);
+      if (report.stopped || report.converged || report.steps >= options_.max_steps)
         break;
-      advance(balance);
+      advance(balance); // takes the forces with it: the report is of a sweep after which nothing moved
     }
     report.unbalanced_force_ratio = unbalanced(balance, lengths());
     fetch_centres();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <granum/effective/relaxation.hpp>
+#include <gsl/gsl_fit.h>
 
 #include "calibration.hpp"
 #include "factor_errors.hpp"
@@ -20,41 +21,33 @@ namespace relaxation {
 
 // ---- the void ratio ----
 
-/// A straight line through points, by least squares.
-class Line {
- public:
-  void add(double x, double y) {
-    n_ += 1;
-    x_ += x;
-    y_ += y;
-    xx_ += x * x;
-    xy_ += x * y;
-  }
-  [[nodiscard]] double mean() const { return n_ > 0 ? y_ / n_ : 0; }
-  [[nodiscard]] double slope() const { return (n_ * xy_ - x_ * y_) / (n_ * xx_ - x_ * x_); }
-  [[nodiscard]] double count() const { return n_; }
+/// Slope of the straight line through points, by least squares.
+inline double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
+  double offset = 0, slope = 0, c00 = 0, c01 = 0, c11 = 0, squares = 0;
+  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &offset, &slope, &c00, &c01, &c11, &squares);
+  return slope;
+}
 
- private:
-  double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
-};
-
-/// How much stiffer in G packings compressed from a gas are than those that were only opened a little, and
+/// How much stiffer in G packings compressed from a gas are than others, and
 /// how that goes with the void ratio.
 inline void print_void_ratio(const std::vector<Packing>& packings, const ShearFit& shear) {
   std::printf("ln G of the network over the fit, isotropic states, k_t/k_n >= %.1f\n", lowest_usual_ratio);
   for (const auto& [low, high] : {std::pair{4.3, 5.5}, std::pair{5.5, 6.0}, std::pair{4.3, 6.0}}) {
-    Line gas, opened, all;
+    Errors gas, others;
+    std::vector<double> void_ratios, residuals;
     for (const Packing& p : packings)
       for (const Network& n : p.networks) {
         const double z = p.mechanical_coordination;
         if (!is_usual(p, n) || z < low || z >= high)
           continue;
         const double residual = std::log(shear_factor(p, n) / shear_model(p, n, shear.coefficients));
-        (p.preparation.starts_with("gas") ? gas : opened).add(p.state.void_ratio, residual);
-        all.add(p.state.void_ratio, residual);
+        (p.preparation.starts_with("gas") ? gas : others).add(residual);
+        void_ratios.push_back(p.state.void_ratio);
+        residuals.push_back(residual);
       }
-    std::printf("  z* from %.1f to %.1f: from a gas %+.3f (%.0f), others %+.3f (%.0f); %+.2f a unit of e\n",
-                low, high, gas.mean(), gas.count(), opened.mean(), opened.count(), all.slope());
+    std::printf("  z* from %.1f to %.1f: from a gas %+.3f (%d), others %+.3f (%d); %+.2f a unit of e\n", low,
+                high, gas.mean(), gas.count(), others.mean(), others.count(),
+                slope_of(void_ratios, residuals));
   }
 }
 
