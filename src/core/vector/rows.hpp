@@ -66,6 +66,18 @@ struct Rows {
   }
 };
 
+/// A column that stays in a register until it is used for the last time. GCC would rather read it again for
+/// each use.
+template <class Level>
+GRANUM_INLINE typename Level::Column read_once(const double* from) {
+  typename Level::Column column = Level::get_column(from);
+#if GRANUM_HAS_VECTOR_LEVELS && !defined(__clang__)
+  if constexpr (Level::level != VectorLevel::baseline)
+    asm("" : "+v"(column)); // no instruction
+#endif
+  return column;
+}
+
 /// Four rows of four become columns, and back.
 GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);

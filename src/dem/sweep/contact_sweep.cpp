@@ -173,36 +173,59 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
 /// What a sweep is for: an engine with friction, one without, or a minimiser, which asks for fewer sums.
 enum class Purpose { friction, smooth, descent };
 
-/// \param    stiffness   k_n l^2
-GRANUM_INLINE void add_stress(const PairBlock& p, std::size_t k, const Eight& stiffness, SumRows& s) {
-  const Eight bx = eight(p.bx, k), by = eight(p.by, k), bz = eight(p.bz, k);
-  const Eight fx = eight(p.fx, k), fy = eight(p.fy, k), fz = eight(p.fz, k);
-  s.stress[0] += fx * bx;
-  s.stress[1] += fx * by;
-  s.stress[2] += fx * bz;
-  s.stress[3] += fy * bx;
-  s.stress[4] += fy * by;
-  s.stress[5] += fy * bz;
-  s.stress[6] += fz * bx;
-  s.stress[7] += fz * by;
-  s.stress[8] += fz * bz;
-  s.stiffness += stiffness;
+/// Sums of products of force and branch, by parts that a level holds in registers beside what they are made
+/// of, each number read once: reads are what a processor has too few of here.
+template <class Level>
+GRANUM_INLINE void add_stress(const PairBlock& p, SumRows& sums) {
+  using Column = typename Level::Column;
+  for (std::size_t first = 0; first < 8; first += Level::lanes) {
+    const auto part = [&](std::size_t n) { return reinterpret_cast<double*>(&sums.stress[n]) + first; };
+    const auto sum = [&](std::size_t n) { return Level::get_column(part(n)); };
+    Column xx = sum(0), xy = sum(1), xz = sum(2), yx = sum(3), yy = sum(4), yz = sum(5), zx = sum(6),
+           zy = sum(7), zz = sum(8);
+    // Unrolled, the sums of one turn would lie beside the numbers of the next ones.
+#pragma GCC unroll 1
+    for (std::size_t k = first; k < block_size; k += 8) {
+      const Column bx = read_once<Level>(&p.bx[k]), by = read_once<Level>(&p.by[k]),
+                   bz = read_once<Level>(&p.bz[k]), fx = read_once<Level>(&p.fx[k]),
+                   fy = read_once<Level>(&p.fy[k]), fz = read_once<Level>(&p.fz[k]);
+      xx += fx * bx;
+      xy += fx * by;
+      xz += fx * bz;
+      yx += fy * bx;
+      yy += fy * by;
+      yz += fy * bz;
+      zx += fz * bx;
+      zy += fz * by;
+      zz += fz * bz;
+    }
+    const Column made[9] = {xx, xy, xz, yx, yy, yz, zx, zy, zz};
+    for (std::size_t n = 0; n < 9; ++n)
+      Level::put_column(part(n), made[n]);
+  }
 }
 
-template <Purpose purpose>
+template <Purpose purpose, class Level>
 GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
-  SumRows s = sums;
+  if constexpr (purpose != Purpose::descent)
+    add_stress<Level>(p, sums);
+  Eight virial = sums.virial, normal_force = sums.normal_force, of_network = sums.stiffness,
+        stiffest = sums.stiffest, contacts = sums.contacts;
   for (std::size_t k = 0; k < block_size; k += 8) {
     const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k), squared = eight(p.squared, k);
     if constexpr (purpose == Purpose::descent)
-      s.virial += force * (squared * eight(p.inverse_length, k));
+      virial += force * (squared * eight(p.inverse_length, k));
     else
-      add_stress(p, k, stiffness * squared, s);
-    s.normal_force += force;
-    s.stiffest = s.stiffest > stiffness ? s.stiffest : stiffness;
-    s.contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
+      of_network += stiffness * squared;
+    normal_force += force;
+    stiffest = stiffest > stiffness ? stiffest : stiffness;
+    contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
   }
-  sums = s;
+  sums.virial = virial;
+  sums.normal_force = normal_force;
+  sums.stiffness = of_network;
+  sums.stiffest = stiffest;
+  sums.contacts = contacts;
 }
 
 /// The row of a grain i, held out of memory while pairs of the same i follow each other. Stored and read
@@ -339,7 +362,7 @@ GRANUM_INLINE void sweep_block(const Law& law, const Sizes& sizes, const AnyWork
   if constexpr (tangential)
     frictional_forces<Level::level>(work.in, sizes, p, work.sums.sliding, memory->x.data(), memory->y.data(),
                                     memory->z.data(), memory->stiffness.data());
-  add_up<purpose>(p, work.sums);
+  add_up<purpose, Level>(p, work.sums);
   if constexpr (tangential)
     unload_block<Level>(pairs, p, work.load);
   else
