@@ -117,15 +117,19 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
                                        const Kick& kick, double mass, double inertia) {
   const auto keep = Level::row(Four{1, 1, 1, kick.keep}, all(kick.keep));
   const auto push = Level::row(Four{0, 0, 0, kick.turn}, Four{kick.push, kick.push, kick.push, kick.turn});
+  const LoadRow* const loads = load.data();
+  MotionRow* const rows = grains.row.data();
+  double* const spins_y = grains.spin_y.data();
   auto squares = Level::row(Four{}, Four{}), powers = squares;
-  double squares_y = 0, power_y = 0, fastest = 0;
+  double squares_y = 0, power_y = 0;
+  Four fastest{}; // each of every fourth grain
   const auto kicked = [&](std::size_t g) __attribute__((always_inline)) {
-    const auto on = Level::get(&load[g]);
-    const auto grain = keep * Level::get(&grains.row[g]) + push * on;
-    const double on_y = load[g].turn[0];
-    const double spin_y = kick.keep * grains.spin_y[g] + kick.turn * on_y;
-    Level::put(&grains.row[g], grain);
-    grains.spin_y[g] = spin_y;
+    const auto on = Level::get(&loads[g]);
+    const auto grain = keep * Level::get(&rows[g]) + push * on;
+    const double on_y = loads[g].turn[0];
+    const double spin_y = kick.keep * spins_y[g] + kick.turn * on_y;
+    Level::put(&rows[g], grain);
+    spins_y[g] = spin_y;
     const auto square = grain * grain;
     squares = squares + square;
     powers = powers + grain * on;
@@ -137,15 +141,15 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
   for (; g + 4 <= range.end; g += 4) {
     Four of_rates[4] = {kicked(g), kicked(g + 1), kicked(g + 2), kicked(g + 3)};
     const Four sums = sums_of_three(of_rates);
-    fastest = std::max({fastest, sums[0], sums[1], sums[2], sums[3]});
+    fastest = fastest < sums ? sums : fastest;
   }
   for (; g < range.end; ++g)
-    fastest = std::max(fastest, sum_of_three(kicked(g)));
+    fastest[0] = std::max(fastest[0], sum_of_three(kicked(g)));
   const Four spin_squares = low(squares), rate_squares = high(squares);
   return {.kinetic =
               mass * sum_of_three(rate_squares) + inertia * (rate_squares[3] + squares_y + spin_squares[3]),
           .power = sum_of(low(powers), high(powers), power_y),
-          .speed_squared = fastest};
+          .speed_squared = std::max({fastest[0], fastest[1], fastest[2], fastest[3]})};
 }
 
 /// Where grains differ: R w and v change alike, each grain with its own mass.
