@@ -18,7 +18,6 @@ namespace contact_prior {
 
 namespace kernel = granum::effective::kernel;
 using relaxation::Dual;
-using relaxation::Errors;
 using relaxation::Fit;
 using relaxation::Numbers;
 using relaxation::Observation;

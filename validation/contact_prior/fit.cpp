@@ -29,7 +29,6 @@ using namespace contact_prior;
 using granum::effective::ContactPrior;
 using granum::effective::Preparation;
 using granum::effective::State;
-using relaxation::Coverage;
 using Coefficients = Numbers<double, size>;
 
 std::string number(double value, int digits) {

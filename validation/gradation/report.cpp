@@ -17,6 +17,7 @@
 
 #include "../claims.hpp"
 #include "curves.hpp"
+#include "errors.hpp"
 
 namespace {
 
@@ -368,6 +369,10 @@ int run(int argc, char** argv) {
   print_equal_density(all);
   std::printf("\n");
   print_packings(all);
+  std::printf("\n");
+  gradation::print_errors(states);
+  std::printf("\n");
+  gradation::print_scatter_of_seeds(states);
   return 0;
 }
 

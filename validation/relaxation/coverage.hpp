@@ -10,31 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "../errors.hpp"
 #include "factor_fits.hpp"
 #include "scatter.hpp"
 
 namespace relaxation {
-
-/// How many networks lie within one and within two of their stated standard errors.
-struct Coverage {
-  int count = 0, within_one = 0, within_two = 0;
-  double largest_stated = 0;
-
-  void add(const Coverage& more) {
-    count += more.count;
-    within_one += more.within_one;
-    within_two += more.within_two;
-    largest_stated = std::max(largest_stated, more.largest_stated);
-  }
-  void add(double error, double stated) {
-    ++count;
-    within_one += std::abs(error) < stated;
-    within_two += std::abs(error) < 2 * stated;
-    largest_stated = std::max(largest_stated, stated);
-  }
-  [[nodiscard]] double one() const { return static_cast<double>(within_one) / count; }
-  [[nodiscard]] double two() const { return static_cast<double>(within_two) / count; }
-};
 
 /// Standard error of ln of a model that a fit to other recipes states: of its coefficients, and the scatter.
 template <int n, class Model>

@@ -2,41 +2,14 @@
 // How far fitted factors are from the measured ones.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "../errors.hpp"
 #include "factor_fits.hpp"
 
 namespace relaxation {
-
-/// Errors of one quantity.
-class Errors {
- public:
-  void add(const Errors& more) {
-    sum_ += more.sum_;
-    squares_ += more.squares_;
-    worst_ = std::max(worst_, more.worst_);
-    count_ += more.count_;
-  }
-  void add(double error) {
-    sum_ += error;
-    squares_ += error * error;
-    worst_ = std::max(worst_, std::abs(error));
-    ++count_;
-  }
-  [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(squares_ / count_) : 0; }
-  [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / count_ : 0; }
-  [[nodiscard]] double worst() const { return worst_; }
-  [[nodiscard]] int count() const { return count_; }
-
- private:
-  double sum_ = 0, squares_ = 0;
-  double worst_ = 0;
-  int count_ = 0;
-};
 
 struct FactorErrors {
   Errors shear, bulk;
