@@ -43,8 +43,9 @@ void each_scalar(Data& d, const Visit& visit) {
 
 /// Whether the loops of an engine of so many grains stay within them: pairs as neighbour_pairs lists them.
 bool are_pairs(const std::vector<Pair>& pairs, std::size_t grains) {
-  constexpr std::uint32_t images = 27;
-  const auto impossible = [&](const Pair& p) { return p.i >= p.j || p.j >= grains || p.image >= images; };
+  const auto impossible = [&](const Pair& p) {
+    return p.i >= p.j || p.j >= grains || p.image >= image_count;
+  };
   const auto before = [](const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); };
   return std::none_of(pairs.begin(), pairs.end(), impossible) &&
          std::is_sorted(pairs.begin(), pairs.end(), before);

@@ -205,7 +205,7 @@ class Minimiser {
     if (balance.contacts.normal_force >
         tolerance * static_cast<double>(balance.all) * balance.contacts.stiffest)
       return false;
-    const std::array<Vec3, 27> shifts = shift_vectors(state_.cell);
+    const std::array<Vec3, image_count> shifts = shift_vectors(state_.cell);
     for (const Pair& pair : list_.pairs()) {
       const double near = state_.radius_of(pair.i) + state_.radius_of(pair.j) - tolerance;
       if (norm(grains_.centre(pair.j) + shifts[pair.image] - grains_.centre(pair.i)) <= near)

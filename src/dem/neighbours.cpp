@@ -182,8 +182,8 @@ void sort_pairs(std::vector<Pair>& pairs, std::size_t grains) {
 
 } // namespace
 
-std::array<Vec3, 27> shift_vectors(const Mat3& cell) {
-  std::array<Vec3, 27> shifts;
+std::array<Vec3, image_count> shift_vectors(const Mat3& cell) {
+  std::array<Vec3, image_count> shifts;
   for (int kx = -1; kx <= 1; ++kx)
     for (int ky = -1; ky <= 1; ++ky)
       for (int kz = -1; kz <= 1; ++kz)
@@ -200,7 +200,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
                                   Images images) {
   require_cutoff(cell, cutoff, images);
   const Bins bins = fill_bins(cell, position, cutoff);
-  const std::array<Vec3, 27> shifts = shift_vectors(cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(cell);
   std::vector<Vec3> centre; // in the order of the bins, to be read one after the other
   centre.reserve(position.size());
   for (const std::uint32_t g : bins.grain)
@@ -258,7 +258,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
   require_cutoff(cell, 2 * largest + gap, images);
   const Vec3 widths = packing::cell_widths(cell);
   const Bins bins = fill_bins(cell, position, 2 * mean + gap);
-  const std::array<Vec3, 27> shifts = shift_vectors(cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(cell);
   const Mat3 to_fraction = inverse_of(cell);
   std::vector<Pair> pairs;
   pairs.reserve(position.size() * 4);

@@ -123,7 +123,7 @@ packing::Assembly contact_network(const Specimen& state, const Material& materia
     assembly.radius.push_back(state.radius_of(g));
   if (!state.walls)
     wrap(assembly.cell, assembly.position);
-  const std::array<Vec3, 27> shifts = shift_vectors(assembly.cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(assembly.cell);
   const contact::NormalKernel kernel = material.law.kernel();
   auto memory = state.history.begin();
   const std::vector<Pair> pairs =

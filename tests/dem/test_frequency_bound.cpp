@@ -101,7 +101,7 @@ double exact(const Scene& scene) {
   const std::size_t count = scene.state.grain_count();
   const auto at = [](std::size_t g) { return 6 * static_cast<Eigen::Index>(g); };
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(count), at(count));
-  const std::array<Vec3, 27> shifts = shift_vectors(scene.state.cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(scene.state.cell);
   for (const Pair& pair : scene.pairs) {
     const double size_i = size(scene, pair.i), size_j = size(scene, pair.j);
     const double reach = radius * (size_i + size_j);

@@ -10,6 +10,9 @@
 
 namespace granum::dem {
 
+/// Cells in which a grain's neighbour may stand: its own and those around it.
+inline constexpr std::uint32_t image_count = 27;
+
 /// Two grains near each other: j stands at position[j] + shift_vectors(cell)[image].
 struct Pair {
   std::uint32_t i = 0;
@@ -19,8 +22,8 @@ struct Pair {
   bool operator==(const Pair&) const = default;
 };
 
-/// The 27 translations k1 a1 + k2 a2 + k3 a3, k in {-1, 0, 1}, of the cell whose columns are a1 a2 a3 [m].
-[[nodiscard]] std::array<Vec3, 27> shift_vectors(const Mat3& cell);
+/// The translations k1 a1 + k2 a2 + k3 a3, k in {-1, 0, 1}, of the cell whose columns are a1 a2 a3 [m].
+[[nodiscard]] std::array<Vec3, image_count> shift_vectors(const Mat3& cell);
 
 /// Moves every centre into the cell by whole edge vectors.
 void wrap(const Mat3& cell, std::span<Vec3> position);

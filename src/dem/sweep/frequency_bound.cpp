@@ -27,7 +27,7 @@ void FrequencyBound::find_springs(const contact::NormalKernel& law, const Freque
   of.springs.clear();
   of.walls.clear();
   of.incoming.clear();
-  const std::array<Vec3, 27> shifts = shift_vectors(in.cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(in.cell);
   const auto& own = in.grains.own;
   const auto pair_springs = [&](const auto& kernel) {
     for (std::size_t k = range.pairs.begin; k < range.pairs.end; ++k) {

@@ -37,7 +37,7 @@ void wrap_each(const Mat3& cell, std::span<Vec3> position, const Moved& moved) {
 /// Pairs whose centres are nearer than a cutoff.
 class EqualReach {
  public:
-  EqualReach(const std::array<Vec3, 27>& shifts, std::span<const Vec3> position, double cutoff)
+  EqualReach(const std::array<Vec3, image_count>& shifts, std::span<const Vec3> position, double cutoff)
       : shifts_(shifts), position_(position), squared_(cutoff * cutoff) {}
   bool operator()(const Pair& pair) const {
     const Vec3 branch = position_[pair.j] + shifts_[pair.image] - position_[pair.i];
@@ -45,7 +45,7 @@ class EqualReach {
   }
 
  private:
-  const std::array<Vec3, 27>& shifts_;
+  const std::array<Vec3, image_count>& shifts_;
   std::span<const Vec3> position_;
   double squared_;
 };
@@ -54,7 +54,7 @@ class EqualReach {
 /// grain, of two equal ones to j.
 class UnequalReach {
  public:
-  UnequalReach(const std::array<Vec3, 27>& shifts, std::span<const Vec3> position,
+  UnequalReach(const std::array<Vec3, image_count>& shifts, std::span<const Vec3> position,
                std::span<const double> radius, double gap)
       : shifts_(shifts), position_(position), radius_(radius), gap_(gap) {}
   bool operator()(const Pair& pair) const {
@@ -68,7 +68,7 @@ class UnequalReach {
   }
 
  private:
-  const std::array<Vec3, 27>& shifts_;
+  const std::array<Vec3, image_count>& shifts_;
   std::span<const Vec3> position_;
   std::span<const double> radius_;
   double gap_;

@@ -19,7 +19,6 @@ namespace granum::dem {
 /// whatever the width of vectors and of blocks.
 inline constexpr std::size_t block_size = 64;
 
-inline constexpr std::uint32_t image_count = 27;
 /// Image of the pairs that fill up the last block of a chunk: far out of reach.
 inline constexpr RowPlace far_image = RowPlace::of(image_count);
 

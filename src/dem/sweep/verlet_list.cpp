@@ -115,7 +115,7 @@ bool VerletList::wrap_all(Specimen& state) {
 }
 
 void VerletList::take_near_pairs(const Specimen& state) {
-  const std::array<Vec3, 27> shifts = shift_vectors(state.cell);
+  const std::array<Vec3, image_count> shifts = shift_vectors(state.cell);
   if (radius_.empty())
     take_within(EqualReach(shifts, state.position, contact_distance_ + skin_), wide_pairs_, pairs_);
   else

@@ -24,12 +24,13 @@ class OverlapSearch {
         open_(!periodic[0] && !periodic[1] && !periodic[2]) {
     if (!open_)
       dem::wrap(assembly.cell, place_);
-    for (int image = 0; image < 27; ++image) {
-      const std::array<int, 3> steps{image / 9 - 1, image / 3 % 3 - 1, image % 3 - 1};
+    for (std::uint32_t image = 0; image < dem::image_count; ++image) {
+      const auto number = static_cast<int>(image);
+      const std::array<int, 3> steps{number / 9 - 1, number / 3 % 3 - 1, number % 3 - 1};
       bool allowed = true;
       for (std::size_t k = 0; k < 3; ++k)
         allowed = allowed && (periodic[k] || steps[k] == 0);
-      allowed_[static_cast<std::size_t>(image)] = allowed;
+      allowed_[image] = allowed;
     }
   }
 
@@ -46,7 +47,7 @@ class OverlapSearch {
       return std::nullopt;
     for (std::uint32_t i = 0; i < place_.size(); ++i)
       for (std::uint32_t j = i + 1; j < place_.size(); ++j)
-        for (std::uint32_t image = 0; image < 27; ++image)
+        for (std::uint32_t image = 0; image < dem::image_count; ++image)
           look_at(i, j, image);
     return std::move(found_);
   }
@@ -65,8 +66,8 @@ class OverlapSearch {
 
   const Assembly& assembly_;
   std::vector<Vec3> place_;
-  std::array<Vec3, 27> shifts_;
-  std::array<bool, 27> allowed_{};
+  std::array<Vec3, dem::image_count> shifts_;
+  std::array<bool, dem::image_count> allowed_{};
   bool open_;
   std::vector<Contact> found_;
 };
