@@ -164,9 +164,9 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
     p.fy[k] += sy;
     p.fz[k] += sz;
     const double share = sizes.share(k);
-    p.tx[k] = -share * fused<level>(by, sz, -(bz * sy));
-    p.ty[k] = -share * fused<level>(bz, sx, -(bx * sz));
-    p.tz[k] = -share * fused<level>(bx, sy, -(by * sx));
+    p.tx[k] = -share * fused<level>(by, sz, -bz * sy);
+    p.ty[k] = -share * fused<level>(bz, sx, -bx * sz);
+    p.tz[k] = -share * fused<level>(bx, sy, -by * sx);
   }
 }
 
