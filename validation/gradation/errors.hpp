@@ -5,57 +5,72 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <gsl/gsl_statistics_double.h>
 
 #include "../errors.hpp"
 #include "states.hpp"
 
 namespace gradation {
 
-/// Errors of one modulus, over the network's.
+/// Errors of one modulus of rung 3, over the network's.
 class ModulusErrors {
  public:
   void add(double closed, double network, double stated) {
     const double error = closed / network - 1;
     errors_.add(error);
     coverage_.add(error, stated);
+    in_stated_.add(error / stated);
     lowest_ = std::min(lowest_, error);
     highest_ = std::max(highest_, error);
-    most_stated_ = std::max(most_stated_, std::abs(error) / stated);
   }
+  [[nodiscard]] int count() const { return coverage_.count; }
+  [[nodiscard]] int beyond_two() const { return coverage_.count - coverage_.within_two; }
+  /// The largest, in stated errors.
+  [[nodiscard]] double worst_in_stated() const { return in_stated_.worst(); }
   [[nodiscard]] std::string text() const {
     return percent_text(errors_.rms()) + " | " + percent_text(lowest_) + " to " + percent_text(highest_) +
-           " | " + percent_text(coverage_.one()) + " | " +
-           std::to_string(coverage_.count - coverage_.within_two) + " | " + short_text(most_stated_, 2);
+           " | " + percent_text(coverage_.one()) + " | " + std::to_string(beyond_two()) + " | " +
+           short_text(worst_in_stated(), 2);
   }
 
  private:
-  Errors errors_;
+  Errors errors_, in_stated_;
   Coverage coverage_;
-  double lowest_ = 1e300, highest_ = -1e300, most_stated_ = 0;
+  double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
+};
+
+struct ErrorsOfBoth {
+  ModulusErrors shear, bulk;
 };
 
 /// C_u as the tables print it: seeds of one gradation differ in the next digit.
 inline double printed_uniformity(const State& s) { return std::round(10 * s.uniformity) / 10; }
 
-using ChoiceOfStates = std::function<bool(const State&)>;
-
-inline void print_errors_of(const std::string& what, const std::vector<State>& states,
-                            const ChoiceOfStates& chosen) {
-  ModulusErrors shear, bulk;
-  int count = 0;
+/// Of those states that are chosen and have grains of the usual size.
+/// \param    chosen   takes a state
+template <class Choice>
+ErrorsOfBoth errors_of(const std::vector<State>& states, const Choice& chosen) {
+  ErrorsOfBoth errors;
   for (const State& s : states)
     if (s.mean_radius == usual_radius && chosen(s)) {
       const ClosedForms now = closed_forms(s);
-      shear.add(now.relaxed, s.network, now.stated_error);
-      bulk.add(now.bulk_modulus, s.network_bulk_modulus, now.stated_bulk_error);
-      ++count;
+      errors.shear.add(now.relaxed, s.network, now.stated_error);
+      errors.bulk.add(now.bulk_modulus, s.network_bulk_modulus, now.stated_bulk_error);
     }
-  std::printf("| %s | %d | %s | %s |\n", what.c_str(), count, shear.text().c_str(), bulk.text().c_str());
+  return errors;
+}
+
+template <class Choice>
+void print_errors_of(const char* what, const std::vector<State>& states, const Choice& chosen) {
+  const ErrorsOfBoth errors = errors_of(states, chosen);
+  std::printf("| %s | %d | %s | %s |\n", what, errors.shear.count(), errors.shear.text().c_str(),
+              errors.bulk.text().c_str());
 }
 
 inline void print_errors(const std::vector<State>& states) {
@@ -96,17 +111,14 @@ inline void print_scatter_of_seeds(const std::vector<State>& states) {
       moduli[{printed_uniformity(s), s.preparation}].push_back(s.network);
   std::printf("| seeds of one state | G scatters by |\n| --- | --- |\n");
   for (const bool dense : {true, false}) {
-    double least = 1e300, most = 0;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto& [recipe, of_seeds] : moduli) {
       if ((recipe.second == "dense") != dense || of_seeds.size() < 3)
         continue;
-      Errors about;
-      for (const double modulus : of_seeds)
-        about.add(modulus / of_seeds.front() - 1);
-      const double mean = 1 + about.mean(), count = about.count();
-      const double variance = (about.rms() * about.rms() - about.mean() * about.mean()) * count / (count - 1);
-      least = std::min(least, std::sqrt(variance) / mean);
-      most = std::max(most, std::sqrt(variance) / mean);
+      const double scatter = gsl_stats_sd(of_seeds.data(), 1, of_seeds.size()) /
+                             gsl_stats_mean(of_seeds.data(), 1, of_seeds.size());
+      least = std::min(least, scatter);
+      most = std::max(most, scatter);
     }
     std::printf("| %s | %s to %s |\n", dense ? "dense" : "with friction", percent_text(least).c_str(),
                 percent_text(most).c_str());

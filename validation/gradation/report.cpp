@@ -163,43 +163,24 @@ void check_probes(Claims& claims, const std::vector<State>& states) {
   }
 }
 
-/// Error of rung 3 over what it states.
-double deviation(double closed, double network, double stated) {
-  return std::abs(closed / network - 1) / stated;
+void check_coverage(Claims& claims, const std::string& what, const gradation::ModulusErrors& errors) {
+  constexpr double share = 0.1; // may lie beyond two stated errors
+  claims.require(errors.count() > 0 && errors.beyond_two() <= share * errors.count(),
+                 "rung 3, " + what + ": " + std::to_string(errors.beyond_two()) + " of " +
+                     std::to_string(errors.count()) + " packings beyond 2 stated errors, the worst at " +
+                     short_text(errors.worst_in_stated(), 2));
 }
 
 /// Dense packings and those compressed with friction apart: a share of all would go with how many of them
 /// happen to be dense.
-void check_closed_form(Claims& claims, const std::vector<State>& states, const char* modulus,
-                       const std::function<double(const State&)>& deviation_of) {
-  constexpr double share = 0.1; // may lie beyond two stated errors
-  for (const bool dense : {false, true}) {
-    int beyond = 0, packings = 0;
-    double worst = 0;
-    for (const State& s : states)
-      if (s.mean_radius == gradation::usual_radius && s.dense() == dense) {
-        const double error = deviation_of(s);
-        ++packings;
-        beyond += error > 2;
-        worst = std::max(worst, error);
-      }
-    claims.require(packings > 0 && beyond <= share * packings,
-                   std::string("rung 3, ") + modulus +
-                       (dense ? ", dense: " : ", compressed with friction: ") + std::to_string(beyond) +
-                       " of " + std::to_string(packings) + " packings beyond 2 stated errors, the worst at " +
-                       short_text(worst, 2));
-  }
-}
-
 void check_closed_forms(Claims& claims, const std::vector<State>& states) {
-  check_closed_form(claims, states, "G", [](const State& s) {
-    const gradation::ClosedForms now = gradation::closed_forms(s);
-    return deviation(now.relaxed, s.network, now.stated_error);
-  });
-  check_closed_form(claims, states, "K", [](const State& s) {
-    const gradation::ClosedForms now = gradation::closed_forms(s);
-    return deviation(now.bulk_modulus, s.network_bulk_modulus, now.stated_bulk_error);
-  });
+  for (const bool dense : {false, true}) {
+    const std::string kind = dense ? "dense" : "compressed with friction";
+    const gradation::ErrorsOfBoth errors =
+        gradation::errors_of(states, [dense](const State& s) { return s.dense() == dense; });
+    check_coverage(claims, "G, " + kind, errors.shear);
+    check_coverage(claims, "K, " + kind, errors.bulk);
+  }
 }
 
 void check_fall(Claims& claims, const std::vector<Curve>& all) {

@@ -2,7 +2,6 @@
 // Do the stated errors hold where the fit has seen nothing of a recipe?
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>

@@ -173,8 +173,8 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
 /// What a sweep is for: an engine with friction, one without, or a minimiser, which asks for fewer sums.
 enum class Purpose { friction, smooth, descent };
 
-/// Sums of products of force and branch, by parts that a level holds in registers beside what they are made
-/// of, each number read once: reads are what a processor has too few of here.
+/// Sums of products of force and branch. A level takes as many lanes of the nine sums at a time as its
+/// registers hold beside forces and branches, and reads each of those once: a processor waits for reads here.
 template <class Level>
 GRANUM_INLINE void add_stress(const PairBlock& p, SumRows& sums) {
   using Column = typename Level::Column;
@@ -209,21 +209,21 @@ template <Purpose purpose, class Level>
 GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
   if constexpr (purpose != Purpose::descent)
     add_stress<Level>(p, sums);
-  Eight virial = sums.virial, normal_force = sums.normal_force, of_network = sums.stiffness,
+  Eight virial = sums.virial, normal_force = sums.normal_force, stiffness_sum = sums.stiffness,
         stiffest = sums.stiffest, contacts = sums.contacts;
   for (std::size_t k = 0; k < block_size; k += 8) {
     const Eight force = eight(p.force, k), stiffness = eight(p.stiffness, k), squared = eight(p.squared, k);
     if constexpr (purpose == Purpose::descent)
       virial += force * (squared * eight(p.inverse_length, k));
     else
-      of_network += stiffness * squared;
+      stiffness_sum += stiffness * squared;
     normal_force += force;
     stiffest = stiffest > stiffness ? stiffest : stiffness;
     contacts += force > 0 ? Eight{1, 1, 1, 1, 1, 1, 1, 1} : Eight{};
   }
   sums.virial = virial;
   sums.normal_force = normal_force;
-  sums.stiffness = of_network;
+  sums.stiffness = stiffness_sum;
   sums.stiffest = stiffest;
   sums.contacts = contacts;
 }
