@@ -170,7 +170,7 @@ StiffnessRow row_of(const RungAnswer& answer, Notes& notes) {
 py::object ask(const effective::Rung& rung, const StateArguments& arguments) {
   return stiffnesses(arguments, rung.name == effective::RungName::relaxed,
                      [&](const double* x, Notes& notes) {
-                       return row_of(effective::answer(rung, arguments.inputs(x)), notes);
+                       return row_of(effective::answer(rung, arguments.state(x)), notes);
                      });
 }
 

@@ -7,71 +7,38 @@
 #include <cstddef>
 #include <limits>
 
-#include <granum/effective/answer.hpp>
+#include <granum/estimate/answer.hpp>
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
 #include "estimate.hpp"
-#include "state.hpp"
+#include "question.hpp"
 
 namespace granum::python {
 
 namespace {
 
-using effective::PackingAnswer;
-using effective::Range;
-
-/// The ranges of an answer, in the order of `shown_ranges`.
-constexpr std::size_t quantity_count = 14;
+using estimate::Range;
 
 struct AnswerRow {
-  std::array<Range, quantity_count> ranges;
-  std::vector<effective::Share> shares;
+  std::array<Range, estimate::field_count> ranges;
+  std::vector<estimate::Share> shares;
 
   AnswerRow() { ranges.fill({StiffnessRow::nan, StiffnessRow::nan, StiffnessRow::nan}); }
-  explicit AnswerRow(PackingAnswer&& answer)
-      : ranges{answer.shear_modulus,
-               answer.bulk_modulus,
-               answer.young_modulus,
-               answer.poisson_ratio,
-               answer.G_hh,
-               answer.horizontal_young_modulus,
-               answer.coordination_number,
-               answer.mechanical_coordination_number,
-               answer.rattler_fraction,
-               or_nan(answer.shear_wave_speed),
-               or_nan(answer.compression_wave_speed),
-               or_nan(answer.horizontal_shear_wave_speed),
-               or_nan(answer.horizontal_compression_wave_speed),
-               or_nan(answer.bulk_density)},
-        shares(std::move(answer.shares)) {}
-
- private:
-  static Range or_nan(const std::optional<Range>& range) {
-    return range.value_or(Range{StiffnessRow::nan, StiffnessRow::nan, StiffnessRow::nan});
+  explicit AnswerRow(const estimate::Answer& answer) : AnswerRow() {
+    for (const estimate::FieldRow& row : estimate::fields())
+      if (const auto& range = answer.find(row.field))
+        ranges[static_cast<std::size_t>(row.field)] = *range;
+    shares = answer.shares();
   }
 };
 
-struct ShownRange {
-  const char* name;
-  const char* documentation;
-};
-
-constexpr ShownRange shown_ranges[quantity_count] = {
-    {"shear_modulus", "G_vh [Pa]."},
-    {"bulk_modulus", "K of the skeleton [Pa]."},
-    {"young_modulus", "E_v of the skeleton [Pa]."},
-    {"poisson_ratio", "nu_vh of the skeleton [1]."},
-    {"G_hh", "Shear modulus of the horizontal plane [Pa]."},
-    {"horizontal_young_modulus", "E_h of the skeleton [Pa]."},
-    {"coordination_number", "C_n [1]."},
-    {"mechanical_coordination_number", "z* [1]."},
-    {"rattler_fraction", "x_0 [1]."},
-    {"shear_wave_speed", "Up and down, or sideways in a vertical plane [m/s]; NaN without grain_density."},
-    {"compression_wave_speed", "Up and down, undrained [m/s]; NaN without grain_density."},
-    {"horizontal_shear_wave_speed", "In the horizontal plane [m/s]; NaN without grain_density."},
-    {"horizontal_compression_wave_speed", "Undrained [m/s]; NaN without grain_density."},
-    {"bulk_density", "With the water in its pores [kg/m3]; NaN without grain_density."}};
+/// "shear modulus, vertical plane [Pa]; NaN without grain_density."
+std::string documentation(const estimate::FieldRow& row) {
+  const std::string unit(si_symbol(row.dimension));
+  return std::string(row.directed_meaning) + " [" + (unit.empty() ? "1" : unit) + "]" +
+         (row.needs_density ? "; NaN without grain_density." : ".");
+}
 
 /// One of the ranges of a result, which it keeps alive.
 struct RangeView {
@@ -82,41 +49,25 @@ struct RangeView {
 };
 
 py::object packing_answer(const Arguments& a) {
-  const StateArguments arguments(a, StateArguments::CoordinationNumber::optional);
-  const std::size_t more = state_keyword_count;
-  const auto preparation =
-      a.given(more) ? effective::preparation_of(a[more].cast<std::string>()) : effective::Preparation{};
-  const bool has_density = a.given(more + 1);
-  std::vector<Argument> columns(arguments.columns().begin(), arguments.columns().end());
-  columns.push_back({"grain_density", 0.0});
-  if (has_density)
-    columns.back().value = a[more + 1];
-  columns.push_back({"saturation", 0.0});
-  if (a.given(more + 2))
-    columns.back().value = a[more + 2];
-  const std::size_t density = arguments.columns().size();
-  return py::cast(answer_rows(columns, arguments.strict(), AnswerRow{}, [&](const double* x, Notes& notes) {
-    effective::PackingQuestion question = arguments.question(x);
-    question.preparation = preparation;
-    if (has_density)
-      question.grain_density = x[density];
-    question.saturation = x[density + 1];
-    PackingAnswer answer = effective::answer(question);
-    notes.add(answer.validity);
-    return AnswerRow(std::move(answer));
-  }));
+  const QuestionArguments arguments(a);
+  return py::cast(
+      answer_rows(arguments.columns(), arguments.strict(), AnswerRow{}, [&](const double* x, Notes& notes) {
+        const estimate::Answer answer = arguments.answer(x);
+        notes.add(answer.validity());
+        return AnswerRow(answer);
+      }));
 }
 
 /// The share of each input; 0 where an element has none of it.
 py::dict shares(const Rows<AnswerRow>& rows) {
   std::set<std::string> inputs;
   for (const AnswerRow& row : rows.rows)
-    for (const effective::Share& share : row.shares)
+    for (const estimate::Share& share : row.shares)
       inputs.insert(share.input);
   py::dict out;
   for (const std::string& input : inputs)
     out[py::str(input)] = computed(rows, [&](const AnswerRow& row) {
-      for (const effective::Share& share : row.shares)
+      for (const estimate::Share& share : row.shares)
         if (share.input == input)
           return share.share;
       return 0.0;
@@ -134,23 +85,6 @@ std::string text_of(const py::object& result) {
          " MPa)";
 }
 
-constexpr const char* parameters = R"(preparation : str, optional
-    "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
-grain_density : array_like, optional
-    Of the grains' solid [kg/m3]; without it no wave speeds.
-saturation : array_like
-    Share of the pores' volume that is water, in [0, 1] [1].
-
-Returns
--------
-PackingAnswer
-
-Raises
-------
-InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
-)";
-
 } // namespace
 
 void bind_packing_answer(py::module_& module) {
@@ -165,27 +99,35 @@ void bind_packing_answer(py::module_& module) {
           "The upper end of the range.");
   auto type = result_class<AnswerRow>(module, "PackingAnswer",
                                       "Relaxed moduli and wave speeds of packings, each with its range.");
-  for (std::size_t k = 0; k < quantity_count; ++k)
+  for (const estimate::FieldRow& row : estimate::fields())
     type.def_property_readonly(
-        shown_ranges[k].name,
-        [offset = offsetof(AnswerRow, ranges) + k * sizeof(Range)](const py::object& result) {
+        row.key,
+        [offset = offsetof(AnswerRow, ranges) +
+                  static_cast<std::size_t>(row.field) * sizeof(Range)](const py::object& result) {
           return RangeView{result, offset};
         },
-        shown_ranges[k].documentation);
+        documentation(row).c_str());
   type.def_property_readonly("shares", &shares,
                              "How much of the range of shear_modulus each input makes: by name, [0, 1].");
   type.def("__repr__", &text_of);
   define(module,
-         {"packing_answer",
-          question_keywords({{"preparation", "None"}, {"grain_density", "None"}, {"saturation", "0.0"}}),
-          &packing_answer,
-          std::string(
-              "The best answer there is for a packing, with its range: what granum estimate says first."
-              "\n\nRung 3 at the contacts that are known, or else in the middle of those that a packing "
-              "of this void ratio may have. The range holds the preparation and the error of rung 3.\n") +
-              state_parameters + parameters +
-              notes("Water in full pores by Gassmann. [Gassmann1951] [Mavko2009]", "effective::answer",
-                    "effective/answer.hpp")});
+         {"packing_answer", question_keywords(), &packing_answer,
+          std::string("The best answer there is for a packing, with its range: what granum estimate "
+                      "gives first.\n\nRung 3 at the contacts that are known, or else in the middle of "
+                      "those that a packing of this void ratio may have. The range covers the "
+                      "preparation, the error of rung 3 and uncertain inputs.\n") +
+              question_parameters + R"(
+Returns
+-------
+PackingAnswer
+
+Raises
+------
+InvalidArgument
+    For numbers that no packing can have; arrays: under strict.
+)" +
+              notes("Water in full pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
+                    "estimate/answer.hpp")});
 }
 
 } // namespace granum::python

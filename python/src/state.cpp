@@ -45,12 +45,6 @@ Argument stress_argument(const Arguments& a, std::size_t pressure, std::size_t s
   return {name, a[at]};
 }
 
-std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
-  std::vector<Keyword> all = state_keywords(more);
-  all[coordination_number_at].shown_default = "None";
-  return all;
-}
-
 std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
   std::vector<Keyword> all{{"law"},
                            {"radius"},
@@ -104,6 +98,7 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
                                           : sizes::ContactMeans{}),
       knows_coordination_number_(coordination_number == CoordinationNumber::needed ||
                                  a.given(coordination_number_at)),
+      knows_fabric_(a.given(fabric_at)), knows_tangential_ratio_(a.given(tangential_ratio_at)),
       columns_{Argument{"radius", a[radius_at]},
                Argument{"void_ratio", a[void_ratio_at]},
                Argument{"coordination_number", 0.0},
@@ -132,43 +127,30 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
   }
 }
 
-effective::State StateArguments::state(const double* x) const {
-  return {.law = *law_,
-          .tangential_ratio = x[6],
-          .radius = x[0],
-          .void_ratio = x[1],
-          .coordination_number = x[2],
-          .fabric_anisotropy = x[5],
-          .stress_v = x[3],
-          .stress_h = x[4],
-          .contacts = contacts_};
-}
-
-effective::RungInputs StateArguments::inputs(const double* x) const {
-  effective::RungInputs out{.state = state(x)};
-  if (coordination_ == Coordination::mechanical)
-    out.mechanical_coordination_number = x[7];
-  if (coordination_ == Coordination::rattlers)
-    out.mechanical_coordination_number = effective::mechanical_coordination_number(x[2], x[7]);
-  return out;
-}
-
-effective::PackingQuestion StateArguments::question(const double* x) const {
-  effective::PackingQuestion out{.state = state(x)};
+estimate::Question StateArguments::question(const double* x) const {
+  estimate::Question out{.state = {.law = *law_,
+                                   .tangential_ratio = x[6],
+                                   .radius = x[0],
+                                   .void_ratio = x[1],
+                                   .fabric_anisotropy = x[5],
+                                   .stress_v = x[3],
+                                   .stress_h = x[4],
+                                   .contacts = contacts_}};
   if (knows_coordination_number_)
-    out.coordination_number = x[2];
+    out.state.coordination_number = x[2];
   if (coordination_ == Coordination::mechanical)
-    out.mechanical_coordination_number = x[7];
+    out.state.mechanical_coordination_number = x[7];
   if (coordination_ == Coordination::rattlers)
     out.rattler_fraction = x[7];
   return out;
 }
 
-effective::RungInputs StateArguments::one_packing(const char* function) const {
-  const Columns columns(columns_);
-  if (!columns.is_scalar())
-    throw py::type_error(std::string(function) + "() takes one packing: numbers, no arrays");
-  return inputs(columns.numbers());
+effective::State StateArguments::state(const double* x) const {
+  estimate::Question packing = question(x);
+  if (packing.rattler_fraction)
+    packing.state.mechanical_coordination_number =
+        effective::mechanical_coordination_number(x[2], *packing.rattler_fraction);
+  return packing.state;
 }
 
 effective::Modulus modulus_of(const py::handle& name) {

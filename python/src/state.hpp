@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include <granum/effective/answer.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/estimate/question.hpp>
 
 #include "keywords.hpp"
 #include "rows.hpp"
@@ -18,8 +18,6 @@ namespace granum::python {
 
 /// Keywords of a state in the order in which StateArguments reads them, and those of one function behind.
 [[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
-/// The same where C_n may be left out.
-[[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
 /// How many they are: where those of a function begin.
 inline constexpr std::size_t state_keyword_count = 13;
 
@@ -34,7 +32,7 @@ extern const char* const state_parameters;
 /// The keywords of a state, read.
 class StateArguments {
  public:
-  /// C_n of state_keywords is needed; that of question_keywords may be left out.
+  /// C_n of state_keywords is needed; that of question_keywords (question.hpp) may be left out.
   enum class CoordinationNumber { needed, optional };
   explicit StateArguments(const Arguments& arguments,
                           CoordinationNumber coordination_number = CoordinationNumber::needed);
@@ -43,14 +41,14 @@ class StateArguments {
   [[nodiscard]] bool strict() const { return strict_; }
   /// z* or the share of rattlers was given.
   [[nodiscard]] bool knows_rattlers() const { return coordination_ != Coordination::unknown; }
-  /// The packing of one element.
-  [[nodiscard]] effective::RungInputs inputs(const double* numbers) const;
+  /// The packing of one element, with z* where it follows from C_n and the share of rattlers.
   [[nodiscard]] effective::State state(const double* numbers) const;
-  /// What is known of the contacts of one element, and no more.
-  [[nodiscard]] effective::PackingQuestion question(const double* numbers) const;
-  /// The packing of a call without arrays.
-  /// \throws   TypeError if there are arrays
-  [[nodiscard]] effective::RungInputs one_packing(const char* function) const;
+  /// What is known of the packing of one element, and no more.
+  [[nodiscard]] estimate::Question question(const double* numbers) const;
+  /// Whether fabric_anisotropy was given.
+  [[nodiscard]] bool knows_fabric() const { return knows_fabric_; }
+  /// Whether k_t/k_n was given; else it is that of no slip.
+  [[nodiscard]] bool knows_tangential_ratio() const { return knows_tangential_ratio_; }
 
  private:
   enum class Coordination { unknown, mechanical, rattlers };
@@ -59,6 +57,7 @@ class StateArguments {
   sizes::ContactMeans contacts_;
   Coordination coordination_ = Coordination::unknown;
   bool knows_coordination_number_ = true;
+  bool knows_fabric_, knows_tangential_ratio_;
   std::array<Argument, 8> columns_;
   bool strict_;
 };

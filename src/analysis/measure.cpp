@@ -127,7 +127,7 @@ class Measuring {
                                                     out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
     make_state();
     if (wanted_.closed_forms && out_.state)
-      out_.closed_forms = closed_forms({*out_.state, out_.microstructure().mechanical_coordination_number});
+      out_.closed_forms = closed_forms(*out_.state);
     if (wanted_.network && out_.counts.mechanical.contact_count > 0)
       solve_network();
     return std::move(out_);
@@ -391,7 +391,7 @@ Forces measure_forces(const packing::Assembly& assembly, const Given& given, std
   return out;
 }
 
-std::vector<ClosedForm> closed_forms(const effective::RungInputs& packing) {
+std::vector<ClosedForm> closed_forms(const effective::State& packing) {
   std::vector<ClosedForm> out;
   for (const effective::Rung& rung : effective::closed_forms()) {
     out.push_back({.rung = &rung});

@@ -35,8 +35,6 @@ constexpr double largest_error_loose = 2, largest_error_dense = 6;
 /// equal ones.
 constexpr double unequal_rattler_error = 1.5;
 
-double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
-
 void require_prior_inputs(const State& s) {
   require_positive("radius", s.radius, "m");
   require_positive("void_ratio", s.void_ratio);
@@ -92,7 +90,7 @@ Rest packing_of(const State& s, std::optional<double> friction) {
                  : kernel::densest_contacts(rigid, overlap, kernel::contact_coefficients);
     return with_rattlers(z, overlap);
   };
-  return at_rest(s, mean_stress(s), counts_at, [&](double) { return s.void_ratio; });
+  return at_rest(s, s.mean_stress(), counts_at, [&](double) { return s.void_ratio; });
 }
 
 /// The frictions between which a preparation lies; nothing: the densest line.
@@ -228,7 +226,7 @@ CarriedContacts carried_contacts(const State& known, const ContactCounts& counts
   require_positive("1 - rattler_fraction", 1 - counts.rattler_fraction);
   require_non_negative("pressure", pressure, "Pa");
   const auto& c = kernel::contact_coefficients;
-  const double before = relative_overlap(known, mean_stress(known), counts.coordination_number());
+  const double before = relative_overlap(known, known.mean_stress(), counts.coordination_number());
   const double rigid = kernel::rigid_void_ratio(known.void_ratio, before, c);
   const double missing = kernel::densest_contacts(rigid, before, c) - z;
   const double rattlers = kernel::rattlers_of_contacts(z, before, kernel::rattler_coefficients);

@@ -6,21 +6,49 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "effective/sensitivity/differentiated.hpp"
+#include "checked_state.hpp"
+#include "stress_derivatives.hpp"
 
 namespace granum::effective {
 
 namespace kernel {
 
-// Derivatives by the two stresses only: two a node, carried through the whole integral.
-AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
-                                            const Dual<stress_seeds>& exponent) {
-  if (exponent.value() == 0)
-    return fabric_moments(a);
-  const double c2 = root.value();
-  const auto to_exponent = [&](const Dual<stress_seeds>& f) { return power(f, exponent.value()); };
-  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
+namespace {
+
+/// k_n of the force area x load, by the chain rule of ln k_n.
+Dual stiffness_under(const contact::PowerLaw& law, double area, const Dual& load) {
+  const double value = contact_stiffness(law, area, load.value());
+  return {value, load.derivatives() / load.value() * (value * law.stiffness_exponent())};
 }
+
+/// Means of f^exponent over the directions.
+AxialMoments<Dual> moments_of(double a, const Dual& root, double exponent) {
+  if (exponent == 0)
+    return fabric_moments(Dual(a));
+  const double c2 = root.value();
+  const auto to_exponent = [&](const Dual& f) { return power(f, exponent); };
+  return direction_moments(Dual(a), root, Dual(1 / root), c2, to_exponent, rule_for(c2 * c2));
+}
+
+/// The same at any size: Young's moduli are made of products that must stay within the range of a double.
+Dual scaled_modulus(const Constants<Dual>& c, Modulus which) {
+  const double size = std::abs(c.C11.value());
+  const bool young = which == Modulus::E_v || which == Modulus::E_h;
+  if (!young || (size > 1e-90 && size < 1e90) || !(size > 0) || !std::isfinite(size))
+    return plain_modulus(c, which);
+  const int half = std::ilogb(size) / 2; // the power of two itself may be beyond the range
+  const double down = std::scalbn(1.0, -half), up = std::scalbn(1.0, half);
+  const auto moved = [down](const Dual& x) { return Dual(Dual(x * down) * down); };
+  const Dual x = plain_modulus(Constants<Dual>{.C11 = moved(c.C11),
+                                               .C33 = moved(c.C33),
+                                               .C12 = moved(c.C12),
+                                               .C13 = moved(c.C13),
+                                               .C44 = moved(c.C44)},
+                               which);
+  return Dual(Dual(x * up) * up);
+}
+
+} // namespace
 
 void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which) {
   (void)require_valid(state);
@@ -30,8 +58,26 @@ void require_differentiable(const State& state, Hypothesis hypothesis, Modulus w
     require_positive("tangential_ratio", state.tangential_ratio);
 }
 
-Constants<Dual<stress_seeds>> stress_derivatives(const State& state, const Model& model) {
-  return differentiated<stress_seeds>(state, model);
+Constants<Dual> stress_derivatives(const State& s, const Model& model) {
+  const Dual stress_v(s.stress_v, s.stress_v * Eigen::Vector2d::UnitX());
+  const Dual stress_h(s.stress_h, s.stress_h * Eigen::Vector2d::UnitY());
+  const Geometry<double> packing = geometry(s);
+  const Dual a(s.fabric_anisotropy), r(s.tangential_ratio);
+  const AxialMoments<Dual> fabric = fabric_moments(a);
+  const bool by_stress = model.hypothesis == Hypothesis::uniform_stress;
+  AxialMoments<Dual> moments = fabric;
+  Dual load = stress_v + 2 * stress_h;
+  if (model.forces == ContactForces::by_direction) {
+    const NormalLoads<Dual> loads = static_loads(a, stress_v, stress_h);
+    const Dual root = sqrt(Dual(loads.horizontal / loads.vertical));
+    load = root * loads.vertical;
+    moments = moments_of(s.fabric_anisotropy, root, (by_stress ? -1 : 1) * s.law.stiffness_exponent());
+  }
+  const Dual stiffness = stiffness_under(s.law, packing.force_area, load);
+  if (by_stress)
+    return uniform_stress(Dual(packing.static_prefactor * stiffness), r, fabric, moments);
+  return uniform_strain(Dual(packing.prefactor * stiffness), r, moments,
+                        model.hypothesis == Hypothesis::free_spin ? Spin::free : Spin::none);
 }
 
 void require_modulus(double value, double C11, Modulus which) {
@@ -39,12 +85,18 @@ void require_modulus(double value, double C11, Modulus which) {
     throw InvalidArgument("this modulus vanishes at these values of k_t/k_n and a: it has no exponents");
 }
 
-StressExponents exponents_of(const Constants<Dual<stress_seeds>>& constants, Modulus which) {
-  const double value = checked_modulus(constants, which);
-  require_modulus(value, constants.C11.value(), which);
-  const Dual<stress_seeds> X = modulus(constants, which);
-  return {.stress_v = X.derivatives()[log_stress_v] / value,
-          .stress_h = X.derivatives()[log_stress_h] / value};
+StressExponents exponents_of(const Constants<Dual>& c, Modulus which) {
+  if (!std::isfinite(c.C11.value()) || !std::isfinite(c.C33.value()))
+    throw InvalidArgument("the moduli exceed what a double can hold");
+  const double value = effective::modulus({.C11 = c.C11.value(),
+                                           .C33 = c.C33.value(),
+                                           .C12 = c.C12.value(),
+                                           .C13 = c.C13.value(),
+                                           .C44 = c.C44.value()},
+                                          which);
+  require_modulus(value, c.C11.value(), which);
+  const auto by = scaled_modulus(c, which).derivatives();
+  return {.stress_v = by[0] / value, .stress_h = by[1] / value};
 }
 
 } // namespace kernel

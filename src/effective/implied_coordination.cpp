@@ -57,6 +57,7 @@ State with_contacts(State state, double mechanical_coordination_number, double r
   if (!(rattler_fraction >= 0 && rattler_fraction < 1))
     throw InvalidArgument("rattler_fraction", rattler_fraction, "", "[0, 1)");
   state.coordination_number = z * (1 - rattler_fraction);
+  state.mechanical_coordination_number = z;
   return state;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unchecked formulas that the public functions of this module share. They are templates on the number type,
-// so that one formula serves values (double) and values with their derivatives (dual.hpp).
+// so that one formula serves values (double) and values with their derivatives (stress_derivatives.hpp).
 #pragma once
 
 #include <cmath>
@@ -133,7 +133,7 @@ Geometry<T> geometry(const T& coordination_number, const T& radius, const T& voi
 }
 
 inline Geometry<double> geometry(const State& s) {
-  return geometry(s.coordination_number, s.radius, s.void_ratio, s.contacts);
+  return geometry(*s.coordination_number, s.radius, s.void_ratio, s.contacts);
 }
 
 /// Stresses F^-1 sigma of the static field; its contact forces are force_area times as much.

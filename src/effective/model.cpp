@@ -3,7 +3,7 @@
 
 #include <granum/core/error.hpp>
 
-#include "effective/sensitivity/dual_moduli.hpp"
+#include "stress_derivatives.hpp"
 
 namespace granum::effective {
 
@@ -49,7 +49,7 @@ Estimate uniform_field(const State& state, const Model& model) {
   if (model.forces == ContactForces::by_direction)
     return by_direction(state, model.hypothesis);
   Estimate estimate{.stiffness = {}, .validity = require_valid(state)};
-  if (state.coordination_number > 0)
+  if (*state.coordination_number > 0)
     estimate.stiffness = of_contacts(uniform_contacts(state), model.hypothesis);
   return estimate;
 }

@@ -13,7 +13,6 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
-#include "effective/sensitivity/relaxed_parts.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {
@@ -21,7 +20,25 @@ namespace granum::effective {
 namespace {
 
 using kernel::frictionless_isostatic;
-using kernel::RelaxingFactor;
+
+/// A relaxation factor; all zero where the packing is not rigid.
+struct RelaxingFactor {
+  double value = 0;
+  double error = 0;           ///< relative standard error
+  double by_coordination = 0; ///< d value/d z*
+  double by_ratio = 0;        ///< d value/d r
+};
+
+struct RelaxingFactors {
+  RelaxingFactor shear;
+  RelaxingFactor bulk;
+};
+
+/// ln of the stretch along the axis.
+struct Stretch {
+  double logarithm = 0;
+  double error = 0; ///< standard error of the logarithm
+};
 
 // What the calibration covers; see validation/relaxation/README.md.
 constexpr double smallest_coordination = 4.1, largest_coordination = 8.7;
@@ -33,13 +50,13 @@ constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
 /// Of the lengths of branches over their mean: C_u = 4.
 constexpr double largest_branch_deviation = 0.51;
 
-/// A factor with its slopes by its n coefficients, then by z*, r and b.
+/// A factor with its slopes by its n coefficients, then by z* and r.
 template <std::size_t n>
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 3, 1>>;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 2, 1>>;
 
 template <std::size_t n>
 Dual<n> variable(double value, std::size_t index) {
-  return {value, static_cast<int>(n) + 3, static_cast<int>(index)};
+  return {value, static_cast<int>(n) + 2, static_cast<int>(index)};
 }
 
 template <std::size_t n>
@@ -68,8 +85,7 @@ RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][
   return {.value = h,
           .error = std::sqrt(by_coefficients.dot(matrix * by_coefficients)) / h,
           .by_coordination = slopes[size],
-          .by_ratio = slopes[size + 1],
-          .by_exponent = slopes[size + 2]};
+          .by_ratio = slopes[size + 1]};
 }
 
 /// The same with the scatter of recipes, and of the packings of a recipe, which act on a variable of the
@@ -95,7 +111,7 @@ RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& s
 
 RelaxingFactor shear_factor(double z, double r, double b) {
   constexpr std::size_t n = kernel::shear_coefficients.size();
-  const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), variable<n>(b, n + 2),
+  const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
                                              variables(kernel::shear_coefficients));
   const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
   return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
@@ -104,7 +120,7 @@ RelaxingFactor shear_factor(double z, double r, double b) {
 RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
   const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
-  const Dual<n> Z = variable<n>(z, n), B = variable<n>(b, n + 2);
+  const Dual<n> Z = variable<n>(z, n), B = constant<n>(b);
   const Dual<n> equal = kernel::bulk_relaxation(Z, variable<n>(r, n + 1), B, coefficients);
   const Dual<n> share =
       kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
@@ -142,35 +158,26 @@ Validity notes_of(double z, double r) {
 
 double log_stress_ratio(const State& s) { return s.stress_h > 0 ? std::log(s.stress_v / s.stress_h) : 0; }
 
-kernel::Stretch stretch_of(const State& s, double shear) {
-  using D = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+Stretch stretch_of(const State& s, double shear) {
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
-  const double a = s.fabric_anisotropy;
   const double b = s.law.stiffness_exponent();
-  const double log_fabric = std::log(F.F33 / F.F11);
-  const double log_stress = log_stress_ratio(s);
-  const D logarithm =
-      kernel::log_stretch(D(shear, 4, 0), D(b, 4, 1), D(log_fabric, 4, 2), D(log_stress, 4, 3),
-                          kernel::constants<D>(kernel::stretch_coefficients));
-  const auto& by = logarithm.derivatives();
+  const double log_fabric = std::log(F.F33 / F.F11), log_stress = log_stress_ratio(s);
+  const double logarithm =
+      kernel::log_stretch(shear, b, log_fabric, log_stress, kernel::stretch_coefficients);
   const Eigen::Vector2d slopes = (1 - shear) * Eigen::Vector2d(log_fabric, b * log_stress);
   const Eigen::Map<const Eigen::Matrix2d> covariance(&kernel::stretch_covariance[0][0]);
-  const double scatter = kernel::stretch_scatter * logarithm.value();
-  return {.logarithm = logarithm.value(),
-          .error = std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter),
-          .by_shear = by[0],
-          .by_exponent = by[1],
-          .by_fabric = by[2] * 20 / ((5 + a) * (5 - 3 * a)), // F33/F11 = (5+a)/(5-3a)
-          .by_log_stress = by[3]};
+  const double scatter = kernel::stretch_scatter * logarithm;
+  return {.logarithm = logarithm, .error = std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter)};
 }
 
 void note_state(const State& s, double z, Validity& validity) {
-  if (z < 0.99 * s.coordination_number)
+  const double C_n = *s.coordination_number;
+  if (z < 0.99 * C_n)
     validity.add(
         detail::formatted("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
                           "coordination number",
-                          z, s.coordination_number));
-  const double force = s.coordination_number > 0 ? mean_contact_force(s) : 0;
+                          z, C_n));
+  const double force = C_n > 0 ? mean_contact_force(s) : 0;
   const double overlap = s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
   if (overlap > largest_overlap)
     validity.add(detail::formatted(
@@ -204,34 +211,32 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
         100 * excess));
 }
 
-RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
-
-} // namespace
-
-namespace kernel {
-
+/// Both factors at z* >= 0, r >= 0, 0 <= b <= 0.5, not checked.
+/// \param    branch_variance   as the kernel's function of that name; 0 of equal grains
 RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance) {
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
-  const Dual<0> of_equal = coordination_of_equal(variable<0>(near_z, 0), branch_variance);
+  const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
   RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b);
-  shear = with_size_scatter(shear, shear_sizes, looseness(near_z) * size_shift_error, shear.by_coordination,
-                            branch_variance);
-  shear.by_coordination *= of_equal.derivatives()[0];
+  shear = with_size_scatter(shear, kernel::shear_sizes, kernel::looseness(near_z) * kernel::size_shift_error,
+                            shear.by_coordination, branch_variance);
   return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
 }
 
-RelaxedParts relaxed_parts(const State& s, double z) {
-  auto [shear, bulk] =
-      relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent(), branch_variance(s.contacts));
+/// The same for a state, the errors complete with what unequal stresses add.
+RelaxingFactors relaxing_factors(const State& s, double z) {
+  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent(),
+                                             kernel::branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
-  shear.error = std::hypot(shear.error, shear_by_stress * stresses);
-  bulk.error = std::hypot(bulk.error, bulk_by_stress * stresses);
-  return {.shear = shear, .bulk = bulk, .stretch = stretch_of(s, shear.value)};
+  factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
+  factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
+  return factors;
 }
 
-} // namespace kernel
+RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
+
+} // namespace
 
 double mechanical_coordination_number(double coordination_number, double rattler_fraction) {
   require_non_negative("coordination_number", coordination_number);
@@ -254,14 +259,15 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 0.5);
-  const kernel::RelaxingFactors factors = kernel::relaxing_factors(z, r, b, 0);
+  const RelaxingFactors factors = relaxing_factors(z, r, b, 0);
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {
   const Estimate uniform = uniform_strain(state);
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
-  const auto [shear, bulk, stretch] = kernel::relaxed_parts(state, z);
+  const auto [shear, bulk] = relaxing_factors(state, z);
+  const Stretch stretch = stretch_of(state, shear.value);
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
   estimate.validity.merge(notes_of(z, state.tangential_ratio));
   note_state(state, z, estimate.validity);

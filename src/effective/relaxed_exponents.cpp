@@ -10,22 +10,19 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "checked_state.hpp"
-#include "effective/sensitivity/dual_moduli.hpp"
 #include "relaxation_kernel.hpp"
+#include "stress_derivatives.hpp"
 
 namespace granum::effective {
 
 namespace {
 
 using Eigen::Vector2d;
-/// A number with its derivatives by ln stress_v and ln stress_h.
-using Dual = kernel::Dual<kernel::stress_seeds>;
-
-double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
+using kernel::Dual;
 
 /// d ln p by ln stress_v and ln stress_h.
 Vector2d pressure_slopes(const State& s) {
-  return Vector2d(s.stress_v, 2 * s.stress_h) / (3 * mean_stress(s));
+  return Vector2d(s.stress_v, 2 * s.stress_h) / (3 * s.mean_stress());
 }
 
 /// Constants of uniform_strain(state) with their slopes by the stresses. Each constant is

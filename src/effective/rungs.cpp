@@ -10,7 +10,7 @@
 #include <granum/effective/model.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 
-#include "effective/sensitivity/dual_moduli.hpp"
+#include "stress_derivatives.hpp"
 
 namespace granum::effective {
 
@@ -23,48 +23,36 @@ constexpr Model uniform_stress_model{.hypothesis = Hypothesis::uniform_stress};
 // ---- uniform fields
 
 template <const Model& model>
-RungAnswer field(const RungInputs& packing) {
-  Estimate estimate = uniform_field(packing.state, model);
+RungAnswer field(const State& packing) {
+  Estimate estimate = uniform_field(packing, model);
   return {.stiffness = estimate.stiffness, .validity = std::move(estimate.validity)};
 }
 template <const Model& model>
-StressExponents field_exponents(const RungInputs& packing, Modulus which) {
-  return uniform_field_exponents(packing.state, model, which);
-}
-template <const Model& model>
-CalibratedGradient field_gradient(const RungInputs& packing, Modulus which) {
-  return {.gradient = gradient(packing.state, model, which)};
+StressExponents field_exponents(const State& packing, Modulus which) {
+  return uniform_field_exponents(packing, model, which);
 }
 
 // ---- rung 0: rung 1 without its fabric
 
-RungInputs without_fabric(RungInputs packing) {
-  packing.state.fabric_anisotropy = 0;
+State without_fabric(State packing) {
+  packing.fabric_anisotropy = 0;
   return packing;
 }
-RungAnswer isotropic(const RungInputs& packing) { return field<mean_force>(without_fabric(packing)); }
-StressExponents isotropic_exponents(const RungInputs& packing, Modulus which) {
+RungAnswer isotropic(const State& packing) { return field<mean_force>(without_fabric(packing)); }
+StressExponents isotropic_exponents(const State& packing, Modulus which) {
   return field_exponents<mean_force>(without_fabric(packing), which);
-}
-CalibratedGradient isotropic_gradient(const RungInputs& packing, Modulus which) {
-  CalibratedGradient slopes = field_gradient<mean_force>(without_fabric(packing), which);
-  slopes.gradient[Input::fabric_anisotropy] = 0;
-  return slopes;
 }
 
 // ---- rung 3
 
-RungAnswer relaxed_answer(const RungInputs& packing) {
-  RelaxedEstimate estimate = relaxed(packing.state, *packing.mechanical_coordination_number);
+RungAnswer relaxed_answer(const State& packing) {
+  RelaxedEstimate estimate = relaxed(packing, *packing.mechanical_coordination_number);
   return {.stiffness = estimate.stiffness,
           .validity = std::move(estimate.validity),
           .relative_error = estimate.relative_error};
 }
-StressExponents frozen_exponents(const RungInputs& packing, Modulus which) {
-  return relaxed_exponents(packing.state, *packing.mechanical_coordination_number, {}, which);
-}
-CalibratedGradient calibrated_gradient(const RungInputs& packing, Modulus which) {
-  return relaxed_gradient(packing.state, *packing.mechanical_coordination_number, which);
+StressExponents frozen_exponents(const State& packing, Modulus which) {
+  return relaxed_exponents(packing, *packing.mechanical_coordination_number, {}, which);
 }
 
 // ---- the table
@@ -82,8 +70,7 @@ constexpr Rung table[] = {
      .typical_time = 20e-9,
      .error_source = distance,
      .answer = isotropic,
-     .exponents = isotropic_exponents,
-     .gradient = isotropic_gradient},
+     .exponents = isotropic_exponents},
     {.name = RungName::fabric,
      .number = 1,
      .key = "1",
@@ -95,8 +82,7 @@ constexpr Rung table[] = {
      .typical_time = 40e-9,
      .error_source = distance,
      .answer = field<mean_force>,
-     .exponents = field_exponents<mean_force>,
-     .gradient = field_gradient<mean_force>},
+     .exponents = field_exponents<mean_force>},
     {.name = RungName::directional,
      .number = 2,
      .key = "2",
@@ -108,8 +94,7 @@ constexpr Rung table[] = {
      .typical_time = 0.4e-6,
      .error_source = distance,
      .answer = field<uniform_strain_model>,
-     .exponents = field_exponents<uniform_strain_model>,
-     .gradient = field_gradient<uniform_strain_model>},
+     .exponents = field_exponents<uniform_strain_model>},
     {.name = RungName::relaxed,
      .number = 3,
      .key = "3",
@@ -121,8 +106,7 @@ constexpr Rung table[] = {
      .typical_time = 0.9e-6,
      .error_source = "its calibration, and the standard errors of z* and a",
      .answer = relaxed_answer,
-     .exponents = frozen_exponents,
-     .gradient = calibrated_gradient},
+     .exponents = frozen_exponents},
     {.name = RungName::uniform_stress,
      .key = "uniform-stress",
      .column = "uniform_stress",
@@ -133,8 +117,7 @@ constexpr Rung table[] = {
      .typical_time = 0.4e-6,
      .error_source = distance,
      .answer = field<uniform_stress_model>,
-     .exponents = field_exponents<uniform_stress_model>,
-     .gradient = field_gradient<uniform_stress_model>},
+     .exponents = field_exponents<uniform_stress_model>},
     {.name = RungName::network,
      .number = 4,
      .key = "4",
@@ -156,9 +139,12 @@ constexpr Rung table[] = {
      .typical_time = 0.06,
      .error_source = "within 0.6 % of rung 4 (validation/verify_default)"},
 };
-constexpr std::size_t closed_form_count = 5;
+constexpr auto needs_packing = [](const Rung& rung) { return rung.needs_packing; };
+constexpr std::size_t closed_form_count =
+    static_cast<std::size_t>(std::find_if(std::begin(table), std::end(table), needs_packing) - table);
+static_assert(std::all_of(table + closed_form_count, std::end(table), needs_packing));
 
-void require_inputs(const Rung& rung, const RungInputs& packing) {
+void require_inputs(const Rung& rung, const State& packing) {
   if (rung.needs_packing)
     throw InvalidArgument(std::string("rung ") + rung.key +
                           " needs a packing of grains: it is no closed form");
@@ -168,9 +154,9 @@ void require_inputs(const Rung& rung, const RungInputs& packing) {
 
 /// The state at which exponents are taken: they depend on the stress ratio alone, which at zero stress is
 /// that of the isotropic path.
-RungInputs loaded(RungInputs packing) {
-  if (packing.state.stress_v == 0 && packing.state.stress_h == 0)
-    packing.state.stress_v = packing.state.stress_h = 1;
+State loaded(State packing) {
+  if (packing.stress_v == 0 && packing.stress_h == 0)
+    packing.stress_v = packing.stress_h = 1;
   return packing;
 }
 
@@ -190,11 +176,11 @@ const Rung& rung(RungName name) {
 
 std::string label(const Rung& rung) { return (rung.number ? "rung " : "") + std::string(rung.key); }
 
-bool has_inputs(const RungInputs& packing, const Rung& rung) {
+bool has_inputs(const State& packing, const Rung& rung) {
   return !rung.needs_packing && (!rung.needs_coordination || packing.mechanical_coordination_number);
 }
 
-RungAnswer answer(const Rung& rung, const RungInputs& packing) {
+RungAnswer answer(const Rung& rung, const State& packing) {
   require_inputs(rung, packing);
   RungAnswer answer = rung.answer(packing);
   const elastic::TransverselyIsotropic& c = answer.stiffness;
@@ -204,8 +190,8 @@ RungAnswer answer(const Rung& rung, const RungInputs& packing) {
   return answer;
 }
 
-std::optional<StressExponents> exponents(const Rung& rung, const RungInputs& packing, Modulus which) {
-  const RungInputs at = loaded(packing);
+std::optional<StressExponents> exponents(const Rung& rung, const State& packing, Modulus which) {
+  const State at = loaded(packing);
   const elastic::TransverselyIsotropic stiffness = answer(rung, at).stiffness;
   const std::optional<double> value = modulus_if_any(stiffness, which);
   if (!value || kernel::vanishes(*value, stiffness.C11, which))
@@ -213,15 +199,10 @@ std::optional<StressExponents> exponents(const Rung& rung, const RungInputs& pac
   return rung.exponents(at, which);
 }
 
-RungAnswer answer_with_exponents(const Rung& rung, const RungInputs& packing) {
+RungAnswer answer_with_exponents(const Rung& rung, const State& packing) {
   RungAnswer with = answer(rung, packing);
   with.exponents = exponents(rung, packing, Modulus::G_vh);
   return with;
-}
-
-CalibratedGradient gradient(const Rung& rung, const RungInputs& packing, Modulus which) {
-  require_inputs(rung, packing);
-  return rung.gradient(packing, which);
 }
 
 } // namespace granum::effective

@@ -24,7 +24,10 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
   require_positive("radius", s.radius, "m");
   sizes::require_valid(s.contacts);
   require_positive("void_ratio", s.void_ratio);
-  require_non_negative("coordination_number", s.coordination_number);
+  if (s.coordination_number)
+    require_non_negative("coordination_number", *s.coordination_number);
+  if (s.mechanical_coordination_number)
+    require_non_negative("mechanical_coordination_number", *s.mechanical_coordination_number);
   require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
   require_non_negative("stress_v", s.stress_v, "Pa");
   require_non_negative("stress_h", s.stress_h, "Pa");
@@ -35,6 +38,11 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
   const double ratio = s.stress_v / s.stress_h * ((5 - 3 * s.fabric_anisotropy) / (5 + s.fabric_anisotropy));
   if (!(ratio <= largest_force_ratio && ratio >= 1 / largest_force_ratio))
     throw InvalidArgument("ratio of vertical to horizontal contact forces", ratio, "", "[1e-4, 1e4]");
+}
+
+void require_known_contacts(const State& s) {
+  if (!s.coordination_number)
+    throw InvalidArgument("coordination_number is missing: this closed form needs the number of contacts");
 }
 
 void note_contact_size(const State& s, double stiffness, Validity& validity) {
@@ -53,11 +61,13 @@ void note_contact_size(const State& s, double stiffness, Validity& validity) {
 namespace kernel {
 
 Geometry<double> checked_geometry(const State& s) {
+  require_known_contacts(s);
   require_members(s);
   return geometry(s);
 }
 
 CheckedState checked(const State& s) {
+  require_known_contacts(s);
   require_members(s);
   CheckedState state{.geometry = geometry(s),
                      .loads = static_loads(s.fabric_anisotropy, s.stress_v, s.stress_h),
@@ -65,11 +75,11 @@ CheckedState checked(const State& s) {
                      .validity = {}};
   if (std::abs(s.fabric_anisotropy) > 1)
     state.validity = fabric::anisotropy_validity(s.fabric_anisotropy);
-  if (s.coordination_number == 0) {
+  if (*s.coordination_number == 0) {
     state.validity.add("a packing without contacts carries no stress: its stiffness is the limit 0");
     return state;
   }
-  if (s.coordination_number > 12)
+  if (*s.coordination_number > 12)
     state.validity.add("coordination number exceeds 12, the most that equal spheres can have");
 
   const auto [horizontal, vertical] = state.loads;
@@ -87,12 +97,17 @@ CheckedState checked(const State& s) {
 }
 
 void require_contacts(const State& state) {
-  require_positive("coordination_number", state.coordination_number);
+  require_positive("coordination_number", state.coordination_number.value_or(0));
 }
 
 } // namespace kernel
 
-Validity require_valid(const State& state) { return kernel::checked(state).validity; }
+Validity require_valid(const State& state) {
+  if (state.coordination_number)
+    return kernel::checked(state).validity;
+  require_members(state);
+  return {};
+}
 
 double prefactor(const State& state) { return kernel::checked_geometry(state).prefactor; }
 

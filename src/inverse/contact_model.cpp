@@ -30,8 +30,6 @@ constexpr double most_rattlers = 0.9, just_rigid = 1e-6;
 /// Places of the deviations that have a normal prior, behind the free parameters.
 constexpr Eigen::Index rattler_prior = 0, rung_prior = 1, growth_prior = 3, other_prior = 4, prior_count = 5;
 
-double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
-
 /// What ln of a modulus gains with ln K and with ln G, in an isotropic packing.
 Eigen::RowVector2d weights_of(Modulus which, const elastic::TransverselyIsotropic& c) {
   const double bulk = c.bulk_modulus();
@@ -84,14 +82,14 @@ ContactModel::ContactModel(std::span<const Measurement> measurements, const Infe
     : measurements_(measurements.begin(), measurements.end()), options_(options),
       first_(first_state(measurements)) {
   isostatic_ = effective::isostatic_coordination_number(first_.tangential_ratio);
-  reference_stress_ = require_positive("stress", mean_stress(first_), "Pa");
+  reference_stress_ = require_positive("stress", first_.mean_stress(), "Pa");
   bool one_stress = true;
   for (const Measurement& m : measurements_) {
     const QuantityRow& row = row_of(m.quantity);
     require_positive(row.key, m.value.value, row.speed ? "m/s" : "Pa");
     require_non_negative(std::string(row.key) + " error", m.value.standard_error, row.speed ? "m/s" : "Pa");
     require_known_density(row);
-    one_stress = one_stress && mean_stress(m.state) == reference_stress_;
+    one_stress = one_stress && m.state.mean_stress() == reference_stress_;
   }
   require_non_negative("pore_density", options_.pore_density, "kg/m3");
   if (options_.grain_density)
@@ -158,11 +156,11 @@ effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, d
 
 effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, const State& at,
                                                 Specimen specimen) const {
-  effective::ContactCounts counts = at_stress(theta, mean_stress(at));
+  effective::ContactCounts counts = at_stress(theta, at.mean_stress());
   if (specimen == Specimen::same)
     return counts;
   State here = at;
-  here.void_ratio = void_ratio_at(theta, mean_stress(at));
+  here.void_ratio = void_ratio_at(theta, at.mean_stress());
   const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(at);
   const auto z_of = [](const effective::ContactCounts& c) { return c.mechanical_coordination_number; };
   const double share = (z_of(counts) - z_of(from.loosest)) / (z_of(from.densest) - z_of(from.loosest));
@@ -373,9 +371,9 @@ Measured Inference::predict(Quantity quantity, const effective::State& at, Speci
   return {value, value * log_value.standard_error};
 }
 
-effective::RungInputs Inference::rung_inputs(effective::State at, Specimen specimen) const {
+effective::State Inference::state(effective::State at, Specimen specimen) const {
   const auto [z, rattlers] = model_->contacts(detail::as_vector(parameters_), at, specimen);
-  return {effective::with_contacts(std::move(at), z, rattlers), z};
+  return effective::with_contacts(std::move(at), z, rattlers);
 }
 
 double Inference::void_ratio_at(double mean_stress) const {

@@ -34,7 +34,7 @@ double modulus_of(const Measurement& m, const InferenceOptions& options) {
 
 std::string named(const Measurement& m) {
   const QuantityRow& row = row_of(m.quantity);
-  const double p = (m.state.stress_v + 2 * m.state.stress_h) / 3;
+  const double p = m.state.mean_stress();
   const std::string value = row.speed ? granum::detail::formatted("%.4g m/s", m.value.value)
                                       : granum::detail::formatted("%.4g MPa", m.value.value / 1e6);
   return std::string(row.key) + " = " + value + granum::detail::formatted(" at %.4g kPa", p / 1e3);
@@ -67,7 +67,7 @@ void note_states(const Inference& all, std::span<const Measurement> measurements
   std::size_t noted = 0;
   for (const Measurement& m : measurements) {
     const Validity own =
-        effective::answer(effective::rung(effective::RungName::relaxed), all.rung_inputs(m.state)).validity;
+        effective::answer(effective::rung(effective::RungName::relaxed), all.state(m.state)).validity;
     if (!own.ok() && ++noted == 1)
       validity.merge(own);
   }

@@ -71,7 +71,7 @@ planted(src/packing/p.cpp "#include \"core/vector/level.hpp\"" "includes \"core/
 planted(src/core/vector/p.hpp "using Lanes = double __attribute__((vector_size(64)));" "")
 planted(src/effective/p.cpp "#include \"core/vector/level.hpp\"" "")
 planted(src/dem/p.cpp "void f() { try { g(); } catch (...) {} }" "")
-planted(src/effective/sensitivity/sampling.cpp "void f() { try { g(); } catch (...) {} }" "")
+planted(src/estimate/uncertain_answer.cpp "void f() { try { g(); } catch (...) {} }" "")
 planted(src/core/bytes.cpp "#include <granum/core/bytes.hpp>\n#include <vector>" "")
 planted(src/hardin/p.cpp "#include <gsl/gsl_vector.h>" "")
 planted(src/contact/p.cpp "#include <Eigen/Core>" "")

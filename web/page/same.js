@@ -24,7 +24,8 @@ const cppState = (known, stresses) => [
   `  const contact::GrainMaterial grain{.shear_modulus = ${literal(known.grainModulus)}, .poisson_ratio = ${literal(known.poissonRatio)}};`,
   `  const effective::State state{.law = contact::PowerLaw::sphere(grain, ${literal(known.radius)}),`,
   `                               .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),`,
-  ...keywords([["radius", literal(known.radius)], ["void_ratio", literal(known.voidRatio)], ["fabric_anisotropy", known.anisotropy ? literal(known.anisotropy) : undefined],
+  ...keywords([["radius", literal(known.radius)], ["void_ratio", literal(known.voidRatio)],
+    ["mechanical_coordination_number", Number.isFinite(known.z) ? literal(known.z) : undefined], ["fabric_anisotropy", known.anisotropy ? literal(known.anisotropy) : undefined],
     ["stress_v", literal(stresses[0])], ["stress_h", literal(stresses[1])]], "                               .", " = ").map((line, k, all) => line + (k + 1 < all.length ? "," : "};")),
 ].join("\n");
 
@@ -42,17 +43,17 @@ const sameAnswer = {
     const [vertical, horizontal] = stressesOf(known).map(literal);
     const given = keywords([["law", pythonLaw(known)], ["radius", literal(known.radius)], ["void_ratio", literal(known.voidRatio)],
       ...(isotropic(known) ? [["pressure", vertical]] : [["stress_v", vertical], ["stress_h", horizontal]]),
-      ["fabric_anisotropy", known.anisotropy ? literal(known.anisotropy) : undefined], ["grain_density", literal(known.density)],
+      ["fabric_anisotropy", literal(known.anisotropy)], ["grain_density", literal(known.density)],
       ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined], ["preparation", known.preparation === "unknown" ? undefined : `"${known.preparation}"`],
       ["mechanical_coordination_number", Number.isFinite(known.z) ? literal(known.z) : undefined]], "    ", "=");
     return `import granum\n\npacking = granum.packing_answer(\n${given.join(",\n")})\nG = packing.shear_modulus\nprint(G.value, G.low, G.high)`;
   },
   cpp(known) {
     const question = keywords([["state", "state"], ["preparation", known.preparation === "unknown" ? undefined : `{.kind = effective::Preparation::Kind::${known.preparation}}`],
-      ["mechanical_coordination_number", Number.isFinite(known.z) ? literal(known.z) : undefined], ["grain_density", literal(known.density)],
+      ["grain_density", literal(known.density)],
       ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined]], ".", " = ");
-    return ["#include <cstdio>", "", "#include <granum/effective/answer.hpp>", "", "int main() {", "  using namespace granum;", cppState(known, stressesOf(known)),
-      "  const effective::PackingAnswer packing = effective::answer(", `      {${question.join(",\n       ")}});`, "  const effective::Range& G = packing.shear_modulus;",
+    return ["#include <cstdio>", "", "#include <granum/estimate/answer.hpp>", "", "int main() {", "  using namespace granum;", cppState(known, stressesOf(known)),
+      "  const estimate::Answer packing = estimate::answer(", `      {${question.join(",\n       ")}});`, "  const estimate::Range& G = packing[estimate::Field::shear_modulus];",
       '  std::printf("%.17g %.17g %.17g\\n", G.value, G.low, G.high);', "}"].join("\n");
   },
 };

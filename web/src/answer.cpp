@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/effective/answer.hpp>
 #include <granum/effective/rungs.hpp>
+#include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
 #include "exports.hpp"
@@ -26,8 +26,8 @@ effective::Preparation preparation_of(double number) {
   throw InvalidArgument("preparation", number, "", "0 (unknown), 1 (dense) or 2 (loose)");
 }
 
-void add(const std::optional<effective::Range>& range) {
-  const effective::Range of = range.value_or(effective::Range{none, none, none});
+void add(const std::optional<estimate::Range>& range) {
+  const estimate::Range of = range.value_or(estimate::Range{none, none, none});
   web::numbers().insert(web::numbers().end(), {of.value, of.low, of.high});
 }
 
@@ -57,24 +57,24 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
             double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double preparation, double mechanical_coordination_number, double grain_density,
             double saturation) {
-  effective::PackingQuestion question{
+  estimate::Question question{
       .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
                         anisotropy, stress_v, stress_h),
       .preparation = preparation_of(preparation),
       .grain_density = grain_density,
       .saturation = saturation};
   if (!std::isnan(mechanical_coordination_number))
-    question.mechanical_coordination_number = mechanical_coordination_number;
-  const effective::PackingAnswer found = effective::answer(question);
-  for (const std::optional<effective::Range>& range :
-       {std::optional(found.shear_modulus), std::optional(found.G_hh), std::optional(found.bulk_modulus),
-        std::optional(found.young_modulus), std::optional(found.poisson_ratio), found.shear_wave_speed,
-        found.compression_wave_speed, std::optional(found.mechanical_coordination_number),
-        std::optional(found.coordination_number)})
-    add(range);
-  web::say(found.validity);
+    question.state.mechanical_coordination_number = mechanical_coordination_number;
+  const estimate::Answer found = estimate::answer(question);
+  using estimate::Field;
+  for (const Field field :
+       {Field::shear_modulus, Field::horizontal_shear_modulus, Field::bulk_modulus, Field::young_modulus,
+        Field::poisson_ratio, Field::shear_wave_speed, Field::compression_wave_speed,
+        Field::mechanical_coordination_number, Field::coordination_number})
+    add(found.find(field));
+  web::say(found.validity());
   std::string names;
-  for (const effective::Share& share : found.shares) {
+  for (const estimate::Share& share : found.shares()) {
     web::numbers().push_back(share.share);
     names += share.input + "\n";
   }
@@ -87,11 +87,10 @@ GRANUM_EXPORT(ladder)
 void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
             double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double coordination_number, double mechanical_coordination_number) {
-  effective::RungInputs packing{
-      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
-                        anisotropy, stress_v, stress_h),
-      .mechanical_coordination_number = mechanical_coordination_number};
-  packing.state.coordination_number = coordination_number;
+  effective::State packing = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius},
+                                      void_ratio, anisotropy, stress_v, stress_h);
+  packing.coordination_number = coordination_number;
+  packing.mechanical_coordination_number = mechanical_coordination_number;
   for (const effective::Rung& rung : effective::closed_forms()) {
     const effective::RungAnswer found = effective::answer(rung, packing);
     web::numbers().push_back(found.stiffness.G_vh());

@@ -25,7 +25,7 @@ std::optional<double> given(double number) {
 }
 
 /// K, G_hh, G_vh, s of G_vh and the relative error of G_vh, or not a number.
-void add_answer(const effective::RungName name, const effective::RungInputs& packing, Validity& validity) {
+void add_answer(const effective::RungName name, const effective::State& packing, Validity& validity) {
   constexpr double none = effective::State::unset;
   std::vector<double>& row = web::numbers();
   const effective::Rung& rung = effective::rung(name);
@@ -82,21 +82,21 @@ GRANUM_EXPORT(closed_forms)
 void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
                   double punch_radius, double void_ratio, double coordination_number, double anisotropy,
                   double stress_v, double stress_h, double mechanical_coordination_number) {
-  const effective::RungInputs packing{
-      .state = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
-                .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
-                .radius = radius,
-                .void_ratio = void_ratio,
-                .coordination_number = coordination_number,
-                .fabric_anisotropy = anisotropy,
-                .stress_v = stress_v,
-                .stress_h = stress_h},
-      .mechanical_coordination_number = given(mechanical_coordination_number)};
+  const effective::State packing{
+      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
+      .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+      .radius = radius,
+      .void_ratio = void_ratio,
+      .coordination_number = coordination_number,
+      .mechanical_coordination_number = given(mechanical_coordination_number),
+      .fabric_anisotropy = anisotropy,
+      .stress_v = stress_v,
+      .stress_h = stress_h};
   Validity validity;
   for (const effective::RungName name :
        {effective::RungName::directional, effective::RungName::uniform_stress, effective::RungName::relaxed})
     add_answer(name, packing, validity);
-  web::numbers().push_back(effective::mean_contact_force(packing.state));
+  web::numbers().push_back(effective::mean_contact_force(packing));
   validity.keep_each_once();
   web::say(validity);
 }
@@ -123,11 +123,11 @@ void carried_path(double shape, double shear_modulus, double poisson_ratio, doub
     const double pressure = from * std::pow(to / from, k / (points - 1));
     const effective::CarriedContacts carried = effective::carried_contacts(known, counts, pressure);
     validity.merge(carried.validity);
-    effective::RungInputs packing{
-        .state = known, .mechanical_coordination_number = carried.counts.mechanical_coordination_number};
-    packing.state.void_ratio = carried.void_ratio;
-    packing.state.coordination_number = carried.counts.coordination_number();
-    packing.state.stress_v = packing.state.stress_h = pressure;
+    effective::State packing = known;
+    packing.mechanical_coordination_number = carried.counts.mechanical_coordination_number;
+    packing.void_ratio = carried.void_ratio;
+    packing.coordination_number = carried.counts.coordination_number();
+    packing.stress_v = packing.stress_h = pressure;
     const double stiff =
         effective::answer(effective::rung(effective::RungName::isotropic), packing).stiffness.G_vh();
     const double soft =

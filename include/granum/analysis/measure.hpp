@@ -83,6 +83,6 @@ struct Wanted {
 [[nodiscard]] Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins);
 
 /// What all closed forms of the table of rungs say of a state, in its order.
-[[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::RungInputs& packing);
+[[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::State& packing);
 
 } // namespace granum::analysis

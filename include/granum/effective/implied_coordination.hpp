@@ -23,7 +23,7 @@ struct ExpectedRattlers {
 /// Checked by tests/effective/test_implied_coordination.cpp
 [[nodiscard]] ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordination_number);
 
-/// The state with C_n = z* (1 - x_0).
+/// The state with z* and C_n = z* (1 - x_0).
 /// \throws   InvalidArgument unless z* >= 0 and x_0 is in [0, 1)
 [[nodiscard]] State with_contacts(State state, double mechanical_coordination_number,
                                   double rattler_fraction);

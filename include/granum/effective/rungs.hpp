@@ -8,7 +8,6 @@
 #include <granum/core/validity.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
@@ -24,12 +23,6 @@ enum class RungName {
   uniform_stress, ///< beside the ladder
   network,        ///< rung 4, analysis of a packing of grains
   probe           ///< rung 5, simulation of one
-};
-
-/// What the closed forms take of a packing.
-struct RungInputs {
-  State state;
-  std::optional<double> mechanical_coordination_number = std::nullopt; ///< z*, where it is known
 };
 
 /// What a closed form says of a packing.
@@ -52,14 +45,13 @@ struct Rung {
   const char* needs;               ///< beyond contact law, C_n, e and the mean stress, in symbols
   bool needs_fabric = false;       ///< a that was measured: its answer depends on it
   bool needs_coordination = false; ///< z*
-  bool needs_packing = false;      ///< grains and contacts, no State: the functions below refuse it
+  bool needs_packing = false;      ///< grains and contacts, no closed form: the functions below refuse it
   double typical_time;             ///< of one evaluation, as measured in validation/ladder [s]
   const char* error_source;        ///< where its stated errors come from
 
   // What the functions below call, at a packing that has what the rung needs; null where it needs a packing.
-  RungAnswer (*answer)(const RungInputs& packing) = nullptr;
-  StressExponents (*exponents)(const RungInputs& packing, Modulus which) = nullptr;
-  CalibratedGradient (*gradient)(const RungInputs& packing, Modulus which) = nullptr;
+  RungAnswer (*answer)(const State& packing) = nullptr;
+  StressExponents (*exponents)(const State& packing, Modulus which) = nullptr;
 };
 
 /// All rows: rungs 0 to 3, uniform stress, rungs 4 and 5.
@@ -72,15 +64,15 @@ struct Rung {
 [[nodiscard]] const Rung& rung(RungName name);
 
 /// Whether the packing has what the rung needs; its fabric is taken to be known.
-[[nodiscard]] bool has_inputs(const RungInputs& packing, const Rung& rung);
+[[nodiscard]] bool has_inputs(const State& packing, const Rung& rung);
 
 /// What a closed form says of a packing. No contacts, no stiffness.
 /// \throws   InvalidArgument as require_valid(State) and relaxed, if the packing lacks what the rung needs,
 ///           or if the moduli are beyond what a double holds
 /// Accuracy  as uniform_strain, uniform_stress and relaxed.  Checked by tests/effective/test_rungs.cpp
-[[nodiscard]] RungAnswer answer(const Rung& rung, const RungInputs& packing);
+[[nodiscard]] RungAnswer answer(const Rung& rung, const State& packing);
 /// The same with the exponents of G_vh.
-[[nodiscard]] RungAnswer answer_with_exponents(const Rung& rung, const RungInputs& packing);
+[[nodiscard]] RungAnswer answer_with_exponents(const Rung& rung, const State& packing);
 
 /// Exponents of a modulus at frozen contacts: C_n, z* and a do not grow. At zero stress those of the
 /// isotropic path, their limit. Nothing where the modulus vanishes whatever the stress: without contacts,
@@ -88,14 +80,6 @@ struct Rung {
 /// isostatic point.
 /// \throws   InvalidArgument as answer
 /// Accuracy  1e-12 absolute, 1e-10 of rung 3.  Checked by tests/effective/test_rungs.cpp
-[[nodiscard]] std::optional<StressExponents> exponents(const Rung& rung, const RungInputs& packing,
-                                                       Modulus which);
-
-/// A modulus with its exact derivatives by every input and the standard error of its calibration.
-/// \throws   InvalidArgument as answer; without stress or contacts; for rung 3 at or below the isostatic
-/// point
-/// Accuracy  relative 1e-11 of the largest logarithmic derivative.
-///           Checked by tests/effective/test_rungs.cpp
-[[nodiscard]] CalibratedGradient gradient(const Rung& rung, const RungInputs& packing, Modulus which);
+[[nodiscard]] std::optional<StressExponents> exponents(const Rung& rung, const State& packing, Modulus which);
 
 } // namespace granum::effective

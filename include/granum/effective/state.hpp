@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include <granum/contact/power_law.hpp>
 #include <granum/core/validity.hpp>
@@ -10,26 +11,32 @@
 /// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
 
-/// What the closed forms need to know of a packing of nearly spherical grains. Only the fabric and the
-/// contacts have a default, no preferred direction and equal grains: a number that is left out stays NaN and
-/// is refused by name. Of unequal grains the law is that of the mean pair, for spheres
-/// contact::PowerLaw::sphere(grain, radius * contacts.pair_radius).
+/// What is known of a packing of nearly spherical grains. The fabric and the sizes have a default, no
+/// preferred direction and equal grains. Contacts may be unknown: a closed form that needs them refuses a
+/// state without them. Any other number that is left out stays NaN and is refused by name. Of unequal grains
+/// the law is that of the mean pair, for spheres contact::PowerLaw::sphere(grain, radius *
+/// contacts.pair_radius).
 struct State {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-  contact::PowerLaw law;              ///< normal contact of two grains, of the mean pair
-  double tangential_ratio = unset;    ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
-  double radius = unset;              ///< R > 0 of a grain, or that `contacts` refer to [m]
-  double void_ratio = unset;          ///< e > 0
-  double coordination_number = unset; ///< C_n = 2 N_c/N over all grains, >= 0
-  double fabric_anisotropy = 0;       ///< a of E(gamma; a), in (-7/3, 7/5), a density in [-1, 1]
-  double stress_v = unset;            ///< vertical stress, compression positive [Pa]
-  double stress_h = unset;            ///< horizontal stress in both directions, compression positive [Pa]
+  contact::PowerLaw law;           ///< normal contact of two grains, of the mean pair
+  double tangential_ratio = unset; ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
+  double radius = unset;           ///< R > 0 of a grain, or that `contacts` refer to [m]
+  double void_ratio = unset;       ///< e > 0
+  std::optional<double> coordination_number = std::nullopt; ///< C_n = 2 N_c/N over all grains, >= 0
+  std::optional<double> mechanical_coordination_number = std::nullopt; ///< z*, without rattlers, >= 0
+  double fabric_anisotropy = 0; ///< a of E(gamma; a), in (-7/3, 7/5), a density in [-1, 1]
+  double stress_v = unset;      ///< vertical stress, compression positive [Pa]
+  double stress_h = unset;      ///< horizontal stress in both directions, compression positive [Pa]
   sizes::ContactMeans contacts =
       {}; ///< means over contacts of unequal grains, relative to those of equal ones
+
+  /// p = (stress_v + 2 stress_h)/3 [Pa].
+  [[nodiscard]] double mean_stress() const { return (stress_v + 2 * stress_h) / 3; }
 };
 
-/// Checks every member of a state.
+/// Checks every member of a state. Contacts may be unknown; prefactor, forces and stiffnesses of such a state
+/// are refused.
 /// Stresses are both zero or both positive: grains without bonds carry no tension, and a zero stress across
 /// loaded contacts asks for unlimited friction. Forces of the static field may differ by a factor of 1e4.
 /// k_t/k_n is at most 4/3 in elastic grains (nu_g = -1); beyond 100 the bulk modulus would drown in the

@@ -86,9 +86,8 @@ class Inference {
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
                                  Specimen specimen = Specimen::same) const;
-  /// The packing as the table of rungs takes it, to ask any of them.
-  [[nodiscard]] effective::RungInputs rung_inputs(effective::State at,
-                                                  Specimen specimen = Specimen::same) const;
+  /// The packing at a state, with its contacts, to ask any rung.
+  [[nodiscard]] effective::State state(effective::State at, Specimen specimen = Specimen::same) const;
   /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under Growth::packings;
   /// else it stays that of the first measurement.
   [[nodiscard]] double void_ratio_at(double mean_stress) const;

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 #include "cli/frame/command_line.hpp"
 #include "cli/frame/contradictions.hpp"
@@ -14,15 +15,9 @@
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
 
-#include "uncertainty.hpp"
-
 namespace granum::cli {
 
 namespace {
-
-/// Standard deviations of what is assumed: G_g (over itself) and nu_g of minerals from glass to quartz, a of
-/// grains that were poured, density of sands [kg/m3].
-constexpr double modulus_spread = 0.3, poisson_spread = 0.07, fabric_spread = 0.05, density_spread = 50;
 
 void set_unless_given(Number& number, double value) {
   if (number.given())
@@ -56,62 +51,78 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
                                            o.largest_void_ratio.value));
 }
 
-std::optional<double> if_given(const Number& number) {
-  return number.given() ? std::optional(number.value) : std::nullopt;
+// ---- uncertain inputs
+
+/// What granum takes for the deviation of a number that is not given, or that a mineral's name gives.
+double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, const Number& number) {
+  const estimate::AssumedDeviations& assumed = estimate::assumed_deviations;
+  if (&number == &packing.grain_shear_modulus && o.mineral != nullptr && number.preset)
+    return o.mineral->modulus_spread * number.value;
+  if (number.given())
+    return 0;
+  return &number == &packing.grain_shear_modulus   ? assumed.grain_shear_modulus * number.value
+         : &number == &packing.grain_poisson_ratio ? assumed.grain_poisson_ratio
+         : &number == &packing.fabric              ? assumed.fabric_anisotropy
+         : &number == &o.grain_density             ? assumed.grain_density
+                                                   : 0;
 }
 
-/// All numbers that may be uncertain, in the order of the options.
+/// Whether the question is made of this number: it is given, or its default is taken.
+bool in_use(const PackingOptions& o, const AnswerOptions& answer, const Number& n) {
+  const Number* const defaults[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.fabric,
+                                    &answer.grain_density};
+  const bool radius_known = o.d50.given() || (o.sizes && o.sizes->mean_radius());
+  const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults) &&
+                          !(&n == &o.radius && radius_known);
+  const bool of_contact = (&n == &o.slope && o.contact == contact::Shape::cone) ||
+                          (&n == &o.punch_radius && o.contact == contact::Shape::flat);
+  return n.given() || by_default || of_contact;
+}
+
+double deviation_of(const std::string& name, const std::string& text, const Number& n) {
+  if (!std::string_view(trimmed(text)).ends_with('%'))
+    return require_non_negative(name, parse_quantity(name, text, n.dimension),
+                                std::string(si_symbol(n.dimension)));
+  const double share = require_non_negative(name, parse_quantity(name, text, Dimension::dimensionless));
+  if (n.value == 0)
+    throw InvalidArgument(
+        fmt::format("{}={}: a percentage of {} = 0 is 0; give an absolute deviation", name, text, n.name));
+  return share * std::abs(n.value);
+}
+
+/// A setting of --uncertainty, taken apart.
+struct Setting {
+  std::string key, deviation;
+};
+
+std::vector<Setting> settings_of(const std::vector<std::string>& texts,
+                                 const std::vector<std::string>& known) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t split = text.find('=');
+    if (split == std::string::npos)
+      throw InvalidArgument("--uncertainty " + text + ": write key=sd, as in void-ratio=0.02");
+    const std::string key(trimmed(std::string_view(text).substr(0, split)));
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw InvalidArgument(fmt::format("--uncertainty {}: not an input of this packing, which is made of {}",
+                                        key, fmt::join(known, ", ")));
+    for (const Setting& other : settings)
+      if (other.key == key)
+        throw InvalidArgument("--uncertainty " + key + " is given twice");
+    settings.push_back({key, text.substr(split + 1)});
+  }
+  return settings;
+}
+
+} // namespace
+
+std::string key_of(const Number& number) { return number.name.substr(2); }
+
 std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
   std::vector<Number*> all = numbers(packing);
   all.push_back(&options.grain_density);
   return all;
 }
-
-/// What granum takes for the spread of a number that is not given, or that a mineral's name gives.
-double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, const Number& number) {
-  const bool by_name = o.mineral != nullptr && number.preset;
-  if (&number == &packing.grain_shear_modulus)
-    return by_name          ? o.mineral->modulus_spread * number.value
-           : number.given() ? 0
-                            : modulus_spread * number.value;
-  if (number.given())
-    return 0;
-  return &number == &packing.grain_poisson_ratio ? poisson_spread
-         : &number == &packing.fabric            ? fabric_spread
-         : &number == &o.grain_density           ? density_spread
-                                                 : 0;
-}
-
-/// The question with one number moved.
-effective::PackingQuestion moved(PackingOptions packing, AnswerOptions options, std::size_t index,
-                                 double step) {
-  movable(packing, options)[index]->value += step;
-  return question_of(packing, options);
-}
-
-/// The same, if it has an answer.
-std::optional<effective::PackingQuestion> moved_if_possible(const PackingOptions& packing,
-                                                            const AnswerOptions& options, std::size_t index,
-                                                            double step) {
-  try {
-    effective::PackingQuestion question = moved(packing, options, index, step);
-    (void)effective::answer(question);
-    return question;
-  } catch (const InvalidArgument&) {
-    return std::nullopt;
-  }
-}
-
-effective::PackingQuestion moved_as_far_as_possible(const PackingOptions& packing,
-                                                    const AnswerOptions& options, std::size_t index,
-                                                    double step) {
-  for (int halvings = 0; halvings < 6; ++halvings, step /= 2)
-    if (const auto question = moved_if_possible(packing, options, index, step))
-      return *question;
-  return question_of(packing, options);
-}
-
-} // namespace
 
 void add_answer_options(CLI::App& command, AnswerOptions& o) {
   command
@@ -175,69 +186,69 @@ void apply_presets(PackingOptions& packing, AnswerOptions& o) {
   apply_relative_density(packing, o);
 }
 
-effective::PackingQuestion question_of(const PackingOptions& packing, const AnswerOptions& o) {
+void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings) {
+  command
+      .add_option(
+          "--uncertainty", settings,
+          "Standard deviation of an input, may be repeated: void-ratio=0.02, pressure=5%; % of its value")
+      ->type_name("KEY=SD")
+      ->allow_extra_args(false);
+}
+
+estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {
   require_density_or_stress(packing);
-  (void)resolve_mechanical_coordination_number(packing); // refuses z* and rattlers together
+  // A row of a table may hold all three numbers of contacts: C_n and z* are enough.
+  const bool enough = packing.coordination_number.in_table && packing.mechanical_coordination_number.in_table;
   return {.state = resolve_state(packing, resolve_stresses(packing)),
           .preparation = o.preparation,
-          .coordination_number = if_given(packing.coordination_number),
-          .mechanical_coordination_number = if_given(packing.mechanical_coordination_number),
-          .rattler_fraction = if_given(packing.rattler_fraction),
+          .rattler_fraction = enough || !packing.rattler_fraction.given()
+                                  ? std::nullopt
+                                  : std::optional(require_share(packing.rattler_fraction)),
           .grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3"),
           .saturation = require_share(o.saturation)};
 }
 
-std::vector<Spread> spreads_of(const PackingOptions& given, const AnswerOptions& given_options,
-                               const std::vector<std::string>& settings) {
+std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& given,
+                                                          const AnswerOptions& given_options,
+                                                          const std::vector<std::string>& texts) {
   PackingOptions packing = given;
   AnswerOptions options = given_options;
-  std::vector<Spread> spreads;
-  // The numbers of the copies stand at the same places, and know the same options.
-  for (const Number* number : movable(packing, options)) {
-    double deviation = assumed_deviation(packing, options, *number);
-    bool assumed = true;
-    for (const std::string& setting : settings)
-      if (const std::optional<double> said = said_deviation(setting, *number)) {
-        deviation = *said;
-        assumed = false;
-      }
+  const std::vector<Number*> all = movable(packing, options);
+  std::vector<std::string> known;
+  for (const Number* number : all)
+    if (in_use(packing, options, *number))
+      known.push_back(key_of(*number));
+  const std::vector<Setting> settings = settings_of(texts, known);
+  std::vector<estimate::UncertainInput> inputs;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Number& number = *all[k];
+    const auto said = std::find_if(settings.begin(), settings.end(),
+                                   [&](const Setting& setting) { return setting.key == key_of(number); });
+    const bool assumed = said == settings.end();
+    const double deviation = assumed ? assumed_deviation(packing, options, number)
+                                     : deviation_of("--uncertainty " + said->key, said->deviation, number);
     if (deviation > 0)
-      spreads.push_back({.key = key_of(*number),
-                         .text = pretty(deviation, number->dimension),
-                         .deviation = deviation,
-                         .assumed = assumed});
+      inputs.push_back({.input = key_of(number),
+                        .deviation = deviation,
+                        .assumed = assumed,
+                        .moved = [given, given_options, k](double change) {
+                          PackingOptions moved = given;
+                          AnswerOptions moved_options = given_options;
+                          movable(moved, moved_options)[k]->value += change;
+                          return question_of(moved, moved_options);
+                        }});
   }
-  return spreads;
-}
-
-namespace {
-
-template <class Moved>
-std::vector<effective::InputSpread> input_spreads(const PackingOptions& packing, const AnswerOptions& options,
-                                                  const std::vector<Spread>& spreads, const Moved& move) {
-  PackingOptions names = packing;
-  AnswerOptions option_names = options;
-  const std::vector<Number*> all = movable(names, option_names);
-  std::vector<effective::InputSpread> inputs;
-  for (const Spread& spread : spreads)
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (key_of(*all[k]) == spread.key)
-        inputs.push_back({.name = spread.key,
-                          .less = move(packing, options, k, -spread.deviation),
-                          .more = move(packing, options, k, spread.deviation)});
   return inputs;
 }
 
-} // namespace
-
-effective::PackingAnswer answer_with_spreads(const PackingOptions& packing, const AnswerOptions& options,
-                                             const std::vector<Spread>& spreads) {
-  const effective::PackingQuestion question = question_of(packing, options);
-  try { // most packings may have all of them, and each attempt costs as much as an answer
-    return effective::answer(question, input_spreads(packing, options, spreads, moved));
-  } catch (const InvalidArgument&) {
-    return effective::answer(question, input_spreads(packing, options, spreads, moved_as_far_as_possible));
-  }
+std::string deviation_text(const PackingOptions& given, const AnswerOptions& given_options,
+                           const estimate::UncertainInput& input) {
+  PackingOptions packing = given;
+  AnswerOptions options = given_options;
+  for (const Number* number : movable(packing, options))
+    if (key_of(*number) == input.input)
+      return pretty(input.deviation, number->dimension);
+  throw InvalidArgument(input.input + " is no uncertain input");
 }
 
 } // namespace granum::cli

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <granum/contact/minerals.hpp>
-#include <granum/effective/answer.hpp>
+#include <granum/estimate/answer.hpp>
 #include <granum/hardin/known_sands.hpp>
 
 #include "cli/options/packing_options.hpp"
 
-/// What granum estimate takes beyond a packing: how it was made, what its grains and pores are, which sand.
+/// What granum estimate takes beyond a packing: how it was made, what its grains and pores are, which sand,
+/// and which inputs are uncertain.
 namespace granum::cli {
 
 struct AnswerOptions {
@@ -26,34 +26,31 @@ struct AnswerOptions {
 };
 
 void add_answer_options(CLI::App& command, AnswerOptions& options);
+void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings);
 
 /// Numbers that mineral, sand and relative density decide, where they are not given themselves.
 /// \throws   InvalidArgument where a relative density lacks its limits, or the density is given twice
 void apply_presets(PackingOptions& packing, AnswerOptions& options);
 
-/// The question of the answer. C_n, z* and rattlers only where they are given.
+/// The question that the options ask.
 /// \throws   InvalidArgument as resolve_state
-[[nodiscard]] effective::PackingQuestion question_of(const PackingOptions& packing,
-                                                     const AnswerOptions& options);
+[[nodiscard]] estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& options);
 
-/// An input that is not exact: assumed, or said to be uncertain.
-struct Spread {
-  std::string key;      ///< the option without its hyphens
-  std::string text;     ///< "9 GPa", for people
-  double deviation = 0; ///< one standard deviation, SI
-  bool assumed = false; ///< by granum, not given by --uncertainty
-};
+/// The option of a number without its hyphens: the name of an uncertain input.
+[[nodiscard]] std::string key_of(const Number& number);
+/// All numbers that may be uncertain, in the order of the options.
+[[nodiscard]] std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options);
 
-/// What is assumed of numbers that are not given, and what --uncertainty says of others, in the order of the
-/// options.
-/// \param    settings   key=sd, checked by propagate(), but for grain-density
-[[nodiscard]] std::vector<Spread> spreads_of(const PackingOptions& packing, const AnswerOptions& options,
-                                             const std::vector<std::string>& settings);
+/// What is assumed of numbers that are not given, and what --uncertainty states of others, in the order of
+/// the options.
+/// \param    settings   key=sd; sd with the unit of the key, or in per cent of its value
+/// \throws   InvalidArgument for a key that is no input of this packing, given twice, or with a bad deviation
+[[nodiscard]] std::vector<estimate::UncertainInput>
+uncertain_inputs_of(const PackingOptions& packing, const AnswerOptions& options,
+                    const std::vector<std::string>& settings);
 
-/// The answer with each of them less and more. A side that no packing can have is moved less far.
-/// \throws   InvalidArgument as effective::answer
-[[nodiscard]] effective::PackingAnswer answer_with_spreads(const PackingOptions& packing,
-                                                           const AnswerOptions& options,
-                                                           const std::vector<Spread>& spreads);
+/// "9 GPa": the deviation of an uncertain input, for people.
+[[nodiscard]] std::string deviation_text(const PackingOptions& packing, const AnswerOptions& options,
+                                         const estimate::UncertainInput& input);
 
 } // namespace granum::cli

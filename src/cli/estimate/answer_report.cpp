@@ -12,8 +12,10 @@ namespace granum::cli {
 
 namespace {
 
-using effective::PackingAnswer;
-using effective::Range;
+using estimate::Answer;
+using estimate::Field;
+using estimate::FieldRow;
+using estimate::Range;
 using nlohmann::ordered_json;
 
 constexpr double uniform_sand = 1.5; ///< C_u of the measured laws where none is told
@@ -33,30 +35,25 @@ std::vector<SandAnswer> measured_sands(const hardin::SandState& sand) {
 }
 
 /// "assumed --grain-shear-modulus 30 GPa +- 9 GPa, as ...".
-std::vector<std::string> with_spreads(std::vector<std::string> notes, const std::vector<Spread>& spreads) {
-  for (const Spread& spread : spreads)
+std::vector<std::string> with_deviations(std::vector<std::string> notes, const PackingOptions& packing,
+                                         const AnswerOptions& options, const AnswerCase& c) {
+  for (const estimate::UncertainInput& input : c.inputs)
     for (std::string& note : notes) {
-      const std::string begin = "assumed --" + spread.key + " ";
-      if (spread.assumed && note.starts_with(begin)) {
-        const std::size_t end = std::min(note.find(','), note.size());
-        note.insert(end, " +- " + spread.text);
-      }
+      const std::string begin = "assumed --" + input.input + " ";
+      if (input.assumed && note.starts_with(begin))
+        note.insert(std::min(note.find(','), note.size()), " +- " + deviation_text(packing, options, input));
     }
   return notes;
 }
 
-bool anisotropic(const effective::PackingQuestion& q) {
+bool anisotropic(const estimate::Question& q) {
   return q.state.stress_v != q.state.stress_h || q.state.fabric_anisotropy != 0;
 }
 
-bool counted(const effective::PackingQuestion& q) {
-  return q.coordination_number || q.mechanical_coordination_number || q.rattler_fraction;
+ordered_json json_of(const std::optional<Range>& range) {
+  return range ? ordered_json{{"value", range->value}, {"low", range->low}, {"high", range->high}}
+               : ordered_json();
 }
-
-ordered_json json_of(const Range& range) {
-  return {{"value", range.value}, {"low", range.low}, {"high", range.high}};
-}
-ordered_json json_of(const std::optional<Range>& range) { return range ? json_of(*range) : ordered_json(); }
 
 std::string preparation_text(const effective::Preparation& preparation) {
   switch (preparation.kind) {
@@ -74,56 +71,37 @@ std::string preparation_text(const effective::Preparation& preparation) {
 // ---- text
 
 std::string pressure(double value) { return pretty(value, Dimension::pressure); }
-std::string speed(double value) { return short_text(value, 4) + " m/s"; }
-std::string number(double value) { return short_text(value, 3); }
-std::string density(double value) { return short_text(value, 4) + " kg/m3"; }
 
-std::string line(const char* label, const Range& range, std::string (*text)(double),
-                 const std::string& meaning) {
-  return fmt::format("  {:<8}{:>12}{:>14}{:>14}   {}\n", label, text(range.value), text(range.low),
-                     text(range.high), meaning);
+bool is_shown(const FieldRow& row, bool by_direction) {
+  return row.shown == estimate::Shown::always || (row.shown == estimate::Shown::by_direction && by_direction);
 }
 
 std::string moduli_text(const AnswerCase& c) {
-  const PackingAnswer& a = c.answer;
   const bool wet = c.question.saturation > 0, by_direction = anisotropic(c.question);
-  const std::string pores =
-      wet ? fmt::format("{} % of the pores water", short_text(100 * c.question.saturation, 3)) : "dry";
   std::string text = fmt::format("  {:<8}{:>12}{:>14}{:>14}\n", "", "answer", "low", "high");
-  text += line(by_direction ? "G_vh" : "G", a.shear_modulus, pressure,
-               by_direction ? "shear modulus, vertical plane" : "shear modulus");
-  text += line("V_s", *a.shear_wave_speed, speed, by_direction ? "shear wave, vertical" : "shear wave");
-  text += line("V_p", *a.compression_wave_speed, speed,
-               (by_direction ? "compression wave, vertical" : "compression wave") +
-                   std::string(wet ? "; Gassmann" : ""));
-  text += line("K", a.bulk_modulus, pressure, wet ? "bulk modulus, drained" : "bulk modulus");
-  text += line(by_direction ? "E_v" : "E", a.young_modulus, pressure,
-               std::string(by_direction ? "Young's modulus, vertical" : "Young's modulus") +
-                   (wet ? ", drained" : ""));
-  text += line(by_direction ? "nu_vh" : "nu", a.poisson_ratio, number,
-               std::string("Poisson's ratio") + (wet ? ", drained" : ""));
-  if (by_direction) {
-    text += line("G_hh", a.G_hh, pressure, "shear modulus, horizontal plane");
-    text += line("V_s,h", *a.horizontal_shear_wave_speed, speed, "shear wave in the horizontal plane");
-    text += line("V_p,h", *a.horizontal_compression_wave_speed, speed, "compression wave, horizontal");
-    text += line("E_h", a.horizontal_young_modulus, pressure, "Young's modulus, horizontal");
+  for (const FieldRow& row : estimate::fields()) {
+    const std::optional<Range>& range = c.answer.find(row.field);
+    if (!range || !is_shown(row, by_direction))
+      continue;
+    text +=
+        fmt::format("  {:<8}{:>12}{:>14}{:>14}   {}{}\n", by_direction ? row.directed_symbol : row.symbol,
+                    field_text(row, range->value), field_text(row, range->low), field_text(row, range->high),
+                    by_direction ? row.directed_meaning : row.meaning, wet ? row.in_water : "");
   }
-  text += line("density", *a.bulk_density, density, pores);
-  text += line("z*", a.mechanical_coordination_number, number, "contacts of a grain that bears load");
   return text;
 }
 
 /// "contacts 81 %, grain-shear-modulus 12 %": without what rounds to nothing.
-std::string shares_text(const PackingAnswer& answer) {
+std::string shares_text(const Answer& answer) {
   std::string text;
-  for (const effective::Share& share : answer.shares)
+  for (const estimate::Share& share : answer.shares())
     if (share.share >= 0.005)
       text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", share.input, 100 * share.share);
   return text.empty() ? "" : "\n  the range of G: " + text + "\n";
 }
 
 std::string preparation_remark(const AnswerCase& c) {
-  if (counted(c.question))
+  if (c.question.knows_contacts())
     return "";
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
     return fmt::format("  contacts of the preparation {}, as sphere packings have them\n",
@@ -173,26 +151,53 @@ std::string sands_text(const AnswerCase& c) {
   const auto& s = c.question.state;
   std::string text =
       fmt::format("\n  G of measured sands at e = {}, p = {}, C_u = {}{}; each scatters by a factor of 1.6\n",
-                  short_text(s.void_ratio), pressure((s.stress_v + 2 * s.stress_h) / 3),
-                  short_text(c.uniformity), c.uniformity_assumed ? " assumed" : "");
+                  short_text(s.void_ratio), pressure(s.mean_stress()), short_text(c.uniformity),
+                  c.uniformity_assumed ? " assumed" : "");
   for (const SandAnswer& sand : c.sands)
     text += fmt::format("    {:<26}{:>12}   {}{}\n", sand.law->key,
                         sand.modulus ? pressure(sand.modulus->shear_modulus) : "none", sand.law->sand,
                         sand.modulus && sand.modulus->validity.ok() ? "" : " (not tested here)");
-  return text + "    " + comparison_text(c.answer.shear_modulus, c.sands);
+  return text + "    " + comparison_text(c.answer[Field::shear_modulus], c.sands);
 }
 
 } // namespace
 
+std::string field_text(const FieldRow& row, double value) {
+  switch (row.dimension) {
+  case Dimension::pressure:
+    return pressure(value);
+  case Dimension::dimensionless:
+    return short_text(value, 3);
+  default:
+    return short_text(value, 4) + " " + std::string(si_symbol(row.dimension));
+  }
+}
+
+io::Columns<Answer> answer_columns(bool all) {
+  constexpr Field usual[] = {Field::shear_modulus, Field::shear_wave_speed, Field::compression_wave_speed,
+                             Field::mechanical_coordination_number, Field::stress_exponent};
+  io::Columns<Answer> columns;
+  for (const FieldRow& row : estimate::fields()) {
+    if (!all && std::find(std::begin(usual), std::end(usual), row.field) == std::end(usual))
+      continue;
+    const std::string unit(si_symbol(row.dimension));
+    for (const auto& [name, part] :
+         {std::pair{"answer", &Range::value}, {"low", &Range::low}, {"high", &Range::high}})
+      columns.emplace_back(fmt::format("{}_{}{}{}", row.column, name, unit.empty() ? "" : "_", unit), "",
+                           [field = row.field, part = part](const Answer& answer) {
+                             const std::optional<Range>& range = answer.find(field);
+                             return range ? std::optional((*range).*part) : std::nullopt;
+                           });
+  }
+  return columns;
+}
+
 AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& options,
                        const std::vector<std::string>& uncertainties) {
-  AnswerCase c{.question = question_of(packing, options),
-               .spreads = spreads_of(packing, options, uncertainties),
-               .answer = {},
-               .sands = {},
-               .assumptions = {}};
-  c.answer = answer_with_spreads(packing, options, c.spreads);
-  return c;
+  estimate::Question question = question_of(packing, options);
+  std::vector<estimate::UncertainInput> inputs = uncertain_inputs_of(packing, options, uncertainties);
+  estimate::Answer answer = estimate::answer(question, inputs);
+  return {.question = std::move(question), .inputs = std::move(inputs), .answer = std::move(answer)};
 }
 
 AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
@@ -203,14 +208,13 @@ AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& opti
   c.uniformity =
       packing.sizes ? sizes::gradation(*packing.sizes, 1).uniformity() : of_sand.value_or(uniform_sand);
   c.uniformity_assumed = !packing.sizes && !of_sand;
-  c.sands = measured_sands({.void_ratio = s.void_ratio,
-                            .mean_stress = (s.stress_v + 2 * s.stress_h) / 3,
-                            .uniformity = c.uniformity});
+  c.sands = measured_sands(
+      {.void_ratio = s.void_ratio, .mean_stress = s.mean_stress(), .uniformity = c.uniformity});
   c.assumptions = assumed_grains(packing, s);
   if (!options.grain_density.given())
     c.assumptions.push_back(
         fmt::format("assumed --grain-density {}", pretty(options.grain_density.value, Dimension::density)));
-  c.assumptions = with_spreads(std::move(c.assumptions), c.spreads);
+  c.assumptions = with_deviations(std::move(c.assumptions), packing, options, c);
   if (options.mineral != nullptr)
     c.assumptions.push_back(fmt::format("grains of {} [{}]", options.mineral->name, options.mineral->source));
   if (options.sand != nullptr)
@@ -224,31 +228,19 @@ AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& opti
 }
 
 ordered_json answer_json(const AnswerCase& c) {
-  const PackingAnswer& a = c.answer;
-  ordered_json json = {{"shear_modulus", json_of(a.shear_modulus)},
-                       {"shear_wave_speed", json_of(a.shear_wave_speed)},
-                       {"compression_wave_speed", json_of(a.compression_wave_speed)},
-                       {"bulk_modulus", json_of(a.bulk_modulus)},
-                       {"young_modulus", json_of(a.young_modulus)},
-                       {"poisson_ratio", json_of(a.poisson_ratio)},
-                       {"horizontal_shear_modulus", json_of(a.G_hh)},
-                       {"horizontal_shear_wave_speed", json_of(a.horizontal_shear_wave_speed)},
-                       {"horizontal_compression_wave_speed", json_of(a.horizontal_compression_wave_speed)},
-                       {"horizontal_young_modulus", json_of(a.horizontal_young_modulus)},
-                       {"bulk_density", json_of(a.bulk_density)},
-                       {"mechanical_coordination_number", json_of(a.mechanical_coordination_number)},
-                       {"rattler_fraction", json_of(a.rattler_fraction)},
-                       {"coordination_number", json_of(a.coordination_number)},
-                       {"preparation", preparation_text(c.question.preparation)},
-                       {"grain_density", *c.question.grain_density},
-                       {"saturation", c.question.saturation}};
+  ordered_json json = ordered_json::object();
+  for (const FieldRow& row : estimate::fields())
+    json[row.key] = json_of(c.answer.find(row.field));
+  json.update({{"preparation", preparation_text(c.question.preparation)},
+               {"grain_density", *c.question.grain_density},
+               {"saturation", c.question.saturation}});
   json["shares"] = ordered_json::object();
-  for (const effective::Share& share : a.shares)
+  for (const estimate::Share& share : c.answer.shares())
     json["shares"][share.input] = share.share;
   json["assumed_deviations"] = ordered_json::object();
-  for (const Spread& spread : c.spreads)
-    if (spread.assumed)
-      json["assumed_deviations"][spread.key] = spread.deviation;
+  json["stated_deviations"] = ordered_json::object();
+  for (const estimate::UncertainInput& input : c.inputs)
+    json[input.assumed ? "assumed_deviations" : "stated_deviations"][input.input] = input.deviation;
   json["notes"] = c.assumptions;
   return json;
 }

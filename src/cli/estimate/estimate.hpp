@@ -13,41 +13,31 @@
 /// What granum estimate works out, and how it is put into words.
 namespace granum::cli {
 
-/// The question: a state, and where its numbers come from.
-struct EstimateCase {
-  effective::RungInputs subject;
-  nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
-  std::vector<std::string> assumptions; ///< what was not given, one sentence each
-};
-
 /// A closed form that granum estimate shows, and what it calls it.
 struct ShownForm {
   const char* key;   ///< in the JSON
   const char* title; ///< in tables and remarks
   const effective::Rung* rung;
-};
-/// The two uniform fields side by side, and the relaxed one where z* is given.
-[[nodiscard]] std::vector<ShownForm> shown_forms(const effective::RungInputs& packing);
-
-struct ShownAnswer {
-  ShownForm form;
   effective::RungAnswer answer;
 };
 
-struct EstimateAnswer {
-  std::vector<ShownAnswer> forms;
-  Validity validity; ///< notes of all, each once
+/// The two uniform fields and the relaxed one side by side, at the contacts of the answer.
+struct Bounds {
+  std::vector<ShownForm> forms;
+  std::vector<std::string> assumptions; ///< what they take besides the assumptions of the answer
+  Validity validity;                    ///< notes of all, each once
 };
 
+/// \throws   InvalidArgument as effective::answer
+[[nodiscard]] Bounds bounds_of(const AnswerCase& answer);
+
 /// The answer first, then the inputs, the rungs and measured sands.
-[[nodiscard]] nlohmann::ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& rungs,
-                                                   const AnswerCase& answer);
+/// \param    packing   contact, grains and packing, SI
+[[nodiscard]] nlohmann::ordered_json estimate_json(const nlohmann::ordered_json& packing,
+                                                   const Bounds& bounds, const AnswerCase& answer);
 /// Contact, grains, packing and stress.
-[[nodiscard]] std::string state_text(const EstimateCase& question);
+[[nodiscard]] std::string state_text(const nlohmann::ordered_json& packing, const effective::State& state);
 /// Uniform strain, uniform stress and the relaxed rung side by side.
-[[nodiscard]] std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rungs);
-/// A line for each, none twice: what the answer assumes, and what the rungs do.
-[[nodiscard]] std::string notes_table(const std::vector<std::string>& of_answer,
-                                      const std::vector<std::string>& of_rungs);
+[[nodiscard]] std::string bounds_table(const effective::State& state, const Bounds& bounds);
 
 } // namespace granum::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <tuple>
 
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
@@ -41,15 +41,6 @@ ordered_json json_of(const effective::RungAnswer& answer) {
     json.update({{"declines", true}, {"relative_error", nullptr}});
   else if (const auto& error = answer.relative_error)
     json["relative_error"] = {{"K", error->bulk_modulus}, {"G_vh", error->G_vh}, {"G_hh", error->G_hh}};
-  return json;
-}
-
-ordered_json inputs(const EstimateCase& question) {
-  ordered_json json = question.packing;
-  const State& state = question.subject.state;
-  json.update({{"stress_v", state.stress_v}, {"stress_h", state.stress_h}});
-  if (const auto& z = question.subject.mechanical_coordination_number)
-    json["mechanical_coordination_number"] = *z;
   return json;
 }
 
@@ -116,29 +107,52 @@ std::string exponent_text(const ordered_json& value) {
 }
 
 /// What no closed form of a mean field knows; ratios measured on contact networks of all three shapes.
-std::string relaxation_text(const EstimateCase& question) {
-  const bool both = question.subject.state.tangential_ratio > 0;
-  if (question.subject.mechanical_coordination_number)
-    return fmt::format(
-        "\n{} G of a real packing, whose grains relax. The last column corrects that by\n"
-        "factors calibrated on contact networks; its exponents are those of frozen contacts.\n",
-        both ? "Uniform strain and stress overestimate" : "Uniform strain overestimates");
-  return fmt::format(
-      "\n{} G of a real packing, whose grains relax: it has about 0.7 of it if dense,\n"
-      "0.2 to 0.5 if weakly coordinated. --mechanical-coordination-number or --rattler-fraction\n"
-      "tell which; granum verify measures it, by network and by DEM.\n",
-      both ? "Both overestimate" : "Uniform strain overestimates");
+std::string relaxation_text(const State& state) {
+  return fmt::format("\n{} G of a real packing, whose grains relax. The last column corrects that by\n"
+                     "factors calibrated on contact networks; its exponents are those of frozen contacts.\n",
+                     state.tangential_ratio > 0 ? "Uniform strain and stress overestimate"
+                                                : "Uniform strain overestimates");
 }
 
 } // namespace
 
-std::string state_text(const EstimateCase& question) {
-  const State& s = question.subject.state;
-  const ordered_json& packing = question.packing;
+Bounds bounds_of(const AnswerCase& c) {
+  using effective::RungName;
+  Bounds bounds;
+  const State& state = c.answer.state();
+  for (const auto& [key, title, name] :
+       {std::tuple{"uniform_strain", "uniform strain", RungName::directional},
+        {"uniform_stress", "uniform stress", RungName::uniform_stress},
+        {"relaxed", "relaxed", RungName::relaxed}}) {
+    const effective::Rung& rung = effective::rung(name);
+    bounds.forms.push_back({key, title, &rung, effective::answer_with_exponents(rung, state)});
+    const effective::RungAnswer& answer = bounds.forms.back().answer;
+    bounds.validity.merge(answer.validity);
+    const bool own_note = name != RungName::relaxed; // stable where uniform strain is
+    if (own_note && !elastic::young_modulus(answer.stiffness, elastic::Loading::vertical))
+      bounds.validity.add(
+          fmt::format("Young's moduli under {} do not exist: the stiffness is not positive definite", title));
+  }
+  bounds.validity.keep_each_once();
+  if (state.stress_v == 0 && state.stress_h == 0)
+    bounds.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
+  if (*state.coordination_number == 0)
+    bounds.assumptions.emplace_back(
+        "m, n and s do not exist: without contacts every modulus is 0 at any stress");
+  if (!c.question.state.coordination_number) {
+    const estimate::Range& C_n = c.answer[estimate::Field::coordination_number];
+    bounds.assumptions.push_back(fmt::format(
+        "bounds and rungs use the estimated C_n = {} (range {} to {}); override with --coordination-number",
+        short_text(C_n.value, 3), short_text(C_n.low, 3), short_text(C_n.high, 3)));
+  }
+  return bounds;
+}
+
+std::string state_text(const ordered_json& packing, const State& s) {
   std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains\n\n",
                                  packing.contains("sizes") ? "un" : "");
-  text += fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(question.packing),
-                      short_text(s.tangential_ratio));
+  text +=
+      fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(packing), short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),
                       pretty(s.law.grain().shear_modulus, Dimension::pressure),
                       short_text(s.law.grain().poisson_ratio));
@@ -157,26 +171,27 @@ std::string state_text(const EstimateCase& question) {
   return text;
 }
 
-ordered_json estimate_json(const EstimateCase& question, const EstimateAnswer& rungs,
-                           const AnswerCase& answer) {
+ordered_json estimate_json(const ordered_json& packing, const Bounds& bounds, const AnswerCase& answer) {
   ordered_json json = json_head("estimate");
   json["answer"] = answer_json(answer);
-  json["inputs"] = inputs(question);
-  for (const ShownAnswer& shown : rungs.forms)
-    json[shown.form.key] = json_of(shown.answer);
+  json["inputs"] = packing;
+  const State& state = answer.answer.state();
+  json["inputs"].update({{"stress_v", state.stress_v}, {"stress_h", state.stress_h}});
+  for (const ShownForm& form : bounds.forms)
+    json[form.key] = json_of(form.answer);
   json["measured_sands"] = sands_json(answer);
-  json["notes"] = question.assumptions;
-  for (const std::string& note : rungs.validity.notes)
+  json["notes"] = bounds.assumptions;
+  for (const std::string& note : bounds.validity.notes)
     json["notes"].push_back(note);
   return json;
 }
 
-std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rungs) {
+std::string bounds_table(const State& state, const Bounds& bounds) {
   std::vector<ordered_json> answers;
   std::vector<std::string> titles;
-  for (const ShownAnswer& shown : rungs.forms) {
-    answers.push_back(json_of(shown.answer));
-    titles.emplace_back(shown.form.title);
+  for (const ShownForm& form : bounds.forms) {
+    answers.push_back(json_of(form.answer));
+    titles.emplace_back(form.title);
   }
   const auto cells = [&answers](const auto& text_of) {
     std::vector<std::string> texts;
@@ -184,9 +199,8 @@ std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rung
       texts.push_back(text_of(one));
     return texts;
   };
-  const auto& z = question.subject.mechanical_coordination_number;
-  std::string text = fmt::format("  at C_n = {}{}\n", short_text(question.subject.state.coordination_number),
-                                 z ? ", z* = " + short_text(*z) : "");
+  std::string text = fmt::format("  at C_n = {}, z* = {}\n", short_text(*state.coordination_number),
+                                 short_text(*state.mechanical_coordination_number));
   text += row("", titles, "");
   for (const Label& m : moduli)
     text += row(m.label, cells([&m](const ordered_json& one) {
@@ -198,22 +212,7 @@ std::string rungs_table(const EstimateCase& question, const EstimateAnswer& rung
   for (const Label& e : exponents)
     text +=
         row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }), e.meaning);
-  return text + relaxation_text(question);
-}
-
-std::string notes_table(const std::vector<std::string>& of_answer, const std::vector<std::string>& of_rungs) {
-  std::string text = "\n";
-  const auto said = [&](const std::string& note) { // with a spread it may go on
-    const std::string begin = note.substr(0, note.find(','));
-    return std::any_of(of_answer.begin(), of_answer.end(),
-                       [&](const std::string& other) { return other.starts_with(begin); });
-  };
-  for (const std::string& note : of_answer)
-    text += "- " + note + "\n";
-  for (const std::string& note : of_rungs)
-    if (!said(note))
-      text += "- " + note + "\n";
-  return text;
+  return text + relaxation_text(state);
 }
 
 } // namespace granum::cli

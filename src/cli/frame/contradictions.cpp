@@ -25,7 +25,6 @@ const std::vector<Exclusion>& exclusions() {
   static const std::vector<Exclusion> table = {
       {{"--void-ratio", "--porosity", "--solid-fraction", "--relative-density"}, {}, said_twice::density},
       {{"--pressure"}, {"--stress-v", "--stress-h"}, said_twice::stress},
-      {{"--mechanical-coordination-number", "--rattler-fraction"}, {}, said_twice::rattlers},
       {{"--radius", "--d50"}, {}, said_twice::size},
       {{"--sizes", "--sieve", "--uniformity"}, {}, said_twice::sizes},
       {{"--eta"}, {"--friction-angle"}, "give one of --eta and --friction-angle, where the path ends"},
@@ -56,17 +55,6 @@ struct Companion {
 const std::vector<Companion>& companions() {
   static const OptionNames stresses = {"--pressure", "--stress-v", "--stress-h"};
   static const std::vector<Companion> table = {
-      {"sweep",
-       {"--preparation"},
-       {"--depth", "--table"},
-       {},
-       "--depth or --table: a path keeps its contacts"},
-      {"sweep",
-       {"--saturation", "--grain-density"},
-       {"--depth", "--table"},
-       {},
-       "--depth or --table: a path tells moduli alone"},
-      {"sweep", {"--columns"}, {"--depth", "--table"}, {}, "--depth or --table; a path has those of --rungs"},
       {"sweep", stresses, {"--table"}, {"--depth"}, "--table; in the ground the weight above is the stress"},
       {"sweep", stresses, {"--table", "--depth"}, {}, "--table; a path takes its stress from --from"},
       {"sweep",

@@ -226,16 +226,17 @@ inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOp
   require_shared(o.uncertain, known);
   inverse::SharedInputs inputs;
   std::vector<Uncertain> uncertain;
-  for (const Spread& spread : spreads_of(packing, o.grains, o.uncertain)) {
-    const auto found = std::find(known.begin(), known.end(), spread.key);
+  for (const estimate::UncertainInput& input : uncertain_inputs_of(packing, o.grains, o.uncertain)) {
+    const auto found = std::find(known.begin(), known.end(), input.input);
     if (found == known.end())
       continue;
-    if (spread.assumed)
-      assumptions.push_back(fmt::format("taken to be uncertain: {} by {}", spread.key, spread.text));
-    inputs.keys.push_back(spread.key);
+    if (input.assumed)
+      assumptions.push_back(fmt::format("taken to be uncertain: {} by {}", input.input,
+                                        deviation_text(packing, o.grains, input)));
+    inputs.keys.push_back(input.input);
     uncertain.push_back(
-        {.index = static_cast<std::size_t>(found - known.begin()), .deviation = spread.deviation});
-    if (spread.key == known.back())
+        {.index = static_cast<std::size_t>(found - known.begin()), .deviation = input.deviation});
+    if (input.input == known.back())
       uncertain.back().index.reset();
   }
   inputs.move = [packing, uncertain](State& state, double& density, std::span<const double> deviations) {
@@ -252,7 +253,7 @@ std::vector<PredictedState> predicted_states(const InferOptions& o, const State&
     pressures.push_back(require_positive(
         "--predict-pressure", parse_quantity("--predict-pressure", text, Dimension::pressure), "Pa"));
   if (pressures.empty())
-    pressures.push_back((first.stress_v + 2 * first.stress_h) / 3);
+    pressures.push_back(first.mean_stress());
   const double ratio = o.predict_stress_ratio.given()
                            ? require_positive(o.predict_stress_ratio.name, o.predict_stress_ratio.value)
                            : first.stress_h / first.stress_v;
@@ -296,7 +297,7 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
 void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
   for (auto& [state, specimen] : question.predicted)
     if (specimen == inverse::Specimen::same)
-      state.void_ratio = fit.void_ratio_at((state.stress_v + 2 * state.stress_h) / 3);
+      state.void_ratio = fit.void_ratio_at(state.mean_stress());
 }
 
 InferCase infer_case(const InferOptions& given) {
@@ -313,7 +314,6 @@ InferCase infer_case(const InferOptions& given) {
     question.assumptions.push_back("assumed --grain-density " +
                                    pretty(o.grains.grain_density.value, Dimension::density));
   question.packing = packing_json(packing, first);
-  question.packing.erase("coordination_number");
   question.options = {.grain_density = o.grains.grain_density.value,
                       .pore_density = elastic::water_density * require_share(o.grains.saturation),
                       .growth = inverse::growth_of(o.growth),

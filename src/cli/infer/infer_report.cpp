@@ -19,8 +19,6 @@ using inverse::InferenceAnswer;
 using inverse::QuantityRow;
 using nlohmann::ordered_json;
 
-double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
-
 Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
 
 /// The quantities that can be told.
@@ -272,7 +270,7 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
   const auto add = [&](const char* kind, const State& s, inverse::Specimen specimen,
                        const inverse::Measurement* m) {
     auto& cells = csv.rows.emplace_back();
-    cells = {std::string(kind), mean_stress(s), s.stress_v, s.stress_h, s.void_ratio};
+    cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};
     const auto packing =
         answer.together ? std::optional(answer.together->packing(s, specimen)) : std::nullopt;
     cells.emplace_back(packing ? packing->mechanical_coordination_number.value : nothing);
@@ -317,21 +315,21 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
                       .style = 1,
                       .tone = plot::Tone::hollow,
                       .colour = plot::Colour::closed_form};
-  double least = mean_stress(question.measurements.front().state), most = least;
+  double least = question.measurements.front().state.mean_stress(), most = least;
   for (const inverse::Measurement& m : question.measurements) {
-    least = std::min(least, mean_stress(m.state));
-    most = std::max(most, mean_stress(m.state));
+    least = std::min(least, m.state.mean_stress());
+    most = std::max(most, m.state.mean_stress());
     if (m.quantity != quantity)
       continue;
-    data.x.push_back(mean_stress(m.state));
+    data.x.push_back(m.state.mean_stress());
     data.y.push_back(m.value.value);
     data.y_error.push_back(m.value.standard_error);
   }
   for (const auto& [state, specimen] : question.predicted) {
     const Measured value = fit.predict(quantity, state, specimen);
-    least = std::min(least, mean_stress(state));
-    most = std::max(most, mean_stress(state));
-    points.x.push_back(mean_stress(state));
+    least = std::min(least, state.mean_stress());
+    most = std::max(most, state.mean_stress());
+    points.x.push_back(state.mean_stress());
     points.y.push_back(value.value);
     points.y_error.push_back(value.standard_error);
   }
@@ -361,8 +359,8 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
     const double share = static_cast<double>(k) / (curve_points - 1);
     const double p = least * std::pow(most / least, share);
     State state = first;
-    state.stress_v *= p / mean_stress(first);
-    state.stress_h *= p / mean_stress(first);
+    state.stress_v *= p / first.mean_stress();
+    state.stress_h *= p / first.mean_stress();
     state.void_ratio = fit.void_ratio_at(p);
     const Measured value = fit.predict(quantity, state);
     for (plot::Series* series : {&curve, &low, &high})

@@ -23,9 +23,6 @@ namespace {
 using effective::State;
 using nlohmann::ordered_json;
 
-/// C_n of the weakly coordinated spheres of [Chung2014], Table 2, at e = 0.572.
-constexpr double loose_coordination_number = 3.5;
-
 void require_belongs_to_contact(const PackingOptions& o) {
   using contact::Shape;
   const std::pair<const Number*, Shape> owners[] = {{&o.slope, Shape::cone},
@@ -161,10 +158,11 @@ void add_packing_options(CLI::App& command, PackingOptions& o) {
   add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
   in_group(command, state_group,
            {"--void-ratio", "--porosity", "--solid-fraction", "--pressure", "--stress-v", "--stress-h"});
-  add_number(command, "--coordination-number", o.coordination_number,
-             "C_n = 2 N_c/N, contacts per grain over all grains");
+  add_number_without_default(command, "--coordination-number", o.coordination_number,
+                             "C_n = 2 N_c/N, contacts per grain over all grains; by default those that "
+                             "packings of this void ratio and stress have");
   add_number_without_default(command, "--mechanical-coordination-number", o.mechanical_coordination_number,
-                             "z*, contacts per grain without rattlers: rung 3, with relaxation");
+                             "z*, contacts per grain without rattlers");
   add_number_without_default(command, "--rattler-fraction", o.rattler_fraction,
                              "Share of grains that carry no force, instead of z* = C_n/(1 - share)");
   add_number(command, "--fabric", o.fabric, "a, anisotropy of the contact normals; > 0: more are vertical");
@@ -203,6 +201,14 @@ stress::AxialStress resolve_stresses(const PackingOptions& o) {
   return {o.stress_v.value, o.stress_h.value};
 }
 
+namespace {
+
+std::optional<double> if_given(const Number& number) {
+  return number.given() ? std::optional(number.value) : std::nullopt;
+}
+
+} // namespace
+
 State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) {
   const State state{.law = resolve_law(o),
                     .tangential_ratio = o.tangential_ratio.given()
@@ -210,26 +216,14 @@ State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) 
                                             : contact::mindlin_stiffness_ratio(o.grain_poisson_ratio.value),
                     .radius = resolve_radius(o),
                     .void_ratio = resolve_void_ratio(o),
-                    .coordination_number = o.coordination_number.value,
+                    .coordination_number = if_given(o.coordination_number),
+                    .mechanical_coordination_number = if_given(o.mechanical_coordination_number),
                     .fabric_anisotropy = o.fabric.value,
                     .stress_v = stress.v,
                     .stress_h = stress.h,
                     .contacts = resolve_contact_means(o)};
   effective::require_valid(state);
   return state;
-}
-
-std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& o) {
-  const bool one_table = o.mechanical_coordination_number.in_table && o.rattler_fraction.in_table;
-  if (o.mechanical_coordination_number.given() && o.rattler_fraction.given() && !one_table)
-    throw InvalidArgument(said_twice::rattlers);
-  if (o.mechanical_coordination_number.given())
-    return require_non_negative(o.mechanical_coordination_number.name,
-                                o.mechanical_coordination_number.value);
-  if (o.rattler_fraction.given())
-    return effective::mechanical_coordination_number(o.coordination_number.value,
-                                                     require_share(o.rattler_fraction));
-  return std::nullopt;
 }
 
 std::vector<std::string> assumed_grains(const PackingOptions& o, const State& state) {
@@ -260,31 +254,11 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
       uniformity > compared)
     notes.push_back(fmt::format("C_u is {}: which sizes touch was compared with packings up to {} alone",
                                 short_text(uniformity), compared));
-  return notes;
-}
-
-std::vector<std::string> assumed_inputs(const PackingOptions& o, const State& state) {
-  std::vector<std::string> notes = assumed_grains(o, state);
   if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
     notes.emplace_back(
-        "assumed that no grain rattles: rattlers are small, and the more there are, the larger are the "
-        "grains that touch; --rattler-fraction or z* tell");
+        "contacts of unequal grains: which sizes touch is that of a packing without rattlers; rattlers are "
+        "small, so that grains that touch are larger; --rattler-fraction sets their share");
   return notes;
-}
-
-std::vector<std::string> assumed_coordination(const PackingOptions& o, const State& state) {
-  if (o.coordination_number.given())
-    return {};
-  // A modulus goes as C_n k_n(f) with f ~ 1/C_n.
-  const double loose =
-      std::pow(loose_coordination_number / state.coordination_number, 1 - state.law.stiffness_exponent());
-  return {fmt::format("assumed --coordination-number {}, a dense packing (spheres of Chung et al. "
-                      "2014, Table 2, void ratio 0.558){}",
-                      short_text(state.coordination_number),
-                      o.sizes ? "; that of unequal grains is smaller, as small ones rattle" : ""),
-          fmt::format("prepared loosely, the same void ratio can go with a coordination number of {} "
-                      "and at most {} of these moduli",
-                      loose_coordination_number, short_text(loose, 2))};
 }
 
 ordered_json packing_json(const PackingOptions& o, const State& s) {
@@ -300,8 +274,11 @@ ordered_json packing_json(const PackingOptions& o, const State& s) {
                {"radius", s.radius},
                {"tangential_ratio", s.tangential_ratio},
                {"void_ratio", s.void_ratio},
-               {"coordination_number", s.coordination_number},
                {"fabric", s.fabric_anisotropy}});
+  if (s.coordination_number)
+    json["coordination_number"] = *s.coordination_number;
+  if (s.mechanical_coordination_number)
+    json["mechanical_coordination_number"] = *s.mechanical_coordination_number;
   json.update(sizes_json(o, s.contacts));
   return json;
 }

@@ -49,8 +49,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Number& numb
 CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
                                         const std::string& help);
 
-/// Defaults: grains of Table 1 of [Chung2014] and the C_n of its dense spheres (Table 2); cone and punch are
-/// those that agree with its Table 5. Numbers without a default are 0 and never used unless given.
+/// Defaults: grains of Table 1 of [Chung2014]; cone and punch are those that agree with its Table 5. Numbers
+/// without a default are 0 and never used unless given.
 struct PackingOptions {
   contact::Shape contact = contact::Shape::sphere;
   const CLI::Option* contact_option = nullptr;
@@ -68,7 +68,7 @@ struct PackingOptions {
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;
   Number solid_fraction;
-  Number coordination_number{5.73, Dimension::dimensionless, "C_n Cn"};
+  Number coordination_number{0, Dimension::dimensionless, "C_n Cn"};
   Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star z*"};
   Number rattler_fraction;
   Number fabric{0, Dimension::dimensionless, "a"};
@@ -103,21 +103,10 @@ void require_density_or_stress(const PackingOptions& options);
 [[nodiscard]] effective::State resolve_state(const PackingOptions& options,
                                              const stress::AxialStress& stress);
 
-/// z* of the packing, if it is given, or the share of rattlers. A table may hold both: then z*.
-/// \throws   InvalidArgument if both are given, or if the value is out of its range
-[[nodiscard]] std::optional<double> resolve_mechanical_coordination_number(const PackingOptions& options);
-
 /// What was not given of shape, grains and fabric, one sentence each.
 [[nodiscard]] std::vector<std::string> assumed_grains(const PackingOptions& options,
                                                       const effective::State& state);
-/// The same, and that rattlers of unequal grains were not given.
-[[nodiscard]] std::vector<std::string> assumed_inputs(const PackingOptions& options,
-                                                      const effective::State& state);
-/// That the coordination number was not given, and how much less a loosely prepared packing may have.
-[[nodiscard]] std::vector<std::string> assumed_coordination(const PackingOptions& options,
-                                                            const effective::State& state);
-
-/// Contact, grains and packing in SI, without the stress.
+/// Contact, grains and packing in SI, without the stress; contacts as far as they are known.
 [[nodiscard]] nlohmann::ordered_json packing_json(const PackingOptions& options,
                                                   const effective::State& state);
 

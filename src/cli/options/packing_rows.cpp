@@ -12,13 +12,11 @@ namespace granum::cli {
 
 namespace {
 
-/// Of coordination numbers that are not known answers take those that packings have. Other numbers that a
-/// packing may lack, as by its contact or how its density is given, have no default to stand in for them.
+/// Numbers that a packing may lack, as its contacts or how its density is given, have no default.
 EmptyField when_empty(const PackingOptions& o, const Number& number) {
   const Number* needed[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.fabric};
-  if (std::find(std::begin(needed), std::end(needed), &number) != std::end(needed))
-    return EmptyField::refused;
-  return &number == &o.coordination_number ? EmptyField::by_default : EmptyField::not_given;
+  return std::find(std::begin(needed), std::end(needed), &number) != std::end(needed) ? EmptyField::refused
+                                                                                      : EmptyField::not_given;
 }
 
 } // namespace

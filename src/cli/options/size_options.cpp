@@ -78,7 +78,8 @@ sizes::ContactMeans resolve_contact_means(const PackingOptions& o) {
   double rattlers = 0;
   if (o.rattler_fraction.given())
     rattlers = o.rattler_fraction.value;
-  else if (o.mechanical_coordination_number.given() && o.mechanical_coordination_number.value > 0)
+  else if (o.coordination_number.given() && o.mechanical_coordination_number.given() &&
+           o.mechanical_coordination_number.value > 0)
     rattlers = std::max(0.0, 1 - o.coordination_number.value / o.mechanical_coordination_number.value);
   return sizes::expected_contact_means(*o.sizes, rattlers);
 }

@@ -30,11 +30,7 @@ AnswerRow AnswerRows::row(std::size_t row) {
     both.answer.mineral = &contact::mineral(said);
   if (const std::string said = text(sand_); !said.empty())
     both.answer.sand = &hardin::known_sand(said);
-  // A table may hold all three numbers of contacts, which say one thing too much.
-  PackingOptions& p = both.packing;
-  if (p.coordination_number.in_table && p.mechanical_coordination_number.in_table)
-    p.rattler_fraction.in_table = false;
-  apply_presets(p, both.answer);
+  apply_presets(both.packing, both.answer);
   return both;
 }
 

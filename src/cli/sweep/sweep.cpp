@@ -14,22 +14,16 @@ namespace granum::cli {
 
 namespace {
 
-/// The rungs that were asked for, or all that the options allow. A row of a table may have z*.
+using effective::Rung;
+
+/// The rungs that were asked for, or all of them.
 Rungs chosen_rungs(const SweepOptions& o) {
-  const bool z_given = o.packing.mechanical_coordination_number.given() ||
-                       o.packing.rattler_fraction.given() || !o.table.empty();
   const bool by_default = o.table.empty() || o.all_columns || o.output.json;
   Rungs rungs;
-  for (const Rung& rung : effective::closed_forms()) {
-    const bool asked_for = std::find(o.rungs.begin(), o.rungs.end(), rung.key) != o.rungs.end();
-    const bool allowed = !rung.needs_coordination || z_given;
-    if (asked_for && !allowed)
-      throw InvalidArgument(fmt::format("--rungs {} needs --mechanical-coordination-number or "
-                                        "--rattler-fraction",
-                                        rung.key));
-    if (asked_for || (o.rungs.empty() && allowed && by_default))
+  for (const Rung& rung : effective::closed_forms())
+    if (std::find(o.rungs.begin(), o.rungs.end(), rung.key) != o.rungs.end() ||
+        (o.rungs.empty() && by_default))
       rungs.push_back(&rung);
-  }
   return rungs;
 }
 
@@ -73,7 +67,7 @@ void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth,
   CLI::Option* picture =
       add_picture(
           command, o.picture,
-          "Draw the path, with a gnuplot script beside it that draws --out; stresses and answers over depth; "
+          "Draw the answer with its range and the rungs along the path; stresses and answers over depth; "
           "or G of a table's rows")
           ->excludes("--json");
   command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
@@ -89,7 +83,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
                            ->delimiter(',')
                            ->transform(one_of(names_of(effective::closed_forms(), &Rung::key)))
-                           ->default_str("all, 3 if z* is an option; none in the CSV of a table");
+                           ->default_str("all; none in the CSV of a table");
   const std::vector<CLI::Option*> path_options = add_path_options(command, o);
   CLI::Option* table =
       command.add_option("--table", o.table, "States from the rows of this CSV file")->type_name("FILE.csv");
@@ -104,7 +98,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
   command
       .add_option_function<std::string>(
           "--columns", [&o](const std::string& text) { o.all_columns = text == "all"; },
-          "In CSV: G, V_s, V_p and z* of the answer with their ranges, or all moduli and speeds, and "
+          "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and speeds, and "
           "every rung of a table")
       ->transform(one_of({"usual", "all"}))
       ->default_str("usual");

@@ -6,20 +6,21 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/core/units.hpp>
 #include <granum/core/validity.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/elastic/saturation.hpp>
-#include <granum/io/csv/table.hpp>
+#include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/estimate/answer_options.hpp"
+#include "cli/estimate/answer_report.hpp"
 #include "cli/frame/frame.hpp"
-#include "cli/options/packing_options.hpp"
 
-/// What granum sweep works out, state by state, and how it leaves the program.
+/// What granum sweep works out, state by state, and how it leaves the program: along a path, over depth and
+/// for the rows of a table alike.
 namespace granum::cli {
 
 /// Level ground, for a sweep over depth.
@@ -52,49 +53,39 @@ struct SweepOptions {
   std::string picture_of; ///< empty: by default
 };
 
-using effective::Rung;
-using Rungs = std::vector<const Rung*>;
+using Rungs = std::vector<const effective::Rung*>;
 
-/// A number that each rung gives for a state.
+/// A number that the answer and each rung give for a state.
 struct SweptQuantity {
   const char* name;
   Dimension dimension;
+  estimate::Field field; ///< of the answer
   std::optional<double> (*of)(const effective::RungAnswer& answer);
 };
 [[nodiscard]] std::span<const SweptQuantity> swept_quantities();
+/// \throws   InvalidArgument for another name
 [[nodiscard]] const SweptQuantity& swept_quantity(std::string_view name);
 
-/// What the rungs say of one state, or why they cannot.
-struct StateResult {
-  std::vector<std::optional<effective::RungAnswer>> answers; ///< one a rung
-  std::vector<std::string> notes;                            ///< of validity, each once
-  std::vector<std::string> slips;                            ///< inputs that are likely mistakes
-  std::string error;                                         ///< empty: none
+/// A state and what comes out of it, or why nothing does.
+struct SweptState {
+  std::optional<AnswerCase> answer;
+  std::vector<std::optional<effective::RungAnswer>> rungs = {}; ///< at the contacts of the answer, one a rung
+  std::vector<std::string> notes = {};                          ///< of validity, each once
+  std::vector<std::string> slips = {};                          ///< inputs that are likely mistakes
+  std::string error = {};                                       ///< empty: none
 };
 
-/// \param    needed   whether a rung that lacks an input is an error; else it says nothing
-[[nodiscard]] StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs,
-                                   bool needed = true);
-/// Of a state that is none.
-[[nodiscard]] StateResult failed(const std::string& error, const Rungs& rungs);
-
-/// Heading of the column of a quantity: G_hv_rung2_Pa.
-[[nodiscard]] std::string heading(const SweptQuantity& quantity, const Rung& rung);
-/// Headings and cells of a result: the rungs' numbers, notes, error.
-[[nodiscard]] std::vector<std::string> result_headings(const Rungs& rungs);
-void append_cells(std::vector<io::CsvCell>& row, const StateResult& result);
-/// Their two parts by themselves.
-[[nodiscard]] std::vector<std::string> rung_headings(const Rungs& rungs);
-void append_rung_cells(std::vector<io::CsvCell>& row, const StateResult& result);
-void append_remark_cells(std::vector<io::CsvCell>& row, const StateResult& result);
-/// Adds rungs, notes and error to the JSON of a state.
-void add_result(nlohmann::ordered_json& json, const StateResult& result, const Rungs& rungs);
+/// The answer of granum estimate and the rungs beside it.
+[[nodiscard]] SweptState swept(const PackingOptions& packing, const AnswerOptions& options,
+                               const Rungs& rungs);
+/// A state that the options do not make.
+[[nodiscard]] SweptState failed(const std::string& error, const Rungs& rungs);
 
 /// Counts what went wrong.
 class Tally {
  public:
   /// \param    where   the state in words, "line 4"
-  void count(const StateResult& result, const std::string& where);
+  void count(const SweptState& state, const std::string& where);
   /// One note for all states outside a formula's validity, and one for each kind of likely mistake.
   [[nodiscard]] Validity validity() const;
   /// Says on standard error how many states failed, if any.
@@ -116,15 +107,45 @@ class Tally {
 
 using Notes = std::vector<std::pair<std::string, std::string>>;
 
-/// Lines above the headings: program, inputs, rungs, remarks.
-[[nodiscard]] Notes csv_notes(const nlohmann::ordered_json& inputs, const Rungs& rungs,
-                              const std::vector<std::string>& remarks);
-/// Beginning of the JSON: program, inputs, rungs.
-[[nodiscard]] nlohmann::ordered_json sweep_json_head(const nlohmann::ordered_json& inputs,
-                                                     const Rungs& rungs);
+/// Collects states as the rows of a CSV file or of a JSON array.
+class SweepOutput {
+ public:
+  /// \param    headings   of the cells that lead each row
+  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings);
 
-/// \throws   FileError if a file exists and --force is not given: before any work is done
-void require_free(const OutputOptions& output, const std::vector<std::string>& files);
+  /// Headings of what follows the leading cells: answer, rungs, notes, error.
+  [[nodiscard]] std::vector<std::string> result_headings() const;
+  /// \param    cells   that lead the row
+  /// \param    place   members that lead the object in JSON
+  void add(std::vector<io::CsvCell> cells, nlohmann::ordered_json place, const SweptState& state);
+  /// \param    notes   above the headings, besides program, signs and rungs
+  [[nodiscard]] std::string csv(const Notes& notes, const std::vector<std::string>& remarks) const;
+  /// \param    head   members before the states
+  [[nodiscard]] nlohmann::ordered_json json(const nlohmann::ordered_json& head,
+                                            const std::vector<std::string>& remarks) const;
+
+ private:
+  const SweepOptions& options_;
+  Rungs rungs_;
+  io::Columns<estimate::Answer> columns_;
+  std::vector<std::string> headings_;
+  std::string rows_;
+  nlohmann::ordered_json states_ = nlohmann::ordered_json::array();
+};
+
+/// Writes the result and its picture.
+/// \param    screen   what is shown where the result goes to no file; empty: the CSV itself
+[[nodiscard]] ExitCode deliver_sweep(const SweepOptions& options, const std::string& screen,
+                                     const std::string& csv, const nlohmann::ordered_json& json,
+                                     const Validity& validity, const std::vector<plot::Chart>& picture);
+
+/// \throws   InvalidArgument if the picture's name does not end in .svg; FileError if a file exists and --force
+///           is not given: before any work is done
+void require_free(const OutputOptions& output, const std::string& picture);
+
+/// The assumptions of the answers, and that contacts grow or stay.
+[[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,
+                                                  std::vector<std::string> assumptions);
 
 /// Sweeps the states of options.table.
 ExitCode sweep_table(const SweepOptions& options, const Rungs& rungs);
@@ -133,10 +154,18 @@ ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
 /// Goes down into the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
+/// Options with the stresses of a state in place of their own.
+[[nodiscard]] PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress);
+
 /// n values from first to last, both to the bit.
 [[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
 
-/// \throws   InvalidArgument if the picture's name does not end in .svg
-void require_svg(const std::string& picture);
+/// A line in the middle of its band.
+struct Band {
+  std::vector<double> at;
+  std::vector<estimate::Range> ranges;
+};
+/// \param    sideways   numbers to the right, places downwards, as over depth
+void add_band(plot::Chart& chart, const Band& band, bool sideways);
 
 } // namespace granum::cli

@@ -4,70 +4,201 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/io/output_file.hpp>
+#include <granum/core/number.hpp>
 
-#include "cli/options/likely_mistakes.hpp"
+#include "cli/frame/json_members.hpp"
 #include "depth.hpp"
 
 namespace granum::cli {
 
 namespace {
 
-void give(Number& number, double value) {
-  number.value = value;
-  number.in_table = true;
+using estimate::Field;
+using estimate::Range;
+using nlohmann::ordered_json;
+
+/// A depth and the stresses there.
+struct DepthPoint {
+  double depth = 0; ///< [m]
+  stress::GroundStress stress;
+};
+
+io::Columns<DepthPoint> depth_columns() {
+  constexpr double kPa = 1e3;
+  const auto shown = [](const char* heading) { return io::ShownColumn{heading, 7, 4, false, kPa}; };
+  return {
+      {"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }, io::ShownColumn{"depth", 5, 4}},
+      {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; },
+       shown("sig_v")},
+      {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
+      {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; },
+       shown("u")},
+      {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }, shown("sig'_v")},
+      {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }, shown("sig'_h")},
+      {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }, shown("p'")}};
 }
+
+struct DepthState {
+  DepthPoint point;
+  SweptState state;
+};
 
 /// The answer of granum estimate at the stresses and in the water of that depth.
-DepthAnswer answer_at(const SweepOptions& o, const GroundCase& ground, double depth) {
-  const stress::GroundStress stress = stress::stress_at(ground.ground, depth);
-  PackingOptions packing = o.packing;
+DepthState state_at(const SweepOptions& o, const GroundCase& ground, double depth) {
+  DepthState at{.point = {depth, stress::stress_at(ground.ground, depth)}, .state = {}};
   AnswerOptions answer = o.answer;
-  give(packing.stress_v, stress.effective.v);
-  give(packing.stress_h, stress.effective.h);
   const auto& table = ground.ground.water_table;
-  give(answer.saturation, table && depth > *table ? 1.0 : ground.saturation);
-  return {.depth = depth, .stress = stress, .answer = solve_answer(packing, answer, {})};
+  answer.saturation.value = table && depth > *table ? 1.0 : ground.saturation;
+  answer.saturation.in_table = true;
+  at.state = swept(at_stress(o.packing, at.point.stress.effective), answer, {});
+  if (!at.state.answer)
+    throw InvalidArgument(fmt::format("at {}: {}", pretty(depth, Dimension::length), at.state.error));
+  return at;
 }
 
-std::vector<DepthAnswer> answers_at(const SweepOptions& o, const GroundCase& ground,
-                                    const std::vector<double>& depths) {
-  std::vector<DepthAnswer> answers;
+std::vector<DepthState> states_at(const SweepOptions& o, const GroundCase& ground,
+                                  const std::vector<double>& depths) {
+  std::vector<DepthState> states;
   for (const double depth : depths)
-    answers.push_back(answer_at(o, ground, depth));
-  return answers;
+    states.push_back(state_at(o, ground, depth));
+  return states;
 }
 
-std::vector<std::string> remarks_on(const SweepOptions& o, const DepthSweep& sweep) {
-  std::vector<std::string> remarks = sweep.ground.assumptions;
-  for (const DepthAnswer& at : sweep.answers)
-    for (const std::string& note : at.answer.assumptions)
-      if (std::find(remarks.begin(), remarks.end(), note) == remarks.end())
-        remarks.push_back(note);
-  const bool counted = o.packing.coordination_number.given() || o.packing.rattler_fraction.given() ||
-                       o.packing.mechanical_coordination_number.given();
-  remarks.emplace_back(counted
-                           ? "void ratio and contacts are the same at every depth"
-                           : "void ratio and preparation are the same at every depth; contacts grow with p'");
-  if (sweep.ground.ground.earth_pressure_at_rest != 1)
+// ---- screen
+
+std::string ground_text(const GroundCase& c) {
+  const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
+  std::string text = fmt::format("  ground    {}, {} % of the pores water", weight(c.ground.unit_weight),
+                                 short_text(100 * c.saturation, 3));
+  if (const auto& table = c.ground.water_table)
+    text += fmt::format("; below {} m {}, full", short_text(*table), weight(c.ground.saturated_unit_weight));
+  text += fmt::format("\n  at rest   K_0 = {}", short_text(c.ground.earth_pressure_at_rest));
+  if (c.ground.surcharge > 0)
+    text += fmt::format(", under {}", pretty(c.ground.surcharge, Dimension::pressure));
+  return text + "\n\n";
+}
+
+/// "162 (78-245)".
+std::string range_cell(const Range& range, double unit, int width) {
+  const auto text = [unit](double value) { return short_text(value / unit, 3); };
+  return fmt::format("{:>{}}",
+                     fmt::format("{} ({}-{})", text(range.value), text(range.low), text(range.high)), width);
+}
+
+std::string table_of(const GroundCase& ground, const std::vector<DepthState>& states,
+                     const std::vector<std::string>& remarks) {
+  const io::Columns<DepthPoint> columns = depth_columns();
+  const AnswerCase& last = *states.back().state.answer;
+  std::string text = fmt::format("Small-strain stiffness of level ground of void ratio {}\n\n",
+                                 short_text(last.question.state.void_ratio));
+  text += ground_text(ground);
+  text += io::heading_line(columns) + fmt::format("{:>14}{:>12}{:>14}\n", "G (low-high)", "V_s", "V_p");
+  text += fmt::format("{:>5}{:>7}{:>7}{:>7}{:>7}{:>7}{:>14}{:>12}{:>14}\n", "m", "kPa", "kPa", "kPa", "kPa",
+                      "kPa", "MPa", "m/s", "m/s");
+  for (const DepthState& at : states) {
+    const estimate::Answer& a = at.state.answer->answer;
+    text += io::number_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, 14) +
+            range_cell(a[Field::shear_wave_speed], 1, 12) +
+            range_cell(a[Field::compression_wave_speed], 1, 14) + "\n";
+  }
+  text += fmt::format("\n  G in a vertical plane, waves up and down; at {} m:",
+                      short_text(states.back().point.depth)) +
+          range_text(last) + "\n";
+  for (const std::string& remark : remarks)
+    text += "- " + remark + "\n";
+  return text;
+}
+
+// ---- files
+
+ordered_json ground_json(const GroundCase& c) {
+  const stress::Ground& g = c.ground;
+  const bool wet = g.water_table.has_value();
+  return {{"unit_weight", g.unit_weight},
+          {"saturation", c.saturation},
+          {"water_table", wet ? ordered_json(*g.water_table) : ordered_json()},
+          {"saturated_unit_weight", wet ? ordered_json(g.saturated_unit_weight) : ordered_json()},
+          {"water_unit_weight", g.water_unit_weight},
+          {"k0", g.earth_pressure_at_rest},
+          {"surcharge", g.surcharge}};
+}
+
+SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& states) {
+  const io::Columns<DepthPoint> columns = depth_columns();
+  std::vector<std::string> headings;
+  for (const io::Column<DepthPoint>& column : columns)
+    headings.push_back(column.heading);
+  SweepOutput output(o, {}, headings);
+  for (const DepthState& at : states) {
+    std::vector<io::CsvCell> cells;
+    io::add_cells(cells, columns, at.point);
+    output.add(std::move(cells), members(columns, at.point), at.state);
+  }
+  return output;
+}
+
+std::vector<std::string> depth_remarks(const SweepOptions& o, const GroundCase& ground,
+                                       const AnswerCase& first, const std::vector<DepthState>& states) {
+  std::vector<std::string> remarks = ground.assumptions;
+  for (const std::string& note : remarks_on(o, first.assumptions))
+    remarks.push_back(note);
+  if (ground.ground.earth_pressure_at_rest != 1)
     remarks.emplace_back(
         "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
         "no contacts: --fabric is that of the ground as it lies");
-  if (sweep.answers.front().stress.effective.v == 0)
+  if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
         "without stress spheres have no stiffness: at the surface G and V_s are 0, where suction "
         "and cement would hold real ground");
   return remarks;
 }
 
-DepthSweep solve(const SweepOptions& o) {
-  DepthSweep sweep{.ground = resolve_ground(o), .packing = {}, .answers = {}, .remarks = {}};
-  sweep.answers = answers_at(o, sweep.ground, sweep.ground.depths);
-  sweep.packing = packing_json(o.packing, sweep.answers.back().answer.question.state);
-  if (!o.packing.coordination_number.given())
-    sweep.packing.erase("coordination_number");
-  sweep.remarks = remarks_on(o, sweep);
-  return sweep;
+// ---- picture
+
+plot::Chart panel(const std::string& title, const std::string& x, double unit) {
+  return {.title = title,
+          .x = {.title = x, .unit = unit},
+          .y = {.title = "depth [m]", .reversed = true},
+          .series = {},
+          .width = 230,
+          .height = 460,
+          .legend_below = true};
+}
+
+plot::Chart stress_panel(const std::vector<DepthState>& states) {
+  plot::Chart chart = panel("stress", "stress [kPa]", 1e3);
+  const auto add = [&](const char* name, std::optional<plot::Colour> colour,
+                       double (*of)(const DepthPoint&)) {
+    plot::Series line{.name = name,
+                      .mark = plot::Mark::line,
+                      .x = {},
+                      .y = {},
+                      .style = chart.series.size(), // of dashes
+                      .tone = colour ? plot::Tone::full : plot::Tone::grey,
+                      .colour = colour};
+    for (const DepthState& at : states) {
+      line.x.push_back(of(at.point));
+      line.y.push_back(at.point.depth);
+    }
+    chart.series.push_back(std::move(line));
+  };
+  add("\u03c3'_v", plot::Colour::vertical, [](const DepthPoint& at) { return at.stress.effective.v; });
+  add("\u03c3'_h", plot::Colour::horizontal, [](const DepthPoint& at) { return at.stress.effective.h; });
+  add("u", std::nullopt, [](const DepthPoint& at) { return at.stress.pore_pressure; });
+  add("\u03c3_v", std::nullopt, [](const DepthPoint& at) { return at.stress.total.v; });
+  return chart;
+}
+
+plot::Chart field_panel(const std::vector<DepthState>& states, Field field, const std::string& x,
+                        double unit) {
+  plot::Chart chart = panel(estimate::row_of(field).meaning, x, unit);
+  Band band;
+  for (const DepthState& at : states) {
+    band.at.push_back(at.point.depth);
+    band.ranges.push_back(at.state.answer->answer[field]);
+  }
+  add_band(chart, band, true);
+  return chart;
 }
 
 /// Depths close enough for smooth curves, with the jump at the water table.
@@ -84,21 +215,20 @@ std::vector<double> picture_depths(const GroundCase& c) {
   return depths;
 }
 
-void draw(const SweepOptions& o, DepthSweep sweep) {
-  sweep.answers = answers_at(o, sweep.ground, picture_depths(sweep.ground));
-  io::write_file(o.picture, plot::svg(depth_charts(sweep)),
-                 o.output.force ? io::Existing::replace : io::Existing::keep);
+std::vector<plot::Chart> picture_of(const SweepOptions& o, const GroundCase& ground) {
+  if (o.picture.empty())
+    return {};
+  const std::vector<DepthState> states = states_at(o, ground, picture_depths(ground));
+  return {stress_panel(states), field_panel(states, Field::shear_modulus, "G [MPa]", 1e6),
+          field_panel(states, Field::shear_wave_speed, "V_s [m/s]", 1),
+          field_panel(states, Field::compression_wave_speed, "V_p [m/s]", 1)};
 }
 
-/// What formulas say of single depths, each once, and how often.
-Validity validity_of(const SweepOptions& o, const DepthSweep& sweep) {
-  Validity validity = likely_mistakes(o.packing, sweep.answers.back().answer.question.state);
-  validity.merge(likely_mistakes(o.answer.grain_density));
-  validity.merge(sweep.ground.validity);
+Validity validity_of(const GroundCase& ground, const std::vector<DepthState>& states) {
+  Validity validity = ground.validity;
   Tally tally;
-  for (const DepthAnswer& at : sweep.answers)
-    tally.count({.answers = {}, .notes = at.answer.answer.validity.notes, .slips = {}, .error = ""},
-                pretty(at.depth, Dimension::length));
+  for (const DepthState& at : states)
+    tally.count(at.state, pretty(at.point.depth, Dimension::length));
   validity.merge(tally.validity());
   return validity;
 }
@@ -106,17 +236,21 @@ Validity validity_of(const SweepOptions& o, const DepthSweep& sweep) {
 } // namespace
 
 ExitCode sweep_depth(const SweepOptions& o) {
-  if (!o.picture.empty())
-    require_svg(o.picture);
-  require_free(o.output, {o.output.out, o.picture});
-  const DepthSweep sweep = solve(o);
-  const bool csv = !o.output.out.empty() && !o.output.json;
-  const ExitCode code =
-      deliver(o.output, csv ? depth_csv(sweep, o.all_columns) : depth_table(sweep),
-              o.output.json ? depth_json(sweep) : nlohmann::ordered_json(), validity_of(o, sweep));
-  if (!o.picture.empty())
-    draw(o, sweep);
-  return code;
+  require_free(o.output, o.picture);
+  const GroundCase ground = resolve_ground(o);
+  const std::vector<DepthState> states = states_at(o, ground, ground.depths);
+  const AnswerCase& last = *states.back().state.answer;
+  const AnswerCase solved =
+      solve_answer(at_stress(o.packing, states.back().point.stress.effective), o.answer, {});
+  const std::vector<std::string> remarks = depth_remarks(o, ground, solved, states);
+  const ordered_json packing = packing_json(o.packing, last.question.state);
+  const SweepOutput output = output_of(o, states);
+  return deliver_sweep(
+      o, table_of(ground, states, remarks),
+      output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground_json(ground), -1)}},
+                 remarks),
+      output.json({{"inputs", packing}, {"ground", ground_json(ground)}}, remarks),
+      validity_of(ground, states), picture_of(o, ground));
 }
 
 } // namespace granum::cli

@@ -2,17 +2,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/io/output_file.hpp>
-#include <granum/plot/chart.hpp>
 #include <granum/stress/shear_path.hpp>
 
-#include "cli/options/likely_mistakes.hpp"
+#include "cli/frame/json_members.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -22,13 +19,20 @@ namespace {
 using nlohmann::ordered_json;
 using stress::AxialStress;
 using stress::ShearPath;
-namespace fs = std::filesystem;
 
 /// A state of stress on the path.
 struct PathPoint {
   AxialStress stress;
   double eta;
 };
+
+io::Columns<PathPoint> point_columns() {
+  return {{"p_Pa", "p", [](const PathPoint& at) { return at.stress.mean(); }},
+          {"q_Pa", "q", [](const PathPoint& at) { return at.stress.deviator(); }},
+          {"eta", "eta", [](const PathPoint& at) { return at.eta; }},
+          {"sigma_v_Pa", "sigma_v", [](const PathPoint& at) { return at.stress.v; }},
+          {"sigma_h_Pa", "sigma_h", [](const PathPoint& at) { return at.stress.h; }}};
+}
 
 /// The path and its points.
 struct Path {
@@ -90,96 +94,37 @@ Path make_path(const SweepOptions& o) {
   return o.path == "iso" ? isotropic_path(o) : path_to_ratio(o);
 }
 
-/// Everything that the sweep found.
-struct PathSweep {
-  Path path;
-  ordered_json inputs;
-  std::vector<std::string> remarks;
-  effective::State packing; ///< its stress is that of the first point
-  std::vector<StateResult> results;
-  Tally tally;
-};
-
-PathSweep solve(const SweepOptions& o, const Rungs& rungs) {
-  const Path path = make_path(o);
-  const AxialStress& first = path.points.front().stress;
-  // What is wrong with the packing is wrong at the first, isotropic point too, and said once.
-  PathSweep sweep{.path = path,
-                  .inputs = {},
-                  .remarks = {},
-                  .packing = resolve_state(o.packing, {first.v, first.h}),
-                  .results = {},
-                  .tally = {}};
-  sweep.inputs = packing_json(o.packing, sweep.packing);
-  sweep.remarks = assumed_inputs(o.packing, sweep.packing);
-  for (const std::string& remark : assumed_coordination(o.packing, sweep.packing))
-    sweep.remarks.push_back(remark);
-  for (const PathPoint& point : path.points) {
-    effective::RungInputs packing{sweep.packing, resolve_mechanical_coordination_number(o.packing)};
-    packing.state.stress_v = point.stress.v;
-    packing.state.stress_h = point.stress.h;
-    sweep.results.push_back(evaluate(packing, rungs));
-    sweep.tally.count(sweep.results.back(), fmt::format("state {}", sweep.results.size()));
-  }
-  return sweep;
-}
-
-std::string csv_of(const PathSweep& sweep, const Rungs& rungs) {
-  io::CsvContent csv;
-  csv.notes = csv_notes(sweep.inputs, rungs, sweep.remarks);
-  csv.notes.emplace_back("path", sweep.path.text);
-  csv.headings = {"p_Pa", "q_Pa", "eta", "sigma_v_Pa", "sigma_h_Pa", "e", "C_n", "a"};
-  for (const std::string& heading : result_headings(rungs))
-    csv.headings.push_back(heading);
-  for (std::size_t k = 0; k < sweep.results.size(); ++k) {
-    const auto& [stress, eta] = sweep.path.points[k];
-    csv.rows.push_back({stress.mean(), stress.deviator(), eta, stress.v, stress.h, sweep.packing.void_ratio,
-                        sweep.packing.coordination_number, sweep.packing.fabric_anisotropy});
-    append_cells(csv.rows.back(), sweep.results[k]);
-  }
-  return io::csv_text(csv);
-}
-
-ordered_json json_of(const PathSweep& sweep, const Rungs& rungs) {
-  ordered_json json = sweep_json_head(sweep.inputs, rungs);
-  json["path"] = sweep.path.text;
-  for (std::size_t k = 0; k < sweep.results.size(); ++k) {
-    const auto& [stress, eta] = sweep.path.points[k];
-    ordered_json state = {{"p", stress.mean()},
-                          {"q", stress.deviator()},
-                          {"eta", eta},
-                          {"sigma_v", stress.v},
-                          {"sigma_h", stress.h}};
-    add_result(state, sweep.results[k], rungs);
-    json["states"].push_back(std::move(state));
-  }
-  json["notes"] = sweep.remarks;
-  for (const std::string& note : sweep.tally.validity().notes)
-    json["notes"].push_back(note);
-  return json;
-}
-
-plot::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuantity& quantity) {
-  const plot::Scale scale = sweep.path.logarithmic ? plot::Scale::logarithmic : plot::Scale::linear;
-  const bool modulus = quantity.dimension == Dimension::pressure;
+plot::Chart chart_of(const Path& path, const std::vector<SweptState>& states, const Rungs& rungs,
+                     const SweptQuantity& quantity) {
+  const plot::Scale scale = path.logarithmic ? plot::Scale::logarithmic : plot::Scale::linear;
   plot::Chart chart{
-      .title = sweep.path.text, .x = {.title = "\u03b7 = q/p'"}, .y = {.title = quantity.name}, .series = {}};
-  if (sweep.path.isotropic)
+      .title = path.text, .x = {.title = "\u03b7 = q/p'"}, .y = {.title = quantity.name}, .series = {}};
+  if (path.isotropic)
     chart.x = {.title = "p' [kPa]", .scale = scale, .unit = 1e3};
-  if (modulus)
+  if (quantity.dimension == Dimension::pressure)
     chart.y = {.title = quantity.name + std::string(" [MPa]"), .scale = scale, .unit = 1e6};
+  const auto place = [&](std::size_t k) {
+    return path.isotropic ? path.points[k].stress.mean() : path.points[k].eta;
+  };
+  Band band;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (const auto* answer = states[k].answer ? &states[k].answer->answer : nullptr;
+        answer != nullptr && answer->find(quantity.field)) {
+      band.at.push_back(place(k));
+      band.ranges.push_back((*answer)[quantity.field]);
+    }
+  add_band(chart, band, false);
   for (std::size_t r = 0; r < rungs.size(); ++r) {
+    if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
+      continue;
     plot::Series series{.name = effective::label(*rungs[r]),
                         .x = {},
                         .y = {},
                         .style = r,
                         .colour = plot::Colour::uniform_strain};
-    if (rungs[r]->name == effective::RungName::relaxed)
-      series.colour = plot::Colour::closed_form;
-    for (std::size_t k = 0; k < sweep.results.size(); ++k) {
-      const PathPoint& point = sweep.path.points[k];
-      const auto& answer = sweep.results[k].answers[r];
-      series.x.push_back(sweep.path.isotropic ? point.stress.mean() : point.eta);
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const auto& answer = states[k].rungs[r];
+      series.x.push_back(place(k));
       series.y.push_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
     }
     chart.series.push_back(std::move(series));
@@ -187,57 +132,40 @@ plot::Chart chart_of(const PathSweep& sweep, const Rungs& rungs, const SweptQuan
   return chart;
 }
 
-const SweptQuantity& pictured(const SweepOptions& o) {
-  return swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of);
-}
-
-fs::path script_beside(const fs::path& picture) { return fs::path(picture).replace_extension(".gp"); }
-
-/// The script runs in its own folder, and leaves the picture that is there as it is.
-std::string script_of(const plot::Chart& chart, const PathSweep& sweep, const Rungs& rungs,
-                      const SweepOptions& o) {
-  const fs::path picture = o.picture;
-  std::vector<plot::CsvColumns> columns;
-  for (const Rung* rung : rungs)
-    columns.push_back({.x = sweep.path.isotropic ? "p_Pa" : "eta", .y = heading(pictured(o), *rung)});
-  const fs::path csv = fs::absolute(o.output.out).lexically_proximate(fs::absolute(picture).parent_path());
-  return plot::gnuplot_script(chart, csv.string(), columns, picture.stem().string() + "_gnuplot.svg");
-}
-
-void write_picture(const PathSweep& sweep, const Rungs& rungs, const SweepOptions& o) {
-  const plot::Chart chart = chart_of(sweep, rungs, pictured(o));
-  const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
-  io::write_file(o.picture, plot::svg(chart), existing);
-  io::write_file(script_beside(o.picture), script_of(chart, sweep, rungs, o), existing);
-}
-
 } // namespace
 
-std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
-    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
-  }
-  values.back() = last;
-  return values;
-}
-
 ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
-  if (!o.picture.empty()) {
-    require_svg(o.picture);
-    if (o.output.out.empty())
-      throw InvalidArgument("--picture requires --out: the script beside it draws that file");
-    require_free(o.output, {o.output.out, o.picture, script_beside(o.picture).string()});
+  require_free(o.output, o.picture);
+  const Path path = make_path(o);
+  // What is wrong with the packing is wrong at the first, isotropic point too, and said once.
+  const AnswerCase first = solve_answer(at_stress(o.packing, path.points.front().stress), o.answer, {});
+  const io::Columns<PathPoint> columns = point_columns();
+  std::vector<std::string> headings;
+  for (const io::Column<PathPoint>& column : columns)
+    headings.push_back(column.heading);
+  for (const char* heading : {"e", "C_n", "a"})
+    headings.emplace_back(heading);
+  SweepOutput output(o, rungs, headings);
+  std::vector<SweptState> states;
+  Tally tally;
+  for (const PathPoint& point : path.points) {
+    const SweptState& state = states.emplace_back(swept(at_stress(o.packing, point.stress), o.answer, rungs));
+    std::vector<io::CsvCell> cells;
+    io::add_cells(cells, columns, point);
+    const effective::State* packing = state.answer ? &state.answer->answer.state() : nullptr;
+    cells.emplace_back(packing != nullptr ? packing->void_ratio : nothing);
+    cells.emplace_back(packing != nullptr ? *packing->coordination_number : nothing);
+    cells.emplace_back(packing != nullptr ? packing->fabric_anisotropy : nothing);
+    output.add(std::move(cells), members(columns, point), state);
+    tally.count(state, fmt::format("state {}", states.size()));
   }
-  const PathSweep sweep = solve(o, rungs);
-  Validity validity = likely_mistakes(o.packing, sweep.packing);
-  validity.merge(sweep.tally.validity());
-  const ExitCode code = deliver(o.output, o.output.json ? "" : csv_of(sweep, rungs),
-                                o.output.json ? json_of(sweep, rungs) : ordered_json(), validity);
-  if (!o.picture.empty())
-    write_picture(sweep, rungs, o);
-  return sweep.tally.conclude(code);
+  const std::vector<std::string> remarks = remarks_on(o, first.assumptions);
+  const ordered_json packing = packing_json(o.packing, first.question.state);
+  const ExitCode code = deliver_sweep(
+      o, "", output.csv({{"inputs", json_text(packing, -1)}, {"path", path.text}}, remarks),
+      output.json({{"inputs", packing}, {"path", path.text}}, remarks), tally.validity(),
+      {chart_of(path, states, rungs, swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of))});
+  return tally.conclude(code);
 }
 
 } // namespace granum::cli

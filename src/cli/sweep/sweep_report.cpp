@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -8,43 +9,41 @@
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/messages.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
 
 namespace {
 
+using effective::Rung;
+using effective::RungAnswer;
+using effective::StressExponents;
+using estimate::Field;
 using nlohmann::ordered_json;
 
-std::optional<double> exponent(const effective::RungAnswer& answer,
-                               double (*of)(const effective::StressExponents&)) {
+std::optional<double> exponent(const RungAnswer& answer, double (*of)(const StressExponents&)) {
   return answer.exponents ? std::optional(of(*answer.exponents)) : std::nullopt;
 }
 
 /// For G_hv the direction i is h and j is v.
 constexpr SweptQuantity quantities[] = {
-    {"G_hh", Dimension::pressure,
-     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.G_hh()); }},
-    {"G_hv", Dimension::pressure,
-     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.G_vh()); }},
-    {"E_v", Dimension::pressure,
-     [](const effective::RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::vertical); }},
-    {"E_h", Dimension::pressure,
-     [](const effective::RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::horizontal); }},
-    {"K", Dimension::pressure,
-     [](const effective::RungAnswer& a) { return std::optional(a.stiffness.bulk_modulus()); }},
-    {"m", Dimension::dimensionless,
-     [](const effective::RungAnswer& a) {
-       return exponent(a, [](const effective::StressExponents& e) { return e.stress_h; });
-     }},
-    {"n", Dimension::dimensionless,
-     [](const effective::RungAnswer& a) {
-       return exponent(a, [](const effective::StressExponents& e) { return e.stress_v; });
-     }},
-    {"s", Dimension::dimensionless,
-     [](const effective::RungAnswer& a) {
-       return exponent(a, [](const effective::StressExponents& e) { return e.sum(); });
-     }},
+    {"G_hh", Dimension::pressure, Field::horizontal_shear_modulus,
+     [](const RungAnswer& a) { return std::optional(a.stiffness.G_hh()); }},
+    {"G_hv", Dimension::pressure, Field::shear_modulus,
+     [](const RungAnswer& a) { return std::optional(a.stiffness.G_vh()); }},
+    {"E_v", Dimension::pressure, Field::young_modulus,
+     [](const RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::vertical); }},
+    {"E_h", Dimension::pressure, Field::horizontal_young_modulus,
+     [](const RungAnswer& a) { return young_modulus(a.stiffness, elastic::Loading::horizontal); }},
+    {"K", Dimension::pressure, Field::bulk_modulus,
+     [](const RungAnswer& a) { return std::optional(a.stiffness.bulk_modulus()); }},
+    {"m", Dimension::dimensionless, Field::horizontal_exponent,
+     [](const RungAnswer& a) { return exponent(a, [](const StressExponents& e) { return e.stress_h; }); }},
+    {"n", Dimension::dimensionless, Field::vertical_exponent,
+     [](const RungAnswer& a) { return exponent(a, [](const StressExponents& e) { return e.stress_v; }); }},
+    {"s", Dimension::dimensionless, Field::stress_exponent,
+     [](const RungAnswer& a) { return exponent(a, [](const StressExponents& e) { return e.sum(); }); }},
 };
 
 void add_once(std::vector<std::string>& texts, const std::string& text) {
@@ -57,10 +56,40 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 /// Likely mistakes first: what follows is of these numbers.
-std::vector<std::string> remarks_of(const StateResult& result) {
-  std::vector<std::string> all = result.slips;
-  all.insert(all.end(), result.notes.begin(), result.notes.end());
+std::vector<std::string> remarks_of(const SweptState& state) {
+  std::vector<std::string> all = state.slips;
+  all.insert(all.end(), state.notes.begin(), state.notes.end());
   return all;
+}
+
+/// Heading of the column of a quantity: G_hv_rung2_Pa.
+std::string heading(const SweptQuantity& quantity, const Rung& rung) {
+  const std::string_view unit = si_symbol(quantity.dimension);
+  return fmt::format("{}_{}{}{}", quantity.name, rung.column, unit.empty() ? "" : "_", unit);
+}
+
+void add_rungs(SweptState& state, const Rungs& rungs) {
+  std::vector<std::string> errors;
+  for (const Rung* rung : rungs) {
+    try {
+      state.rungs.emplace_back(answer_with_exponents(*rung, state.answer->answer.state()));
+      for (const std::string& note : state.rungs.back()->validity.notes)
+        add_once(state.notes, note);
+    } catch (const Error& error) {
+      state.rungs.emplace_back(std::nullopt);
+      add_once(errors, error.what());
+    }
+  }
+  state.error = joined(errors);
+}
+
+ordered_json rung_json(const std::optional<RungAnswer>& answer) {
+  ordered_json json;
+  for (const SweptQuantity& quantity : quantities) {
+    const auto value = answer ? quantity.of(*answer) : std::nullopt;
+    json[quantity.name] = value ? ordered_json(*value) : ordered_json();
+  }
+  return json;
 }
 
 } // namespace
@@ -75,89 +104,35 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   return *found;
 }
 
-StateResult evaluate(const effective::RungInputs& packing, const Rungs& rungs, bool needed) {
-  StateResult result;
-  std::vector<std::string> errors;
-  for (const Rung* rung : rungs) {
-    if (!needed && !effective::has_inputs(packing, *rung)) {
-      result.answers.emplace_back(std::nullopt);
-      continue;
-    }
-    try {
-      result.answers.emplace_back(answer_with_exponents(*rung, packing));
-      for (const std::string& note : result.answers.back()->validity.notes)
-        add_once(result.notes, note);
-    } catch (const Error& error) {
-      result.answers.emplace_back(std::nullopt);
-      add_once(errors, error.what());
-    }
+SweptState swept(const PackingOptions& packing, const AnswerOptions& options, const Rungs& rungs) {
+  try {
+    SweptState state{.answer = bare_answer(packing, options)};
+    state.notes = state.answer->answer.validity().notes;
+    Validity slips = likely_mistakes(packing, state.answer->question.state);
+    slips.merge(likely_mistakes(options.grain_density));
+    state.slips = slips.notes;
+    add_rungs(state, rungs);
+    return state;
+  } catch (const Error& error) {
+    return failed(error.what(), rungs);
   }
-  result.error = joined(errors);
-  return result;
 }
 
-StateResult failed(const std::string& error, const Rungs& rungs) {
-  return {.answers = std::vector<std::optional<effective::RungAnswer>>(rungs.size()),
+SweptState failed(const std::string& error, const Rungs& rungs) {
+  return {.answer = std::nullopt,
+          .rungs = std::vector<std::optional<RungAnswer>>(rungs.size()),
           .notes = {},
           .slips = {},
           .error = error};
 }
 
-std::string heading(const SweptQuantity& quantity, const Rung& rung) {
-  const std::string_view unit = si_symbol(quantity.dimension);
-  return fmt::format("{}_{}{}{}", quantity.name, rung.column, unit.empty() ? "" : "_", unit);
-}
-
-std::vector<std::string> rung_headings(const Rungs& rungs) {
-  std::vector<std::string> headings;
-  for (const Rung* rung : rungs)
-    for (const SweptQuantity& quantity : quantities)
-      headings.push_back(heading(quantity, *rung));
-  return headings;
-}
-
-std::vector<std::string> result_headings(const Rungs& rungs) {
-  std::vector<std::string> headings = rung_headings(rungs);
-  headings.emplace_back("notes");
-  headings.emplace_back("error");
-  return headings;
-}
-
-void append_rung_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
-  for (const std::optional<effective::RungAnswer>& answer : result.answers)
-    for (const SweptQuantity& quantity : quantities)
-      row.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
-}
-
-void append_remark_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
-  row.emplace_back(joined(remarks_of(result)));
-  row.emplace_back(result.error);
-}
-
-void append_cells(std::vector<io::CsvCell>& row, const StateResult& result) {
-  append_rung_cells(row, result);
-  append_remark_cells(row, result);
-}
-
-void add_result(ordered_json& json, const StateResult& result, const Rungs& rungs) {
-  for (std::size_t k = 0; k < rungs.size(); ++k) {
-    ordered_json& of_rung = json[rungs[k]->column];
-    for (const SweptQuantity& quantity : quantities) {
-      const auto value = result.answers[k] ? quantity.of(*result.answers[k]) : std::nullopt;
-      of_rung[quantity.name] = value ? ordered_json(*value) : ordered_json();
-    }
-  }
-  json["notes"] = remarks_of(result);
-  json["error"] = result.error.empty() ? ordered_json() : ordered_json(result.error);
-}
-
-void Tally::count(const StateResult& result, const std::string& where) {
+void Tally::count(const SweptState& state, const std::string& where) {
   ++states_;
-  if (!result.error.empty() && ++failed_ == 1)
-    first_failure_ = where + ": " + result.error;
-  if (!result.notes.empty() && ++noted_ == 1)
-    first_note_ = where + ": " + joined(result.notes);
-  for (const std::string& slip : result.slips) {
+  if (!state.error.empty() && ++failed_ == 1)
+    first_failure_ = where + ": " + state.error;
+  if (!state.notes.empty() && ++noted_ == 1)
+    first_note_ = where + ": " + joined(state.notes);
+  for (const std::string& slip : state.slips) {
     Slips& of_input = slips_[slip.substr(0, slip.find(' '))];
     if (++of_input.states == 1)
       of_input.first = where + ": " + slip;
@@ -181,36 +156,144 @@ ExitCode Tally::conclude(ExitCode code) const {
   return code == ExitCode::ok && failed_ > 0 ? ExitCode::fell_short : code;
 }
 
-Notes csv_notes(const ordered_json& inputs, const Rungs& rungs, const std::vector<std::string>& remarks) {
-  Notes notes = {{"program", fmt::format("granum {} sweep", version())},
-                 {"inputs", json_text(inputs, -1)},
-                 {"signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h"}};
-  if (!rungs.empty())
-    notes.emplace_back("exponents", "local, of G_hv: m of sigma_h, n of sigma_v, s = m + n");
-  for (const Rung* rung : rungs)
-    notes.emplace_back(rung->column, rung->description);
-  for (const std::string& remark : remarks)
-    notes.emplace_back("note", remark);
-  return notes;
+SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings)
+    : options_(options), rungs_(std::move(rungs)), columns_(answer_columns(options.all_columns)),
+      headings_(std::move(headings)) {}
+
+std::vector<std::string> SweepOutput::result_headings() const {
+  std::vector<std::string> all;
+  for (const io::Column<estimate::Answer>& column : columns_)
+    all.push_back(column.heading);
+  for (const Rung* rung : rungs_)
+    for (const SweptQuantity& quantity : quantities)
+      all.push_back(heading(quantity, *rung));
+  all.emplace_back("notes");
+  all.emplace_back("error");
+  return all;
 }
 
-ordered_json sweep_json_head(const ordered_json& inputs, const Rungs& rungs) {
+void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
+  if (options_.output.json) {
+    place["answer"] = state.answer ? answer_json(*state.answer) : ordered_json();
+    if (state.answer)
+      place["answer"].erase("notes");
+    for (std::size_t k = 0; k < rungs_.size(); ++k)
+      place[rungs_[k]->column] = rung_json(state.rungs[k]);
+    place["notes"] = remarks_of(state);
+    place["error"] = state.error.empty() ? ordered_json() : ordered_json(state.error);
+    states_.push_back(std::move(place));
+    return;
+  }
+  for (const io::Column<estimate::Answer>& column : columns_)
+    cells.emplace_back(state.answer ? column.of(state.answer->answer).value_or(nothing) : nothing);
+  for (const std::optional<RungAnswer>& answer : state.rungs)
+    for (const SweptQuantity& quantity : quantities)
+      cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
+  cells.emplace_back(joined(remarks_of(state)));
+  cells.emplace_back(state.error);
+  rows_ += io::csv_line(cells);
+}
+
+std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>& remarks) const {
+  io::CsvContent csv{
+      .notes = {{"program", fmt::format("granum {} sweep", version())}}, .headings = headings_, .rows = {}};
+  csv.notes.insert(csv.notes.end(), notes.begin(), notes.end());
+  csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
+                                  "sigma_v, sigma_h and p are effective stresses");
+  csv.notes.emplace_back("exponents",
+                         "of the answer: of G_hv, contacts as they grow; of rungs: local, of G_hv at "
+                         "frozen contacts; m of sigma_h, n of sigma_v, s = m + n");
+  for (const Rung* rung : rungs_)
+    csv.notes.emplace_back(rung->column, rung->description);
+  for (const std::string& remark : remarks)
+    csv.notes.emplace_back("note", remark);
+  for (const std::string& heading : result_headings())
+    csv.headings.push_back(heading);
+  return io::csv_text(csv) + rows_;
+}
+
+ordered_json SweepOutput::json(const ordered_json& head, const std::vector<std::string>& remarks) const {
   ordered_json json = json_head("sweep");
-  json["inputs"] = inputs;
-  for (const Rung* rung : rungs)
+  json.update(head);
+  for (const Rung* rung : rungs_)
     json["rungs"][rung->column] = rung->description;
+  json["states"] = states_;
+  json["notes"] = remarks;
   return json;
 }
 
-void require_svg(const std::string& picture) {
-  if (std::filesystem::path(picture).extension() != ".svg")
+void require_free(const OutputOptions& output, const std::string& picture) {
+  if (!picture.empty() && std::filesystem::path(picture).extension() != ".svg")
     throw InvalidArgument("--picture = '" + picture + "' must end in .svg");
-}
-
-void require_free(const OutputOptions& output, const std::vector<std::string>& files) {
-  for (const std::string& file : files)
+  for (const std::string& file : {output.out, picture})
     if (!output.force && !file.empty() && io::is_taken(file))
       throw FileError(file, 0, "exists already and is kept; --force replaces it");
+}
+
+ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const std::string& csv,
+                       const ordered_json& json, const Validity& validity,
+                       const std::vector<plot::Chart>& picture) {
+  const bool shown = !screen.empty() && o.output.out.empty();
+  const ExitCode code = deliver(o.output, shown ? screen : csv, json, validity);
+  if (!o.picture.empty())
+    io::write_file(o.picture, plot::svg(picture),
+                   o.output.force ? io::Existing::replace : io::Existing::keep);
+  return code;
+}
+
+std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::string> assumptions) {
+  const bool counted = o.packing.coordination_number.given() || o.packing.rattler_fraction.given() ||
+                       o.packing.mechanical_coordination_number.given();
+  assumptions.emplace_back(
+      counted ? "void ratio and contacts are the same at every state"
+              : "void ratio and preparation are the same at every state; contacts grow with p'");
+  return assumptions;
+}
+
+PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress) {
+  for (const auto& [number, value] :
+       {std::pair{&packing.stress_v, stress.v}, {&packing.stress_h, stress.h}}) {
+    number->value = value;
+    number->in_table = true;
+  }
+  return packing;
+}
+
+std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
+    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
+  }
+  values.back() = last;
+  return values;
+}
+
+void add_band(plot::Chart& chart, const Band& band, bool sideways) {
+  plot::Series line{.name = "answer",
+                    .mark = plot::Mark::line,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::closed_form};
+  plot::Series area{.name = "range",
+                    .mark = plot::Mark::area,
+                    .x = {},
+                    .y = {},
+                    .style = 0,
+                    .colour = plot::Colour::closed_form};
+  const auto put = [sideways](plot::Series& series, double at, double number) {
+    series.x.push_back(sideways ? number : at);
+    series.y.push_back(sideways ? at : number);
+  };
+  for (std::size_t k = 0; k < band.at.size(); ++k) {
+    put(line, band.at[k], band.ranges[k].value);
+    put(area, band.at[k], band.ranges[k].low);
+  }
+  for (std::size_t k = band.at.size(); k-- > 0;)
+    put(area, band.at[k], band.ranges[k].high);
+  chart.series.push_back(std::move(area));
+  chart.series.push_back(std::move(line));
 }
 
 } // namespace granum::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <granum/effective/contact_prior.hpp>
+#include <granum/effective/state.hpp>
+
+/// What is known of a packing whose stiffness is asked for.
+namespace granum::estimate {
+
+/// A packing at one stress. Its contacts may be unknown, or known by one or two of C_n, z* and the share of
+/// rattlers.
+struct Question {
+  effective::State state; ///< law, k_t/k_n, grains, e, a, stresses; C_n and z* where they are known
+  effective::Preparation preparation = {};               ///< how the grains came together
+  std::optional<double> rattler_fraction = std::nullopt; ///< x_0 in [0, 1), where it is known [1]
+  std::optional<double> grain_density = std::nullopt;    ///< [kg/m3] > 0; without it no wave speeds
+  double saturation = 0; ///< share of the pores' volume that is water, in [0, 1] [1]
+
+  /// Whether a number of contacts or of rattlers is known.
+  [[nodiscard]] bool knows_contacts() const {
+    return state.coordination_number || state.mechanical_coordination_number || rattler_fraction;
+  }
+};
+
+/// An input that is not exact: how far one standard deviation moves the question to each side.
+struct Spread {
+  std::string input;    ///< its name
+  bool assumed = false; ///< nobody measured the input: its value and its deviation are assumptions
+  Question less;        ///< the question with one deviation less of it
+  Question more;        ///< and with one more
+};
+
+/// The same, by a function that moves the question.
+struct UncertainInput {
+  std::string input;
+  double deviation = 0; ///< one standard deviation >= 0 [unit of the input]
+  bool assumed = false;
+  std::function<Question(double change)> moved; ///< the question with the input changed by so much
+};
+
+/// Standard deviations of inputs that nobody measured.
+struct AssumedDeviations {
+  double grain_shear_modulus = 0.3;  ///< over itself: minerals from glass to quartz [1]
+  double grain_poisson_ratio = 0.07; ///< of the same minerals [1]
+  double fabric_anisotropy = 0.05;   ///< of grains that were poured [1]
+  double grain_density = 50;         ///< of the minerals of sands [kg/m3]
+};
+inline constexpr AssumedDeviations assumed_deviations{};
+
+} // namespace granum::estimate

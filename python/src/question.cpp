@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "question.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include <granum/core/check.hpp>
+#include <granum/core/number.hpp>
+
+namespace granum::python {
+
+namespace {
+
+enum : std::size_t {
+  coordination_number_at = 3,
+  preparation_at = state_keyword_count,
+  density_at,
+  saturation_at,
+  uncertainty_at
+};
+
+/// Places of the columns behind those of the state.
+constexpr std::size_t density_column = 8, saturation_column = 9;
+
+/// Inputs that are no column: they move the law of the contacts.
+constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio";
+
+} // namespace
+
+std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
+  std::vector<Keyword> all = state_keywords(
+      {{"preparation", "None"}, {"grain_density", "None"}, {"saturation", "0.0"}, {"uncertainty", "None"}});
+  all[coordination_number_at].shown_default = "None";
+  all.insert(all.end(), more);
+  return all;
+}
+
+const std::string question_parameters = std::string(state_parameters) +
+                                        R"(preparation : str, optional
+    "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
+grain_density : array_like, optional
+    Of the grains' solid [kg/m3]; without it no wave speeds.
+saturation : array_like
+    Share of the pores' volume that is water, in [0, 1] [1].
+uncertainty : dict, optional
+    Standard deviations by the names of numbers above, grain_shear_modulus and grain_poisson_ratio:
+    {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0 with a deviation of 0.05.
+)";
+
+QuestionArguments::QuestionArguments(const Arguments& a)
+    : state_(a, StateArguments::CoordinationNumber::optional), has_density_(a.given(density_at)),
+      columns_(state_.columns().begin(), state_.columns().end()) {
+  if (a.given(preparation_at))
+    preparation_ = effective::preparation_of(a[preparation_at].cast<std::string>());
+  columns_.push_back({"grain_density", 0.0});
+  if (has_density_)
+    columns_.back().value = a[density_at];
+  columns_.push_back({"saturation", 0.0});
+  if (a.given(saturation_at))
+    columns_.back().value = a[saturation_at];
+  if (!state_.knows_fabric())
+    deviations_["fabric_anisotropy"] = estimate::assumed_deviations.fabric_anisotropy;
+  if (!a.given(uncertainty_at))
+    return;
+  for (const auto& [name, deviation] : a[uncertainty_at].cast<std::map<std::string, double>>()) {
+    const bool column = std::any_of(columns_.begin(), columns_.end(),
+                                    [&](const Argument& argument) { return argument.name == name; });
+    if (!column && name != of_modulus && name != of_ratio)
+      throw InvalidArgument("uncertainty: " + name + " is no number of this packing");
+    deviations_[name] = require_non_negative("uncertainty of " + name, deviation);
+  }
+}
+
+const double* QuestionArguments::one_packing(const char* function) {
+  const Columns columns(columns_);
+  if (!columns.is_scalar())
+    throw py::type_error(std::string(function) + "() takes one packing: numbers, no arrays");
+  numbers_.assign(columns.numbers(), columns.numbers() + columns_.size());
+  return numbers_.data();
+}
+
+estimate::Question QuestionArguments::question(const double* x) const {
+  estimate::Question question = state_.question(x);
+  question.preparation = preparation_;
+  if (has_density_)
+    question.grain_density = x[density_column];
+  question.saturation = x[saturation_column];
+  return question;
+}
+
+estimate::UncertainInput QuestionArguments::input(const std::string& name, double deviation, bool assumed,
+                                                  const double* x) const {
+  const auto moved = [this, name, numbers = std::vector(x, x + columns_.size())](double change) {
+    std::vector<double> there = numbers;
+    for (std::size_t k = 0; k < columns_.size(); ++k) // pressure is both stresses
+      if (columns_[k].name == name)
+        there[k] += change;
+    estimate::Question moved_question = question(there.data());
+    if (name != of_modulus && name != of_ratio)
+      return moved_question;
+    effective::State& state = moved_question.state;
+    contact::GrainMaterial grain = state.law.grain();
+    (name == of_modulus ? grain.shear_modulus : grain.poisson_ratio) += change;
+    state.law = state.law.of_grain(grain);
+    if (!state_.knows_tangential_ratio())
+      state.tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio);
+    return moved_question;
+  };
+  return {.input = name == "fabric_anisotropy" ? "fabric" : name,
+          .deviation = deviation,
+          .assumed = assumed,
+          .moved = moved};
+}
+
+estimate::Answer QuestionArguments::answer(const double* x) const {
+  std::vector<estimate::UncertainInput> inputs;
+  for (const auto& [name, deviation] : deviations_)
+    if (deviation > 0)
+      inputs.push_back(input(name, deviation, name == "fabric_anisotropy" && !state_.knows_fabric(), x));
+  return estimate::answer(question(x), inputs);
+}
+
+} // namespace granum::python

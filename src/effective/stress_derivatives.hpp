@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Constants and moduli that carry their derivatives by the logarithms of the two stresses.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+#include <granum/core/error.hpp>
+#include <granum/effective/exponents.hpp>
+#include <granum/effective/model.hpp>
+
+#include "kernels.hpp"
+
+namespace granum::effective::kernel {
+
+/// A number with its derivatives by ln stress_v and ln stress_h.
+using Dual = Eigen::AutoDiffScalar<Eigen::Vector2d>;
+
+inline Dual power(const Dual& x, double exponent) {
+  const double value = std::exp(exponent * std::log(x.value()));
+  return {value, x.derivatives() * (value * exponent / x.value())};
+}
+
+/// A modulus of five constants, with the derivatives that they carry.
+template <class T>
+T plain_modulus(const Constants<T>& c, Modulus which) {
+  const T determinant = c.C33 * (c.C11 + c.C12) - 2 * c.C13 * c.C13;
+  switch (which) {
+  case Modulus::K:
+    return (2 * c.C11 + c.C33 + 2 * c.C12 + 4 * c.C13) / 9;
+  case Modulus::G_hh:
+    return (c.C11 - c.C12) / 2;
+  case Modulus::G_vh:
+    return c.C44;
+  case Modulus::E_v:
+    return determinant / (c.C11 + c.C12);
+  case Modulus::E_h:
+    return 2 * determinant * (c.C11 - c.C12) / (c.C33 * (c.C11 - c.C12) + determinant);
+  case Modulus::C11:
+    return c.C11;
+  case Modulus::C33:
+    return c.C33;
+  case Modulus::C12:
+    return c.C12;
+  case Modulus::C13:
+    return c.C13;
+  }
+  return T(0); // not reached: the public function has refused other values
+}
+
+/// What derivatives need beyond a valid state: stress and contacts, and for a Young's modulus of uniform
+/// stress k_t.
+/// \throws   InvalidArgument otherwise
+void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which);
+
+/// The stiffness of a model with its derivatives. Assumes a checked, loaded state.
+Constants<Dual> stress_derivatives(const State& state, const Model& model);
+/// Whether a modulus of a stiffness is zero but for rounding. C44 is a sum of small terms where it is small;
+/// all others are differences of larger ones.
+inline bool vanishes(double value, double C11, Modulus which) {
+  return std::abs(value) <= (which == Modulus::G_vh ? 0 : 1e-13 * C11);
+}
+/// \throws   InvalidArgument where the modulus vanishes: it has no exponents
+void require_modulus(double value, double C11, Modulus which);
+/// Exponents of a modulus of these constants.
+/// \throws   InvalidArgument as require_modulus, for a Young's modulus of a stiffness that is not positive
+///           definite, and where the stiffness is beyond what a double holds
+StressExponents exponents_of(const Constants<Dual>& constants, Modulus which);
+
+} // namespace granum::effective::kernel

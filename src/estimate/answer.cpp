@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/answer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <granum/contact/minerals.hpp>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/elastic/saturation.hpp>
+#include <granum/elastic/wave_speeds.hpp>
+
+#include "contacts.hpp"
+#include "effective/relaxation_kernel.hpp"
+#include "ranges.hpp"
+
+namespace granum::estimate {
+
+namespace {
+
+using effective::ContactCounts;
+using effective::RelaxedEstimate;
+using elastic::TransverselyIsotropic;
+
+/// Accuracy of s of rung 3 against s fitted to contact networks (relaxed_exponents.hpp).
+constexpr double exponent_error = 0.03;
+
+double& at(Values& values, Field field) { return values[static_cast<std::size_t>(field)]; }
+
+void set_speeds(Values& all, const Question& q, const TransverselyIsotropic& c) {
+  const double rho = elastic::bulk_density({.grain_density = *q.grain_density,
+                                            .void_ratio = q.state.void_ratio,
+                                            .pore_density = q.saturation * elastic::water_density});
+  const TransverselyIsotropic undrained =
+      q.saturation > 0
+          ? elastic::saturated(c, {.grain_bulk_modulus = contact::bulk_modulus(q.state.law.grain()),
+                                   .fluid_bulk_modulus = elastic::water_and_air_bulk_modulus(q.saturation),
+                                   .void_ratio = q.state.void_ratio})
+          : c;
+  at(all, Field::bulk_density) = rho;
+  at(all, Field::shear_wave_speed) = std::sqrt(c.C44 / rho);
+  at(all, Field::horizontal_shear_wave_speed) = std::sqrt(c.C66() / rho);
+  at(all, Field::compression_wave_speed) = std::sqrt(undrained.C33 / rho);
+  at(all, Field::horizontal_compression_wave_speed) = std::sqrt(undrained.C11 / rho);
+}
+
+/// All numbers but the exponents.
+/// \throws   InvalidArgument if one is beyond what a double holds
+Values values_of(const Question& q, const ContactCounts& counts, const TransverselyIsotropic& c) {
+  Values all{};
+  const bool stiff = c.positive_definite();
+  at(all, Field::shear_modulus) = c.G_vh();
+  at(all, Field::bulk_modulus) = c.bulk_modulus();
+  at(all, Field::young_modulus) = stiff ? c.E_v() : 0;
+  at(all, Field::poisson_ratio) = stiff ? c.nu_vh() : 0.5; // the limit of vanishing shear stiffness
+  at(all, Field::horizontal_shear_modulus) = c.G_hh();
+  at(all, Field::horizontal_young_modulus) = stiff ? c.E_h() : 0;
+  at(all, Field::coordination_number) = counts.coordination_number();
+  at(all, Field::mechanical_coordination_number) = counts.mechanical_coordination_number;
+  at(all, Field::rattler_fraction) = counts.rattler_fraction;
+  if (q.grain_density)
+    set_speeds(all, q, c);
+  if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
+    throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+  return all;
+}
+
+effective::State with(const effective::State& state, const ContactCounts& counts) {
+  effective::State known = state;
+  known.coordination_number = counts.coordination_number();
+  known.mechanical_coordination_number = counts.mechanical_coordination_number;
+  return known;
+}
+
+/// The stiffness of a question whose contacts are told, and all that follows.
+struct Solution {
+  RelaxedEstimate estimate;
+  Values values;
+};
+
+Solution solution(const Question& q, const ContactCounts& counts) {
+  RelaxedEstimate estimate = effective::relaxed(with(q.state, counts), counts.mechanical_coordination_number);
+  Values values = values_of(q, counts, estimate.stiffness);
+  return {std::move(estimate), values};
+}
+
+/// Whether a packing has exponents: it is loaded, and rigid.
+bool has_exponents(const Question& q, const ContactCounts& counts, const TransverselyIsotropic& c) {
+  return q.state.stress_v > 0 && c.C44 > 0 &&
+         counts.mechanical_coordination_number >
+             effective::isostatic_coordination_number(q.state.tangential_ratio);
+}
+
+void set_exponents(Values& all, const effective::StressExponents& s) {
+  at(all, Field::vertical_exponent) = s.stress_v;
+  at(all, Field::horizontal_exponent) = s.stress_h;
+  at(all, Field::stress_exponent) = s.sum();
+}
+
+/// Exponents of G_vh; those of `otherwise` where the packing is not rigid there.
+void set_exponents(Values& all, const Question& q, const ContactCounts& counts,
+                   const effective::Growth& growth, const Values& otherwise) {
+  if (all[static_cast<std::size_t>(Field::shear_modulus)] > 0 &&
+      counts.mechanical_coordination_number >
+          effective::isostatic_coordination_number(q.state.tangential_ratio))
+    return set_exponents(all, effective::relaxed_exponents(with(q.state, counts),
+                                                           counts.mechanical_coordination_number, growth,
+                                                           effective::Modulus::G_vh));
+  for (const Field field : {Field::vertical_exponent, Field::horizontal_exponent, Field::stress_exponent})
+    at(all, field) = otherwise[static_cast<std::size_t>(field)];
+}
+
+/// A stiffness of another K and another G, by factors.
+TransverselyIsotropic scaled(const TransverselyIsotropic& c, double bulk, double shear) {
+  const auto r =
+      effective::kernel::unbounded_relax<double>({c.C11, c.C33, c.C12, c.C13, c.C44}, bulk, shear, 0.0);
+  return {.C11 = r.C11, .C33 = r.C33, .C12 = r.C12, .C13 = r.C13, .C44 = r.C44};
+}
+
+/// A factor that takes a modulus down by its standard error, which may be larger than the modulus.
+double less(double relative_error) { return std::max(0.0, 1 - relative_error); }
+
+/// One standard error of rung 3: of G, of K and of s in turn.
+void add_calibration(std::vector<Effect>& effects, const Question& q, const ContactCounts& counts,
+                     const Solution& middle, bool exponents) {
+  const auto scaled_by = [&](double bulk, double shear) {
+    Values values = values_of(q, counts, scaled(middle.estimate.stiffness, bulk, shear));
+    for (const Field field : {Field::vertical_exponent, Field::horizontal_exponent, Field::stress_exponent})
+      at(values, field) = middle.values[static_cast<std::size_t>(field)];
+    return values;
+  };
+  const auto add = [&](const Values& a, const Values& b) {
+    effects.push_back(effect_of("rung 3", false, middle.values, a, b));
+  };
+  const double G_error = middle.estimate.relative_error.G_vh;
+  const double K_error = middle.estimate.relative_error.bulk_modulus;
+  add(scaled_by(1, less(G_error)), scaled_by(1, 1 + G_error));
+  add(scaled_by(less(K_error), 1), scaled_by(1 + K_error, 1));
+  if (!exponents)
+    return;
+  Values low = middle.values, high = middle.values;
+  const double s = middle.values[static_cast<std::size_t>(Field::stress_exponent)];
+  for (const Field field : {Field::vertical_exponent, Field::horizontal_exponent, Field::stress_exponent}) {
+    const double share = s != 0 ? std::abs(at(low, field) / s) : 1;
+    at(low, field) -= share * exponent_error;
+    at(high, field) += share * exponent_error;
+  }
+  add(low, high);
+}
+
+void require_valid_question(const Question& q) {
+  require_closed("saturation", q.saturation, 0, 1);
+  if (q.grain_density)
+    require_positive("grain_density", *q.grain_density, "kg/m3");
+}
+
+/// Whether both have the same contacts: all that the prior and the counts depend on is alike.
+bool same_contacts(const Question& a, const Question& b) {
+  return a.state.law == b.state.law && a.state.radius == b.state.radius &&
+         a.state.void_ratio == b.state.void_ratio && a.state.stress_v == b.state.stress_v &&
+         a.state.stress_h == b.state.stress_h && a.state.contacts == b.state.contacts &&
+         a.preparation == b.preparation && a.state.coordination_number == b.state.coordination_number &&
+         a.state.mechanical_coordination_number == b.state.mechanical_coordination_number &&
+         a.rattler_fraction == b.rattler_fraction;
+}
+
+/// Whether both have the same stiffness as well.
+bool same_packing(const Question& a, const Question& b) {
+  return same_contacts(a, b) && a.state.tangential_ratio == b.state.tangential_ratio &&
+         a.state.fabric_anisotropy == b.state.fabric_anisotropy;
+}
+
+} // namespace
+
+Answer answer(const Question& question, std::span<const Spread> spreads) {
+  require_valid_question(question);
+  const KnownContacts contacts = contacts_of(question);
+  Solution middle = solution(question, contacts.middle);
+  const bool exponents = has_exponents(question, contacts.middle, middle.estimate.stiffness);
+  const ContactGrowth growth = exponents ? growth_of(question) : ContactGrowth{};
+  if (exponents)
+    set_exponents(middle.values, question, contacts.middle, growth.middle, middle.values);
+
+  Answer all(with(question.state, contacts.middle));
+  all.middle_ = middle.values;
+  add_calibration(all.effects_, question, contacts.middle, middle, exponents);
+  const auto counted = [&](const ContactCounts& counts, const effective::Growth& of_counts) {
+    Values values = solution(question, counts).values;
+    if (exponents)
+      set_exponents(values, question, counts, of_counts, middle.values);
+    return values;
+  };
+  all.effects_.push_back(effect_of("contacts", !question.knows_contacts(), middle.values,
+                                   counted(contacts.fewer, growth.fewer),
+                                   counted(contacts.more, growth.more)));
+  // What an input leaves alone is not worked out again.
+  const auto moved = [&](const Question& q) {
+    require_valid_question(q);
+    const ContactCounts counts = same_contacts(q, question) ? contacts.middle : contacts_of(q).middle;
+    Values values = same_packing(q, question) ? values_of(q, counts, middle.estimate.stiffness)
+                                              : solution(q, counts).values;
+    if (exponents)
+      set_exponents(values, q, counts, growth.middle, middle.values);
+    return values;
+  };
+  for (const Spread& spread : spreads)
+    all.effects_.push_back(
+        effect_of(spread.input, spread.assumed, middle.values, moved(spread.less), moved(spread.more)));
+  for (const FieldRow& row : fields()) {
+    const bool exponent = row.field == Field::vertical_exponent || row.field == Field::horizontal_exponent ||
+                          row.field == Field::stress_exponent;
+    if ((!row.needs_density || question.grain_density) && (!exponent || exponents))
+      all.ranges_[static_cast<std::size_t>(row.field)] = range_of(row, all.middle_, all.effects_);
+  }
+  all.validity_ = contacts.validity;
+  all.validity_.merge(middle.estimate.validity);
+  all.validity_.keep_each_once();
+  return all;
+}
+
+const Range& Answer::operator[](Field field) const {
+  const std::optional<Range>& range = find(field);
+  if (!range)
+    throw InvalidArgument(std::string(row_of(field).key) +
+                          (row_of(field).needs_density ? " needs the density of the grains"
+                                                       : " does not exist: this packing has no stiffness"));
+  return *range;
+}
+
+Range Answer::without(Field field, std::string_view input) const {
+  (void)(*this)[field];
+  return range_of(row_of(field), middle_, effects_, input);
+}
+
+std::vector<Share> Answer::shares() const { return shares_of(Field::shear_modulus, effects_); }
+
+bool Answer::assumes(std::string_view input) const {
+  return std::any_of(effects_.begin(), effects_.end(),
+                     [&](const Effect& effect) { return effect.input == input && effect.assumed; });
+}
+
+} // namespace granum::estimate

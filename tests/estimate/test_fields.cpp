@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/fields.hpp>
+
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+
+TEST_CASE("fields: every key and every column is one number's alone, and finds its row") {
+  std::set<std::string> keys, columns;
+  for (const estimate::FieldRow& row : estimate::fields()) {
+    CHECK(keys.insert(row.key).second);
+    CHECK(columns.insert(row.column).second);
+    CHECK(&estimate::field_of(row.key) == &row);
+    CHECK(&estimate::row_of(row.field) == &row);
+    CHECK(row.least < row.most);
+  }
+  CHECK(keys.size() == estimate::field_count);
+  CHECK_THROWS_AS((void)estimate::field_of("stiffness"), InvalidArgument);
+}
+
+TEST_CASE("fields: a row stands at the place of its field") {
+  for (std::size_t k = 0; k < estimate::field_count; ++k)
+    CHECK(static_cast<std::size_t>(estimate::fields()[k].field) == k);
+}
