@@ -16,7 +16,6 @@
 #include <granum/effective/batch.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/sensitivity/gradients.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/rock_physics/hertz_mindlin.hpp>
 
@@ -153,10 +152,6 @@ void add_scalar_calls() {
       [state = anisotropic_state()] { return uniform_stress(state); });
   add("relaxed with standard error, rung 3", 1,
       [state = anisotropic_state()] { return relaxed(state, 6.2); });
-  add("gradient of G_vh, rung 2", 1,
-      [state = anisotropic_state()] { return gradient(state, {}, Modulus::G_vh); });
-  add("gradient and standard error of G_vh, rung 3", 1,
-      [state = anisotropic_state()] { return relaxed_gradient(state, 6.2, Modulus::G_vh); });
   add("exponents m and n of G_vh, rung 2", 1,
       [state = anisotropic_state()] { return uniform_strain_exponents(state, Modulus::G_vh); });
 }

@@ -45,7 +45,8 @@ saturation : array_like
     Share of the pores' volume that is water, in [0, 1] [1].
 uncertainty : dict, optional
     Standard deviations by the names of numbers above, grain_shear_modulus and grain_poisson_ratio:
-    {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0 with a deviation of 0.05.
+    {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0, with a deviation of 0.05
+    and more where the stresses differ, as granum estimate assumes.
 )";
 
 QuestionArguments::QuestionArguments(const Arguments& a)
@@ -59,8 +60,6 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   columns_.push_back({"saturation", 0.0});
   if (a.given(saturation_at))
     columns_.back().value = a[saturation_at];
-  if (!state_.knows_fabric())
-    deviations_["fabric_anisotropy"] = estimate::assumed_deviations.fabric_anisotropy;
   if (!a.given(uncertainty_at))
     return;
   for (const auto& [name, deviation] : a[uncertainty_at].cast<std::map<std::string, double>>()) {
@@ -117,8 +116,12 @@ estimate::Answer QuestionArguments::answer(const double* x) const {
   std::vector<estimate::UncertainInput> inputs;
   for (const auto& [name, deviation] : deviations_)
     if (deviation > 0)
-      inputs.push_back(input(name, deviation, name == "fabric_anisotropy" && !state_.knows_fabric(), x));
-  return estimate::answer(question(x), inputs);
+      inputs.push_back(input(name, deviation, false, x));
+  const estimate::Question asked = question(x);
+  if (!state_.knows_fabric() && !deviations_.contains("fabric_anisotropy"))
+    inputs.push_back(input("fabric_anisotropy",
+                           estimate::assumed_fabric_deviation(asked.state.stress_v, asked.state.stress_h), true, x));
+  return estimate::answer(asked, inputs);
 }
 
 } // namespace granum::python

@@ -73,7 +73,7 @@ Exponents
 // ---- the ladder
 
 py::object choose(const Arguments& a) {
-  const QuestionArguments arguments(a);
+  QuestionArguments arguments(a);
   const double* numbers = arguments.one_packing("estimate");
   return py::cast(
       estimate::choose(arguments.answer(numbers), number_of("tolerance", a[question_keyword_count])));

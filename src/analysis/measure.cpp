@@ -257,6 +257,7 @@ class Measuring {
                            .radius = out_.sizes.equivalent,
                            .void_ratio = out_.interior_void_ratio(),
                            .coordination_number = micro.coordination_number,
+                           .mechanical_coordination_number = micro.mechanical_coordination_number,
                            .fabric_anisotropy = micro.fabric_anisotropy,
                            .stress_v = load.v,
                            .stress_h = load.h,

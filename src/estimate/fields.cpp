@@ -83,7 +83,7 @@ constexpr FieldRow table[] = {
     modulus(Field::horizontal_young_modulus, "horizontal_young_modulus", "E_h", "E_h", "E_h",
             "Young's modulus, horizontal", "Young's modulus, horizontal", ", drained", Shown::by_direction),
     of_density(Field::bulk_density, "bulk_density", "density", "density", "density", Dimension::density,
-               "mass over volume", "mass over volume", ", with water", Shown::always),
+               "bulk density", "bulk density", ", with the water in its pores", Shown::always),
     pure(Field::mechanical_coordination_number, "mechanical_coordination_number", "z*", "z_star",
          "contacts of a grain that carries load", Shown::always, Spreading::logarithmic, 0, unlimited),
     pure(Field::rattler_fraction, "rattler_fraction", "x_0", "rattlers", "share of grains that carry none",

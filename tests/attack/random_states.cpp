@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,109 +17,15 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
+#include "questions.hpp"
+#include "samples.hpp"
+
 namespace {
 
 using namespace granum;
+using attack::Random;
+using attack::Sample;
 using elastic::TransverselyIsotropic;
-
-/// The same numbers on every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
-  }
-  double decades(double low, double high) { return std::pow(10, between(low, high)); }
-  bool one_in(std::uint64_t n) { return bits_() % n == 0; }
-  std::uint64_t below(std::uint64_t n) { return bits_() % n; }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-/// A law that can be made again in other units.
-struct Law {
-  int shape = 0;
-  contact::GrainMaterial grain;
-  double alpha = 2;
-  double number = 1; ///< slope, punch radius [m] or profile constant [m^(1-alpha)]
-
-  /// The same grains where the units of length and stress are 1/length and 1/stress of the old ones.
-  [[nodiscard]] contact::PowerLaw in_units(double radius, double length, double stress) const {
-    const contact::GrainMaterial g{grain.shear_modulus * stress, grain.poisson_ratio};
-    switch (shape) {
-    case 0:
-      return contact::PowerLaw::sphere(g, radius * length);
-    case 1:
-      return contact::PowerLaw::cone(g, number);
-    case 2:
-      return contact::PowerLaw::flat(g, number * length);
-    default:
-      return contact::PowerLaw::general(g, alpha, number * std::pow(length, 1 - alpha));
-    }
-  }
-};
-
-struct Sample {
-  Law law;
-  effective::State state;
-  double mechanical = 0; ///< z*
-};
-
-double extreme_ratio(Random& random) {
-  switch (random.below(4)) {
-  case 0:
-    return 0;
-  case 1:
-    return 1;
-  case 2:
-    return random.decades(-12, 2);
-  default:
-    return random.between(0, 4.0 / 3);
-  }
-}
-
-double extreme_fabric(Random& random) {
-  constexpr double low = -7.0 / 3, high = 7.0 / 5;
-  switch (random.below(4)) {
-  case 0:
-    return 0;
-  case 1:
-    return low + random.decades(-10, 0);
-  case 2:
-    return high - random.decades(-10, 0);
-  default:
-    return random.between(low, high);
-  }
-}
-
-Sample sample(Random& random) {
-  const double radius = random.decades(-12, 6);
-  Law law;
-  law.grain = {random.decades(-20, 20),
-               random.one_in(8) ? -1 + random.decades(-12, 0) : random.between(-0.999, 0.5)};
-  law.shape = static_cast<int>(random.below(4));
-  law.alpha = 1 + random.decades(-3, 1);
-  law.number = law.shape == 1   ? random.decades(-6, 6)
-               : law.shape == 2 ? radius * random.decades(-8, 0)
-                                : random.decades(-2, 2) * std::pow(radius, 1 - law.alpha);
-  Sample s{.law = law,
-           .state = {.law = law.in_units(radius, 1, 1),
-                     .tangential_ratio = extreme_ratio(random),
-                     .radius = radius,
-                     .void_ratio = random.decades(-6, 6),
-                     .coordination_number = random.one_in(3) ? random.decades(-6, 4) : random.between(0, 12),
-                     .fabric_anisotropy = extreme_fabric(random),
-                     .stress_v = 0,
-                     .stress_h = 0}};
-  if (!random.one_in(50)) {
-    s.state.stress_h = random.decades(-20, 20);
-    s.state.stress_v = s.state.stress_h * (random.one_in(3) ? 1 : random.decades(-2, 2));
-  }
-  s.mechanical = random.one_in(3) ? random.decades(-3, 3) : random.between(3, 9);
-  return s;
-}
 
 std::array<double, 5> constants(const TransverselyIsotropic& c) {
   return {c.C11, c.C33, c.C12, c.C13, c.C44};
@@ -165,12 +68,13 @@ bool is_density(const effective::State& state) { return std::abs(state.fabric_an
 
 class Attack {
  public:
-  explicit Attack(std::uint64_t seed) : random_(seed) {}
+  explicit Attack(std::uint64_t seed) : random_(seed), questions_(~seed) {}
 
   void one() {
-    const Sample s = sample(random_);
+    const Sample s = attack::sample(random_);
     ++states_;
     here_ = &s;
+    asked_.clear();
     try {
       (void)effective::require_valid(s.state);
     } catch (const InvalidArgument&) {
@@ -180,6 +84,7 @@ class Attack {
     guarded("closed forms", [&] { check(s); });
     guarded("exponents", [&] { check_exponents(s); });
     guarded("relaxed", [&] { check_relaxed(s); });
+    ask(s);
   }
 
   /// Rows of a batch do not know of each other.
@@ -213,9 +118,11 @@ class Attack {
 
   [[nodiscard]] int report() const {
     std::printf("%zu states, %zu of them refused, %zu relations broken\n", states_, refused_, broken_);
+    std::printf("%zu questions answered, %zu refused\n", answered_, asked_in_vain_);
     for (const auto& [relation, count] : count_)
       std::printf("%9zu  %s\n", count, relation.c_str());
-    return broken_ == 0 && 2 * refused_ < states_ ? 0 : 1;
+    const bool enough = 2 * refused_ < states_ && asked_in_vain_ < answered_;
+    return broken_ == 0 && enough ? 0 : 1;
   }
 
  private:
@@ -250,7 +157,7 @@ class Attack {
            "moduli are no power of the stresses");
 
     other = state;
-    other.coordination_number *= 2;
+    *other.coordination_number *= 2;
     demand(near(effective::uniform_strain(other).stiffness, strain, std::exp2(1 - b), 1e-11),
            "twice the contacts do not stiffen as they must");
 
@@ -294,6 +201,20 @@ class Attack {
       demand(not_stiffer(relaxed.stiffness, strain, 1e-11), "relaxed is stiffer than uniform strain");
   }
 
+  /// A question that begins with this state; what no packing can have may be refused.
+  void ask(const Sample& s) {
+    const attack::RandomQuestion asked = attack::random_question(questions_, s);
+    asked_ = asked.text;
+    try {
+      attack::check_answer(asked, [&](bool holds, const std::string& relation) { demand(holds, relation); });
+      ++answered_;
+    } catch (const InvalidArgument&) {
+      ++asked_in_vain_;
+    } catch (const std::exception& error) {
+      demand(false, "a question ends in: " + std::string(error.what()).substr(0, 60));
+    }
+  }
+
   template <class Work>
   void guarded(const std::string& what, const Work& work) {
     try {
@@ -317,13 +238,16 @@ class Attack {
         "  G %.17g nu %.17g shape %d alpha %.17g number %.17g\n  k_t/k_n %.17g R %.17g e %.17g C_n %.17g "
         "a %.17g stress_v %.17g stress_h %.17g z* %.17g\n",
         here_->law.grain.shear_modulus, here_->law.grain.poisson_ratio, here_->law.shape, here_->law.alpha,
-        here_->law.number, s.tangential_ratio, s.radius, s.void_ratio, s.coordination_number,
+        here_->law.number, s.tangential_ratio, s.radius, s.void_ratio, *s.coordination_number,
         s.fabric_anisotropy, s.stress_v, s.stress_h, here_->mechanical);
+    if (!asked_.empty())
+      std::printf("  asked: %s\n", asked_.c_str());
   }
 
-  Random random_;
+  Random random_, questions_;
   const Sample* here_ = nullptr;
-  std::size_t states_ = 0, refused_ = 0, broken_ = 0;
+  std::string asked_; ///< of the question that is checked
+  std::size_t states_ = 0, refused_ = 0, broken_ = 0, answered_ = 0, asked_in_vain_ = 0;
   std::map<std::string, std::size_t> count_;
 };
 

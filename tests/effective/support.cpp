@@ -55,7 +55,7 @@ std::vector<Direction> directions_of(const State& s, int along) {
   const double a = s.fabric_anisotropy;
   const double grain_volume = 4.0 / 3 * M_PI * std::pow(s.radius, 3);
   const double grains = 1 / (grain_volume * (1 + s.void_ratio));
-  const double contacts = grains * s.coordination_number / 2;
+  const double contacts = grains * *s.coordination_number / 2;
   const double F33 = (5 + a) / (5 * (3 - a)), F11 = (1 - F33) / 2;
   std::vector<Direction> directions;
   constexpr int around = 8; // exact for the fourth powers of cos and sin

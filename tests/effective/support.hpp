@@ -71,7 +71,7 @@ std::vector<Direction> directions_of(const State& s, int along = 160);
 /// P = N_c l^2/V from the same numbers.
 inline double contact_density(const State& s) {
   const double grains = 1 / (4.0 / 3 * M_PI * std::pow(s.radius, 3) * (1 + s.void_ratio));
-  return grains * s.coordination_number / 2 * 4 * s.radius * s.radius;
+  return grains * *s.coordination_number / 2 * 4 * s.radius * s.radius;
 }
 
 /// Largest difference of the five constants: C11, C33, C44 relative to themselves, C12 and C13, which may

@@ -25,15 +25,13 @@ const std::vector<Modulus> all_moduli{Modulus::K,   Modulus::G_hh, Modulus::G_vh
 const Growth some_growth{
     .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
 
-double mean_stress(const State& s) { return (s.stress_v + 2 * s.stress_h) / 3; }
-
 /// ln of the modulus when one stress has grown by a factor e^step, and the packing with the mean stress.
 double log_modulus(State s, double z, const Growth& growth, Modulus which, double State::*stress,
                    double step) {
-  const double before = mean_stress(s);
+  const double before = s.mean_stress();
   s.*stress *= std::exp(step);
-  const double dlnp = std::log(mean_stress(s) / before);
-  s.coordination_number *= std::exp(growth.coordination_number * dlnp);
+  const double dlnp = std::log(s.mean_stress() / before);
+  *s.coordination_number *= std::exp(growth.coordination_number * dlnp);
   s.void_ratio += growth.void_ratio * dlnp;
   z += growth.mechanical_coordination_number * dlnp;
   return std::log(effective::modulus(effective::relaxed(s, z).stiffness, which));

@@ -97,7 +97,7 @@ TEST_CASE("property: more contacts or more stress never make a packing softer") 
     const bool stiffens = std::isfinite(state.law.alpha());
     const TransverselyIsotropic before = uniform_strain(state).stiffness;
     State more = state;
-    more.coordination_number *= factor;
+    *more.coordination_number *= factor;
     const TransverselyIsotropic denser = uniform_strain(more).stiffness;
     RC_ASSERT(denser.bulk_modulus() > before.bulk_modulus());
     RC_ASSERT(denser.G_vh() > before.G_vh());

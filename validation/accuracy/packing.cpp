@@ -30,15 +30,15 @@ PackingCase draw_packing(Draw& draw) {
                     .where = {}};
   const auto& s = drawn.state;
   drawn.packing = {
-      grain.shear_modulus, grain.poisson_ratio,   alpha, profile,    s.tangential_ratio, s.radius,
-      s.void_ratio,        s.coordination_number, a,     s.stress_v, s.stress_h};
+      grain.shear_modulus, grain.poisson_ratio,    alpha, profile,    s.tangential_ratio, s.radius,
+      s.void_ratio,        *s.coordination_number, a,     s.stress_v, s.stress_h};
   drawn.where = said({{"alpha", alpha},
                       {"a", a},
                       {"r", s.tangential_ratio},
                       {"stress_v", s.stress_v},
                       {"stress_h", s.stress_h},
                       {"R", s.radius},
-                      {"C_n", s.coordination_number}});
+                      {"C_n", *s.coordination_number}});
   return drawn;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/effective/sensitivity/gradients.hpp>
+#include <granum/effective/exponents.hpp>
+#include <granum/effective/model.hpp>
 #include <granum/effective/state.hpp>
 
 #include "moments.hpp"

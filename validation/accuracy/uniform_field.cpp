@@ -45,7 +45,7 @@ void check_isotropic_state(Table& table, Draw& draw) {
                     .coordination_number = draw.coordination_number(),
                     .stress_v = p,
                     .stress_h = p};
-  const Real C = state.coordination_number, phi = 1 / (1 + Real(state.void_ratio));
+  const Real C = *state.coordination_number, phi = 1 / (1 + Real(state.void_ratio));
   const Real shear = Real(grain.shear_modulus) / (1 - Real(nu));
   // K^3 = (C phi G/(1-nu))^2 p/(18 pi^2), without force and radius.                             [Walton1987]
   const Real K = cbrt(C * C * phi * phi * shear * shear * p / (18 * pi() * pi()));
@@ -53,7 +53,7 @@ void check_isotropic_state(Table& table, Draw& draw) {
   const std::string at = said({{"p", p},
                                {"R", R},
                                {"e", state.void_ratio},
-                               {"C_n", state.coordination_number},
+                               {"C_n", *state.coordination_number},
                                {"r", state.tangential_ratio},
                                {"G", grain.shear_modulus},
                                {"nu", nu}});
@@ -101,7 +101,7 @@ void check_directional(Table& table, std::size_t samples) {
     if (ratio > 0.999e4)
       continue;
     const Real P =
-        3 * Real(state.coordination_number) / (2 * pi() * Real(state.radius) * (1 + Real(state.void_ratio)));
+        3 * Real(*state.coordination_number) / (2 * pi() * Real(state.radius) * (1 + Real(state.void_ratio)));
     const Real horizontal = 2 * Real(state.radius) / P * Real(state.stress_h) / F11;
     const Real vertical = 2 * Real(state.radius) / P * Real(state.stress_v) / F33;
     const Real b = 1 / (1 + Real(alpha));

@@ -96,8 +96,7 @@ double cost_of(const Call& call, int repeats) {
 
 volatile double sink; // what the compiler may not leave out
 
-double closed_form_cost(std::size_t rung, const ladder::KnownPacking& packing, double z) {
-  const effective::State& s = packing.state;
+double closed_form_cost(std::size_t rung, const effective::State& s) {
   constexpr int repeats = 9;
   switch (rung) {
   case 0: {
@@ -105,8 +104,8 @@ double closed_form_cost(std::size_t rung, const ladder::KnownPacking& packing, d
                                                 .tangential_ratio = s.tangential_ratio,
                                                 .radius = s.radius,
                                                 .void_ratio = s.void_ratio,
-                                                .coordination_number = s.coordination_number,
-                                                .pressure = (s.stress_v + 2 * s.stress_h) / 3};
+                                                .coordination_number = *s.coordination_number,
+                                                .pressure = s.mean_stress()};
     return cost_of([&] { sink = effective::uniform_strain_moduli(isotropic).shear_modulus; }, repeats);
   }
   case 1:
@@ -115,7 +114,8 @@ double closed_form_cost(std::size_t rung, const ladder::KnownPacking& packing, d
   case 2:
     return cost_of([&] { sink = effective::uniform_strain(s).stiffness.C44; }, repeats);
   default:
-    return cost_of([&] { sink = effective::relaxed(s, z).stiffness.C44; }, repeats);
+    return cost_of([&] { sink = effective::relaxed(s, *s.mechanical_coordination_number).stiffness.C44; },
+                   repeats);
   }
 }
 
@@ -139,10 +139,10 @@ class Table {
 
 void add_closed_forms(Table& table, const Specimen& specimen, const Moduli& network) {
   for (const char* known : {"all", "C_n"}) {
-    const ladder::KnownPacking packing = ladder::known_packing(specimen, known);
-    const effective::LadderEstimate estimate = effective::estimate(packing, 0.05);
+    const estimate::Answer answer = ladder::answer_of(ladder::state_of(specimen), known);
+    const estimate::Ladder assessed = estimate::choose(answer, 0.05);
     for (std::size_t k = 0; k <= 3; ++k) {
-      const effective::RungAssessment& rung = estimate.rungs[k];
+      const estimate::RungAssessment& rung = assessed.rungs[k];
       if (!rung.stiffness)
         continue;
       table.add({.specimen = specimen,
@@ -150,7 +150,7 @@ void add_closed_forms(Table& table, const Specimen& specimen, const Moduli& netw
                  .rung = static_cast<double>(k),
                  .value = ladder::moduli(*rung.stiffness),
                  .stated = ladder::triple(rung.relative_error.value()),
-                 .cost = closed_form_cost(k, packing, estimate.mechanical_coordination_number.value)},
+                 .cost = closed_form_cost(k, answer.state())},
                 network);
     }
   }

@@ -6,12 +6,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <granum/core/number.hpp>
-#include <granum/effective/ladder.hpp>
+#include <granum/estimate/ladder.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "../relaxation/reading.hpp"
@@ -20,8 +21,6 @@ namespace ladder {
 
 inline constexpr double grain_radius = 0.5e-3; ///< [m]
 
-using granum::Measured;
-using granum::effective::KnownPacking;
 using granum::effective::State;
 
 /// K, G_hh, G_vh, or what belongs to them; NaN: not measured.
@@ -68,22 +67,42 @@ struct Row {
 
 inline constexpr double tangential_ratio = 0.918918918918919;
 
-/// What the ladder is told of a packing.
-inline KnownPacking known_packing(const Specimen& s, const std::string& known) {
-  const bool all = known == "all";
-  KnownPacking packing{.state = {.law = relaxation::detail::law(s.contact, grain_radius),
-                                 .tangential_ratio = tangential_ratio,
-                                 .radius = grain_radius,
-                                 .void_ratio = s.void_ratio,
-                                 .coordination_number = s.C_n,
-                                 .fabric_anisotropy = all ? s.a : 0,
-                                 .stress_v = s.stress_v,
-                                 .stress_h = s.stress_h}};
-  if (all)
-    packing.mechanical_coordination_number = Measured{s.z_star, 0};
-  else
-    packing.fabric_standard_error.reset();
-  return packing;
+/// The packing as it was measured.
+inline State state_of(const Specimen& s) {
+  return {.law = relaxation::detail::law(s.contact, grain_radius),
+          .tangential_ratio = tangential_ratio,
+          .radius = grain_radius,
+          .void_ratio = s.void_ratio,
+          .coordination_number = s.C_n,
+          .mechanical_coordination_number = s.z_star,
+          .fabric_anisotropy = s.a,
+          .stress_v = s.stress_v,
+          .stress_h = s.stress_h};
+}
+
+/// What the ladder makes of it where all was measured; or of "C_n" alone: the fabric is an assumption then.
+inline granum::estimate::Answer answer_of(const State& measured, const std::string& known) {
+  using granum::estimate::Question;
+  Question question{.state = measured};
+  if (known == "all")
+    return granum::estimate::answer(question);
+  question.state.mechanical_coordination_number.reset();
+  question.state.fabric_anisotropy = 0;
+  const granum::estimate::UncertainInput fabric{
+      .input = "fabric",
+      .deviation = granum::estimate::assumed_fabric_deviation(measured.stress_v, measured.stress_h),
+      .assumed = true,
+      .moved = [question](double change) {
+        Question moved = question;
+        moved.state.fabric_anisotropy += change;
+        return moved;
+      }};
+  return granum::estimate::answer(question, std::span(&fabric, 1));
+}
+
+/// Its rungs 0 to 3, at the tolerance that the program takes.
+inline granum::estimate::Ladder ladder_of(const State& measured, const std::string& known) {
+  return granum::estimate::choose(answer_of(measured, known), 0.05);
 }
 
 /// The three errors against a reference; NaN where a modulus was not measured.

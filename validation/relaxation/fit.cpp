@@ -163,7 +163,7 @@ FactorErrors cross_validate(const std::vector<Packing>& packings, const std::str
 
 granum::effective::MeasuredPacking measured(const Packing& p) {
   return {.pressure = p.pressure,
-          .coordination_number = p.state.coordination_number,
+          .coordination_number = *p.state.coordination_number,
           .mechanical_coordination_number = p.mechanical_coordination,
           .void_ratio = p.state.void_ratio};
 }
@@ -179,7 +179,7 @@ double own_shear_modulus(const Packing& p) {
 double exponent_by_growth(const Packing& first, const Packing& last) {
   State state = last.state;
   state.stress_v = state.stress_h = std::sqrt(first.pressure * last.pressure);
-  state.coordination_number = std::sqrt(first.state.coordination_number * last.state.coordination_number);
+  state.coordination_number = std::sqrt(*first.state.coordination_number * *last.state.coordination_number);
   state.void_ratio = (first.state.void_ratio + last.state.void_ratio) / 2;
   state.fabric_anisotropy = 0;
   const double z = (first.mechanical_coordination + last.mechanical_coordination) / 2;
@@ -290,7 +290,7 @@ double worst_rattler_estimate(const std::vector<Packing>& packings) {
   double worst = 0;
   for (const Packing& p : packings) {
     const double z =
-        granum::effective::mechanical_coordination_number(p.state.coordination_number, p.rattler_fraction);
+        granum::effective::mechanical_coordination_number(*p.state.coordination_number, p.rattler_fraction);
     worst = std::max(worst, std::abs(z / p.mechanical_coordination - 1));
   }
   return worst;

@@ -46,9 +46,15 @@ struct UncertainInput {
 struct AssumedDeviations {
   double grain_shear_modulus = 0.3;  ///< over itself: minerals from glass to quartz [1]
   double grain_poisson_ratio = 0.07; ///< of the same minerals [1]
-  double fabric_anisotropy = 0.05;   ///< of grains that were poured [1]
   double grain_density = 50;         ///< of the minerals of sands [kg/m3]
 };
 inline constexpr AssumedDeviations assumed_deviations{};
+
+/// Standard deviation of a fabric that nobody measured: of grains that were poured, and, where stresses
+/// differ, of what shear makes of it: the root mean square of granum's specimens, which were made without a
+/// preferred direction, is hypot(0.012, 0.2 ln(stress_v/stress_h)).
+/// \return   hypot(0.05, 0.2 ln(stress_v/stress_h)); 0.05 without stress [1]
+/// Checked by tests/estimate/test_ladder.cpp
+[[nodiscard]] double assumed_fabric_deviation(double stress_v, double stress_h);
 
 } // namespace granum::estimate

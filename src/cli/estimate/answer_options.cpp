@@ -53,6 +53,11 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
 
 // ---- uncertain inputs
 
+double assumed_fabric(const PackingOptions& packing) {
+  const stress::AxialStress stress = resolve_stresses(packing);
+  return estimate::assumed_fabric_deviation(stress.v, stress.h);
+}
+
 /// What granum takes for the deviation of a number that is not given, or that a mineral's name gives.
 double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, const Number& number) {
   const estimate::AssumedDeviations& assumed = estimate::assumed_deviations;
@@ -62,7 +67,7 @@ double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, 
     return 0;
   return &number == &packing.grain_shear_modulus   ? assumed.grain_shear_modulus * number.value
          : &number == &packing.grain_poisson_ratio ? assumed.grain_poisson_ratio
-         : &number == &packing.fabric              ? assumed.fabric_anisotropy
+         : &number == &packing.fabric              ? assumed_fabric(packing)
          : &number == &o.grain_density             ? assumed.grain_density
                                                    : 0;
 }

@@ -180,9 +180,10 @@ ordered_json estimate_json(const ordered_json& packing, const Bounds& bounds, co
   for (const ShownForm& form : bounds.forms)
     json[form.key] = json_of(form.answer);
   json["measured_sands"] = sands_json(answer);
-  json["notes"] = bounds.assumptions;
-  for (const std::string& note : bounds.validity.notes)
-    json["notes"].push_back(note);
+  json["notes"] = answer.assumptions;
+  for (const std::vector<std::string>& more : {bounds.assumptions, bounds.validity.notes})
+    for (const std::string& note : more)
+      json["notes"].push_back(note);
   return json;
 }
 
