@@ -25,16 +25,16 @@ struct DepthPoint {
 
 io::Columns<DepthPoint> depth_columns() {
   constexpr double kPa = 1e3;
-  const auto shown = [](const char* heading) { return io::ShownColumn{heading, 7, 4, false, kPa}; };
+  const auto shown = [](const char* heading) { return io::ShownColumn{heading, 6, 4, false, kPa}; };
   return {
       {"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }, io::ShownColumn{"depth", 5, 4}},
       {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; },
-       shown("sig_v")},
+       shown("s_v")},
       {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
       {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; },
        shown("u")},
-      {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }, shown("sig'_v")},
-      {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }, shown("sig'_h")},
+      {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }, shown("s'_v")},
+      {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }, shown("s'_h")},
       {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }, shown("p'")}};
 }
 
@@ -101,7 +101,8 @@ std::string table_of(const GroundCase& ground, const std::vector<DepthState>& st
             range_cell(a[Field::shear_wave_speed], 1, 12) +
             range_cell(a[Field::compression_wave_speed], 1, 14) + "\n";
   }
-  text += fmt::format("\n  G in a vertical plane, waves up and down; at {} m:",
+  text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane, waves\n"
+                      "  up and down; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
