@@ -78,12 +78,22 @@ std::string ground_text(const GroundCase& c) {
   return text + "\n\n";
 }
 
-/// "162 (78-245)".
-std::string range_cell(const Range& range, double unit, int width) {
-  const auto text = [unit](double value) { return short_text(value / unit, 3); };
-  return fmt::format("{:>{}}",
-                     fmt::format("{} ({}-{})", text(range.value), text(range.low), text(range.high)), width);
+/// Three digits, or all before the point: 0.512, 85.1, 1649.
+std::string brief(double number, int digits) {
+  return number < std::pow(10, digits) - 0.5 ? fmt::format("{:.{}g}", number, digits)
+                                             : fmt::format("{:.0f}", number);
 }
+
+/// "85.1 (36-133)".
+std::string range_cell(const Range& range, double unit, int width) {
+  return fmt::format("{:>{}}",
+                     fmt::format("{} ({}-{})", brief(range.value / unit, 3), brief(range.low / unit, 2),
+                                 brief(range.high / unit, 2)),
+                     width);
+}
+
+/// Widths of the last three columns: with the stresses they fill 80 columns.
+constexpr int widths[] = {14, 14, 17};
 
 std::string table_of(const GroundCase& ground, const std::vector<DepthState>& states,
                      const std::vector<std::string>& remarks) {
@@ -92,14 +102,17 @@ std::string table_of(const GroundCase& ground, const std::vector<DepthState>& st
   std::string text = fmt::format("Small-strain stiffness of level ground of void ratio {}\n\n",
                                  short_text(last.question.state.void_ratio));
   text += ground_text(ground);
-  text += io::heading_line(columns) + fmt::format("{:>14}{:>12}{:>14}\n", "G (low-high)", "V_s", "V_p");
-  text += fmt::format("{:>5}{:>7}{:>7}{:>7}{:>7}{:>7}{:>14}{:>12}{:>14}\n", "m", "kPa", "kPa", "kPa", "kPa",
-                      "kPa", "MPa", "m/s", "m/s");
+  const auto last_columns = [](const char* G, const char* V_s, const char* V_p) {
+    return fmt::format("{:>{}}{:>{}}{:>{}}\n", G, widths[0], V_s, widths[1], V_p, widths[2]);
+  };
+  text += io::heading_line(columns) + last_columns("G (low-high)", "V_s", "V_p");
+  text += fmt::format("{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}", "m", "kPa", "kPa", "kPa", "kPa", "kPa") +
+          last_columns("MPa", "m/s", "m/s");
   for (const DepthState& at : states) {
     const estimate::Answer& a = at.state.answer->answer;
-    text += io::number_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, 14) +
-            range_cell(a[Field::shear_wave_speed], 1, 12) +
-            range_cell(a[Field::compression_wave_speed], 1, 14) + "\n";
+    text += io::number_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, widths[0]) +
+            range_cell(a[Field::shear_wave_speed], 1, widths[1]) +
+            range_cell(a[Field::compression_wave_speed], 1, widths[2]) + "\n";
   }
   text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane, waves\n"
                       "  up and down; at {} m:",
