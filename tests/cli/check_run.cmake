@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs a program and checks exit code and text:
-#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON=key=regex]
+#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON_0=key=regex] [-DJSON_1=...]...
 #     -P check_run.cmake -- arguments
-# A key within objects is written outer/inner.
+# A key within objects is written outer/inner; key=MISSING asks that it is not there.
 # What is not asked for must be empty: a run without STDERR may not warn.
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
@@ -16,16 +16,28 @@ endfunction()
 if(NOT code STREQUAL EXIT)
   fail("exit code ${code}, expected ${EXIT}")
 endif()
-if(DEFINED JSON)
-  string(FIND "${JSON}" "=" split)
-  string(SUBSTRING "${JSON}" 0 ${split} key)
-  math(EXPR after "${split} + 1")
-  string(SUBSTRING "${JSON}" ${after} -1 expected)
-  string(REPLACE "/" ";" key "${key}")
-  string(JSON value ERROR_VARIABLE problem GET "${out}" ${key})
-  if(problem OR NOT value MATCHES "${expected}")
-    fail("JSON ${key} is '${value}' (${problem}), expected ${expected}")
+if(DEFINED JSON_0)
+  string(JSON type ERROR_VARIABLE problem TYPE "${out}")
+  if(NOT type STREQUAL "OBJECT")
+    fail("standard output is no JSON: ${problem}")
   endif()
+  set(index 0)
+  while(DEFINED JSON_${index})
+    string(FIND "${JSON_${index}}" "=" split)
+    string(SUBSTRING "${JSON_${index}}" 0 ${split} key)
+    math(EXPR after "${split} + 1")
+    string(SUBSTRING "${JSON_${index}}" ${after} -1 expected)
+    string(REPLACE "/" ";" keys "${key}")
+    string(JSON value ERROR_VARIABLE problem GET "${out}" ${keys})
+    if(expected STREQUAL "MISSING")
+      if(NOT problem)
+        fail("JSON ${key} is '${value}', expected no such member")
+      endif()
+    elseif(problem OR NOT value MATCHES "${expected}")
+      fail("JSON ${key} is '${value}' (${problem}), expected ${expected}")
+    endif()
+    math(EXPR index "${index} + 1")
+  endwhile()
 elseif(DEFINED STDOUT)
   if(NOT out MATCHES "${STDOUT}")
     fail("standard output does not match ${STDOUT}")
