@@ -89,7 +89,7 @@ inline granum::estimate::Answer answer_of(const State& measured, const std::stri
   question.state.mechanical_coordination_number.reset();
   question.state.fabric_anisotropy = 0;
   const granum::estimate::UncertainInput fabric{
-      .input = "fabric",
+      .input = std::string(granum::estimate::fabric_input),
       .deviation = granum::estimate::assumed_fabric_deviation(measured.stress_v, measured.stress_h),
       .assumed = true,
       .moved = [question](double change) {
