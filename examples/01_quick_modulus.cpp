@@ -31,7 +31,7 @@ double nanoseconds_per_call(effective::State state) {
   double sum = 0;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < calls; ++i) {
-    state.coordination_number += 1e-9;
+    *state.coordination_number += 1e-9;
     sum += effective::uniform_strain(state).stiffness.C44;
   }
   const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;

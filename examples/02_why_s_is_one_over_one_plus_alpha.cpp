@@ -55,7 +55,7 @@ int main() {
 
     // 3. Let the number of contacts grow as p^0.05, as it does in weakly coordinated packings. More contacts
     //    carry less force each: G ~ C_n^(1-b) p^b, so that s gains 0.05 (1-b).
-    high.coordination_number *= std::pow(10, 0.05);
+    *high.coordination_number *= std::pow(10, 0.05);
     const double more_contacts = slope(low, high);
     std::printf("%5.3g   %11.4f   %16.4f   %7.4f + %.4f = %.4f   %20.4f\n", law.alpha(), b, same_contacts,
                 share.stress_h, share.stress_v, share.sum(), more_contacts);

@@ -2,98 +2,110 @@
 //
 // Example 05: how well is G known, if its inputs are known only so well?
 //
-// A dense packing of glass-like spheres at 100 kPa. Contacts per grain come from a tomography, the void ratio
-// from weighing, the shear modulus of the grains from a data sheet: each is known to within an error. The
-// derivatives of the closed form say at once what that makes of G and which input is worth measuring better;
-// sampling takes longer, and shows how far the derivatives can be trusted.
+// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a data
+// sheet: each is known to within an error. How many grains touch is not known at first. estimate::answer gives
+// G with the range that all of this leaves open, and the share that each input has in it: the largest is the
+// one worth measuring. Here that is done, four times.
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
-#include <granum/effective/relaxation.hpp>
-#include <granum/effective/sensitivity/uncertainty.hpp>
+#include <granum/estimate/answer.hpp>
 
 using namespace granum;
-using effective::Input;
+using estimate::Answer;
+using estimate::Field;
+using estimate::Question;
 
 namespace {
 
-constexpr effective::Sampling sampling{.draws = 20000, .seed = 1};
+constexpr double grain_modulus = 30e9, grain_deviation = 2e9; // [Pa]
+constexpr double void_ratio = 0.558, void_deviation = 0.02;
 
-/// The standard deviations of three inputs, all taken `times` as large.
-effective::Deviations deviations(double times) {
-  effective::Deviations of;
-  of[Input::coordination_number] = 0.2 * times;
-  of[Input::void_ratio] = 0.02 * times;
-  of[Input::grain_shear_modulus] = 2e9 * times;
-  return of;
+Question with_grain(Question q, double shear_modulus) {
+  q.state.law = q.state.law.of_grain({shear_modulus, q.state.law.grain().poisson_ratio});
+  return q;
 }
 
-void print(const char* name, const effective::Uncertainty& u) {
-  std::printf(
-      "%-24s G = %6.1f MPa   first order +- %5.1f   sampled +- %5.1f, %6.1f to %6.1f   %4.1f %% rejected\n",
-      name, u.value / 1e6, u.first_order.deviation / 1e6, u.sampled.deviation / 1e6, u.sampled.low / 1e6,
-      u.sampled.high / 1e6, 100.0 * static_cast<double>(u.rejected) / static_cast<double>(sampling.draws));
+/// Void ratio and grains are known to within an error, whatever else is known.
+std::vector<estimate::UncertainInput> uncertain_inputs(const Question& question) {
+  return {{.input = "void ratio",
+           .deviation = void_deviation,
+           .moved =
+               [question](double change) {
+                 Question moved = question;
+                 moved.state.void_ratio += change;
+                 return moved;
+               }},
+          {.input = "grain modulus", .deviation = grain_deviation, .moved = [question](double change) {
+             return with_grain(question, grain_modulus + change);
+           }}};
 }
 
-double share(const effective::Uncertainty& u, Input input) {
-  return u.first_order.share(u.first_order.contributions[static_cast<std::size_t>(input)]);
+/// How wide a range is: its high end over its low end.
+double width(const estimate::Range& range) { return range.high / range.low; }
+
+/// Prints the answer and what would be left if an input were exact; returns how wide the range is.
+double ask(const char* known, const Question& question) {
+  const Answer answer = estimate::answer(question, uncertain_inputs(question));
+  const estimate::Range G = answer[Field::shear_modulus];
+  std::printf("%s\n  G = %.0f MPa, %.0f to %.0f\n", known, G.value / 1e6, G.low / 1e6, G.high / 1e6);
+  for (const estimate::Share& share : answer.shares()) {
+    const estimate::Range left = answer.without(Field::shear_modulus, share.input);
+    std::printf("  %-14s %3.0f %% of it; if it were exact: %.0f to %.0f\n", share.input.c_str(),
+                100 * share.share, left.low / 1e6, left.high / 1e6);
+  }
+  return width(G);
+}
+
+/// Whether the range is what its inputs make of G, added in quadrature of the logarithm, and the grains'
+/// part that of the law: G ~ G_g^(2/3) at given contacts.
+bool adds_up(const Question& question) {
+  const Answer answer = estimate::answer(question, uncertain_inputs(question));
+  const double value = answer[Field::shear_modulus].value;
+  const auto k = static_cast<std::size_t>(Field::shear_modulus);
+  double sum = 0, by_grains = 0;
+  for (const estimate::Effect& effect : answer.effects()) {
+    const double up = std::log(effect.high[k] / value);
+    sum += up * up;
+    if (effect.input == "grain modulus")
+      by_grains = up;
+  }
+  const double up = std::log(answer[Field::shear_modulus].high / value);
+  return std::abs(std::sqrt(sum) - up) < 1e-12 &&
+         std::abs(by_grains - 2.0 / 3 * std::log1p(grain_deviation / grain_modulus)) < 1e-12;
 }
 
 } // namespace
 
 int main() {
-  // 1. The packing, at the best values of its inputs.
-  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-  const effective::State dense{.law = contact::PowerLaw::sphere(grain, 0.5e-3),
-                               .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
-                               .radius = 0.5e-3,
-                               .void_ratio = 0.558,
-                               .coordination_number = 5.73,
-                               .stress_v = 100e3,
-                               .stress_h = 100e3};
-  const auto G = effective::Modulus::G_vh;
+  // 1. The packing: what was weighed, read and loaded.
+  const contact::GrainMaterial grain{.shear_modulus = grain_modulus, .poisson_ratio = 0.15};
+  Question question{.state = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
+                              .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                              .radius = 0.5e-3,
+                              .void_ratio = void_ratio,
+                              .stress_v = 100e3,
+                              .stress_h = 100e3}};
+  std::vector<double> widths{ask("contacts not known", question)};
 
-  // 2. Uniform strain: G ~ (C_n G_g/(1+e))^(2/3). The powers are mild, so the first order is nearly right
-  //    even for errors of a third of an input, where draws begin to leave the range of what is possible.
-  std::printf("uniform strain, rung 2: deviations of C_n 0.2, e 0.02, G_g 2 GPa, and multiples of them\n");
-  const effective::Uncertainty u = effective::uncertainty(dense, {}, G, deviations(1), sampling);
-  print("  once", u);
-  for (const double times : {3.0, 8.0}) {
-    char name[20];
-    std::snprintf(name, sizeof name, "  %.0f times", times);
-    print(name, effective::uncertainty(dense, {}, G, deviations(times), sampling));
-  }
-  std::printf("  of the variance: C_n %.0f %%, e %.0f %%, G_g %.0f %%\n\n",
-              100 * share(u, Input::coordination_number), 100 * share(u, Input::void_ratio),
-              100 * share(u, Input::grain_shear_modulus));
+  // 2. How it was prepared says which contacts are likely.
+  question.preparation.kind = effective::Preparation::Kind::dense;
+  widths.push_back(ask("prepared dense", question));
 
-  // 3. Relaxed: G depends on z*, the contacts per grain without rattlers, and falls to zero near four of
-  //    them. The nearer z* is to that, the more the same error matters; that of the calibration adds to it.
-  std::printf("relaxed, rung 3: deviation of z* 0.2\n");
-  effective::Deviations of_z;
-  of_z[Input::mechanical_coordination_number] = 0.2;
-  for (const double z : {6.0, 4.6, 4.1}) {
-    char name[20];
-    std::snprintf(name, sizeof name, "  z* = %.1f", z);
-    const auto relaxed = effective::relaxed_uncertainty(dense, z, G, of_z, sampling);
-    print(name, relaxed);
-    std::printf("  of the variance: z* %.0f %%, calibration %.0f %%\n",
-                100 * share(relaxed, Input::mechanical_coordination_number),
-                100 * relaxed.first_order.share(relaxed.first_order.calibration));
-  }
+  // 3. A tomography counts the contacts of all grains: only the rattlers among them are not known.
+  question.state.coordination_number = 5.73;
+  widths.push_back(ask("C_n = 5.73 counted", question));
 
-  // 4. First order breaks down where the error reaches the isostatic point, below which every draw has
-  //    G = 0: it then promises negative moduli, which do not exist.
-  const auto near = effective::relaxed_uncertainty(dense, 4.1, G, of_z, sampling);
-  const double promised = near.value - near.first_order.deviation;
-  std::printf("\nat z* = 4.1 first order puts 16 %% of all packings below G = %.1f MPa; sampled: %.1f MPa\n",
-              promised / 1e6, near.sampled.low / 1e6);
+  // 4. And those that carry load: what is left is e, the grains, and rung 3 itself.
+  question.state.mechanical_coordination_number = 5.85;
+  widths.push_back(ask("z* = 5.85 counted too", question));
 
-  // 5. Check: the shares are those of the powers, and small errors sample as they are derived.
-  const double by_contacts = 2.0 / 3 * 0.2 / 5.73, by_voids = 2.0 / 3 * 0.02 / 1.558,
-               by_grain = 2.0 / 3 * 2 / 30;
-  const double expected = std::hypot(by_contacts, by_voids, by_grain) * u.value;
-  const bool derived = std::abs(u.first_order.deviation / expected - 1) < 1e-12;
-  const bool sampled = std::abs(u.sampled.deviation / expected - 1) < 4 / std::sqrt(2.0 * 20000) + 0.01;
-  return derived && sampled && promised < 0 && near.sampled.low == 0 ? 0 : 1;
+  // 5. Check: whatever is learnt narrows the range, and the range is the sum of its parts.
+  bool narrows = true;
+  for (std::size_t k = 1; k < widths.size(); ++k)
+    narrows = narrows && widths[k] < widths[k - 1];
+  std::printf("from a factor of %.2f down to one of %.2f\n", widths.front(), widths.back());
+  return narrows && adds_up(question) ? 0 : 1;
 }

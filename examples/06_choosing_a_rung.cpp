@@ -3,19 +3,20 @@
 // Example 06: how much effort does a modulus deserve?
 //
 // A closed form takes nanoseconds and may be wrong by a factor of three; the linear response of the contact
-// network takes a packing and a fraction of a second, and is right. effective::estimate takes the cheapest
+// network takes a packing and a fraction of a second, and is right. estimate::choose takes the cheapest
 // rung of the ladder whose stated error fits a tolerance, and says what it would need to do better. Here one
 // loose packing is asked about four times, each time knowing a little more of it; at the end its own
 // network tells how far off each answer was.
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/number.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/effective/ladder.hpp>
 #include <granum/elastic/projection.hpp>
+#include <granum/estimate/ladder.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 using namespace granum;
@@ -36,19 +37,34 @@ dem::Specimen loose_specimen(const triaxial::SpecimenRecipe& recipe) {
   return last;
 }
 
+/// The answer where nobody measured the fabric: an assumption, like other inputs that are not exact.
+estimate::Answer with_unknown_fabric(const estimate::Question& packing,
+                                     std::vector<estimate::UncertainInput> inputs = {}) {
+  const effective::State& s = packing.state;
+  inputs.push_back({.input = std::string(estimate::fabric_input),
+                    .deviation = estimate::assumed_fabric_deviation(s.stress_v, s.stress_h),
+                    .assumed = true,
+                    .moved = [packing](double change) {
+                      estimate::Question moved = packing;
+                      moved.state.fabric_anisotropy += change;
+                      return moved;
+                    }});
+  return estimate::answer(packing, inputs);
+}
+
 /// Asks for several tolerances, prints the answers, and returns how many broke a promise: a looser tolerance
 /// takes no dearer rung, and no answer is off by more than three stated errors.
-int ask(const char* what, const effective::KnownPacking& packing, double network_modulus) {
+int ask(const char* what, const estimate::Answer& answer, double network_modulus) {
   std::printf("\n%s\n", what);
   int broken = 0;
   std::size_t last_rung = 0;
   for (const double tolerance : {5.0, 0.3, 0.05}) {
-    const effective::LadderEstimate ladder = effective::estimate(packing, tolerance);
-    const effective::RungAssessment& choice = ladder.choice();
+    const estimate::Ladder ladder = estimate::choose(answer, tolerance);
+    const estimate::RungAssessment& choice = ladder.choice();
     const double modulus = choice.stiffness->G_vh();
     const double error = modulus / network_modulus - 1;
-    std::printf("  within %-6s rung %d  G = %5.1f MPa, stated error %6s, actual %6s%s\n",
-                percent_text(tolerance).c_str(), choice.rung, modulus / 1e6,
+    std::printf("  within %-6s %s  G = %5.1f MPa, stated error %6s, actual %6s%s\n",
+                percent_text(tolerance).c_str(), effective::label(*choice.rung).c_str(), modulus / 1e6,
                 percent_text(choice.relative_error->G_vh).c_str(), percent_text(error).c_str(),
                 ladder.tolerance_met ? "" : "  (tolerance not met)");
     broken += ladder.chosen < last_rung;
@@ -83,30 +99,33 @@ int main() {
       elastic::transversely_isotropic_projection(measured.solved_network().response.relaxed());
   std::printf("contact network of the packing: G_vh = %.1f MPa\n", network.G_vh() / 1e6);
 
-  // 3. Known: the contacts, the void ratio, C_n and the stress, as one would have them from a paper. z* is
-  //    estimated from C_n, and may be off: so many contacts may be those of few grains or of all.
-  effective::KnownPacking packing{.state = {.law = recipe.material.law,
-                                            .tangential_ratio = recipe.material.tangential_ratio,
-                                            .radius = recipe.radius,
-                                            .void_ratio = measured.void_ratio,
-                                            .coordination_number = measured.counts.coordination_number,
-                                            .stress_v = pressure,
-                                            .stress_h = pressure},
-                                  .fabric_standard_error = std::nullopt};
-  int broken = ask("known: law, e, C_n, stress", packing, network.G_vh());
+  // 3. Known: law, void ratio, C_n and the stress, as one would have them from a paper. How many grains
+  //    rattle is not known, and so z* may be off: so many contacts may be those of few grains or of all.
+  const packing::MechanicalCoordination& counted = measured.counts.mechanical;
+  estimate::Question packing{.state = {.law = recipe.material.law,
+                                       .tangential_ratio = recipe.material.tangential_ratio,
+                                       .radius = recipe.radius,
+                                       .void_ratio = measured.void_ratio,
+                                       .coordination_number = measured.counts.coordination_number,
+                                       .stress_v = pressure,
+                                       .stress_h = pressure}};
+  int broken = ask("known: law, e, C_n, stress", with_unknown_fabric(packing), network.G_vh());
 
   // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
-  const packing::MechanicalCoordination& counted = measured.counts.mechanical;
-  packing.rattler_fraction = Measured{counted.rattler_fraction, 0.01};
-  broken += ask("also the rattlers, to 1 % of the grains", packing, network.G_vh());
+  packing.rattler_fraction = counted.rattler_fraction;
+  const estimate::UncertainInput rattlers{
+      .input = "rattlers", .deviation = 0.01, .moved = [packing](double change) {
+        estimate::Question moved = packing;
+        moved.rattler_fraction = *packing.rattler_fraction + change;
+        return moved;
+      }};
+  broken += ask("also the rattlers, to 1 % of the grains", with_unknown_fabric(packing, {rattlers}),
+                network.G_vh());
 
   // 5. Exactly, from the list of contacts; which has the fabric as well.
-  packing.rattler_fraction.reset();
-  packing.mechanical_coordination_number = Measured{counted.coordination_number, 0};
-  broken += ask("z* from the list of contacts", packing, network.G_vh());
+  broken += ask("z* from the list of contacts", with_unknown_fabric(packing), network.G_vh());
   packing.state.fabric_anisotropy = measured.microstructure().fabric_anisotropy;
-  packing.fabric_standard_error = 0;
-  broken += ask("and the fabric", packing, network.G_vh());
+  broken += ask("and the fabric", estimate::answer(packing), network.G_vh());
 
   // 6. Check: no promise was broken.
   return broken == 0 ? 0 : 1;
