@@ -15,7 +15,6 @@ from ._errors import Stopped as Stopped
 
 __all__ = [
     "AnisotropyEstimate",
-    "Band",
     "CarriedContacts",
     "Compression",
     "ContactCounts",
@@ -35,13 +34,12 @@ __all__ = [
     "Forces",
     "Frames",
     "Gradation",
-    "Gradient",
     "Inference",
     "InvalidArgument",
     "Isotropic",
     "IsotropicAverages",
     "IsotropicModuli",
-    "LadderEstimate",
+    "Ladder",
     "LawCheck",
     "LikelihoodEstimate",
     "Measured",
@@ -70,7 +68,6 @@ __all__ = [
     "Study",
     "SymmetryDistances",
     "ThomsenParameters",
-    "Uncertainty",
     "Verdict",
     "answer",
     "bulk_density",
@@ -98,7 +95,6 @@ __all__ = [
     "from_lammps",
     "from_yade",
     "gradation",
-    "gradient",
     "hertz_mindlin",
     "infer",
     "isotropic",
@@ -129,7 +125,6 @@ __all__ = [
     "symmetry_distances",
     "thomsen_parameters",
     "transversely_isotropic_projection",
-    "uncertainty",
     "uniform_strain",
     "uniform_strain_kinematic",
     "uniform_strain_moduli",
@@ -157,18 +152,6 @@ class AnisotropyEstimate:
     def notes(self) -> list[str]: ...
     @property
     def standard_error(self) -> float: ...
-
-class Band:
-    @property
-    def deviation(self) -> float: ...
-    @property
-    def high(self) -> float: ...
-    @property
-    def low(self) -> float: ...
-    @property
-    def mean(self) -> float: ...
-    @property
-    def median(self) -> float: ...
 
 class CarriedContacts:
     @property
@@ -444,44 +427,6 @@ class Gradation:
     @property
     def uniformity(self) -> float: ...
 
-class Gradient:
-    @property
-    def alpha(self) -> _Numbers: ...
-    @property
-    def coordination_number(self) -> _Numbers: ...
-    @property
-    def errors(self) -> dict[tuple[int, ...], str]: ...
-    @property
-    def fabric_anisotropy(self) -> _Numbers: ...
-    @property
-    def grain_poisson_ratio(self) -> _Numbers: ...
-    @property
-    def grain_poisson_ratio_mindlin(self) -> _Numbers: ...
-    @property
-    def grain_shear_modulus(self) -> _Numbers: ...
-    @property
-    def mean_stress(self) -> _Numbers: ...
-    @property
-    def mechanical_coordination_number(self) -> _Numbers: ...
-    @property
-    def notes(self) -> list[str]: ...
-    @property
-    def radius(self) -> _Numbers: ...
-    @property
-    def shape(self) -> tuple[int, ...]: ...
-    @property
-    def standard_error(self) -> _Numbers: ...
-    @property
-    def stress_h(self) -> _Numbers: ...
-    @property
-    def stress_v(self) -> _Numbers: ...
-    @property
-    def tangential_ratio(self) -> _Numbers: ...
-    @property
-    def value(self) -> _Numbers: ...
-    @property
-    def void_ratio(self) -> _Numbers: ...
-
 class Inference:
     @property
     def alone(self) -> list[Optional[Measured]]: ...
@@ -556,15 +501,13 @@ class IsotropicModuli:
     @property
     def shear_modulus(self) -> _Numbers: ...
 
-class LadderEstimate:
+class Ladder:
     @property
     def advice(self) -> list[str]: ...
     @property
     def choice(self) -> RungAssessment: ...
     @property
-    def coordination_estimated(self) -> bool: ...
-    @property
-    def mechanical_coordination_number(self) -> Measured: ...
+    def mechanical_coordination_number(self) -> list[float]: ...
     @property
     def notes(self) -> list[str]: ...
     @property
@@ -746,8 +689,6 @@ class Packing:
 
 class PackingAnswer:
     @property
-    def G_hh(self) -> Range: ...
-    @property
     def bulk_density(self) -> Range: ...
     @property
     def bulk_modulus(self) -> Range: ...
@@ -757,6 +698,10 @@ class PackingAnswer:
     def coordination_number(self) -> Range: ...
     @property
     def horizontal_compression_wave_speed(self) -> Range: ...
+    @property
+    def horizontal_exponent(self) -> Range: ...
+    @property
+    def horizontal_shear_modulus(self) -> Range: ...
     @property
     def horizontal_shear_wave_speed(self) -> Range: ...
     @property
@@ -771,6 +716,10 @@ class PackingAnswer:
     def shear_modulus(self) -> Range: ...
     @property
     def shear_wave_speed(self) -> Range: ...
+    @property
+    def stress_exponent(self) -> Range: ...
+    @property
+    def vertical_exponent(self) -> Range: ...
     @property
     def young_modulus(self) -> Range: ...
     @property
@@ -970,22 +919,6 @@ class ThomsenParameters:
     @property
     def gamma(self) -> float: ...
 
-class Uncertainty:
-    @property
-    def calibration(self) -> float: ...
-    @property
-    def contributions(self) -> dict[str, float]: ...
-    @property
-    def deviation(self) -> float: ...
-    @property
-    def rejected(self) -> int: ...
-    @property
-    def sampled(self) -> Band: ...
-    @property
-    def shares(self) -> dict[str, float]: ...
-    @property
-    def value(self) -> float: ...
-
 class Verdict:
     @property
     def claim(self) -> str: ...
@@ -1070,23 +1003,24 @@ def engineering_moduli(stiffness: ArrayLike) -> EngineeringModuli: ...
 def estimate(
     *,
     law: PowerLaw,
-    radius: ArrayLike,
-    void_ratio: ArrayLike,
-    coordination_number: ArrayLike,
-    pressure: Optional[ArrayLike] = None,
-    stress_v: Optional[ArrayLike] = None,
-    stress_h: Optional[ArrayLike] = None,
-    fabric_anisotropy: ArrayLike = 0.0,
-    tangential_ratio: Optional[ArrayLike] = None,
-    mechanical_coordination_number: Optional[ArrayLike] = None,
-    rattler_fraction: Optional[ArrayLike] = None,
-    contact_means: Optional[ContactMeans] = None,
-    strict: bool = False,
+    radius: float,
+    void_ratio: float,
+    coordination_number: Optional[float] = ...,
+    pressure: Optional[float] = ...,
+    stress_v: Optional[float] = ...,
+    stress_h: Optional[float] = ...,
+    fabric_anisotropy: float = ...,
+    tangential_ratio: Optional[float] = ...,
+    mechanical_coordination_number: Optional[float] = ...,
+    rattler_fraction: Optional[float] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    strict: bool = ...,
+    preparation: Optional[str] = ...,
+    grain_density: Optional[float] = ...,
+    saturation: float = ...,
+    uncertainty: Optional[Mapping[str, float]] = ...,
     tolerance: float,
-    coordination_error: Optional[float] = None,
-    rattler_error: Optional[float] = None,
-    fabric_standard_error: Optional[float] = 0.0,
-) -> LadderEstimate: ...
+) -> Ladder: ...
 def estimate_anisotropy(normals: ArrayLike) -> AnisotropyEstimate: ...
 def estimate_anisotropy_by_likelihood(normals: ArrayLike) -> LikelihoodEstimate: ...
 def expected_contact_means(sizes: Distribution, *, rattler_fraction: float = ...) -> ContactMeans: ...
@@ -1140,24 +1074,6 @@ def from_lammps(
 ) -> Packing: ...
 def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
-def gradient(
-    *,
-    law: PowerLaw,
-    radius: ArrayLike,
-    void_ratio: ArrayLike,
-    coordination_number: ArrayLike,
-    pressure: Optional[ArrayLike] = None,
-    stress_v: Optional[ArrayLike] = None,
-    stress_h: Optional[ArrayLike] = None,
-    fabric_anisotropy: ArrayLike = 0.0,
-    tangential_ratio: Optional[ArrayLike] = None,
-    mechanical_coordination_number: Optional[ArrayLike] = None,
-    rattler_fraction: Optional[ArrayLike] = None,
-    contact_means: Optional[ContactMeans] = None,
-    strict: bool = False,
-    rung: _RungName,
-    modulus: _Modulus,
-) -> Gradient: ...
 def hertz_mindlin(
     *,
     shear_modulus: ArrayLike,
@@ -1257,6 +1173,7 @@ def packing_answer(
     preparation: Optional[str] = ...,
     grain_density: Optional[ArrayLike] = ...,
     saturation: ArrayLike = ...,
+    uncertainty: Optional[Mapping[str, float]] = ...,
 ) -> PackingAnswer: ...
 def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
@@ -1345,27 +1262,6 @@ def thomsen_parameters(stiffness: ArrayLike, *, weak: bool = ...) -> ThomsenPara
 def transversely_isotropic_projection(
     stiffness: ArrayLike, *, axis: Optional[ArrayLike] = ...
 ) -> Estimate: ...
-def uncertainty(
-    *,
-    law: PowerLaw,
-    radius: ArrayLike,
-    void_ratio: ArrayLike,
-    coordination_number: ArrayLike,
-    pressure: Optional[ArrayLike] = None,
-    stress_v: Optional[ArrayLike] = None,
-    stress_h: Optional[ArrayLike] = None,
-    fabric_anisotropy: ArrayLike = 0.0,
-    tangential_ratio: Optional[ArrayLike] = None,
-    mechanical_coordination_number: Optional[ArrayLike] = None,
-    rattler_fraction: Optional[ArrayLike] = None,
-    contact_means: Optional[ContactMeans] = None,
-    strict: bool = False,
-    rung: _RungName,
-    modulus: _Modulus,
-    deviations: Mapping[str, float],
-    draws: Optional[int] = None,
-    seed: Optional[int] = None,
-) -> Uncertainty: ...
 def uniform_strain(
     *,
     law: PowerLaw,

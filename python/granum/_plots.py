@@ -10,7 +10,7 @@ import importlib
 
 import numpy as np
 
-from ._granum import Fabric, Inference, LadderEstimate, Packing, Study, fabric_density
+from ._granum import Fabric, Inference, Ladder, Packing, Study, fabric_density
 
 # What a colour stands for in every picture of granum: rows of include/granum/plot/palette.hpp.
 _CLOSED_FORM, _MEASURED, _FORCE, _GREY = "#a2457e", "#474f5a", "#b3261e", "#6b6f75"
@@ -239,7 +239,7 @@ def _inference(self, ax=None, *, quantity="G", pressure):
 def _attach():
     """Makes each function the method plot of its class."""
     for type_, function in (
-        (LadderEstimate, _ladder),
+        (Ladder, _ladder),
         (Fabric, _rose),
         (Study, _study),
         (Packing, _chains),

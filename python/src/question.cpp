@@ -24,7 +24,15 @@ enum : std::size_t {
 constexpr std::size_t density_column = 8, saturation_column = 9;
 
 /// Inputs that are no column: they move the law of the contacts.
-constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio";
+constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio",
+                     *of_fabric = "fabric_anisotropy";
+
+/// Uncertain inputs in the order in which the program adds them up: sums have the same bits.
+constexpr const char* inputs_in_order[] = {
+    of_modulus,     of_ratio,      "radius",   "tangential_ratio",  "void_ratio",
+    "coordination_number",         "mechanical_coordination_number", "rattler_fraction",
+    of_fabric,      "pressure",    "stress_v", "stress_h",          "grain_density",
+    "saturation"};
 
 } // namespace
 
@@ -63,9 +71,9 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   if (!a.given(uncertainty_at))
     return;
   for (const auto& [name, deviation] : a[uncertainty_at].cast<std::map<std::string, double>>()) {
-    const bool column = std::any_of(columns_.begin(), columns_.end(),
-                                    [&](const Argument& argument) { return argument.name == name; });
-    if (!column && name != of_modulus && name != of_ratio)
+    const bool known = std::any_of(std::begin(inputs_in_order), std::end(inputs_in_order),
+                                   [&](std::string_view input) { return input == name; });
+    if (!known)
       throw InvalidArgument("uncertainty: " + name + " is no number of this packing");
     deviations_[name] = require_non_negative("uncertainty of " + name, deviation);
   }
@@ -106,21 +114,24 @@ estimate::UncertainInput QuestionArguments::input(const std::string& name, doubl
       state.tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio);
     return moved_question;
   };
-  return {.input = name == "fabric_anisotropy" ? "fabric" : name,
+  return {.input = name == of_fabric ? std::string(estimate::fabric_input) : name,
           .deviation = deviation,
           .assumed = assumed,
           .moved = moved};
 }
 
 estimate::Answer QuestionArguments::answer(const double* x) const {
-  std::vector<estimate::UncertainInput> inputs;
-  for (const auto& [name, deviation] : deviations_)
-    if (deviation > 0)
-      inputs.push_back(input(name, deviation, false, x));
   const estimate::Question asked = question(x);
-  if (!state_.knows_fabric() && !deviations_.contains("fabric_anisotropy"))
-    inputs.push_back(input("fabric_anisotropy",
-                           estimate::assumed_fabric_deviation(asked.state.stress_v, asked.state.stress_h), true, x));
+  std::vector<estimate::UncertainInput> inputs;
+  for (const char* name : inputs_in_order) {
+    const auto stated = deviations_.find(name);
+    const bool fabric = std::string_view(name) == of_fabric;
+    if (stated != deviations_.end() && stated->second > 0)
+      inputs.push_back(input(name, stated->second, false, x));
+    else if (stated == deviations_.end() && fabric && !state_.knows_fabric())
+      inputs.push_back(input(
+          name, estimate::assumed_fabric_deviation(asked.state.stress_v, asked.state.stress_h), true, x));
+  }
   return estimate::answer(asked, inputs);
 }
 

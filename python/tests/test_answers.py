@@ -23,7 +23,7 @@ KNOWN = [
 
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: ",".join(known) or "nothing")
 def test_the_answer_is_that_of_the_program(run_program, known):
-    more = [] if "fabric_anisotropy" in known else ["--fabric", "0"]
+    more = []
     for name, value in known.items():
         more += ["--" + {"fabric_anisotropy": "fabric"}.get(name, name).replace("_", "-"), str(value)]
     said = run_program("estimate", *OPTIONS, "--pressure", "100kPa", *more)["answer"]

@@ -32,7 +32,8 @@ def test_a_colour_stands_for_one_thing_everywhere():
 
 
 def test_the_ladder_shows_errors_and_times(sphere):
-    ladder = granum.estimate(tolerance=0.05, law=sphere, **STATE, mechanical_coordination_number=5.8)
+    known = {"mechanical_coordination_number": 5.8, "fabric_anisotropy": 0.0}
+    ladder = granum.estimate(tolerance=0.05, law=sphere, **STATE, **known)
     shown = {tuple(line.get_xydata()[0]) for line in ladder.plot().lines if line.get_marker() == "o"}
     stated = {(rung.typical_time, 100 * rung.largest_error) for rung in ladder.rungs if rung.largest_error}
     assert shown == stated and len(stated) == 4

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exponents, gradients, uncertainty and the ladder, each against another way to the same number."""
+"""Exponents, uncertain inputs and the ladder, each against another way to the same number."""
 
 import granum
 import numpy as np
@@ -42,63 +42,11 @@ def test_exponents_of_arrays_are_nan_where_there_are_none():
     assert exponents.errors == {}
 
 
-@pytest.mark.parametrize("rung", RUNGS)
-@pytest.mark.parametrize(
-    "name", ["void_ratio", "coordination_number", "stress_v", "fabric_anisotropy", "radius"]
-)
-def test_gradients_are_slopes(rung, name):
-    gradient = granum.gradient(rung=rung, modulus="G_vh", **STATE)
-    assert gradient.value == pytest.approx(granum.answer(rung=rung, **STATE).G_vh, rel=1e-12)
-    assert getattr(gradient, name) * STATE[name] / gradient.value == pytest.approx(
-        slope(rung, name), abs=1e-6
-    )
-
-
-def test_gradients_of_arrays_are_those_of_their_elements():
-    void_ratios = np.array([0.5, 0.6, -1])
-    gradient = granum.gradient(rung=3, modulus="K", **{**STATE, "void_ratio": void_ratios})
-    alone = granum.gradient(rung=3, modulus="K", **STATE)
-    assert gradient.void_ratio[1] == alone.void_ratio
-    assert gradient.mechanical_coordination_number[1] == alone.mechanical_coordination_number != 0
-    assert gradient.standard_error[1] == alone.standard_error > 0
-    assert np.isnan(gradient.void_ratio[2]) and list(gradient.errors) == [(2,)]
-
-
-@pytest.mark.parametrize("rung", RUNGS)
-def test_uncertainty_is_gradient_times_deviation(rung):
-    gradient = granum.gradient(rung=rung, modulus="G_vh", **STATE)
-    found = granum.uncertainty(
-        rung=rung, modulus="G_vh", deviations={"void_ratio": 0.01, "stress_v": 3e3}, **STATE
-    )
-    parts = [gradient.void_ratio * 0.01, gradient.stress_v * 3e3, gradient.standard_error]
-    assert found.value == pytest.approx(gradient.value, rel=1e-12)
-    assert found.deviation == pytest.approx(np.linalg.norm(parts), rel=1e-12)
-    assert found.contributions == pytest.approx({"void_ratio": parts[0], "stress_v": parts[1]}, rel=1e-12)
-    assert sum(found.shares.values()) + (found.calibration / found.deviation) ** 2 == pytest.approx(
-        1, rel=1e-12
-    )
-    # a sample of 4,096 draws knows the deviation to some per cent
-    assert found.sampled.deviation == pytest.approx(found.deviation, rel=0.06)
-    assert found.sampled.low < found.sampled.median < found.sampled.high
-    again = granum.uncertainty(
-        rung=rung, modulus="G_vh", deviations={"void_ratio": 0.01, "stress_v": 3e3}, seed=2, **STATE
-    )
-    assert again.sampled.mean != found.sampled.mean
-
-
-def test_uncertainty_names_what_is_wrong():
-    with pytest.raises(granum.InvalidArgument, match="porosity is none of the inputs mean_stress"):
-        granum.uncertainty(rung=2, modulus="K", deviations={"porosity": 0.1}, **STATE)
-    with pytest.raises(granum.InvalidArgument, match="modulus is one of"):
-        granum.uncertainty(rung=2, modulus="M", deviations={}, **STATE)
-    with pytest.raises(TypeError, match="takes one packing"):
-        granum.uncertainty(rung=2, modulus="K", deviations={}, **{**STATE, "void_ratio": [0.5, 0.6]})
-
-
 def test_the_ladder_is_that_of_the_program(run_program):
     said = run_program(
         *"estimate --void-ratio 0.6 --coordination-number 5.7 --mechanical-coordination-number 5.9".split(),
         *"--stress-v 100kPa --stress-h 60kPa --fabric 0.1 --tolerance 5%".split(),
+        *"--grain-shear-modulus 30GPa --grain-poisson-ratio 0.15".split(),
     )["ladder"]
     ladder = granum.estimate(tolerance=0.05, **STATE)
     assert ladder.choice.rung == said["rung"] == 3
@@ -114,13 +62,33 @@ def test_the_ladder_is_that_of_the_program(run_program):
 
 def test_what_is_not_measured_makes_the_error_larger():
     known = granum.estimate(tolerance=0.05, **STATE)
-    fabric_assumed = granum.estimate(tolerance=0.05, fabric_standard_error=None, **STATE)
-    z_uncertain = granum.estimate(tolerance=0.05, coordination_error=0.2, **STATE)
+    without_fabric = {name: value for name, value in STATE.items() if name != "fabric_anisotropy"}
+    fabric_assumed = granum.estimate(tolerance=0.05, **without_fabric)
+    z_uncertain = granum.estimate(
+        tolerance=0.05, uncertainty={"mechanical_coordination_number": 0.2}, **STATE
+    )
     assert known.rungs[3].largest_error < fabric_assumed.rungs[3].largest_error
     assert known.rungs[3].largest_error < z_uncertain.rungs[3].largest_error
-    assert z_uncertain.mechanical_coordination_number.standard_error == 0.2
-    alone = {name: value for name, value in STATE.items() if name != "mechanical_coordination_number"}
-    assert granum.estimate(tolerance=0.05, **alone).coordination_estimated
+    assert fabric_assumed.rungs[1].missing and not known.rungs[1].missing
+    z, low, high = z_uncertain.mechanical_coordination_number
+    assert (low, z, high) == pytest.approx((z - 0.2, z, z + 0.2), rel=2e-3)
+
+
+def test_uncertainties_are_those_of_the_program(run_program):
+    said = run_program(
+        *"estimate --void-ratio 0.6 --coordination-number 5.7 --mechanical-coordination-number 5.9".split(),
+        *"--stress-v 100kPa --stress-h 60kPa --fabric 0.1 --grain-shear-modulus 30GPa".split(),
+        *"--grain-poisson-ratio 0.15 --grain-density 2650kg/m3 --uncertainty void-ratio=0.02".split(),
+        *"--uncertainty grain-density=0kg/m3 --uncertainty grain-shear-modulus=2GPa".split(),
+    )["answer"]
+    found = granum.packing_answer(
+        **STATE, grain_density=2650, uncertainty={"void_ratio": 0.02, "grain_shear_modulus": 2e9}
+    )
+    for key in ("shear_modulus", "bulk_modulus", "shear_wave_speed", "poisson_ratio", "stress_exponent"):
+        number = getattr(found, key)
+        assert (number.value, number.low, number.high) == tuple(said[key].values())
+    with pytest.raises(granum.InvalidArgument, match="slope"):
+        granum.packing_answer(**STATE, uncertainty={"slope": 0.1})
 
 
 def test_the_prior_of_contacts_has_its_ends():

@@ -32,8 +32,6 @@ ModulusErrors errors_of(const Triple& errors) {
 }
 double largest(const ModulusErrors& e) { return std::max({e.bulk_modulus, e.G_hh, e.G_vh}); }
 
-constexpr std::string_view fabric = "fabric";
-
 /// Rung 3 of the answer: what the others are compared with. `exact` names an input that is taken to be exact.
 struct Truth {
   Triple moduli{};
@@ -65,7 +63,7 @@ ModulusErrors stated_error(const TransverselyIsotropic& stiffness, const Truth& 
 std::vector<std::string> missing(const Rung& row, const Answer& answer) {
   if (row.needs_packing)
     return {"a packing"};
-  if (row.needs_fabric && answer.assumes(fabric))
+  if (row.needs_fabric && answer.assumes(fabric_input))
     return {"the fabric a"};
   return {};
 }
@@ -174,7 +172,7 @@ void give_reason(RungAssessment& rung, const Ladder& ladder) {
 /// What a better knowledge of an input would change, if anything that matters.
 void advise_input(Ladder& ladder, const Answer& answer, const std::string& input) {
   std::vector<RungAssessment> rungs = ladder.rungs;
-  if (input == fabric) // measured, it is missing no more
+  if (input == fabric_input) // measured, it is missing no more
     for (RungAssessment& rung : rungs)
       if (!rung.rung->needs_packing)
         rung.stiffness = effective::answer(*rung.rung, answer.state()).stiffness;

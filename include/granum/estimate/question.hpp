@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/state.hpp>
@@ -41,6 +42,9 @@ struct UncertainInput {
   bool assumed = false;
   std::function<Question(double change)> moved; ///< the question with the input changed by so much
 };
+
+/// The name of the fabric a as an input: a rung that needs it does without an assumption.
+inline constexpr std::string_view fabric_input = "fabric";
 
 /// Standard deviations of inputs that nobody measured.
 struct AssumedDeviations {
