@@ -7,8 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "studies/paper/paper.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
-#include "studies/reproduce/paper.hpp"
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>

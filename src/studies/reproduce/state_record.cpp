@@ -99,4 +99,17 @@ StateRecord state_record(const dem::Specimen& state, const dem::Material& materi
   return out;
 }
 
+ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta, double amplitude,
+                     const StopRequest& stop_requested) {
+  triaxial::ProbeResult result = triaxial::probe(state, material, triaxial::ShearMode::hh,
+                                                 {.amplitude = amplitude,
+                                                  .sliding = true,
+                                                  .hold_normal_stress = true,
+                                                  .loop_points = 5,
+                                                  .force_tolerance = 1e-6,
+                                                  .max_steps = 4000,
+                                                  .stop_requested = stop_requested});
+  return {.eta = eta, .amplitude = amplitude, .points = std::move(result.last_loop)};
+}
+
 } // namespace granum::studies

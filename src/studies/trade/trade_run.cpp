@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <ctime>
 
-#include "studies/verify/findings.hpp"
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
@@ -12,6 +11,7 @@
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "studies/running/fitted_exponent.hpp"
 #include "studies/running/outcome_text.hpp"
 #include "studies/running/probes.hpp"
 #include "studies/running/work_sharing.hpp"
