@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Keeps the floors of the library:  cmake -DROOT=<source tree> -P check_layering.cmake
 # A module includes its own headers and those of strictly lower floors. Rooms, the folders
-# of a module, do not include one another in a circle. Fails with one line for each violation.
+# of a module, do not include one another in a circle. A name of a public type has one meaning: no two namespaces define it. Fails with one line for each violation.
 cmake_minimum_required(VERSION 3.25)
 
 set(floor_core 0)
@@ -148,6 +148,23 @@ foreach(path IN LISTS files)
       endif()
     endif()
   endforeach()
+
+  if(part STREQUAL "include/granum")
+    set(namespace "")
+    string(REPLACE "[[nodiscard]] " "" plain "\n${text}")
+    string(REGEX MATCHALL "\n(namespace [a-z_:]+ |(struct|class|enum class|union) [A-Za-z0-9_]+[^;\n]*[{\n]|using [A-Za-z0-9_]+ =)" lines "${plain}")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "\nnamespace ([a-z_:]+)")
+        set(namespace "${CMAKE_MATCH_1}")
+        continue()
+      endif()
+      string(REGEX REPLACE "^\n(struct|enum class|class|union|using) ([A-Za-z0-9_]+).*" "\\2" type "${line}")
+      if(DEFINED namespace_of_${type} AND NOT namespace_of_${type} STREQUAL namespace)
+        violation("${path}" "defines ${type}, which ${namespace_of_${type}} defines as well; a public name has one meaning")
+      endif()
+      set(namespace_of_${type} "${namespace}")
+    endforeach()
+  endif()
 
   if(NOT path MATCHES "^src/cli/" AND text MATCHES "${program_only}")
     string(STRIP "${CMAKE_MATCH_0}" what)

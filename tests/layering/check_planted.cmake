@@ -90,7 +90,14 @@ planted_circle(src/cli/frame/p.cpp "#include \"cli/options/scene_file.hpp\"" "cl
 planted_circle(include/granum/io/text/p.hpp "#include <granum/io/vtk/xml.hpp>" "io/text>io/vtk")
 planted_circle(src/network/numbering/p.cpp "#include \"network/factor/soft_first.hpp\"" "network/numbering>network/factor")
 
+# One public name, one meaning. Names are looked up in the order of the files.
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nstruct Measurement {\n};\n}" "defines Measurement, which granum::analysis defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nclass [[nodiscard]] PowerLaw {\n};\n}" "defines PowerLaw, which granum::contact defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nenum class Specimen\n{ one };\n}" "defines Specimen, which granum::dem defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nusing State = int;\n}" "defines State, which granum::effective defines as well")
+
 # What is allowed stays allowed.
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nstruct Own {\n  struct Measurement {};\n};\nclass Specimen;\n}" "")
 planted(src/studies/verify/p.cpp "#include \"studies/running/probes.hpp\"\n#include \"studies/paper/paper.hpp\"\n#include \"p.hpp\"" "")
 planted(src/io/yade/p.cpp "#include <granum/io/vtk/xml.hpp>" "")
 planted(src/core/vector/p.hpp "using Lanes = double __attribute__((vector_size(64)));" "")

@@ -32,7 +32,7 @@ analysis::Measurement measure(const dem::Specimen& state, const dem::Material& m
       .rose_bins = polar_bins,
       .force_bins = force_bins,
       .closed_forms = true,
-      .network = network::Options{.tolerance = network_tolerance, .stop_requested = stop_requested}};
+      .network = network::ResponseOptions{.tolerance = network_tolerance, .stop_requested = stop_requested}};
   if (state.walls)
     wanted.interior_layer = 4 * state.radius; // two diameters, the custom
   return analysis::measure(dem::contact_network(state, material), given, wanted);

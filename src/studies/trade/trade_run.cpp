@@ -49,7 +49,8 @@ triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packi
 }
 
 void make(const TradeScene& trade, const StopRequest& stop_requested, Packing& packing) {
-  triaxial::Preparation made = triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
+  triaxial::FrictionlessPacking made =
+      triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
   packing.state = std::move(made.state);
   packing.steps = made.minimiser_steps;
 }
@@ -65,7 +66,7 @@ double probed(const dem::Specimen& state, const dem::Material& material, triaxia
 analysis::Measurement measured(const dem::Specimen& state, const dem::Material& material,
                                const StopRequest& stop_requested) {
   return analysis::measure(dem::contact_network(state, material), known_of(state, material),
-                           {.network = network::Options{.stop_requested = stop_requested}});
+                           {.network = network::ResponseOptions{.stop_requested = stop_requested}});
 }
 
 void measure_network(const dem::Specimen& frozen, const dem::Material& material,
