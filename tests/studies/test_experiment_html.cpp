@@ -71,7 +71,7 @@ TEST_CASE("a report opens with the question, the answer and one figure, and fold
   CHECK(count(html, "<?xml") == 0);
   CHECK(count(markup(html), "nan") == 0);
   CHECK(count(html, "href=\"figures/fig09_cone_dense_G_hv_p.csv\"") == 1);
-  CHECK(count(html, "href=\"figures/log_G_log_p_G_hv.gp\"") == 1);
+  CHECK(count(html, "href=\"figures/log_G_log_p_G_hv.csv\"") == 1);
   // Nothing from outside.
   CHECK(count(html, "http") == 0);
   CHECK(count(html, "src=") == 0);

@@ -27,7 +27,7 @@ ordered_json table_json(const std::vector<studies::TableRow>& rows) {
   return members_of_all(studies::cell_columns(), studies::cell_rows(rows));
 }
 
-/// Numbers, picture and gnuplot script of every panel.
+/// Numbers and picture of every panel.
 void write_figures(const fs::path& folder, const std::vector<studies::Figure>& figures,
                    const std::optional<studies::AssemblyPicture>& assembly) {
   prepare_folder(folder, {}, true);

@@ -70,12 +70,10 @@ std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
 }
 
 void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth, CLI::Option* table) {
-  CLI::Option* picture =
-      add_picture(
-          command, o.picture,
-          "Draw the path, with a gnuplot script beside it that draws --out; stresses and answers over depth; "
-          "or G of a table's rows")
-          ->excludes("--json");
+  CLI::Option* picture = add_picture(command, o.picture,
+                                     "Draw the path; stresses and answers over depth; "
+                                     "or G of a table's rows")
+                             ->excludes("--json");
   command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
       ->transform(one_of(names_of(swept_quantities(), &SweptQuantity::name)))
       ->needs(picture)

@@ -191,24 +191,10 @@ const SweptQuantity& pictured(const SweepOptions& o) {
   return swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of);
 }
 
-fs::path script_beside(const fs::path& picture) { return fs::path(picture).replace_extension(".gp"); }
-
-/// The script runs in its own folder, and leaves the picture that is there as it is.
-std::string script_of(const plot::Chart& chart, const PathSweep& sweep, const Rungs& rungs,
-                      const SweepOptions& o) {
-  const fs::path picture = o.picture;
-  std::vector<plot::CsvColumns> columns;
-  for (const Rung* rung : rungs)
-    columns.push_back({.x = sweep.path.isotropic ? "p_Pa" : "eta", .y = heading(pictured(o), *rung)});
-  const fs::path csv = fs::absolute(o.output.out).lexically_proximate(fs::absolute(picture).parent_path());
-  return plot::gnuplot_script(chart, csv.string(), columns, picture.stem().string() + "_gnuplot.svg");
-}
-
 void write_picture(const PathSweep& sweep, const Rungs& rungs, const SweepOptions& o) {
   const plot::Chart chart = chart_of(sweep, rungs, pictured(o));
   const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
   io::write_file(o.picture, plot::svg(chart), existing);
-  io::write_file(script_beside(o.picture), script_of(chart, sweep, rungs, o), existing);
 }
 
 } // namespace
@@ -227,8 +213,8 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   if (!o.picture.empty()) {
     require_svg(o.picture);
     if (o.output.out.empty())
-      throw InvalidArgument("--picture requires --out: the script beside it draws that file");
-    require_free(o.output, {o.output.out, o.picture, script_beside(o.picture).string()});
+      throw InvalidArgument("--picture requires --out");
+    require_free(o.output, {o.output.out, o.picture});
   }
   const PathSweep sweep = solve(o, rungs);
   Validity validity = likely_mistakes(o.packing, sweep.packing);

@@ -99,8 +99,7 @@ std::string folded_figure(const Figure& figure) {
   plot::PageFigure out{.caption = figure.caption};
   for (const Panel& panel : figure.panels) {
     out.pictures.push_back({.svg = plot::svg_in_page(panel.chart), .choice = choice_of(panel)});
-    for (plot::PageFile& file : files_of(panel, figures_folder))
-      out.files.push_back(std::move(file));
+    out.files.push_back(file_of(panel, figures_folder));
   }
   return plot::html_folded(figure.name + ": " + figure.title, plot::html_figure(out));
 }
@@ -142,10 +141,7 @@ std::string how_to_read() {
        "whether "
        "ours is as near to the paper's as is asked for; it cannot tell where the standard error is larger.",
        "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables beside this page; the "
-       "figures' "
-       "own in "
-       "the folder figures, each with a gnuplot script that draws it again. Figures 1, 2 and 5 of the paper "
-       "are sketches."});
+       "figures' own in the folder figures. Figures 1, 2 and 5 of the paper are sketches."});
 }
 
 std::string left_out(const Experiment& experiment) {
