@@ -59,7 +59,7 @@ void pack(const std::string& density, std::size_t grains, std::uint64_t seed, co
 void prepare(std::size_t size, std::uint64_t seed) {
   const triaxial::SpecimenRecipe recipe = recipe_of(size, seed);
   const Meter meter;
-  const triaxial::Preparation preparation = triaxial::frictionless_specimen(recipe);
+  const triaxial::FrictionlessPacking preparation = triaxial::frictionless_specimen(recipe);
   const dem::Specimen state = at_rest(preparation.state, recipe.material);
   const double wall = meter.seconds(), cpu = meter.cpu_seconds();
   const double grains = static_cast<double>(size);

@@ -42,7 +42,7 @@ void measure(const std::string& sizes, std::size_t count, std::uint64_t seed, tr
                                         .grains = count,
                                         .seed = seed};
   const Meter meter;
-  const triaxial::Preparation made = triaxial::frictionless_specimen(recipe);
+  const triaxial::FrictionlessPacking made = triaxial::frictionless_specimen(recipe);
   const double made_in = meter.cpu_seconds();
   std::vector<std::size_t> steps;
   std::vector<double> seconds;

@@ -32,9 +32,10 @@ Compressed measure(const triaxial::Snapshot& snapshot, const dem::Material& mate
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(snapshot.state, material);
   if (!snapshot.report.converged() || !frozen.report.converged())
     throw NotConverged("a specimen did not come to rest");
-  const analysis::Measurement packing = analysis::measure(
-      dem::contact_network(frozen.state(), material),
-      {.law = material.law, .tangential_ratio = material.tangential_ratio}, {.network = network::Options{}});
+  const analysis::Measurement packing =
+      analysis::measure(dem::contact_network(frozen.state(), material),
+                        {.law = material.law, .tangential_ratio = material.tangential_ratio},
+                        {.network = network::ResponseOptions{}});
   const analysis::Network& network = packing.solved_network();
   return {
       .pressure = snapshot.pressure,

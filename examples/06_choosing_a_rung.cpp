@@ -92,7 +92,7 @@ int main() {
   const analysis::Measurement measured =
       analysis::measure(dem::contact_network(specimen, recipe.material),
                         {.law = recipe.material.law, .tangential_ratio = recipe.material.tangential_ratio},
-                        {.network = network::Options{}});
+                        {.network = network::ResponseOptions{}});
 
   // 2. Rung 4, the answer that all others are measured against.
   const auto network =

@@ -57,7 +57,7 @@ int main() {
     const triaxial::FrozenState frozen = triaxial::freeze_in_place(now, material);
     const analysis::Given given{.law = material.law, .tangential_ratio = material.tangential_ratio};
     const double G_vh = analysis::measure(dem::contact_network(frozen.state(), material), given,
-                                          {.network = network::Options{}})
+                                          {.network = network::ResponseOptions{}})
                             .solved_network()
                             .G_vh();
     const analysis::Microstructure micro =

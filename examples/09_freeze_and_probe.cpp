@@ -40,9 +40,10 @@ int main() {
               frozen.report.unbalanced_force_ratio);
 
   // 3. The network: two stiffness matrices by linear algebra.
-  const analysis::Measurement measured = analysis::measure(
-      dem::contact_network(frozen.state(), material),
-      {.law = material.law, .tangential_ratio = material.tangential_ratio}, {.network = network::Options{}});
+  const analysis::Measurement measured =
+      analysis::measure(dem::contact_network(frozen.state(), material),
+                        {.law = material.law, .tangential_ratio = material.tangential_ratio},
+                        {.network = network::ResponseOptions{}});
   const network::Response& response = measured.solved_network().response;
 
   // 4. The probe: discrete elements, three shear modes.

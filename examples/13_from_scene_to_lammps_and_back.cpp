@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   const analysis::Measurement measured = analysis::measure(
       packing.assembly,
       {.grain_shear_modulus = quartz.shear_modulus, .grain_poisson_ratio = quartz.poisson_ratio},
-      {.network = network::Options{}});
+      {.network = network::ResponseOptions{}});
   std::printf("%zu grains, C_n %.3f, p = %.3f kPa\n", measured.counts.grains,
               measured.counts.coordination_number, measured.stress.value().mean() / 1e3);
 

@@ -55,7 +55,7 @@ struct Judgement {
 Judgement judge(const std::string& grains, const std::string& contacts) {
   const io::ImportedPacking packing = io::read_yade(io::TextSource(grains), io::TextSource(contacts));
   const analysis::Measurement a =
-      analysis::measure(packing.assembly, {}, {.closed_forms = true, .network = network::Options{}});
+      analysis::measure(packing.assembly, {}, {.closed_forms = true, .network = network::ResponseOptions{}});
   describe(a);
 
   // One number each for K and G: the isotropic part of stiffnesses that are nearly isotropic.

@@ -47,9 +47,9 @@ class BatchColumn {
       array_ = py::module_::import("numpy").attr("broadcast_to")(array_, py::tuple(py::cast(shape)));
     array_ = py::array_t<double, py::array::c_style>(array_);
   }
-  [[nodiscard]] effective::Column rows(std::size_t first, std::size_t count) const {
-    return varies() ? effective::Column(std::span(array_.data() + first, count))
-                    : effective::Column(*array_.data());
+  [[nodiscard]] effective::BatchInput rows(std::size_t first, std::size_t count) const {
+    return varies() ? effective::BatchInput(std::span(array_.data() + first, count))
+                    : effective::BatchInput(*array_.data());
   }
 
  private:

@@ -101,10 +101,10 @@ py::object infer(const Arguments& a) {
   if (a.given(Given::rattlers))
     options.rattler_fraction = number_of("rattler_fraction", a[Given::rattlers]);
   if (a.given(Given::growth))
-    options.growth = inverse::growth_of(a[Given::growth].cast<std::string>());
+    options.growth = inverse::growth_rule_of(a[Given::growth].cast<std::string>());
   const MeasuredColumns measured = columns_of(a, law);
   const Columns columns(measured.arguments);
-  std::vector<inverse::Measurement> measurements;
+  std::vector<inverse::Observation> measurements;
   columns.for_each([&](std::size_t, const double* x) {
     state.radius = x[Column::radius];
     state.void_ratio = x[Column::void_ratio];
@@ -144,7 +144,7 @@ py::object predict(const Answer& answer, const std::string& quantity, const py::
                    const py::object& given_void_ratio, const std::string& specimen) {
   const Inference& inference = together(answer);
   const inverse::Quantity asked = inverse::quantity_of(quantity);
-  const inverse::Specimen which = inverse::specimen_of(specimen);
+  const inverse::AskedPacking which = inverse::asked_packing_of(specimen);
   PyObject* const stresses[] = {pressure.ptr(), vertical.ptr(), horizontal.ptr()};
   const Arguments arguments(stresses);
   const bool own_void_ratio = given_void_ratio.is_none();
@@ -193,7 +193,7 @@ Its numbers raise NotConverged where no contact number explains what was measure
           "deviations",
           [](const Answer& a) {
             std::vector<double> out;
-            for (const inverse::FittedMeasurement& one : together(a).measurements())
+            for (const inverse::FittedObservation& one : together(a).measurements())
               out.push_back(one.deviation);
             return out;
           },

@@ -125,7 +125,38 @@ Study verify(const Settings& settings, const py::object& progress) {
 
 // ---- tables
 
-/// Columns of all states: texts as lists, numbers as arrays, NaN where a state has none.
+/// What rows have in columns, by `name_of` a column: texts as a list, numbers as an array, NaN for nothing; those with an
+/// error have it in an array of its own.
+template <class Row, class NameOf>
+void put_columns(py::dict& out, const io::Columns<Row>& columns, const std::vector<const Row*>& rows,
+                 const NameOf& name_of) {
+  for (const io::Column<Row>& column : columns) {
+    if (name_of(column).empty())
+      continue;
+    const auto numbers = [&](const auto& of) {
+      py::array_t<double> array(static_cast<py::ssize_t>(rows.size()));
+      std::transform(rows.begin(), rows.end(), array.mutable_data(),
+                     [&](const Row* row) { return of(column.of(*row)); });
+      return array;
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const py::str name(name_of(column));
+    if (!rows.empty() && std::holds_alternative<std::string>(column.of(*rows.front()))) {
+      py::list texts;
+      for (const Row* row : rows)
+        texts.append(std::get<std::string>(column.of(*row)));
+      out[name] = texts;
+      continue;
+    }
+    out[name] = numbers([&](const io::Value& value) { return io::number_of(value).value_or(nan); });
+    if (column.has_error)
+      out[py::str(name_of(column) + "_error")] = numbers([&](const io::Value& value) {
+        const auto* measured = std::get_if<Measured>(&value);
+        return measured == nullptr ? nan : measured->standard_error;
+      });
+  }
+}
+
 py::dict states(const Study& study) {
   py::dict out;
   py::list contact, density, seed;
@@ -140,47 +171,17 @@ py::dict states(const Study& study) {
   out["contact"] = contact;
   out["density"] = density;
   out["seed"] = seed;
-  for (const auto& column : studies::state_columns()) {
-    if (column.heading.empty() || column.text)
-      continue;
-    py::array_t<double> numbers(static_cast<py::ssize_t>(rows.size()));
-    double* to = numbers.mutable_data();
-    for (const studies::CompressedState* state : rows)
-      *to++ = column.of(*state).value_or(std::numeric_limits<double>::quiet_NaN());
-    out[py::str(column.heading)] = numbers;
-  }
+  put_columns(out, studies::state_columns(), rows, [](const auto& column) { return column.heading; });
   return out;
 }
 
 py::dict exponents_table(const Study& study) {
-  using studies::ExponentRow;
-  const std::vector<ExponentRow> rows = studies::exponents(study.scene, study.specimens);
-  static constexpr std::pair<const char*, std::optional<Measured> ExponentRow::*> routes[] = {
-      {"closed_form", &ExponentRow::closed_form},
-      {"network", &ExponentRow::network},
-      {"network_with_void_ratio_function", &ExponentRow::network_void},
-      {"probe", &ExponentRow::probe}};
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto numbers = [&](const auto& of) {
-    py::array_t<double> out(static_cast<py::ssize_t>(rows.size()));
-    std::transform(rows.begin(), rows.end(), out.mutable_data(), of);
-    return out;
-  };
+  const std::vector<studies::ExponentRow> rows = studies::exponents(study.scene, study.specimens);
+  std::vector<const studies::ExponentRow*> all;
+  for (const studies::ExponentRow& row : rows)
+    all.push_back(&row);
   py::dict out;
-  py::list contact, density;
-  for (const ExponentRow& row : rows) {
-    contact.append(std::string(contact::name(row.contact)));
-    density.append(std::string(studies::name(row.density)));
-  }
-  out["contact"] = contact;
-  out["density"] = density;
-  out["contact_law"] = numbers([](const ExponentRow& row) { return row.contact_law; });
-  for (const auto& [name, route] : routes) {
-    out[name] = numbers([=, r = route](const ExponentRow& row) { return (row.*r) ? (row.*r)->value : nan; });
-    out[py::str(std::string(name) + "_error")] =
-        numbers([=, r = route](const ExponentRow& row) { return (row.*r) ? (row.*r)->standard_error : nan; });
-  }
-  out["paper"] = numbers([=](const ExponentRow& row) { return row.paper.value_or(nan); });
+  put_columns(out, studies::exponent_columns(), all, [](const auto& column) { return column.key; });
   return out;
 }
 

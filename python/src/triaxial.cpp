@@ -93,7 +93,7 @@ py::object specimen(const Arguments& a) {
   Specimen out{.state = {}, .material = recipe.material};
   {
     const py::gil_scoped_release unlocked;
-    const triaxial::Preparation prepared = triaxial::frictionless_specimen(recipe, stop);
+    const triaxial::FrictionlessPacking prepared = triaxial::frictionless_specimen(recipe, stop);
     out.state = triaxial::start_of_compression(prepared.state, kind, recipe, stop);
   }
   throw_if_signalled();

@@ -337,7 +337,7 @@ Wanted everything() {
           .force_bins = 32,
           .law_check = true,
           .closed_forms = true,
-          .network = network::Options{}};
+          .network = network::ResponseOptions{}};
 }
 
 Measurement measure(const packing::Assembly& assembly, const Given& given, const Wanted& wanted) {

@@ -155,7 +155,7 @@ void finish(const Rule& rule, VectorLevel level, Work& work, const Results& out,
 /// The rows of a column from `first` on: its own memory, or a block filled with its one value.
 class Reader {
  public:
-  Reader(const Column& column, std::size_t rows) : column_(column) {
+  Reader(const BatchInput& column, std::size_t rows) : column_(column) {
     if (!column.varies())
       std::fill_n(constant_.begin(), std::min(rows, block_size), column[0]);
   }
@@ -164,11 +164,11 @@ class Reader {
   }
 
  private:
-  const Column& column_;
+  const BatchInput& column_;
   Block constant_;
 };
 
-void require_length(const char* name, const Column& column, std::size_t rows) {
+void require_length(const char* name, const BatchInput& column, std::size_t rows) {
   if (column.varies() && column.size() != rows)
     throw InvalidArgument(std::string(name) + " has " + std::to_string(column.size()) +
                           " rows, the results have " + std::to_string(rows));

@@ -190,6 +190,11 @@ RungAnswer answer(const Rung& rung, const State& packing) {
   return answer;
 }
 
+bool declines(const RungAnswer& answer) {
+  const auto& error = answer.relative_error; // a rung that answers states one, under zero stress as well
+  return error && error->bulk_modulus == 0 && error->G_hh == 0 && error->G_vh == 0;
+}
+
 std::optional<StressExponents> exponents(const Rung& rung, const State& packing, Modulus which) {
   const State at = loaded(packing);
   const elastic::TransverselyIsotropic stiffness = answer(rung, at).stiffness;

@@ -28,6 +28,10 @@ Isotropic isotropic_projection(const VoigtStiffness& stiffness) {
   return Isotropic::from_bulk_and_shear(part.volumetric / 3, part.deviatoric / 2);
 }
 
+double projected_shear_modulus(const TransverselyIsotropic& c) {
+  return (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15;
+}
+
 TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness) {
   const Matrix6 c = (stiffness.matrix + stiffness.matrix.transpose()) / 2;
   const double diagonal = c(0, 0) + c(1, 1);

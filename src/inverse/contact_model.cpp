@@ -62,7 +62,7 @@ Eigen::VectorXd least_squares_step(const Eigen::MatrixXd& jacobian, const Eigen:
   return inverse_information(jacobian) * (jacobian.transpose() * residuals);
 }
 
-const State& first_state(std::span<const Measurement> measurements) {
+const State& first_state(std::span<const Observation> measurements) {
   if (measurements.empty())
     throw InvalidArgument("there is no measurement: a contact number follows from at least one");
   return measurements.front().state;
@@ -78,13 +78,13 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
 
 } // namespace
 
-ContactModel::ContactModel(std::span<const Measurement> measurements, const InferenceOptions& options)
+ContactModel::ContactModel(std::span<const Observation> measurements, const InferenceOptions& options)
     : measurements_(measurements.begin(), measurements.end()), options_(options),
       first_(first_state(measurements)) {
   isostatic_ = effective::isostatic_coordination_number(first_.tangential_ratio);
   reference_stress_ = require_positive("stress", first_.mean_stress(), "Pa");
   bool one_stress = true;
-  for (const Measurement& m : measurements_) {
+  for (const Observation& m : measurements_) {
     const QuantityRow& row = row_of(m.quantity);
     require_positive(row.key, m.value.value, row.speed ? "m/s" : "Pa");
     require_non_negative(std::string(row.key) + " error", m.value.standard_error, row.speed ? "m/s" : "Pa");
@@ -94,7 +94,7 @@ ContactModel::ContactModel(std::span<const Measurement> measurements, const Infe
   require_non_negative("pore_density", options_.pore_density, "kg/m3");
   if (options_.grain_density)
     require_positive("grain_density", *options_.grain_density, "kg/m3");
-  if (options_.growth == Growth::fitted && one_stress)
+  if (options_.growth == GrowthRule::fitted && one_stress)
     throw InvalidArgument(
         "the growth of z* with stress can be fitted to measurements at two stresses or more");
 }
@@ -132,10 +132,10 @@ effective::ContactCounts ContactModel::first_contacts(const Eigen::VectorXd& the
 effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, double mean_stress) const {
   effective::ContactCounts counts = first_contacts(theta);
   const double step = std::log(mean_stress / reference_stress_);
-  if (options_.growth == Growth::fixed || step == 0)
+  if (options_.growth == GrowthRule::fixed || step == 0)
     return counts;
   const double before = counts.mechanical_coordination_number;
-  if (options_.growth == Growth::fitted) {
+  if (options_.growth == GrowthRule::fitted) {
     counts.mechanical_coordination_number = isostatic_ + std::exp(theta[0] + theta[1] * step);
     State here = first_;
     here.stress_v *= mean_stress / reference_stress_;
@@ -155,9 +155,9 @@ effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, d
 }
 
 effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, const State& at,
-                                                Specimen specimen) const {
+                                                AskedPacking specimen) const {
   effective::ContactCounts counts = at_stress(theta, at.mean_stress());
-  if (specimen == Specimen::same)
+  if (specimen == AskedPacking::same)
     return counts;
   State here = at;
   here.void_ratio = void_ratio_at(theta, at.mean_stress());
@@ -173,13 +173,13 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
 }
 
 double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const {
-  if (options_.growth != Growth::packings || mean_stress == reference_stress_)
+  if (options_.growth != GrowthRule::packings || mean_stress == reference_stress_)
     return first_.void_ratio;
   return effective::carried_contacts(first_, first_contacts(theta), mean_stress).void_ratio;
 }
 
 double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
-                               Specimen specimen) const {
+                               AskedPacking specimen) const {
   const QuantityRow& row = row_of(quantity);
   require_known_density(row);
   const Eigen::Index priors = free_count();
@@ -198,7 +198,7 @@ double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, 
 }
 
 Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
-                                             Specimen specimen) const {
+                                             AskedPacking specimen) const {
   const auto [z, rattlers] = contacts(theta, at, specimen);
   const State state = effective::with_contacts(at, z, rattlers);
   return std::sqrt(1 - effective::scatter_share_of_preparation()) *
@@ -219,8 +219,8 @@ std::vector<StateGroup> ContactModel::groups(const Eigen::VectorXd& theta) const
     group.scatter.resize(size, 2);
     group.noise.resize(size);
     for (Eigen::Index i = 0; i < size; ++i) {
-      const Measurement& m = measurements_[group.members[static_cast<std::size_t>(i)]];
-      group.scatter.row(i) = own_scatter(theta, m.quantity, m.state, Specimen::same);
+      const Observation& m = measurements_[group.members[static_cast<std::size_t>(i)]];
+      group.scatter.row(i) = own_scatter(theta, m.quantity, m.state, AskedPacking::same);
       group.noise[i] = std::max(smallest_error, m.value.standard_error / m.value.value);
     }
     Eigen::MatrixXd covariance = group.scatter * group.scatter.transpose();
@@ -239,8 +239,8 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
   for (const StateGroup& group : groups) {
     Eigen::VectorXd misfit(group.noise.size());
     for (Eigen::Index i = 0; i < misfit.size(); ++i) {
-      const Measurement& m = measurements_[group.members[static_cast<std::size_t>(i)]];
-      misfit[i] = log_value(theta, m.quantity, m.state, Specimen::same) - std::log(m.value.value);
+      const Observation& m = measurements_[group.members[static_cast<std::size_t>(i)]];
+      misfit[i] = log_value(theta, m.quantity, m.state, AskedPacking::same) - std::log(m.value.value);
     }
     all.segment(row, misfit.size()) = group.whitening * misfit;
     row += misfit.size();
@@ -287,7 +287,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
     inference.covariance_.insert(inference.covariance_.end(), covariance.row(i).begin(),
                                  covariance.row(i).end());
   inference.reference_stress_ = reference_stress_;
-  if (options_.growth == Growth::fitted)
+  if (options_.growth == GrowthRule::fitted)
     inference.growth_ = Measured{theta[1], std::sqrt(covariance(1, 1))};
 
   const Eigen::VectorXd misfit = residuals(groups, theta);
@@ -311,8 +311,8 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
     row += size;
     for (Eigen::Index i = 0; i < size; ++i) {
       const std::size_t k = group.members[static_cast<std::size_t>(i)];
-      const Measurement& m = measurements_[k];
-      FittedMeasurement& fitted = inference.fitted_[k];
+      const Observation& m = measurements_[k];
+      FittedObservation& fitted = inference.fitted_[k];
       fitted.value = inference.predict(m.quantity, m.state);
       fitted.deviation = std::log(m.value.value / fitted.value.value) /
                          std::hypot(group.noise[i], group.scatter.row(i).norm());
@@ -349,7 +349,7 @@ Measured with_error(const Function& function, const Eigen::VectorXd& theta, cons
 
 } // namespace
 
-InferredPacking Inference::packing(const effective::State& at, Specimen specimen) const {
+InferredPacking Inference::packing(const effective::State& at, AskedPacking specimen) const {
   const Eigen::VectorXd theta = detail::as_vector(parameters_);
   const auto counts = [&](const Eigen::VectorXd& t) { return model_->contacts(t, at, specimen); };
   const auto z = [&](const Eigen::VectorXd& t) { return counts(t).mechanical_coordination_number; };
@@ -360,7 +360,7 @@ InferredPacking Inference::packing(const effective::State& at, Specimen specimen
           .coordination_number = with_error(all, theta, covariance_)};
 }
 
-Measured Inference::predict(Quantity quantity, const effective::State& at, Specimen specimen) const {
+Measured Inference::predict(Quantity quantity, const effective::State& at, AskedPacking specimen) const {
   const Eigen::VectorXd theta = detail::as_vector(parameters_);
   const auto logarithm = [&](const Eigen::VectorXd& t) {
     return model_->log_value(t, quantity, at, specimen);
@@ -371,7 +371,7 @@ Measured Inference::predict(Quantity quantity, const effective::State& at, Speci
   return {value, value * log_value.standard_error};
 }
 
-effective::State Inference::state(effective::State at, Specimen specimen) const {
+effective::State Inference::state(effective::State at, AskedPacking specimen) const {
   const auto [z, rattlers] = model_->contacts(detail::as_vector(parameters_), at, specimen);
   return effective::with_contacts(std::move(at), z, rattlers);
 }

@@ -22,19 +22,19 @@ struct StateGroup {
 class ContactModel {
  public:
   /// \throws   InvalidArgument as infer
-  ContactModel(std::span<const Measurement> measurements, const InferenceOptions& options);
+  ContactModel(std::span<const Observation> measurements, const InferenceOptions& options);
 
   /// Least squares from the z* that a measurement implies.
   [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
 
   /// z* and rattlers.
   [[nodiscard]] effective::ContactCounts contacts(const Eigen::VectorXd& theta, const effective::State& at,
-                                                  Specimen specimen) const;
+                                                  AskedPacking specimen) const;
   [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity, const effective::State& at,
-                                 Specimen specimen) const;
+                                 AskedPacking specimen) const;
   /// What one deviation of K and of G in this state alone does to ln value.
   [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
-                                               const effective::State& at, Specimen specimen) const;
+                                               const effective::State& at, AskedPacking specimen) const;
   [[nodiscard]] double void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const;
 
  private:
@@ -48,10 +48,10 @@ class ContactModel {
   /// \throws   InvalidArgument for a speed that the densities do not allow
   void require_known_density(const QuantityRow& row) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
-  [[nodiscard]] Eigen::Index free_count() const { return options_.growth == Growth::fitted ? 2 : 1; }
+  [[nodiscard]] Eigen::Index free_count() const { return options_.growth == GrowthRule::fitted ? 2 : 1; }
   [[nodiscard]] std::string source_of(Eigen::Index prior) const;
 
-  std::vector<Measurement> measurements_;
+  std::vector<Observation> measurements_;
   InferenceOptions options_;
   effective::State first_; ///< of the first measurement
   double isostatic_ = 0;

@@ -23,30 +23,32 @@ typename Values::value_type named_value(const char* what, const Values& all, std
 
 } // namespace
 
-std::string_view name(Growth growth) {
+std::string_view name(GrowthRule growth) {
   switch (growth) {
-  case Growth::packings:
+  case GrowthRule::packings:
     return "packings";
-  case Growth::fixed:
+  case GrowthRule::fixed:
     return "fixed";
-  case Growth::fitted:
+  case GrowthRule::fitted:
     return "fitted";
   }
   throw InvalidArgument("growth is none of the known ones");
 }
 
-std::string_view name(Specimen specimen) {
+std::string_view name(AskedPacking specimen) {
   switch (specimen) {
-  case Specimen::same:
+  case AskedPacking::same:
     return "same";
-  case Specimen::prepared_alike:
+  case AskedPacking::prepared_alike:
     return "prepared_alike";
   }
   throw InvalidArgument("specimen is none of the known ones");
 }
 
-Growth growth_of(std::string_view text) { return named_value("growth", all_growths, text); }
+GrowthRule growth_rule_of(std::string_view text) { return named_value("growth", all_growth_rules, text); }
 
-Specimen specimen_of(std::string_view text) { return named_value("specimen", all_specimens, text); }
+AskedPacking asked_packing_of(std::string_view text) {
+  return named_value("specimen", all_asked_packings, text);
+}
 
 } // namespace granum::inverse

@@ -20,19 +20,19 @@ using effective::Explained;
 /// Deviations so large are taken for a contradiction: three of a thousand.
 constexpr double improbable = 0.003;
 
-double bulk_density(const Measurement& m, const InferenceOptions& options) {
+double bulk_density(const Observation& m, const InferenceOptions& options) {
   return elastic::bulk_density({.grain_density = *options.grain_density,
                                 .void_ratio = m.state.void_ratio,
                                 .pore_density = options.pore_density});
 }
 
-double modulus_of(const Measurement& m, const InferenceOptions& options) {
+double modulus_of(const Observation& m, const InferenceOptions& options) {
   if (!row_of(m.quantity).speed)
     return m.value.value;
   return bulk_density(m, options) * m.value.value * m.value.value;
 }
 
-std::string named(const Measurement& m) {
+std::string named(const Observation& m) {
   const QuantityRow& row = row_of(m.quantity);
   const double p = m.state.mean_stress();
   const std::string value = row.speed ? granum::detail::formatted("%.4g m/s", m.value.value)
@@ -40,13 +40,13 @@ std::string named(const Measurement& m) {
   return std::string(row.key) + " = " + value + granum::detail::formatted(" at %.4g kPa", p / 1e3);
 }
 
-std::string bound_text(const Measurement& m, const InferenceOptions& options, double bound) {
+std::string bound_text(const Observation& m, const InferenceOptions& options, double bound) {
   if (!row_of(m.quantity).speed)
     return granum::detail::formatted("%.4g MPa", bound / 1e6);
   return granum::detail::formatted("%.4g m/s", std::sqrt(bound / bulk_density(m, options)));
 }
 
-void note_unexplained(const Measurement& m, const InferenceOptions& options,
+void note_unexplained(const Observation& m, const InferenceOptions& options,
                       const effective::ImpliedCoordination& implied, Validity& validity) {
   if (implied.explained == Explained::too_stiff)
     validity.add("no contact number explains " + named(m) +
@@ -63,9 +63,9 @@ void note_unexplained(const Measurement& m, const InferenceOptions& options,
 }
 
 /// What rung 3 remarks on the states, told of the first alone: a table may have thousands.
-void note_states(const Inference& all, std::span<const Measurement> measurements, Validity& validity) {
+void note_states(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
   std::size_t noted = 0;
-  for (const Measurement& m : measurements) {
+  for (const Observation& m : measurements) {
     const Validity own =
         effective::answer(effective::rung(effective::RungName::relaxed), all.state(m.state)).validity;
     if (!own.ok() && ++noted == 1)
@@ -93,7 +93,7 @@ void note_density(const Inference& all, const effective::State& first, Validity&
                         : "their contacts may be softer than was said, or the grains crushed"));
 }
 
-void note_contradiction(const Inference& all, std::span<const Measurement> measurements, Validity& validity) {
+void note_contradiction(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
   if (all.probability() >= improbable)
     return;
   std::size_t worst = 0;
@@ -112,13 +112,13 @@ void note_contradiction(const Inference& all, std::span<const Measurement> measu
 
 } // namespace
 
-InferenceAnswer infer(std::span<const Measurement> measurements, const InferenceOptions& options) {
+InferenceAnswer infer(std::span<const Observation> measurements, const InferenceOptions& options) {
   const auto model = std::make_shared<const detail::ContactModel>(measurements, options);
   InferenceOptions one_alone = options;
-  one_alone.growth = Growth::fixed;
+  one_alone.growth = GrowthRule::fixed;
   InferenceAnswer answer;
   std::optional<double> start;
-  for (const Measurement& m : measurements) {
+  for (const Observation& m : measurements) {
     const QuantityRow& row = row_of(m.quantity);
     AloneAnswer alone{effective::implied_coordination(m.state, row.modulus, modulus_of(m, options),
                                                       options.rattler_fraction),

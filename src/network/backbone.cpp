@@ -18,7 +18,8 @@ double effective_tangential_stiffness(const packing::Contact& c, SlidingContacts
 }
 
 /// With the units of the contact.
-Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii, const Options& options) {
+Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii,
+          const ResponseOptions& options) {
   const double length = norm(c.branch);
   return {.a = std::min(i, j),
           .b = std::max(i, j),
@@ -90,7 +91,7 @@ void remove_units(Backbone& backbone) {
 
 } // namespace
 
-Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options,
+Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                               const std::vector<bool>& soft) {
   Backbone backbone;
   for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})

@@ -56,7 +56,7 @@ struct Backbone {
 /// Rattlers out, sliding contacts treated as the options say, units removed.
 /// \param    soft   of each grain of the assembly, whether it is numbered as one that is barely held in any
 ///                  case; or empty
-[[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const Options& options,
+[[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                                             const std::vector<bool>& soft = {});
 
 } // namespace granum::network

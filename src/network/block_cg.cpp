@@ -68,8 +68,8 @@ Whitening whitening(const Matrix6& m) {
 template <int Dof>
 class Relaxation {
  public:
-  Relaxation(const Backbone& backbone, const Preconditioner<Dof>& preconditioner, const Options& options,
-             const Workers& workers)
+  Relaxation(const Backbone& backbone, const Preconditioner<Dof>& preconditioner,
+             const ResponseOptions& options, const Workers& workers)
       : backbone_(backbone), preconditioner_(preconditioner), options_(options), workers_(workers),
         load_(affine_forces<Dof>(backbone)), q_(load_.size()), w_(load_.size()), p_(load_.size()),
         s_(load_.size()) {
@@ -214,7 +214,7 @@ class Relaxation {
 
   const Backbone& backbone_;
   const Preconditioner<Dof>& preconditioner_;
-  const Options& options_;
+  const ResponseOptions& options_;
   const Workers& workers_;
   Field<Dof> load_, q_, w_, p_, s_;
   Field<Dof> best_; ///< q of the least residual near rounding
@@ -227,12 +227,12 @@ class Relaxation {
 } // namespace
 
 template <int Dof>
-Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner, const Options& options,
-               const Workers& workers) {
+Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner,
+               const ResponseOptions& options, const Workers& workers) {
   return Relaxation<Dof>(backbone, preconditioner, options, workers).run();
 }
 
-template Solution relax<3>(const Backbone&, const Preconditioner<3>&, const Options&, const Workers&);
-template Solution relax<6>(const Backbone&, const Preconditioner<6>&, const Options&, const Workers&);
+template Solution relax<3>(const Backbone&, const Preconditioner<3>&, const ResponseOptions&, const Workers&);
+template Solution relax<6>(const Backbone&, const Preconditioner<6>&, const ResponseOptions&, const Workers&);
 
 } // namespace granum::network

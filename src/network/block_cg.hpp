@@ -20,6 +20,6 @@ struct Solution {
 /// Solves H q = -W for all load cases at once, in one shared Krylov space.
 template <int Dof>
 [[nodiscard]] Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner,
-                             const Options& options, const Workers& workers);
+                             const ResponseOptions& options, const Workers& workers);
 
 } // namespace granum::network

@@ -36,7 +36,7 @@ struct Attempt {
 
 template <int Dof>
 Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const FactorRule& rule,
-                Options options, int iteration_limit, const Workers& workers) {
+                ResponseOptions options, int iteration_limit, const Workers& workers) {
   const Preconditioner<Dof> preconditioner(
       backbone, workers,
       judges(rule.soft_pivots) ? factor_with_soft_first<Dof>(assembly, options, rule, workers, backbone)
@@ -51,7 +51,7 @@ Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const Fac
 /// H q = -W. Each factor in turn is given some iterations, the one that came nearest the rest.
 /// \param    backbone   of the assembly; may be numbered anew
 template <int Dof>
-Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const Options& options,
+Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const ResponseOptions& options,
                     Response::Report& report) {
   std::optional<Team> team;
   if (const std::size_t members = std::min(options.threads, backbone.stages.front().size()); members > 1)
@@ -96,7 +96,7 @@ const elastic::VoigtStiffness& Response::relaxed() const {
   return relaxed_;
 }
 
-Response linear_response(const packing::Assembly& assembly, const Options& options) {
+Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options) {
   require_valid(assembly);
   require_open("tolerance", options.tolerance, 0, 1);
   require_positive("iteration_limit", options.iteration_limit);

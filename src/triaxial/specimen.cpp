@@ -112,9 +112,9 @@ void require_valid(const SpecimenRecipe& recipe) {
   require_closed("agitation", recipe.agitation, 0, 0.5);
 }
 
-Preparation frictionless_specimen(const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
+FrictionlessPacking frictionless_specimen(const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   require_valid(recipe);
-  Preparation preparation;
+  FrictionlessPacking preparation;
   preparation.state = seeds(recipe);
   preparation.minimiser_steps = expand(preparation.state, recipe, stop_requested);
   const auto compress = [&](double factor, double tolerance, std::size_t max_steps) {

@@ -97,7 +97,7 @@ TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
                                     .work = true,
                                     .closed_forms = true,
                                     .interior_layer = R,
-                                    .network = network::Options{}});
+                                    .network = network::ResponseOptions{}});
   CHECK((full.network && full.law_check && full.interior && full.pressure_by_work));
   CHECK(full.closed_forms.size() == effective::closed_forms().size());
   CHECK(full.fabric->rose.size() == 3);
@@ -107,7 +107,7 @@ TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
 }
 
 TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its springs") {
-  const Measurement m = measure(cubic(), own, {.network = network::Options{}});
+  const Measurement m = measure(cubic(), own, {.network = network::ResponseOptions{}});
   const elastic::Matrix6& c = m.solved_network().response.relaxed().matrix;
   // One spring along each axis and cell of edge^3: C11 = k_n/edge, C44 = k_t/(2 edge) once grains may spin.
   CHECK(c(0, 0) == relative(k_n / edge, 1e-9));
@@ -127,7 +127,7 @@ TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its s
 TEST_CASE("both matrices of a lattice stand in its axes, with the moduli and waves of its springs") {
   Given given = own;
   given.grain_density = 2650;
-  const Measurement m = measure(cubic(), given, {.network = network::Options{}});
+  const Measurement m = measure(cubic(), given, {.network = network::ResponseOptions{}});
   const double density = 2650 / (1 + m.void_ratio);
   REQUIRE(m.bulk_density);
   CHECK(*m.bulk_density == relative(density, 1e-14));
@@ -162,7 +162,7 @@ TEST_CASE("a matrix has waves if the density is known, and none if it is not pos
   CHECK_FALSE(network_matrix(c, 1700).waves);
   CHECK(network_matrix({}, 1700).moduli.E_1 == 0);
   CHECK_THROWS_AS((void)network_matrix(c, 0), InvalidArgument);
-  const Measurement unknown = measure(cubic(), own, {.network = network::Options{}});
+  const Measurement unknown = measure(cubic(), own, {.network = network::ResponseOptions{}});
   CHECK_FALSE((unknown.bulk_density || unknown.network->relaxed.waves));
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("contacts without a stiffness get that of the law, others keep theirs 
   packing::Assembly packing = cubic();
   for (packing::Contact& c : packing.contacts)
     c.normal_stiffness = c.tangential_stiffness = 0;
-  const Wanted wanted{.network = network::Options{}};
+  const Wanted wanted{.network = network::ResponseOptions{}};
   const double by_law = law.stiffness_at_overlap(2 * R - edge);
   CHECK(measure(packing, own, wanted).solved_network().response.affine().matrix(0, 0) ==
         relative(by_law / edge, 1e-9));
@@ -212,7 +212,7 @@ TEST_CASE("contacts without a stiffness get that of the law, others keep theirs 
 
 TEST_CASE("what is not there is asked for in vain") {
   packing::Assembly packing = row();
-  const Measurement m = measure(packing, own, {.network = network::Options{}});
+  const Measurement m = measure(packing, own, {.network = network::ResponseOptions{}});
   CHECK_THROWS_AS((void)m.solved_network(), NotConverged); // nothing bears load
   packing.contacts.pop_back();
   CHECK_THROWS_AS((void)measure(packing, own).microstructure(), InvalidArgument);

@@ -62,7 +62,7 @@ set(box "${io}/lammps_box.atoms" "${io}/lammps_box.contacts")
 granum_cli_test("analyse: a layout told by its values" EXIT 0 STDERR "47 contacts with walls"
   STDOUT "c_p15\\[1\\] to c_p15\\[15\\] as dist force fx fy fz p1 to p10.*contacts with walls +47"
   ARGS analyse ${box} --no-network)
-granum_cli_test("analyse: weight is no unrest" EXIT 0 STDOUT "of it weight +100 % +26 kN per m3"
+granum_cli_test("analyse: weight is no unrest" EXIT 0 STDOUT "of it weight +100 %.*weight +26 kN per m3"
   STDERR "the grains bear weight: .* of 26 kN per m3 of solid along \\(0, 0, -1\\)" ARGS analyse ${box} --no-network)
 granum_cli_test("analyse: a modulus in kPa" EXIT 4 STDOUT "C_n" STDERR "G_g of the grains is 30 kPa, softer than rubber"
   ARGS analyse ${box} --no-network --grain-shear-modulus 30kPa --strict)
@@ -82,9 +82,9 @@ granum_cli_test("analyse: two materials" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT 
 granum_cli_test("analyse: several types without materials" EXIT 0 STDOUT "C_n" STDERR "several types: give --material for each"
   ARGS analyse ${types})
 granum_cli_test("analyse: 1.5 f/d where no material is known" EXIT 0 STDERR "several types"
-  STDOUT "rung 4, this network +432\\.[0-9].*the forces go as the overlaps to the power 1\\.50*[0-9]* .*k_n = 1\\.5 f/d of each contact without a material"
+  STDOUT "rung 4, network +432\\.[0-9].*the forces go as the overlaps to the power 1\\.50*[0-9]* .*k_n = 1\\.5 f/d of each contact without a material"
   ARGS analyse ${io}/lammps_types.atoms ${io}/lammps_types.contacts)
-granum_cli_test("analyse: 1.5 f/d" EXIT 0 STDERR "several types" STDOUT "rung 4, this network +432\\.[0-9].*1\\.5 f/d of each contact"
+granum_cli_test("analyse: 1.5 f/d" EXIT 0 STDERR "several types" STDOUT "rung 4, network +432\\.[0-9].*1\\.5 f/d of each contact"
   ARGS analyse ${io}/lammps_types.atoms ${io}/lammps_types.contacts --stiffness-from force-over-overlap)
 granum_cli_test("analyse: springs" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT "springs of k_n = 100000 N/m"
   ARGS analyse ${io}/lammps_types.atoms ${io}/lammps_hooke.contacts --no-network)
@@ -106,7 +106,7 @@ granum_cli_test("analyse: the stresses of a deck's states.csv" EXIT 0 STDERR "fr
 
 # several frames
 granum_cli_test("analyse: both frames" EXIT 0 STDERR "frame 0: coordinates"
-  STDOUT "frame +step .* 0 +0 +0\\.46909 .* 1 +20 +0\\.42956 "
+  STDOUT "frame +step .* 0 +0 .* 0\\.46909 .* 1 +20 .* 0\\.42956 "
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts)
 granum_cli_test("analyse: the last frame" EXIT 0 STDERR "not at rest" JSON "frames/0/step=^20$"
   ARGS analyse ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames last --json)
@@ -120,7 +120,7 @@ granum_cli_test("analyse: two frames give no exponent" EXIT 0 STDERR "frame 0: c
 # network is its own affine estimate, and every G goes as p^(1/3).
 set(lattice analyse_lattice.grains analyse_lattice.contacts)
 granum_cli_test("analyse: a lattice under rising stress" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
-  STDOUT "the last of 3 frames.*C_n +6\\.0000.*this network, affine.* 1\\.000  1\\.000.*rung 0 +0\\.333[3-7] .*rung 4, this network +0\\.333[34] "
+  STDOUT "the last of 3 frames.*C_n +6\\.0000.*network, affine.* 1\\.000  1\\.000.*rung 0 +0\\.333[3-7]\\+-.*rung 4, network +0\\.333[34]\\+-"
   ARGS analyse ${lattice} --grain-shear-modulus 30GPa)
 foreach(expectation "series/0/exponents/rung4/s/value=^0\\.333[345]" "series/0/exponents/rung0/s/value=^0\\.333[3-7]" "series/0/exponents/rung4/states=^3$"
     "series/0/frames/2=^2$" "series/0/name=^analyse_lattice\\.grains$"

@@ -42,20 +42,20 @@ granum_cli_test("verify: folder that is a file" EXIT 3 STDERR "^granum: error: i
   ARGS verify ${small} --out isotropic.csv)
 
 granum_cli_test("plan: table" EXIT 0
-  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads; [0-9]+ MB\n.*dense: G [0-9.]+ %, s 0\\.[0-9]+; for 2 % of G [0-9]+ grains"
+  STDOUT "packings +1 +of 120 grains.*specimens with friction +2 .* 3 pressures.*networks +6 .*shear probes +0\n.*memory +[0-9]+ MB\n.*dense\n.*error of G +[0-9.]+ %\n.*error of s +0\\.[0-9]+\n +grains +[0-9]+ +for 2 % of G"
   ARGS plan ${small} --error 2%)
 # Unequal grains: as many as their sizes allow, and what sizes beyond 1:5 cost, in a note.
 set(wide "^granum: note: grain\\.sizes span 1:7\\.4: [^\n]* needs 294 grains or more[^\n]*\n$")
 granum_cli_test("plan: unequal grains" EXIT 0 STDERR "${wide}"
-  STDOUT "1 frictionless packings of 300 grains .*dense: G [0-9.]+ %, s 0\\.[0-9]+; for 50 % of G 294 grains"
+  STDOUT "packings +1 +of 300 grains.*dense\n.*\n +grains +294 +for 50 % of G"
   ARGS plan ${few_states} --grains 300 --set grain.sizes=lognormal:0.35 --error 50%)
 granum_cli_test("plan: too few grains for their sizes" EXIT 2
   STDERR "^granum: error: grains = 120 is outside \\[294, 1e7\\]: the cell is wider than four of the largest"
   ARGS plan ${small} --set grain.sizes=lognormal:0.35)
-granum_cli_test("plan: sizes of 1:5 have no note" EXIT 0 STDOUT "packings of 230 grains"
+granum_cli_test("plan: sizes of 1:5 have no note" EXIT 0 STDOUT "packings +1 +of 230 grains"
   ARGS plan ${few_states} --grains 230 --set grain.sizes=power-law:3:5)
 granum_cli_test("plan: sizes of 1:6 have one" EXIT 0 STDERR "^granum: note: grain\\.sizes span 1:6: "
-  STDOUT "packings of 330 grains" ARGS plan ${few_states} --grains 330 --set grain.sizes=power-law:3:6)
+  STDOUT "packings +1 +of 330 grains" ARGS plan ${few_states} --grains 330 --set grain.sizes=power-law:3:6)
 granum_cli_test("verify: the note on sizes stands in the JSON" EXIT 0 STDERR "${wide}" JSON "notes/0=^grain\\.sizes span 1:7\\.4: "
   ARGS verify ${few_states} --grains 294 --set study.densities=dense --set grain.sizes=lognormal:0.35 --json)
 granum_cli_test("plan: no error at all cannot be wanted" EXIT 2 STDERR "error = 0 is outside \\(0, inf\\)"

@@ -24,19 +24,20 @@ std::string complaint(const Action& action) {
 } // namespace
 
 TEST_CASE("growths and specimens: each has a name of its own, which finds it again") {
-  for (const Growth growth : all_growths)
-    CHECK(growth_of(name(growth)) == growth);
-  for (const Specimen specimen : all_specimens)
-    CHECK(specimen_of(name(specimen)) == specimen);
-  CHECK(name(Growth::packings) == "packings");
-  CHECK(name(Specimen::prepared_alike) == "prepared_alike");
+  for (const GrowthRule growth : all_growth_rules)
+    CHECK(growth_rule_of(name(growth)) == growth);
+  for (const AskedPacking specimen : all_asked_packings)
+    CHECK(asked_packing_of(name(specimen)) == specimen);
+  CHECK(name(GrowthRule::packings) == "packings");
+  CHECK(name(AskedPacking::prepared_alike) == "prepared_alike");
 }
 
 TEST_CASE("growths, specimens and quantities: an unknown name is answered with all of them") {
-  CHECK(complaint([] { (void)growth_of("Fixed"); }) == "growth is one of packings, fixed, fitted, not Fixed");
-  CHECK(complaint([] { (void)specimen_of(""); }) == "specimen is one of same, prepared_alike, not ");
+  CHECK(complaint([] { (void)growth_rule_of("Fixed"); }) ==
+        "growth is one of packings, fixed, fitted, not Fixed");
+  CHECK(complaint([] { (void)asked_packing_of(""); }) == "specimen is one of same, prepared_alike, not ");
   CHECK(complaint([] { (void)quantity_of("E"); }) ==
         "quantity is one of G, G_hh, K, V_s, V_s_hh, V_p, V_p_h, not E");
-  CHECK_THROWS_AS((void)name(static_cast<Growth>(9)), granum::InvalidArgument);
-  CHECK_THROWS_AS((void)name(static_cast<Specimen>(9)), granum::InvalidArgument);
+  CHECK_THROWS_AS((void)name(static_cast<GrowthRule>(9)), granum::InvalidArgument);
+  CHECK_THROWS_AS((void)name(static_cast<AskedPacking>(9)), granum::InvalidArgument);
 }

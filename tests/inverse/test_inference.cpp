@@ -14,10 +14,10 @@
 using namespace granum;
 using effective::Modulus;
 using effective::State;
-using inverse::Growth;
+using inverse::GrowthRule;
 using inverse::infer;
 using inverse::InferenceOptions;
-using inverse::Measurement;
+using inverse::Observation;
 using inverse::Quantity;
 
 namespace {
@@ -48,12 +48,12 @@ double value_of(Quantity quantity, const State& state, double z) {
   return value_of(quantity, state, z, effective::expected_rattlers(state, z).fraction);
 }
 
-Measurement measurement(Quantity quantity, const State& state, double z, double relative_error = 0) {
+Observation measurement(Quantity quantity, const State& state, double z, double relative_error = 0) {
   const double value = value_of(quantity, state, z);
   return {quantity, {value, relative_error * value}, state};
 }
 
-InferenceOptions options_with(Growth growth = Growth::fixed) {
+InferenceOptions options_with(GrowthRule growth = GrowthRule::fixed) {
   return {.grain_density = density, .growth = growth};
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("inference: forward and back is the identity") {
   for (const auto& row : inverse::quantities())
     for (const double z : {4.3, 5.1, 6.2})
       for (const double ratio : {1.0, 0.5}) {
-        const Measurement one = measurement(row.quantity, beads(3e6, ratio * 3e6), z, 0.02);
+        const Observation one = measurement(row.quantity, beads(3e6, ratio * 3e6), z, 0.02);
         const auto answer = infer(std::span(&one, 1), options_with());
         REQUIRE(answer.together);
         const auto found = answer.together->packing(one.state);
@@ -89,7 +89,7 @@ TEST_CASE("inference: forward and back is the identity") {
 }
 
 TEST_CASE("inference: measurements of one packing agree, and narrow the error") {
-  std::vector<Measurement> all;
+  std::vector<Observation> all;
   const double rattlers = effective::expected_rattlers(beads(1e6), 5.2).fraction;
   for (const double p : {1e6, 3e6, 10e6})
     for (const Quantity q : {Quantity::V_s, Quantity::V_p}) {
@@ -114,10 +114,10 @@ TEST_CASE("inference: measurements of one packing agree, and narrow the error") 
 TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
   const double isostatic = effective::isostatic_coordination_number(beads(1e6).tangential_ratio);
   const auto grown = [&](double p) { return isostatic + 0.8 * std::pow(p / 1e6, 0.13); };
-  std::vector<Measurement> all;
+  std::vector<Observation> all;
   for (const double p : {1e6, 2e6, 8e6})
     all.push_back(measurement(Quantity::V_s, beads(p), grown(p), 0.01));
-  const auto answer = infer(all, options_with(Growth::fitted));
+  const auto answer = infer(all, options_with(GrowthRule::fitted));
   REQUIRE(answer.together);
   CHECK(answer.together->growth_exponent()->value == relative(0.13, 1e-9));
   CHECK(answer.together->predict(Quantity::G_vh, beads(30e6)).value ==
@@ -127,14 +127,14 @@ TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
   const auto fixed = infer(all, options_with());
   CHECK(fixed.together->chi_square() > 1);
   CHECK_FALSE(fixed.together->growth_exponent());
-  CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(Growth::fitted)), InvalidArgument);
+  CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(GrowthRule::fitted)), InvalidArgument);
 }
 
 TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrinks") {
   const State at_rest = beads(1e6, 1e6, 0.6);
   const double z = 5.3;
   const effective::ContactCounts counts{z, effective::expected_rattlers(at_rest, z).fraction};
-  std::vector<Measurement> all;
+  std::vector<Observation> all;
   for (const double p : {1e6, 3e6, 10e6}) {
     const auto carried = effective::carried_contacts(at_rest, counts, p);
     const State here = beads(p, p, p == 1e6 ? 0.6 : carried.void_ratio);
@@ -142,14 +142,14 @@ TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrin
                                   carried.counts.rattler_fraction);
     all.push_back({Quantity::V_s, {value, 0.01 * value}, here});
   }
-  const auto answer = infer(all, options_with(Growth::packings));
+  const auto answer = infer(all, options_with(GrowthRule::packings));
   REQUIRE(answer.together);
   CHECK(answer.together->packing(at_rest).mechanical_coordination_number.value == relative(z, 1e-10));
   CHECK(answer.together->chi_square() < 1e-14);
   CHECK(answer.together->void_ratio_at(10e6) == relative(all.back().state.void_ratio, 1e-12));
   CHECK(answer.together->void_ratio_at(10e6) < 0.59);
   // From the first alone: the same prediction of the last, with an error that the growth has a share in.
-  const auto one = infer(std::span(all).first(1), options_with(Growth::packings));
+  const auto one = infer(std::span(all).first(1), options_with(GrowthRule::packings));
   const Measured grown = one.together->predict(Quantity::V_s, all.back().state);
   CHECK(grown.value == relative(all.back().value.value, 1e-10));
   const auto fixed = infer(std::span(all).first(1), options_with());
@@ -161,41 +161,41 @@ TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrin
 
 TEST_CASE("inference: another packing, prepared alike") {
   const State known = beads(1e6, 1e6, 0.6);
-  const Measurement one = measurement(Quantity::G_vh, known, 5.3, 0.02);
+  const Observation one = measurement(Quantity::G_vh, known, 5.3, 0.02);
   const auto answer = infer(std::span(&one, 1), options_with());
   const auto share_at = [&](const State& state) {
     const effective::ContactPrior prior = effective::contact_prior(state);
     const double low = prior.loosest.mechanical_coordination_number;
     const Measured z =
-        answer.together->packing(state, inverse::Specimen::prepared_alike).mechanical_coordination_number;
+        answer.together->packing(state, inverse::AskedPacking::prepared_alike).mechanical_coordination_number;
     return (z.value - low) / (prior.densest.mechanical_coordination_number - low);
   };
   const State looser = beads(1e6, 1e6, 0.68);
   CHECK(share_at(looser) == relative(share_at(known), 1e-9));
   const auto same = answer.together->packing(known),
-             alike = answer.together->packing(known, inverse::Specimen::prepared_alike);
+             alike = answer.together->packing(known, inverse::AskedPacking::prepared_alike);
   CHECK(alike.mechanical_coordination_number.value == relative(5.3, 1e-9));
   CHECK(alike.mechanical_coordination_number.standard_error >
         same.mechanical_coordination_number.standard_error);
   // Sands lose more with the void ratio than equal contacts would let them.
   const double there =
-      answer.together->predict(Quantity::G_vh, looser, inverse::Specimen::prepared_alike).value;
+      answer.together->predict(Quantity::G_vh, looser, inverse::AskedPacking::prepared_alike).value;
   CHECK(there < 0.9 * answer.together->predict(Quantity::G_vh, looser).value);
 }
 
 TEST_CASE("inference: contacts that no packing of that void ratio has") {
-  const Measurement many = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.72), 7.5, 0.02);
+  const Observation many = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.72), 7.5, 0.02);
   const auto answer = infer(std::span(&many, 1), options_with());
   REQUIRE(answer.together);
   REQUIRE_FALSE(answer.validity.ok());
   CHECK(answer.validity.notes.back().find("is more than packings of spheres of void ratio 0.72") !=
         std::string::npos);
-  const Measurement usual = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.6), 5.3, 0.02);
+  const Observation usual = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.6), 5.3, 0.02);
   CHECK(infer(std::span(&usual, 1), options_with()).validity.ok());
 }
 
 TEST_CASE("inference: K and G that contradict each other") {
-  std::vector<Measurement> all{measurement(Quantity::G_vh, beads(1e6), 4.4, 0.02),
+  std::vector<Observation> all{measurement(Quantity::G_vh, beads(1e6), 4.4, 0.02),
                                measurement(Quantity::K, beads(1e6), 6.2, 0.02)};
   all[1].value.value *= 1.3;
   all[1].value.standard_error *= 1.3;
@@ -206,7 +206,7 @@ TEST_CASE("inference: K and G that contradict each other") {
   CHECK(answer.validity.notes.back().find("the measurements contradict each other") == 0);
   CHECK(answer.validity.notes.back().find("K = ") != std::string::npos);
   // Wide errors hold the same.
-  for (Measurement& m : all)
+  for (Observation& m : all)
     m.value.standard_error = 0.6 * m.value.value;
   CHECK(infer(all, options_with()).together->probability() > 0.1);
 }
@@ -214,7 +214,7 @@ TEST_CASE("inference: K and G that contradict each other") {
 TEST_CASE("inference: three of a thousand are taken for a contradiction") {
   bool before = false;
   for (double factor = 1; factor < 1.5; factor *= 1.01) {
-    std::vector<Measurement> all{measurement(Quantity::G_vh, beads(1e6), 5.2, 0.02),
+    std::vector<Observation> all{measurement(Quantity::G_vh, beads(1e6), 5.2, 0.02),
                                  measurement(Quantity::K, beads(1e6), 5.2, 0.02)};
     all[1].value.value *= factor;
     const auto answer = infer(all, options_with());
@@ -227,7 +227,7 @@ TEST_CASE("inference: three of a thousand are taken for a contradiction") {
 }
 
 TEST_CASE("inference: what no contact number explains") {
-  Measurement stiff = measurement(Quantity::V_s, beads(1e6), 12);
+  Observation stiff = measurement(Quantity::V_s, beads(1e6), 12);
   stiff.value.value *= 1.01;
   const auto none = infer(std::span(&stiff, 1), options_with());
   CHECK_FALSE(none.together);
@@ -235,13 +235,13 @@ TEST_CASE("inference: what no contact number explains") {
   REQUIRE(none.validity.notes.size() == 1);
   CHECK(none.validity.notes.front().find("no contact number explains V_s = ") == 0);
   CHECK(none.validity.notes.front().find("12 contacts") != std::string::npos);
-  Measurement soft = measurement(Quantity::K, beads(1e6), 4.3);
+  Observation soft = measurement(Quantity::K, beads(1e6), 4.3);
   soft.value.value *= 0.5;
   const auto too_soft = infer(std::span(&soft, 1), options_with());
   CHECK_FALSE(too_soft.together);
   CHECK(too_soft.validity.notes.front().find("loosest network") != std::string::npos);
   // Beside one that is explained, the fit goes on and the note stays.
-  const std::vector<Measurement> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
+  const std::vector<Observation> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
   const auto mixed = infer(both, options_with());
   CHECK(mixed.together);
   CHECK(mixed.validity.notes.front().find("no contact number explains K") == 0);
@@ -249,7 +249,7 @@ TEST_CASE("inference: what no contact number explains") {
 
 TEST_CASE("inference: what measurement and prediction share cancels") {
   InferenceOptions options = options_with();
-  const Measurement one = measurement(Quantity::V_s, beads(3e6), 5.3, 0.01);
+  const Observation one = measurement(Quantity::V_s, beads(3e6), 5.3, 0.01);
   const auto error_at = [&](double p) {
     const auto answer = infer(std::span(&one, 1), options);
     const Measured predicted = answer.together->predict(Quantity::V_s, beads(p));
@@ -288,13 +288,13 @@ TEST_CASE("inference: stated errors are those of a sample") {
              std::exp(error * (std::sqrt(shared) * preparation + std::sqrt(1 - shared) * normal(generator)));
     };
     const double measured = truth(3e6) * std::exp(noise * normal(generator));
-    const Measurement one{Quantity::G_vh, {measured, noise * measured}, beads(3e6)};
+    const Observation one{Quantity::G_vh, {measured, noise * measured}, beads(3e6)};
     const auto answer = infer(std::span(&one, 1), options);
     const Measured predicted = answer.together->predict(Quantity::G_vh, beads(30e6));
     found.push_back(answer.together->packing(one.state).mechanical_coordination_number.value);
     missed.push_back(std::log(predicted.value / truth(30e6)));
   }
-  const Measurement typical = measurement(Quantity::G_vh, beads(3e6), z, noise);
+  const Observation typical = measurement(Quantity::G_vh, beads(3e6), z, noise);
   const auto answer = infer(std::span(&typical, 1), options);
   stated_z = answer.together->packing(typical.state).mechanical_coordination_number;
   stated_value = answer.together->predict(Quantity::G_vh, beads(30e6));
@@ -306,8 +306,8 @@ TEST_CASE("inference: stated errors are those of a sample") {
 TEST_CASE("inference: shares of the error by leaving its sources out") {
   InferenceOptions options = options_with();
   options.inputs = grain_modulus_within(0.05);
-  const Measurement one = measurement(Quantity::G_vh, beads(3e6), 5.2, 0.03);
-  const auto variance = [&](const InferenceOptions& o, const Measurement& m) {
+  const Observation one = measurement(Quantity::G_vh, beads(3e6), 5.2, 0.03);
+  const auto variance = [&](const InferenceOptions& o, const Observation& m) {
     const double error =
         infer(std::span(&m, 1), o).together->packing(m.state).mechanical_coordination_number.standard_error;
     return error * error;
@@ -316,7 +316,7 @@ TEST_CASE("inference: shares of the error by leaving its sources out") {
   const double all = variance(options, one);
   for (const auto& [source, share] : answer.together->error_shares()) {
     InferenceOptions fewer = options;
-    Measurement exact = one;
+    Observation exact = one;
     if (source == "measurement")
       exact.value.standard_error = 0;
     else if (source == "grain-shear-modulus")
@@ -328,7 +328,7 @@ TEST_CASE("inference: shares of the error by leaving its sources out") {
 }
 
 TEST_CASE("inference: exact measurements of dependent quantities") {
-  std::vector<Measurement> all;
+  std::vector<Observation> all;
   for (const Quantity q : {Quantity::K, Quantity::G_vh, Quantity::V_p, Quantity::V_s})
     all.push_back(measurement(q, beads(1e6), 5));
   const auto answer = infer(all, options_with());
@@ -339,7 +339,7 @@ TEST_CASE("inference: water in the pores weighs, and hides the compression wave"
   InferenceOptions wet = options_with();
   wet.pore_density = 998;
   const double e = 0.61, ratio = (density + e * 998) / density;
-  Measurement one = measurement(Quantity::V_s, beads(1e6), 5.2, 0.01);
+  Observation one = measurement(Quantity::V_s, beads(1e6), 5.2, 0.01);
   one.value.value /= std::sqrt(ratio);
   const auto answer = infer(std::span(&one, 1), wet);
   CHECK(answer.together->packing(one.state).mechanical_coordination_number.value == relative(5.2, 1e-10));
@@ -349,18 +349,18 @@ TEST_CASE("inference: water in the pores weighs, and hides the compression wave"
                 std::sqrt(ratio),
             1e-9));
   CHECK_THROWS_AS((void)answer.together->predict(Quantity::V_p, one.state), InvalidArgument);
-  const Measurement compression = measurement(Quantity::V_p, beads(1e6), 5.2, 0.01);
+  const Observation compression = measurement(Quantity::V_p, beads(1e6), 5.2, 0.01);
   CHECK_THROWS_AS((void)infer(std::span(&compression, 1), wet), InvalidArgument);
 }
 
 TEST_CASE("inference: refuses what it cannot use") {
-  const Measurement good = measurement(Quantity::V_s, beads(1e6), 5);
-  const auto refused = [](const Measurement& m, const InferenceOptions& o) {
+  const Observation good = measurement(Quantity::V_s, beads(1e6), 5);
+  const auto refused = [](const Observation& m, const InferenceOptions& o) {
     CHECK_THROWS_AS((void)infer(std::span(&m, 1), o), InvalidArgument);
   };
   refused(good, {});
   CHECK_THROWS_AS((void)infer({}, options_with()), InvalidArgument);
-  Measurement bad = good;
+  Observation bad = good;
   bad.value.value = 0;
   refused(bad, options_with());
   bad = good;

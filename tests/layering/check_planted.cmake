@@ -37,6 +37,18 @@ function(planted path line expected)
   set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
+# The same for a line that closes a circle of rooms, of which `use` is a part.
+function(planted_circle path line use)
+  file(WRITE "${SCRATCH}/${path}" "// SPDX-License-Identifier: GPL-3.0-or-later\n${line}\n")
+  run_check(code output)
+  file(REMOVE "${SCRATCH}/${path}")
+  if(code EQUAL 0 OR NOT output MATCHES "rooms: include one another in a circle:[^:]*${use}")
+    message(NOTICE "not caught: ${path}: ${line}\n${output}")
+    math(EXPR failures "${failures} + 1")
+  endif()
+  set(failures ${failures} PARENT_SCOPE)
+endfunction()
+
 planted(src/contact/p.cpp "#include <granum/elastic/stiffness.hpp>" "includes <granum/elastic/stiffness.hpp>, but elastic is not below contact")
 planted(src/core/p.cpp "  #  include \"granum/contact/power_law.hpp\"" "includes \"granum/contact/power_law.hpp\", but contact is not below core")
 planted(include/granum/network/p.hpp "#include <granum/io/output_file.hpp>" "includes <granum/io/output_file.hpp>, but io is not below network")
@@ -67,7 +79,27 @@ planted(src/dem/p.cpp "#include <immintrin.h>" "uses immintrin.h; vector code ha
 planted(src/effective/p.cpp "__attribute__((target_clones(\"avx2\", \"default\"))) void f();" "uses target_clones; vector code")
 planted(src/packing/p.cpp "#include \"core/vector/level.hpp\"" "includes \"core/vector/level.hpp\", a private header of core")
 
+# Rooms: floors of studies, and circles anywhere.
+planted(src/studies/scene/p.cpp "#include \"studies/running/probes.hpp\"" "includes \"studies/running/probes.hpp\", but running is not below scene in studies")
+planted(src/studies/running/p.hpp "#include \"studies/verify/study.hpp\"" "includes \"studies/verify/study.hpp\", but verify is not below running in studies")
+planted(src/studies/verify/p.cpp "#include \"studies/trade/trade.hpp\"" "includes \"studies/trade/trade.hpp\", but trade is not below verify in studies")
+planted(src/studies/verify/p.cpp "#include \"studies/reproduce/experiment.hpp\"" "includes \"studies/reproduce/experiment.hpp\", but reproduce is not below verify in studies")
+planted(src/studies/utils/p.cpp "" "lies in no room of studies of a known floor")
+planted(src/studies/p.cpp "" "lies in no room of studies of a known floor")
+planted_circle(src/cli/frame/p.cpp "#include \"cli/options/scene_file.hpp\"" "cli/frame>cli/options")
+planted_circle(include/granum/io/text/p.hpp "#include <granum/io/vtk/xml.hpp>" "io/text>io/vtk")
+planted_circle(src/network/numbering/p.cpp "#include \"network/factor/soft_first.hpp\"" "network/numbering>network/factor")
+
+# One public name, one meaning. Names are looked up in the order of the files.
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nstruct Measurement {\n};\n}" "defines Measurement, which granum::analysis defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nclass [[nodiscard]] PowerLaw {\n};\n}" "defines PowerLaw, which granum::contact defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nenum class Specimen\n{ one };\n}" "defines Specimen, which granum::dem defines as well")
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nusing State = int;\n}" "defines State, which granum::effective defines as well")
+
 # What is allowed stays allowed.
+planted(include/granum/triaxial/p.hpp "namespace granum::triaxial {\nstruct Own {\n  struct Measurement {};\n};\nclass Specimen;\n}" "")
+planted(src/studies/verify/p.cpp "#include \"studies/running/probes.hpp\"\n#include \"studies/paper/paper.hpp\"\n#include \"p.hpp\"" "")
+planted(src/io/yade/p.cpp "#include <granum/io/vtk/xml.hpp>" "")
 planted(src/core/vector/p.hpp "using Lanes = double __attribute__((vector_size(64)));" "")
 planted(src/effective/p.cpp "#include \"core/vector/level.hpp\"" "")
 planted(src/dem/p.cpp "void f() { try { g(); } catch (...) {} }" "")

@@ -50,7 +50,8 @@ network::Field<Dof> residual(const network::Backbone& backbone, const network::F
 /// A projection along the motions of the nodes: what is left is orthogonal to each correction, and a second
 /// one finds nothing. H comes from apply_stiffness, which knows of no nodes.
 template <int Dof>
-void check_correction(const packing::Assembly& a, const network::Options& options, double grains_a_node) {
+void check_correction(const packing::Assembly& a, const network::ResponseOptions& options,
+                      double grains_a_node) {
   const network::Backbone backbone = network::load_bearing_network(a, options);
   REQUIRE(backbone.rotations == (Dof == 6));
   const network::Workers alone;

@@ -23,7 +23,7 @@ namespace {
 // condition of the sparsest networks (1e4 to 1e5) on both routes.
 constexpr double same = 1e-9;
 
-Matrix6 relaxed(const packing::Assembly& a, const network::Options& options = {}) {
+Matrix6 relaxed(const packing::Assembly& a, const network::ResponseOptions& options = {}) {
   return network::linear_response(a, options).relaxed().matrix;
 }
 

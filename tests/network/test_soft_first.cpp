@@ -51,7 +51,7 @@ TEST_CASE("a stop ends the search for a numbering after a factor") {
   int asked = 0;
   const auto lost_when = [&](bool stopped) {
     asked = 0;
-    Options options;
+    ResponseOptions options;
     options.stop_requested = [&asked, stopped] {
       ++asked;
       return stopped;

@@ -86,7 +86,7 @@ TEST_CASE("networks with walls: as their dense twins, symmetric, semidefinite, b
                                    .normal_stiffness = uniform(1, 4),
                                    .tangential_stiffness = rough * uniform(0.2, 1)});
       }
-      const network::Options to_rounding{.tolerance = 1e-12};
+      const network::ResponseOptions to_rounding{.tolerance = 1e-12};
       const auto response = network::linear_response(a, to_rounding);
       const auto twin = twin::response(a, false);
       const Matrix6 &affine = response.affine().matrix, &soft = response.relaxed().matrix;

@@ -217,48 +217,12 @@ TEST_CASE("error bars are drawn where there is an error, and the axis holds them
 TEST_CASE("a chart that contradicts itself is refused") {
   Chart chart = chart_of({1, 2}, {1});
   CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
-  CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
   chart = chart_of({1, 2}, {1, 2});
   chart.series[0].y_error = {1};
   CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
   chart = chart_of({1, 2}, {1, 2});
   chart.y.unit = 0;
   CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
-}
-
-TEST_CASE("the gnuplot script names file, columns, units, scales and errors, quotes escaped") {
-  Chart chart = chart_of({1e3, 2e3}, {1e6, 2e6});
-  chart.title = "Moduli";
-  chart.x = {.title = "p' [kPa]", .scale = Scale::logarithmic, .unit = 1e3};
-  chart.y = {.title = "G [MPa]", .scale = Scale::linear, .unit = 1e6};
-  chart.series[0].name = "rung 2";
-  chart.series.push_back({.name = "", .mark = Mark::marker, .x = {1e3}, .y = {1e6}});
-  const std::string script = gnuplot_script(
-      chart, "out file.csv", {{"p_Pa", "G_Pa"}, {"p_Pa", "G_vh_Pa", "G_vh_error_Pa"}}, "again.svg");
-  for (const char* piece :
-       {"set xlabel 'p'' [kPa]'", "set logscale x\n", "set title 'Moduli'", "set output 'again.svg'",
-        "'out file.csv' using (column('p_Pa')/1000):(column('G_Pa')/1000000) with linespoints linestyle 1 "
-        "title 'rung 2'",
-        "(column('G_vh_Pa')/1000000) with points linestyle 2 notitle",
-        "(column('G_vh_Pa')/1000000):(column('G_vh_error_Pa')/1000000) with yerrorbars"}) {
-    CAPTURE(piece);
-    CHECK(script.find(piece) != std::string::npos);
-  }
-  CHECK(script.find("set logscale y") == std::string::npos);
-  CHECK_THROWS_AS((void)gnuplot_script(chart, "a.csv", {{"x", "y"}}, "a.svg"), InvalidArgument);
-}
-
-TEST_CASE("the gnuplot script takes no name of a file for a command") {
-  const Chart chart = chart_of({1, 2}, {1, 2});
-  for (const char* name : {"< touch x; cat a.csv", "| touch x", "-", "~/a.csv", "+"}) {
-    CAPTURE(name);
-    const std::string script = gnuplot_script(chart, name, {{"x", "y"}}, name);
-    CHECK(script.find("plot './" + std::string(name) + "'") != std::string::npos);
-    CHECK(script.find("set output './" + std::string(name) + "'") != std::string::npos);
-  }
-  for (const char* name : {"a.csv", "../a.csv", "/a.csv", "_a.csv", "1.csv"})
-    CHECK(gnuplot_script(chart, name, {{"x", "y"}}, "a.svg").find("plot '" + std::string(name)) !=
-          std::string::npos);
 }
 
 TEST_CASE("series of one style look alike, and tones differ from the full one") {
@@ -278,14 +242,6 @@ TEST_CASE("series of one style look alike, and tones differ from the full one") 
   chart.series[1].tone = Tone::faint;
   CHECK(count(svg(chart), "opacity=\"0.55\"") == 1);
   CHECK(well_formed(svg(chart)));
-  const std::string script = gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg");
-  CHECK(count(script, "linecolor rgb '#6b3fa0'") == 2);
-  CHECK(count(script, "linewidth 1 ") == 1);
-  // Error bars of a line have no marker, and no bar is dashed.
-  chart.series[0].mark = Mark::line;
-  const std::string bars = gnuplot_script(chart, "a.csv", {{"x", "y", "e"}, {"x", "y", "e"}}, "a.svg");
-  CHECK(count(bars, "with yerrorbars linestyle 1 dashtype 1 pointtype 0") == 1);
-  CHECK(count(bars, "with yerrorbars linestyle 2 dashtype 1 notitle") == 1);
 }
 
 TEST_CASE("a legend below the plot makes the picture higher and not wider") {
@@ -359,8 +315,6 @@ TEST_CASE("a reversed axis puts its smallest number on top, or right, and mirror
   const auto left = corners(svg(chart), "area");
   CHECK(std::abs(left[0].first - down[1].first) < 0.02);
   CHECK(left[0].second == down[0].second);
-  CHECK(gnuplot_script(chart, "a.csv", {{.x = "x", .y = "y"}}, "a.svg").find("set yrange [*:*] reverse") !=
-        std::string::npos);
 }
 
 TEST_CASE("an error bar on a reversed axis reaches the edge on the side of its end") {
@@ -389,8 +343,6 @@ TEST_CASE("an area is a closed surface without markers or outline, also in the l
   CHECK(count(picture, "<circle") == 0);
   CHECK(count(picture, "stroke-width") == 0);
   CHECK(count(picture, "Z\"") == 2);
-  CHECK(gnuplot_script(chart, "a.csv", {{.x = "x", .y = "y"}}, "a.svg").find("filledcurves closed") !=
-        std::string::npos);
 }
 
 TEST_CASE("charts side by side are as wide as all of them, as high as the highest") {

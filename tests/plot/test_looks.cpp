@@ -40,8 +40,6 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
   CHECK(count(picture, "class=\"cg\"") == 1);        // the sample of the kind
   CHECK(count(picture, "data-kind=\"probe\"") == 3); // two series and a name
   CHECK(count(picture, "<circle") == 0);             // style 2 has diamonds
-  CHECK(gnuplot_script(chart, "a.csv", {{"x", "y"}, {"x", "y"}}, "a.svg").find("rgb '#c04a00'") !=
-        std::string::npos);
 }
 
 TEST_CASE("every colour stands out from its paper as text does, has a name, and none stands twice") {

@@ -20,7 +20,7 @@ namespace {
 const Given given_modulus{.grain_shear_modulus = specimen_grain.shear_modulus};
 
 /// Everything but the network, or with it solved as told.
-analysis::Wanted wanted(const std::optional<network::Options>& network = {}) {
+analysis::Wanted wanted(const std::optional<network::ResponseOptions>& network = {}) {
   analysis::Wanted out = analysis::everything();
   out.network = network;
   return out;
@@ -205,16 +205,17 @@ TEST_CASE("frame warnings: directions that no E(gamma; a) has") {
 }
 
 TEST_CASE("frame warnings: a network that was given too few iterations") {
-  CHECK_FALSE(warns(through_csv(specimen()), "did not converge", given_modulus, wanted(network::Options{})));
+  CHECK_FALSE(
+      warns(through_csv(specimen()), "did not converge", given_modulus, wanted(network::ResponseOptions{})));
   CHECK(warns(through_csv(specimen()), "the network did not converge", given_modulus,
-              wanted(network::Options{.iteration_limit = 1})));
+              wanted(network::ResponseOptions{.iteration_limit = 1})));
 }
 
 TEST_CASE("frame warnings: forces that matter beside the stiffness of the contacts") {
   const char* words = "change a shear modulus by";
-  CHECK_FALSE(warns(through_csv(specimen()), words, given_modulus, wanted(network::Options{})));
+  CHECK_FALSE(warns(through_csv(specimen()), words, given_modulus, wanted(network::ResponseOptions{})));
   const Given soft{.grain_shear_modulus = specimen_grain.shear_modulus / 1000}; // for the same forces
-  CHECK(warns(through_csv(specimen()), words, soft, wanted(network::Options{})));
+  CHECK(warns(through_csv(specimen()), words, soft, wanted(network::ResponseOptions{})));
   CHECK_FALSE(warns(through_csv(specimen()), words, soft));
 }
 
@@ -234,8 +235,9 @@ TEST_CASE("frame warnings: strains that nothing resists are named") {
   link(1, 2, 0.99e-3);
   link(2, 3, 0.99e-3);
   CHECK(warns(through_csv(chain), "the network does not resist 5 of six strains (", given_modulus,
-              wanted(network::Options{})));
-  CHECK_FALSE(warns(through_csv(specimen()), "does not resist", given_modulus, wanted(network::Options{})));
+              wanted(network::ResponseOptions{})));
+  CHECK_FALSE(
+      warns(through_csv(specimen()), "does not resist", given_modulus, wanted(network::ResponseOptions{})));
   // a ring of four that does not reach through the cell bears nothing at all
   packing::Assembly ring{
       .cell = Mat3::diagonal(9e-3, 9e-3, 9e-3), .position = {}, .radius = {}, .contacts = {}};
@@ -251,5 +253,5 @@ TEST_CASE("frame warnings: strains that nothing resists are named") {
   pair(1, 2);
   pair(2, 3);
   CHECK(warns(through_csv(ring), "the network has no stiffness: nothing holds the grains", given_modulus,
-              wanted(network::Options{})));
+              wanted(network::ResponseOptions{})));
 }

@@ -17,7 +17,7 @@ inline analysis::Measurement measured(const dem::Specimen& state, const dem::Mat
 /// The network of the specimen frozen in place.
 inline analysis::Network frozen_network(const dem::Specimen& state, const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
-  return measured(frozen.state(), material, {.network = network::Options{}}).solved_network();
+  return measured(frozen.state(), material, {.network = network::ResponseOptions{}}).solved_network();
 }
 
 } // namespace granum::test

@@ -204,7 +204,7 @@ TEST_CASE("rest, probes and the network's moduli end at the step at which they a
   stops([&](const test::StopAt& stop) {
     const FrozenState rested = freeze_in_place(state, recipe.material, 1e-8, stop);
     const analysis::Measurement packing = test::measured(
-        rested.state(), recipe.material, {.network = network::Options{.stop_requested = stop}});
+        rested.state(), recipe.material, {.network = network::ResponseOptions{.stop_requested = stop}});
     (void)packing.solved_network().response.relaxed();
   });
   const dem::Specimen frozen = freeze_in_place(state, recipe.material).state();

@@ -33,7 +33,7 @@ double coordination(const packing::Assembly& assembly) {
 
 TEST_CASE("a frictionless specimen stands at its first pressure just above the isostatic coordination") {
   const SpecimenRecipe recipe = small_recipe();
-  const Preparation preparation = frictionless_specimen(recipe);
+  const FrictionlessPacking preparation = frictionless_specimen(recipe);
   CHECK(preparation.last.converged);
   CHECK(preparation.last.pressure() == relative(10e3, 2e-5));
   CHECK(preparation.last.unbalanced_force_ratio < 1e-5);
@@ -127,7 +127,7 @@ TEST_CASE("grains of widely different sizes come to rest without friction") {
   recipe.sizes = sizes::parse_distribution("power-law:4:7");
   recipe.grains = 900;
   recipe.first_pressure = 10e6;
-  const Preparation jammed = frictionless_specimen(recipe);
+  const FrictionlessPacking jammed = frictionless_specimen(recipe);
   CHECK(jammed.last.unbalanced_force_ratio < 1e-5);
   CHECK(jammed.minimiser_steps < 25000);
 }
@@ -156,7 +156,7 @@ TEST_CASE("impossible recipes are refused by name") {
 TEST_CASE("preparation ends at the step at which it is asked to, in each of its stages") {
   const SpecimenRecipe recipe = small_recipe();
   const test::StopAt never(0);
-  const Preparation whole = frictionless_specimen(recipe, never);
+  const FrictionlessPacking whole = frictionless_specimen(recipe, never);
   CHECK(never.asked() >= whole.minimiser_steps);
   for (const std::size_t question : {std::size_t{1}, never.asked() / 3, never.asked() - 1}) {
     const test::StopAt stop(question);

@@ -144,8 +144,8 @@ void add_probes(Row& row, const dem::Specimen& frozen, const dem::Material& mate
 /// What one row says of a frozen state.
 void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material, const Task& task) {
   const packing::Assembly assembly = dem::contact_network(frozen, material);
-  const analysis::Measurement measured =
-      analysis::measure(assembly, studies::known_of(frozen, material), {.network = network::Options{}});
+  const analysis::Measurement measured = analysis::measure(assembly, studies::known_of(frozen, material),
+                                                           {.network = network::ResponseOptions{}});
   row.add("friction_coefficient", task.preparation.friction_coefficient);
   relaxation::add_sizes(row, assembly, measured);
   row.add("d50_m", measured.sizes.gradation.d50);

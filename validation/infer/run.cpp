@@ -22,7 +22,7 @@ namespace {
 
 using namespace granum;
 using effective::State;
-using inverse::Measurement;
+using inverse::Observation;
 using inverse::Quantity;
 
 /// A packing that is known altogether.
@@ -95,9 +95,9 @@ std::vector<Known> packings_of_beads(const std::string& path) {
   return all;
 }
 
-inverse::InferenceAnswer infer_from(const Known& known, Quantity quantity, inverse::Growth growth) {
+inverse::InferenceAnswer infer_from(const Known& known, Quantity quantity, inverse::GrowthRule growth) {
   const double value = quantity == Quantity::K ? known.bulk_modulus : known.shear_modulus;
-  const Measurement measured{quantity, {value, 0}, known.state};
+  const Observation measured{quantity, {value, 0}, known.state};
   return inverse::infer(std::span(&measured, 1), {.growth = growth});
 }
 
@@ -141,7 +141,7 @@ std::vector<Miss> coordination_misses(const std::vector<Known>& all, Quantity qu
     if (!wanted(known) || known.coordination < low || known.coordination > high ||
         known.overlap > largest_overlap)
       continue;
-    const auto answer = infer_from(known, quantity, inverse::Growth::fixed);
+    const auto answer = infer_from(known, quantity, inverse::GrowthRule::fixed);
     if (!answer.together)
       continue; // K below what any rigid network has
     const Measured z = answer.together->packing(known.state).mechanical_coordination_number;
@@ -151,7 +151,7 @@ std::vector<Miss> coordination_misses(const std::vector<Known>& all, Quantity qu
 }
 
 /// ln G as predicted from the first state of each specimen, minus ln G of its network there.
-std::vector<Miss> prediction_misses(const std::vector<Known>& all, inverse::Growth growth) {
+std::vector<Miss> prediction_misses(const std::vector<Known>& all, inverse::GrowthRule growth) {
   std::vector<Miss> misses;
   const Known* first = nullptr;
   std::optional<inverse::InferenceAnswer> answer;
@@ -188,12 +188,12 @@ bool run(const std::string& states, const std::string& beads) {
   std::printf("the same of K\n");
   (void)report("all", coordination_misses(own, Quantity::K, low, high, any), 1, "");
   std::printf("ln G predicted from the first pressure of each specimen, z* growing as own packings'\n");
-  const Summary grown = report("all", prediction_misses(own, inverse::Growth::packings), 0.01, " %");
+  const Summary grown = report("all", prediction_misses(own, inverse::GrowthRule::packings), 0.01, " %");
   const Summary beads_grown =
-      report("glass beads, fresh seeds", prediction_misses(fresh, inverse::Growth::packings), 0.01, " %");
+      report("glass beads, fresh seeds", prediction_misses(fresh, inverse::GrowthRule::packings), 0.01, " %");
   std::printf("the same with z* fixed\n");
-  const Summary fixed = report("all", prediction_misses(own, inverse::Growth::fixed), 0.01, " %");
-  (void)report("glass beads, fresh seeds", prediction_misses(fresh, inverse::Growth::fixed), 0.01, " %");
+  const Summary fixed = report("all", prediction_misses(own, inverse::GrowthRule::fixed), 0.01, " %");
+  (void)report("glass beads, fresh seeds", prediction_misses(fresh, inverse::GrowthRule::fixed), 0.01, " %");
 
   const bool holds = all.rms < 0.1 && all.within_two > 0.9 && of_beads.rms < 0.1 &&
                      grown.rms < 0.5 * fixed.rms && grown.within_two > 0.9 && beads_grown.within_two > 0.8;

@@ -168,12 +168,12 @@ struct Foretold {
 };
 
 inline Foretold foretell(const Grains& grains, const std::vector<Measured>& measured,
-                         granum::inverse::Growth growth, double n = porosity) {
+                         granum::inverse::GrowthRule growth, double n = porosity) {
   namespace inverse = granum::inverse;
   Foretold all;
   for (const Measured& known : measured) {
     const State state = spheres(grains, void_ratio_of(n), known.pressure);
-    const inverse::Measurement one{inverse::Quantity::V_s, {known.V_s, 0.01 * known.V_s}, state};
+    const inverse::Observation one{inverse::Quantity::V_s, {known.V_s, 0.01 * known.V_s}, state};
     const auto answer =
         inverse::infer(std::span(&one, 1), {.grain_density = grains.density, .growth = growth});
     if (!answer.together)

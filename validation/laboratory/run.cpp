@@ -14,7 +14,7 @@
 namespace {
 
 using namespace laboratory;
-using granum::inverse::Growth;
+using granum::inverse::GrowthRule;
 
 void write_pictures(const std::filesystem::path& folder, const Comparison& beads, const Comparison& sand) {
   const auto write = [&](const char* name, const granum::plot::Chart& picture) {

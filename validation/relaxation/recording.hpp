@@ -66,7 +66,7 @@ inline std::string short_number(double value) {
 inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio) {
   int iterations = 0;
   double residual = 0;
-  network::Options options;
+  network::ResponseOptions options;
   for (const double ratio : solved_ratios) {
     for (packing::Contact& contact : assembly.contacts)
       contact.tangential_stiffness = ratio * contact.normal_stiffness;

@@ -81,7 +81,7 @@ bool check(const Packing& which, const std::string& folder) {
   const analysis::Measurement a = analysis::measure(
       assembly,
       {.grain_shear_modulus = quartz.shear_modulus, .stiffness_from = packing::StiffnessFrom::force},
-      {.closed_forms = true, .network = network::Options{}});
+      {.closed_forms = true, .network = network::ResponseOptions{}});
   const double affine = a.network->isotropic_affine().shear_modulus();
   const double x0 = a.counts.mechanical.rattler_fraction, mean = mean_of(assembly.radius);
   const sizes::ContactMeans counted = sizes::with_reference(a.sizes.contacts, mean / a.sizes.equivalent);

@@ -110,7 +110,7 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
   const auto place = static_cast<std::size_t>(quantity);
   if (!(quantity >= 0) || place >= inverse::quantities().size())
     throw InvalidArgument("quantity", quantity, "", "the place of one that can be measured");
-  const inverse::Measurement measured{
+  const inverse::Observation measured{
       .quantity = inverse::quantities()[place].quantity,
       .value = {value, relative_error * value},
       .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,

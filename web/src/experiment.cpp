@@ -118,7 +118,7 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
   Experiment& e = experiment();
   Clock clock;
   const auto tell = [&clock] { return clock.tick([] { page_frame(); }); };
-  const triaxial::Preparation made = triaxial::frictionless_specimen(e.recipe, tell);
+  const triaxial::FrictionlessPacking made = triaxial::frictionless_specimen(e.recipe, tell);
   e.state = triaxial::start_of_compression(made.state, e.density, e.recipe, tell);
   draw(e, e.state);
 }
@@ -142,7 +142,7 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   const packing::Assembly packing = dem::contact_network(e.state, e.recipe.material);
   const analysis::Measurement found = analysis::measure(
       packing, {.law = e.recipe.material.law, .tangential_ratio = e.recipe.material.tangential_ratio},
-      {.closed_forms = true, .network = network::Options{}});
+      {.closed_forms = true, .network = network::ResponseOptions{}});
   const analysis::Network& network = found.solved_network();
   const elastic::Isotropic relaxed = network.isotropic_relaxed();
   double overlap = 0;

@@ -56,7 +56,7 @@ struct Wanted {
   bool closed_forms = false;                  ///< rungs 0 to 3 and uniform stress
   std::optional<double> interior_layer = {};  ///< left out at each wall [m]
   std::optional<Window> window = {};          ///< else: a part of the packing to look at
-  std::optional<network::Options> network = {}; ///< rung 4, the part that takes time
+  std::optional<network::ResponseOptions> network = {}; ///< rung 4, the part that takes time
 };
 
 /// All parts but those that need walls or a known law.

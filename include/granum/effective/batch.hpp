@@ -14,11 +14,11 @@
 namespace granum::effective {
 
 /// One input of a batch: the same value for every row, or one for each row. Refers to the caller's values.
-class Column {
+class BatchInput {
  public:
-  Column(double value) : value_(value) {}                                   // NOLINT: meant to convert
-  Column(std::span<const double> values) : values_(values) {}               // NOLINT: meant to convert
-  Column(const std::vector<double>& values) : values_(std::span(values)) {} // NOLINT: meant to convert
+  BatchInput(double value) : value_(value) {}                                   // NOLINT: meant to convert
+  BatchInput(std::span<const double> values) : values_(values) {}               // NOLINT: meant to convert
+  BatchInput(const std::vector<double>& values) : values_(std::span(values)) {} // NOLINT: meant to convert
 
   [[nodiscard]] bool varies() const { return values_.has_value(); }
   /// Rows of a column that varies.
@@ -37,9 +37,9 @@ struct PackingBatch {
   contact::PowerLaw law;             ///< normal contact of two grains, of the mean pair
   double tangential_ratio;           ///< k_t/k_n >= 0
   double radius;                     ///< R > 0 of a grain, or that `contacts` refer to [m]
-  Column pressure;                   ///< p in [0, 1e200] [Pa]
-  Column coordination_number;        ///< C_n in [0, 1e6], over all grains
-  Column porosity;                   ///< voids in the volume, in (0, 1); e/(1+e)
+  BatchInput pressure;               ///< p in [0, 1e200] [Pa]
+  BatchInput coordination_number;    ///< C_n in [0, 1e6], over all grains
+  BatchInput porosity;               ///< voids in the volume, in (0, 1); e/(1+e)
   sizes::ContactMeans contacts = {}; ///< those of equal grains where nothing is said
 };
 

@@ -74,6 +74,10 @@ struct Rung {
 /// The same with the exponents of G_vh.
 [[nodiscard]] RungAnswer answer_with_exponents(const Rung& rung, const State& packing);
 
+/// Whether a calibrated rung declines: z* is not above the isostatic point, where a network of contacts is
+/// not rigid. Its moduli are then zero, and it states no error of them.
+[[nodiscard]] bool declines(const RungAnswer& answer);
+
 /// Exponents of a modulus at frozen contacts: C_n, z* and a do not grow. At zero stress those of the
 /// isotropic path, their limit. Nothing where the modulus vanishes whatever the stress: without contacts,
 /// shear moduli of uniform stress at k_t = 0, C12 and C13 of uniform strain at k_t = k_n, or below the

@@ -17,6 +17,9 @@ namespace granum::elastic {
 /// \throws   InvalidArgument unless both come out positive and finite
 [[nodiscard]] Isotropic isotropic_projection(const VoigtStiffness& stiffness);
 
+/// G of the nearest isotropic stiffness [Pa], as above; of any sign.
+[[nodiscard]] double projected_shear_modulus(const TransverselyIsotropic& stiffness);
+
 /// Average over the rotations about axis 3.
 [[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness);
 

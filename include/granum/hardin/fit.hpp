@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -48,6 +49,11 @@ struct Fit {
   double rms_relative_residual = 0;   ///< of G measured over G fitted, minus 1 [1]
   std::size_t degrees_of_freedom = 0; ///< rows minus parameters
   Validity validity;
+
+  /// Correlation of m and n [1], where both were fitted.
+  [[nodiscard]] double correlation() const {
+    return covariance[1][2] / std::sqrt(covariance[1][1]) / std::sqrt(covariance[2][2]);
+  }
 };
 
 enum class FitStatus { converged, iteration_limit, no_progress };

@@ -23,7 +23,7 @@
 namespace granum::inverse {
 
 /// A measured value and the state it was measured at; the state's coordination number is not used.
-struct Measurement {
+struct Observation {
   Quantity quantity = Quantity::G_vh;
   Measured value; ///< > 0 [Pa or m/s]; errors below 0.01 % count as 0.01 %
   effective::State state;
@@ -45,7 +45,7 @@ struct InferenceOptions {
   double pore_density = 0;
   /// At the first measurement, where it is known; else that of effective::expected_rattlers.
   std::optional<double> rattler_fraction = std::nullopt;
-  Growth growth = Growth::packings;
+  GrowthRule growth = GrowthRule::packings;
   SharedInputs inputs = {};
   std::size_t iteration_limit = 100;
 };
@@ -64,7 +64,7 @@ struct InferredPacking {
 };
 
 /// A measurement beside what all of them together say of it.
-struct FittedMeasurement {
+struct FittedObservation {
   Measured value;       ///< as fitted [Pa or m/s]
   double deviation = 0; ///< ln of measured over fitted, in standard errors of measurement and rung 3
 };
@@ -79,22 +79,23 @@ class Inference {
   /// The stress that z*() belongs to: that of the first measurement [Pa].
   [[nodiscard]] double reference_stress() const { return reference_stress_; }
   /// Contacts at a state.
-  [[nodiscard]] InferredPacking packing(const effective::State& at, Specimen specimen = Specimen::same) const;
+  [[nodiscard]] InferredPacking packing(const effective::State& at,
+                                        AskedPacking specimen = AskedPacking::same) const;
   /// A quantity at another state of the same packing. What measurement and prediction have in common, as the
   /// error of the grains' modulus or of the preparation, cancels as far as they have it in common.
   /// \throws   InvalidArgument as relaxed(), for a speed without grain density, and for a compression wave in
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
-                                 Specimen specimen = Specimen::same) const;
+                                 AskedPacking specimen = AskedPacking::same) const;
   /// The packing at a state, with its contacts, to ask any rung.
-  [[nodiscard]] effective::State state(effective::State at, Specimen specimen = Specimen::same) const;
-  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under Growth::packings;
+  [[nodiscard]] effective::State state(effective::State at, AskedPacking specimen = AskedPacking::same) const;
+  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under GrowthRule::packings;
   /// else it stays that of the first measurement.
   [[nodiscard]] double void_ratio_at(double mean_stress) const;
 
-  [[nodiscard]] const std::vector<FittedMeasurement>& measurements() const { return fitted_; }
+  [[nodiscard]] const std::vector<FittedObservation>& measurements() const { return fitted_; }
   [[nodiscard]] const std::vector<ErrorShare>& error_shares() const { return shares_; }
-  /// g of Growth::fitted.
+  /// g of GrowthRule::fitted.
   [[nodiscard]] const std::optional<Measured>& growth_exponent() const { return growth_; }
   /// Sum of squared deviations, how many of them are free, and the probability that errors as stated make
   /// it so large; 1 where none is free.
@@ -110,7 +111,7 @@ class Inference {
   std::vector<double> parameters_;
   std::vector<double> covariance_; ///< by rows
   double reference_stress_ = 0;
-  std::vector<FittedMeasurement> fitted_;
+  std::vector<FittedObservation> fitted_;
   std::vector<ErrorShare> shares_;
   std::optional<Measured> growth_;
   double chi_square_ = 0;
@@ -136,11 +137,11 @@ struct InferenceAnswer {
 /// uncertain.
 /// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
-///           grain density, for a compression wave in wet pores, and for Growth::fitted at one stress;
+///           grain density, for a compression wave in wet pores, and for GrowthRule::fitted at one stress;
 ///           NotConverged if least squares fail
 /// Accuracy  a modulus computed at z* gives z* back to 1e-10. Errors: to first order
 /// Checked by tests/inverse/test_inference.cpp; own packings: validation/infer
-[[nodiscard]] InferenceAnswer infer(std::span<const Measurement> measurements,
+[[nodiscard]] InferenceAnswer infer(std::span<const Observation> measurements,
                                     const InferenceOptions& options);
 
 } // namespace granum::inverse

@@ -17,7 +17,7 @@ enum class SlidingContacts {
   release ///< k_t = 0: it goes on slipping
 };
 
-struct Options {
+struct ResponseOptions {
   SlidingContacts sliding = SlidingContacts::stick;
   /// Adds -(f_n/l)(1 - n n) on the relative displacement of two centres, and the turning forces of walls. For
   /// networks without tangential stiffness: the arms of forces do not turn, and grains that two frictional
@@ -116,6 +116,6 @@ class [[nodiscard]] Response {
 ///           bits, for any number of threads.
 /// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp,
 ///           tests/network/test_threads.cpp
-Response linear_response(const packing::Assembly& assembly, const Options& options = {});
+Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options = {});
 
 } // namespace granum::network

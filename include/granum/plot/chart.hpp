@@ -10,8 +10,7 @@
 
 #include <granum/plot/palette.hpp>
 
-/// Pictures of results: y over x, lines and markers, as SVG text that needs nothing from outside, and as a
-/// gnuplot script that redraws the picture from the CSV file with the numbers.
+/// Pictures of results: y over x, lines and markers, as SVG text that needs nothing from outside.
 /// Checked by tests/plot/test_chart.cpp
 namespace granum::plot {
 
@@ -96,20 +95,5 @@ struct Chart {
 
 /// One chart as a part of a page of html_page (plot/page.hpp), which has the rules for dark screens.
 [[nodiscard]] std::string svg_in_page(const Chart& chart);
-
-/// Where the numbers of a series stand: columns of a CSV file, by their whole headings.
-struct CsvColumns {
-  std::string x;
-  std::string y;
-  std::string y_error = {}; ///< empty: no error bars
-};
-
-/// A gnuplot script that draws the chart from a CSV file.
-/// \param    csv       path of that file, as seen from the folder where gnuplot runs
-/// \param    columns   one for each series; the columns are in the units of the chart's numbers
-/// \param    picture   path of the SVG file that gnuplot is to write
-/// \throws   InvalidArgument as svg, and if there are not as many columns as series
-[[nodiscard]] std::string gnuplot_script(const Chart& chart, const std::string& csv,
-                                         const std::vector<CsvColumns>& columns, const std::string& picture);
 
 } // namespace granum::plot

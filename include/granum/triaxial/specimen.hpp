@@ -53,7 +53,7 @@ void require_valid(const SpecimenRecipe& recipe);
 [[nodiscard]] std::vector<double> drawn_sizes(const SpecimenRecipe& recipe);
 
 /// A specimen and how well each stage of its preparation converged.
-struct Preparation {
+struct FrictionlessPacking {
   dem::Specimen state;
   std::size_t minimiser_steps = 0;
   dem::RelaxReport last; ///< of the stage at first_pressure
@@ -65,12 +65,12 @@ struct Preparation {
 /// the tolerance of compression_options() too. After friction is switched on, G of 1,000 spheres is within
 /// 1e-3 of what 1e-6 leads to (15 of 16 specimens; the other one went on to another packing, 1.6 % softer at
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
-/// (see Preparation::last), and come to rest once friction is on.
+/// (see FrictionlessPacking::last), and come to rest once friction is on.
 /// Same recipe, same bits. The law, the seed, the sizes and their number decide; friction and density
 /// kind do not.
 /// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive; Stopped if so asked
-[[nodiscard]] Preparation frictionless_specimen(const SpecimenRecipe& recipe,
-                                                const StopRequest& stop_requested = {});
+[[nodiscard]] FrictionlessPacking frictionless_specimen(const SpecimenRecipe& recipe,
+                                                        const StopRequest& stop_requested = {});
 
 /// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and
 /// removes overlaps: no contact carries force afterwards.

@@ -107,7 +107,7 @@ std::optional<io::CsvBox> parse_box(const std::string& text) {
   return io::CsvBox{.cell = Mat3::diagonal(edges[0], edges[1], edges[2])};
 }
 
-PrintedStress parse_stress(const std::string& text) {
+studies::PrintedStress parse_stress(const std::string& text) {
   return parse_list<6>("--stress", text, Dimension::pressure, "six stresses, xx,yy,zz,xy,xz,yz");
 }
 
@@ -197,7 +197,7 @@ studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) 
   return out;
 }
 
-MeasureOptions measure_options(const AnalyseOptions& o) {
+studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   analysis::Given out{.law_family = law_family(o.packing),
                       .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
   if (o.packing.grain_shear_modulus.given())
@@ -218,8 +218,8 @@ MeasureOptions measure_options(const AnalyseOptions& o) {
     wanted.network.reset();
   else
     wanted.network->threads = studies::thread_count(o.threads.value_or(0));
-  MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
-                         parse_window(o.window, o.depth)};
+  studies::MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
+                                  parse_window(o.window, o.depth)};
   return options;
 }
 

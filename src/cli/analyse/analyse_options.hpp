@@ -65,7 +65,7 @@ struct FrameChoice {
 
 /// "49kPa,50kPa,51kPa,-0.3kPa,0.4kPa,-0.3kPa".
 /// \throws   InvalidArgument
-[[nodiscard]] PrintedStress parse_stress(const std::string& text);
+[[nodiscard]] studies::PrintedStress parse_stress(const std::string& text);
 
 /// "x0..x1,y0..y1,z0..z1", each end a length or nothing, and "d0..d1" below the top; nothing for no text.
 /// \throws   InvalidArgument
@@ -76,15 +76,7 @@ struct FrameChoice {
 /// \throws   InvalidArgument
 [[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
 
-/// What is given of the packings, and what is to be measured.
-struct MeasureOptions {
-  analysis::Given given;
-  analysis::Wanted wanted;
-  studies::MaterialsByType materials = {};
-  std::optional<studies::WindowChoice> window = {};
-};
-
 /// \throws   InvalidArgument for options that contradict one another
-[[nodiscard]] MeasureOptions measure_options(const AnalyseOptions& options);
+[[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <utility>
 
-#include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
-#include <granum/fabric/orientation.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 
+#include "analyse_fields.hpp"
 #include "analyse_page.hpp"
 #include "analyse_series.hpp"
-#include "analyse_stiffness.hpp"
 #include "cli/frame/frame.hpp"
 
 namespace granum::cli {
 
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 std::vector<std::pair<std::string, std::string>> notes(const AnalyseAnswer& answer) {
   std::vector<std::pair<std::string, std::string>> out{
@@ -30,42 +27,87 @@ std::vector<std::pair<std::string, std::string>> notes(const AnalyseAnswer& answ
 }
 
 std::string frames_csv(const AnalyseAnswer& answer) {
-  io::CsvContent csv{.notes = notes(answer), .headings = {}, .rows = {}};
-  const io::Columns<FrameAnswer> columns = frame_columns(answer);
+  io::Columns<FrameAnswer> columns = frame_fields(answer.frames.front());
+  std::map<std::size_t, std::string> names; // of the series that a frame is of, by its number
+  for (const StateSeries& series : answer.series)
+    for (const std::size_t k : series.frames)
+      names[answer.frames[k].number] = series.name;
+  if (answer.series.size() > 1)
+    columns.insert(columns.begin() + 1,
+                   {"series", "", [names](const FrameAnswer& f) { return names.at(f.number); }});
+  return io::csv_text(columns, answer.frames, notes(answer));
+}
+
+/// A table with a row for each of a list that frames have, headed by the number of the frame.
+template <class Row, class RowsOf>
+std::string csv_of_frames(const AnalyseAnswer& answer, const io::Columns<Row>& columns,
+                          const RowsOf& rows_of) {
+  io::CsvContent csv{.notes = notes(answer), .headings = {"frame"}, .rows = {}};
   io::add_headings(csv, columns);
-  for (const FrameAnswer& frame : answer.frames) {
-    std::vector<io::CsvCell> row;
-    io::add_cells(row, columns, frame);
-    csv.rows.push_back(std::move(row));
-  }
+  for (const FrameAnswer& frame : answer.frames)
+    for (const Row& row : rows_of(frame)) {
+      csv.rows.push_back({static_cast<double>(frame.number)});
+      io::add_cells(csv.rows.back(), columns, row);
+    }
   return io::csv_text(csv);
 }
 
 std::string rose_csv(const AnalyseAnswer& answer) {
-  io::CsvContent csv{.notes = notes(answer),
-                     .headings = {"frame", "gamma_low_deg", "gamma_high_deg", "count", "count_error",
-                                  "expected_count", "density", "density_error", "expected_density"},
-                     .rows = {}};
-  for (const FrameAnswer& frame : answer.frames)
-    if (frame.measured.packing.fabric)
-      for (const fabric::RoseBin& bin : frame.measured.packing.fabric->rose)
-        csv.rows.push_back({number(frame.number), bin.low * degrees, bin.high * degrees, number(bin.count),
-                            bin.count_error, bin.expected_count, bin.density, bin.density_error,
-                            bin.expected_density});
-  return io::csv_text(csv);
+  using Bin = fabric::RoseBin;
+  const auto in_degrees = [](double Bin::*angle) {
+    return [=](const Bin& bin) { return bin.*angle * (180 / std::numbers::pi); };
+  };
+  return csv_of_frames<Bin>(answer,
+                            {{"gamma_low_deg", "", in_degrees(&Bin::low)},
+                             {"gamma_high_deg", "", in_degrees(&Bin::high)},
+                             {"count", "", &Bin::count},
+                             {"count_error", "", &Bin::count_error},
+                             {"expected_count", "", &Bin::expected_count},
+                             {"density", "", &Bin::density},
+                             {"density_error", "", &Bin::density_error},
+                             {"expected_density", "", &Bin::expected_density}},
+                            [](const FrameAnswer& frame) {
+                              const auto& fabric = frame.measured.packing.fabric;
+                              return fabric ? fabric->rose : std::vector<Bin>{};
+                            });
 }
 
 std::string forces_csv(const AnalyseAnswer& answer) {
-  io::CsvContent csv{
-      .notes = notes(answer),
-      .headings = {"frame", "f_over_mean_low", "f_over_mean_high", "count", "density", "density_error"},
-      .rows = {}};
-  for (const FrameAnswer& frame : answer.frames)
-    if (frame.measured.packing.forces)
-      for (const packing::ForceBin& bin : frame.measured.packing.forces->distribution.bins)
-        csv.rows.push_back(
-            {number(frame.number), bin.low, bin.high, number(bin.count), bin.density, bin.density_error});
-  return io::csv_text(csv);
+  using Bin = packing::ForceBin;
+  return csv_of_frames<Bin>(answer,
+                            {{"f_over_mean_low", "", &Bin::low},
+                             {"f_over_mean_high", "", &Bin::high},
+                             {"count", "", &Bin::count},
+                             {"density", "", &Bin::density},
+                             {"density_error", "", &Bin::density_error}},
+                            [](const FrameAnswer& frame) {
+                              const auto& forces = frame.measured.packing.forces;
+                              return forces ? forces->distribution.bins : std::vector<Bin>{};
+                            });
+}
+
+/// A row of a matrix of the network.
+struct MatrixRow {
+  NamedMatrix matrix;
+  int row = 0;
+};
+
+std::vector<MatrixRow> matrix_rows(const FrameAnswer& frame) {
+  std::vector<MatrixRow> rows;
+  for (const NamedMatrix& matrix : network_matrices(frame))
+    for (int row = 0; row < 6; ++row)
+      rows.push_back({matrix, row});
+  return rows;
+}
+
+std::string stiffness_csv(const AnalyseAnswer& answer) {
+  io::Columns<MatrixRow> columns = {{"matrix", "", [](const MatrixRow& row) { return row.matrix.name; }},
+                                    {"row", "", [](const MatrixRow& row) { return voigt_names[row.row]; }}};
+  for (int k = 0; k < 6; ++k)
+    columns.emplace_back(std::string(voigt_names[k]) + "_Pa", "", [k](const MatrixRow& row) {
+      return row.matrix.matrix->stiffness.matrix(row.row, k);
+    });
+  return csv_of_frames(answer, columns, matrix_rows);
 }
 
 } // namespace
@@ -77,11 +119,8 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   const FrameAnswer& last = answer.frames.back();
   add("frames.csv", frames_csv(answer));
   if (std::any_of(answer.frames.begin(), answer.frames.end(),
-                  [](const FrameAnswer& frame) { return !network_matrices(frame).empty(); })) {
-    io::CsvContent stiffness = stiffness_csv(answer);
-    stiffness.notes = notes(answer);
-    add("stiffness.csv", io::csv_text(stiffness));
-  }
+                  [](const FrameAnswer& frame) { return !network_matrices(frame).empty(); }))
+    add("stiffness.csv", stiffness_csv(answer));
   if (last.measured.packing.fabric) {
     add("rose.csv", rose_csv(answer));
     add("rose.svg", plot::svg(rose_chart(last)));

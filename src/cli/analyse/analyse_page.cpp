@@ -12,6 +12,7 @@
 #include <granum/plot/page.hpp>
 #include <granum/plot/svg_text.hpp>
 
+#include "analyse_fields.hpp"
 #include "analyse_series.hpp"
 
 namespace granum::cli {
@@ -110,21 +111,12 @@ std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
   return out;
 }
 
-std::string rungs_table(const FrameAnswer& frame) {
-  std::vector<std::vector<std::string>> rows;
-  for (const RungResult& rung : frame.rungs) {
-    if (!rung.moduli) {
-      rows.push_back({rung.title, rung.error, "", "", "", ""});
-      continue;
-    }
-    const Moduli& m = *rung.moduli;
-    std::vector<std::string> row{rung.title};
-    for (const double modulus : {m.K, m.G, m.G_hh, m.G_vh})
-      row.push_back(short_text(modulus / 1e6, 4));
-    row.push_back(rung.relative_error ? "\u00b1 " + percent_text(rung.relative_error->G_vh) : "");
-    rows.push_back(std::move(row));
-  }
-  return plot::html_table({"MPa", "K", "G", "G_hh", "G_vh", "error of G_vh"}, rows);
+/// Every rung, and why one says nothing.
+std::string rungs_table(const std::vector<RungResult>& rungs) {
+  io::Columns<RungResult> fields = rung_fields();
+  fields.front().shown = io::ShownColumn{.heading = "", .width = 1};
+  std::rotate(fields.begin(), fields.begin() + 1, fields.end());
+  return io::page_table(fields, rungs);
 }
 
 std::string pictures(const AnalyseAnswer& answer) {
@@ -309,7 +301,7 @@ std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) 
       plot::html_first_screen("How stiff is this packing, and how near do the closed forms come?",
                               first_sentences(answer), first) +
       states_section(answer) + pictures(answer) + warnings(answer) +
-      plot::html_section("rungs", "Every rung", rungs_table(last)) +
+      plot::html_section("rungs", "Every rung", rungs_table(last.rungs)) +
       plot::html_section(
           "all", "All that was found",
           plot::html_folded("As the terminal shows it",

@@ -2,7 +2,6 @@
 #include "analyse_stress.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <fmt/core.h>
@@ -47,22 +46,17 @@ void take_from_file(const std::string& path, std::vector<FrameAnswer>& frames) {
   const std::vector<std::size_t> rows = rows_of(table, path, frames);
   for (FrameAnswer& frame : frames)
     frame.code_stress.emplace();
-  for (std::size_t k = 0; k < std::size(stress_names); ++k) {
+  for (std::size_t k = 0; k < std::size(studies::stress_names); ++k) {
     const std::string sigma =
-        std::string("sigma_") + stress_names[k]; // as the decks of granum export have it
+        std::string("sigma_") + studies::stress_names[k]; // as the decks of granum export have it
     const std::vector<double> column =
-        table.numbers(table.has(sigma) ? sigma : stress_names[k], Dimension::pressure);
+        table.numbers(table.has(sigma) ? sigma : studies::stress_names[k], Dimension::pressure);
     for (std::size_t f = 0; f < frames.size(); ++f)
       (*frames[f].code_stress)[k] = column[rows[f]];
   }
 }
 
 } // namespace
-
-PrintedStress printed(const packing::ContactStress& stress) {
-  const Mat3& s = stress.tensor; // f_i l_j
-  return {s(0, 0), s(1, 1), s(2, 2), s(1, 0), s(2, 0), s(2, 1)};
-}
 
 void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAnswer>& frames) {
   if (given.empty())
@@ -80,17 +74,9 @@ void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAn
 
 void judge_code_stress(const FrameAnswer& frame, Validity& out) {
   constexpr double agrees = 1e-6;
-  if (!frame.code_stress || !frame.measured.packing.stress)
-    return;
-  const PrintedStress stress = printed(*frame.measured.packing.stress);
-  double largest = 0, apart = 0;
-  for (std::size_t k = 0; k < stress.size(); ++k) {
-    largest = std::max(largest, std::abs((*frame.code_stress)[k]));
-    apart = std::max(apart, std::abs(stress[k] - (*frame.code_stress)[k]));
-  }
-  if (apart > agrees * largest)
+  if (const auto apart = studies::largest_stress_difference(frame); apart && *apart > agrees)
     out.add(fmt::format("the stress by contacts differs from the code's own by {} of its largest component",
-                        short_text(apart / largest, 2)));
+                        short_text(*apart, 2)));
 }
 
 } // namespace granum::cli

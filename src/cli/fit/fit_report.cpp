@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <granum/io/csv/columns.hpp>
 
+#include "cli/frame/json_members.hpp"
 #include "fit.hpp"
 
 namespace granum::cli {
@@ -21,97 +23,79 @@ std::optional<double> alpha_of(const hardin::Fit& fit) {
   return s > 0 && s <= 0.5 ? std::optional(1 / s - 1) : std::nullopt;
 }
 
-/// 1/(1+alpha) beside s.
-std::string contacts_text(const hardin::Fit& fit) {
-  std::string text;
+io::ShownColumn shown(std::string label, int digits, std::string meaning = "") {
+  return {.heading = std::move(label), .digits = digits, .fixed = true, .meaning = std::move(meaning)};
+}
+
+/// Adds a number of the fit, null where it is not fitted; JSON has the errors in an object of their own.
+void add_number(io::Items& to, const std::string& name, const std::optional<Measured>& of,
+                io::ShownColumn look) {
+  io::add_item(to, name, of ? io::Value(of->value) : nullptr);
+  io::add_item(to, "standard_errors/" + name, of ? io::Value(of->standard_error) : nullptr);
+  io::add_item(to, "", of, std::move(look));
+}
+
+io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report) {
+  const hardin::Fit& fit = report.fit();
+  const double c = fit.coefficient.value, c_digits = std::clamp(3 - std::floor(std::log10(c)), 0.0, 12.0);
+  io::Items list;
+  add_number(list, "C", fit.coefficient,
+             shown("C", static_cast<int>(c_digits),
+                   "C p_a = " + pretty(c * question.atmospheric_pressure, Dimension::pressure)));
+  add_number(list, "m", fit.exponent_i, shown("m", 4, "exponent of " + question.stress_i_column));
+  add_number(list, "n", fit.exponent_j, shown("n", 4, "exponent of " + question.stress_j_column));
+  add_number(list, "s", fit.exponent_sum,
+             shown(fit.exponent_i ? "s = m + n" : "s", 4, "exponent of mean stress"));
   for (const auto& [name, alpha] : contact_shapes)
-    text += fmt::format("  {:<11} {:>10.4f}  {:<13} contacts of a {}, as many at every stress\n",
-                        "1/(1+alpha)", 1 / (1 + alpha), "", name);
-  if (const auto alpha = alpha_of(fit))
-    return text +
-           fmt::format("  {:<11} {:>10.2f}  {:<13} of such contacts with this s\n", "alpha", *alpha, "");
-  const bool more = fit.exponent_sum.value > 0.5;
-  return text +
-         (more ? "  s above 0.5: contacts form as the stress grows, or f(e) leaves a part of it to s\n" : "");
+    io::add_item(list, std::string("one_over_one_plus_alpha/") + name, 1 / (1 + alpha),
+                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, none new", name)));
+  io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr,
+               shown("alpha", 2, "of such contacts with this s"));
+  if (fit.exponent_i)
+    io::add_item(list, "", fit.correlation(), shown("correlation of m and n", 3));
+  io::add_item(list, "covariance/parameters", fit.parameters);
+  io::add_item(list, "covariance/matrix", fit.covariance);
+  io::add_item(list, "R2", fit.r_squared ? io::Value(*fit.r_squared) : nullptr, shown("R^2", 6));
+  io::add_item(list, "rms_relative_residual", fit.rms_relative_residual,
+               io::ShownColumn{.heading = "rms residual of G", .digits = 2, .unit = 0.01, .symbol = " %"});
+  io::add_item(list, "residuals", fit.residuals);
+  io::add_item(list, "degrees_of_freedom", fit.degrees_of_freedom, shown("degrees of freedom", 0));
+  io::add_item(list, "iterations", report.iterations(), shown("iterations", 0));
+  io::add_item(list, "notes", fit.validity.notes);
+  return list;
 }
 
 } // namespace
 
-ordered_json fit_json(const FitQuestion& options, const hardin::FitReport& report) {
-  const hardin::Fit& fit = report.fit();
-  const auto value = [](const auto& estimate) {
-    return estimate ? ordered_json(estimate->value) : ordered_json();
-  };
-  const auto error = [](const auto& estimate) {
-    return estimate ? ordered_json(estimate->standard_error) : ordered_json();
-  };
+ordered_json fit_json(const FitQuestion& question, const hardin::FitReport& report) {
   ordered_json json = json_head("fit");
-  json["inputs"] = {{"file", options.file},
-                    {"rows", fit.residuals.size()},
-                    {"modulus_column", options.modulus_column},
-                    {"stress_i_column", options.stress_i_column},
-                    {"stress_j_column", options.stress_j_column},
-                    {"void_ratio_column", options.void_ratio_column},
-                    {"void_ratio_function", options.void_ratio_function},
-                    {"atmospheric_pressure", options.atmospheric_pressure},
-                    {"weights", options.weights},
-                    {"sum_only", options.sum_only}};
-  json["C"] = fit.coefficient.value;
-  json["m"] = value(fit.exponent_i);
-  json["n"] = value(fit.exponent_j);
-  json["s"] = fit.exponent_sum.value;
-  json["alpha"] = alpha_of(fit) ? ordered_json(*alpha_of(fit)) : ordered_json();
-  for (const auto& [name, alpha] : contact_shapes)
-    json["one_over_one_plus_alpha"][name] = 1 / (1 + alpha);
-  json["standard_errors"] = {{"C", fit.coefficient.standard_error},
-                             {"m", error(fit.exponent_i)},
-                             {"n", error(fit.exponent_j)},
-                             {"s", fit.exponent_sum.standard_error}};
-  json["covariance"] = {{"parameters", fit.parameters}, {"matrix", fit.covariance}};
-  json["R2"] = fit.r_squared ? ordered_json(*fit.r_squared) : ordered_json();
-  json["rms_relative_residual"] = fit.rms_relative_residual;
-  json["residuals"] = fit.residuals;
-  json["degrees_of_freedom"] = fit.degrees_of_freedom;
-  json["iterations"] = report.iterations();
-  json["notes"] = fit.validity.notes;
+  json["inputs"] = {{"file", question.file},
+                    {"rows", report.fit().residuals.size()},
+                    {"modulus_column", question.modulus_column},
+                    {"stress_i_column", question.stress_i_column},
+                    {"stress_j_column", question.stress_j_column},
+                    {"void_ratio_column", question.void_ratio_column},
+                    {"void_ratio_function", question.void_ratio_function},
+                    {"atmospheric_pressure", question.atmospheric_pressure},
+                    {"weights", question.weights},
+                    {"sum_only", question.sum_only}};
+  put_members(json, fit_items(question, report), io::Only{});
   return json;
 }
 
-std::string fit_table(const FitQuestion& options, const hardin::FitReport& report) {
+std::string fit_table(const FitQuestion& question, const hardin::FitReport& report) {
   const hardin::Fit& fit = report.fit();
-  const std::string& i = options.stress_i_column;
-  const std::string& j = options.stress_j_column;
-  std::string text;
-  const auto line = [&text](const char* symbol, const Measured& e, int digits, const std::string& meaning) {
-    text += fmt::format("  {:<11} {:>10.{}f}  +- {:<10.2g} {}\n", symbol, e.value, digits, e.standard_error,
-                        meaning);
-  };
-  const bool separate = fit.exponent_i.has_value();
-  const std::string stresses = separate ? fmt::format("({}/p_a)^m ({}/p_a)^n", i, j)
-                               : i == j ? fmt::format("({}/p_a)^s", i)
-                                        : fmt::format("(sqrt({} {})/p_a)^s", i, j);
-  text += fmt::format("{} = C p_a f(e) {}\n", options.modulus_column, stresses);
-  text += fmt::format("{} rows of {}; p_a = {}, f(e) {}, {} residuals\n\n", fit.residuals.size(),
-                      options.file, pretty(options.atmospheric_pressure, Dimension::pressure),
-                      options.void_ratio_function, options.weights);
-  text += fmt::format("  {:<11} {:>10}  {}\n", "", "value", "+- standard error");
-  const double c_digits = 3 - std::floor(std::log10(fit.coefficient.value));
-  line("C", fit.coefficient, static_cast<int>(std::clamp(c_digits, 0.0, 12.0)),
-       "C p_a = " + pretty(fit.coefficient.value * options.atmospheric_pressure, Dimension::pressure));
-  if (separate) {
-    line("m", *fit.exponent_i, 4, "exponent of " + i);
-    line("n", *fit.exponent_j, 4, "exponent of " + j);
-  }
-  line(separate ? "s = m + n" : "s", fit.exponent_sum, 4, "exponent of mean stress");
-  text += contacts_text(fit);
-  if (separate)
-    text +=
-        fmt::format("\n  correlation of m and n {:.3f}",
-                    fit.covariance[1][2] / std::sqrt(fit.covariance[1][1]) / std::sqrt(fit.covariance[2][2]));
-  text += fmt::format("\n  R^2 {}; rms residual {:.2g} % of G; degrees of freedom {}; iterations {}\n",
-                      fit.r_squared ? fmt::format("{:.6f}", *fit.r_squared) : "undefined (all moduli equal)",
-                      100 * fit.rms_relative_residual, fit.degrees_of_freedom, report.iterations());
-  return text;
+  const std::string &i = question.stress_i_column, &j = question.stress_j_column;
+  const std::string stresses = fit.exponent_i ? fmt::format("({}/p_a)^m ({}/p_a)^n", i, j)
+                               : i == j       ? fmt::format("({}/p_a)^s", i)
+                                              : fmt::format("(sqrt({} {})/p_a)^s", i, j);
+  const bool forms = !alpha_of(fit) && fit.exponent_sum.value > 0.5;
+  return fmt::format(
+      "{} = C p_a f(e) {}\n{} rows of {}; p_a = {}, f(e) {}, {} residuals\n\n{}{}", question.modulus_column,
+      stresses, fit.residuals.size(), question.file,
+      pretty(question.atmospheric_pressure, Dimension::pressure), question.void_ratio_function,
+      question.weights, io::list_text(fit_items(question, report), io::Only{}),
+      forms ? "\ns above 0.5: contacts form as the stress grows, or f(e) leaves a part of it to s\n" : "");
 }
 
 plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,

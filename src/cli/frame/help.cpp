@@ -46,11 +46,13 @@ void append_entry(std::string& text, const std::string& name, const std::string&
   append_wrapped(text, meaning_column, meaning, meaning_column);
 }
 
-/// A line of a footer. One that has columns goes on below its last one, others below their first word.
-void append_footer_line(std::string& text, std::string_view line) {
+/// A line that fits: one that has columns goes on below its last one that leaves room, others below their first word.
+void append_line(std::string& text, std::string_view line) {
+  constexpr std::size_t room = 24;
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
-  const std::size_t gap = line.find("  ", begin);
-  const std::size_t last = gap == std::string_view::npos ? begin : line.find_first_not_of(' ', gap);
+  const std::size_t gap = line.rfind("  ", line_width - room);
+  const std::size_t last =
+      gap == std::string_view::npos || gap < begin ? begin : line.find_first_not_of(' ', gap);
   if (width(line) <= line_width || last == std::string_view::npos) {
     text += std::string(line) + '\n';
     return;
@@ -224,8 +226,18 @@ std::string help_text(const CLI::App& command) {
   if (!command.get_footer().empty())
     text += '\n';
   for (std::string line; std::getline(footer, line);)
-    append_footer_line(text, line);
+    append_line(text, line);
   return text;
+}
+
+std::string within_width(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    append_line(out, text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
 }
 
 } // namespace granum::cli

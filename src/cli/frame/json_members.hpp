@@ -1,41 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include <granum/io/csv/columns.hpp>
 #include <nlohmann/json.hpp>
 
 namespace granum::cli {
 
-/// What stands in JSON for a number that a row does not have.
-enum class Absent { left_out, null };
+/// A value with its error is an object of both; nothing is null.
+[[nodiscard]] inline nlohmann::ordered_json json_of(const io::Value& value) {
+  return std::visit(
+      [](const auto& one) -> nlohmann::ordered_json {
+        using One = std::decay_t<decltype(one)>;
+        if constexpr (std::same_as<One, std::monostate>)
+          return nullptr;
+        else if constexpr (std::same_as<One, Measured>)
+          return {{"value", one.value}, {"standard_error", one.standard_error}};
+        else
+          return one;
+      },
+      value);
+}
 
-/// The numbers of a row as members of an object, each at the key of its column.
+/// What a row has as members of an object, each at the key of its column; nothing is left out.
 template <class Row>
-void put_members(nlohmann::ordered_json& object, const io::Columns<Row>& columns, const Row& row,
-                 Absent absent = Absent::left_out) {
-  for (const io::Column<Row>& column : columns) {
-    const std::optional<double> number = column.of(row);
-    if (column.key.empty() || (!number && absent == Absent::left_out))
-      continue;
-    nlohmann::ordered_json& member = object[nlohmann::ordered_json::json_pointer("/" + column.key)];
-    if (!number)
-      member = nullptr;
-    else if (column.kind == io::ColumnKind::count)
-      member = static_cast<std::uint64_t>(*number);
-    else
-      member = *number;
-  }
+void put_members(nlohmann::ordered_json& object, const io::Columns<Row>& columns, const Row& row) {
+  for (const io::Column<Row>& column : columns)
+    if (!column.key.empty())
+      if (const io::Value value = column.of(row); value.index() != 0)
+        object[nlohmann::ordered_json::json_pointer("/" + column.key)] = json_of(value);
 }
 
 template <class Row>
-[[nodiscard]] nlohmann::ordered_json members(const io::Columns<Row>& columns, const Row& row,
-                                             Absent absent = Absent::left_out) {
+[[nodiscard]] nlohmann::ordered_json members(const io::Columns<Row>& columns, const Row& row) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  put_members(object, columns, row, absent);
+  put_members(object, columns, row);
   return object;
+}
+
+/// An object for each row.
+template <class Row>
+[[nodiscard]] nlohmann::ordered_json members_of_all(const io::Columns<Row>& columns,
+                                                    const std::vector<Row>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Row& row : rows)
+    list.push_back(members(columns, row));
+  return list;
+}
+
+/// What stands at the key of a column in an object that put_members made.
+[[nodiscard]] inline io::Value value_at(const nlohmann::ordered_json& object, const std::string& key) {
+  const nlohmann::ordered_json::json_pointer place("/" + key);
+  if (!object.contains(place) || object.at(place).is_null())
+    return {};
+  const nlohmann::ordered_json& at = object.at(place);
+  if (at.is_object())
+    return Measured{at.at("value").get<double>(), at.at("standard_error").get<double>()};
+  if (at.is_boolean())
+    return at.get<bool>();
+  if (at.is_number_integer())
+    return at.get<std::int64_t>();
+  return at.is_number() ? io::Value(at.get<double>()) : io::Value(at.get<std::string>());
+}
+
+/// The table of a page again from the objects that members_of_all made: columns that JSON does not have are not there.
+template <class Row>
+[[nodiscard]] std::string page_table_of(const io::Columns<Row>& columns, const nlohmann::ordered_json& rows) {
+  io::Columns<nlohmann::ordered_json> read;
+  for (const io::Column<Row>& column : columns)
+    if (!column.key.empty())
+      read.emplace_back(
+          "", "", [key = column.key](const nlohmann::ordered_json& row) { return value_at(row, key); },
+          column.shown);
+  return io::page_table(read, std::vector<nlohmann::ordered_json>(rows.begin(), rows.end()));
 }
 
 } // namespace granum::cli

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "studies/verify/study.hpp"
+#include "studies/running/run_control.hpp"
 
 namespace granum::cli {
 

@@ -48,7 +48,7 @@ void add_measured_options(CLI::App& command, InferOptions& o) {
 
 std::vector<std::string> growth_names() {
   std::vector<std::string> names;
-  for (const inverse::Growth growth : inverse::all_growths)
+  for (const inverse::GrowthRule growth : inverse::all_growth_rules)
     names.emplace_back(name(growth));
   return names;
 }

@@ -35,7 +35,7 @@ struct InferOptions {
   Number measurement_error;            ///< relative, of those that state none
   AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
-  std::string growth{name(inverse::Growth::packings)};
+  std::string growth{name(inverse::GrowthRule::packings)};
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;
@@ -47,12 +47,12 @@ struct InferOptions {
 /// A state to predict for.
 struct PredictedState {
   effective::State state;
-  inverse::Specimen specimen = inverse::Specimen::same;
+  inverse::AskedPacking specimen = inverse::AskedPacking::same;
 };
 
 /// The question: measurements, what they share, and where something is to be predicted.
 struct InferCase {
-  std::vector<inverse::Measurement> measurements;
+  std::vector<inverse::Observation> measurements;
   inverse::InferenceOptions options;
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI

@@ -18,7 +18,7 @@ namespace granum::cli {
 namespace {
 
 using effective::State;
-using inverse::Measurement;
+using inverse::Observation;
 
 /// The packing without its contacts, which are what is asked for.
 PackingOptions without_contacts(PackingOptions o) {
@@ -32,8 +32,8 @@ double share_of(const Number& number) {
 
 // ---- measurements
 
-std::vector<Measurement> measurements_of_options(const InferOptions& o) {
-  std::vector<Measurement> all;
+std::vector<Observation> measurements_of_options(const InferOptions& o) {
+  std::vector<Observation> all;
   for (std::size_t k = 0; k < o.measured.size(); ++k) {
     if (o.measured[k].empty())
       continue;
@@ -54,8 +54,8 @@ std::vector<Measurement> measurements_of_options(const InferOptions& o) {
 /// A measured quantity of a table, and its error if that has a column.
 struct MeasuredColumn {
   inverse::Quantity quantity;
-  io::CsvTable::Column value;
-  std::optional<io::CsvTable::Column> error;
+  io::CsvTable::Place value;
+  std::optional<io::CsvTable::Place> error;
 };
 
 std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingRows& rows) {
@@ -81,7 +81,7 @@ std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingR
 
 /// The number in a field, SI; nothing where it is empty.
 std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
-                                const io::CsvTable::Column& column) {
+                                const io::CsvTable::Place& column) {
   const std::string& field = table.fields(row)[column.index];
   if (trimmed(field).empty())
     return std::nullopt;
@@ -264,7 +264,7 @@ std::vector<PredictedState> predicted_states(const InferOptions& o, const State&
     predicted.state.stress_h = ratio * predicted.state.stress_v;
     if (o.predict_void_ratio.given()) {
       predicted.state.void_ratio = require_positive(o.predict_void_ratio.name, o.predict_void_ratio.value);
-      predicted.specimen = inverse::Specimen::prepared_alike;
+      predicted.specimen = inverse::AskedPacking::prepared_alike;
     }
     states.push_back(predicted);
   }
@@ -296,7 +296,7 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
 
 void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
   for (auto& [state, specimen] : question.predicted)
-    if (specimen == inverse::Specimen::same)
+    if (specimen == inverse::AskedPacking::same)
       state.void_ratio = fit.void_ratio_at(state.mean_stress());
 }
 
@@ -316,7 +316,7 @@ InferCase infer_case(const InferOptions& given) {
   question.packing = packing_json(packing, first);
   question.options = {.grain_density = o.grains.grain_density.value,
                       .pore_density = elastic::water_density * require_share(o.grains.saturation),
-                      .growth = inverse::growth_of(o.growth),
+                      .growth = inverse::growth_rule_of(o.growth),
                       .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
   if (o.packing.rattler_fraction.given())
     question.options.rattler_fraction = o.packing.rattler_fraction.value;

@@ -80,14 +80,14 @@ std::string measurement_lines(const InferCase& question, const InferenceAnswer& 
   std::string text = fmt::format("\n{:<30} {:>6} {:>21} {:>14} {:>11} {:>8}\n", "measured", "", "",
                                  "z* alone", "together", "off by");
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
-    const inverse::Measurement& m = question.measurements[k];
+    const inverse::Observation& m = question.measurements[k];
     const QuantityRow& row = inverse::row_of(m.quantity);
     const auto& z = answer.alone[k].mechanical_coordination_number;
     text += fmt::format("  {:<28} {:>6} {:>11} +-{:>7} {:>14}", place(m.state), row.key,
                         pretty(m.value.value, dimension_of(row)), percent(m.value),
                         z ? with_error(*z, 3) : "none");
     if (answer.together) {
-      const inverse::FittedMeasurement& fitted = answer.together->measurements()[k];
+      const inverse::FittedObservation& fitted = answer.together->measurements()[k];
       text += fmt::format(" {:>11} {:>+6.1f} s.e.", pretty(fitted.value.value, dimension_of(row)),
                           std::round(10 * fitted.deviation) / 10 + 0.0); // no -0.0
     }
@@ -177,7 +177,7 @@ const char* name_of(effective::Explained explained) {
 ordered_json measurements_json(const InferCase& question, const InferenceAnswer& answer) {
   ordered_json list = ordered_json::array();
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
-    const inverse::Measurement& m = question.measurements[k];
+    const inverse::Observation& m = question.measurements[k];
     const inverse::AloneAnswer& alone = answer.alone[k];
     ordered_json json = {{"quantity", inverse::row_of(m.quantity).key}};
     json.update(json_of(m.value));
@@ -267,8 +267,8 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
     for (const char* what : {"_measured", "_measured_error", "", "_error"})
       csv.headings.push_back(fmt::format("{}{}_{}", row->key, what, si_symbol(dimension_of(*row))));
 
-  const auto add = [&](const char* kind, const State& s, inverse::Specimen specimen,
-                       const inverse::Measurement* m) {
+  const auto add = [&](const char* kind, const State& s, inverse::AskedPacking specimen,
+                       const inverse::Observation* m) {
     auto& cells = csv.rows.emplace_back();
     cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};
     const auto packing =
@@ -286,8 +286,8 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
         cells.emplace_back(number);
     }
   };
-  for (const inverse::Measurement& m : question.measurements)
-    add("measured", m.state, inverse::Specimen::same, &m);
+  for (const inverse::Observation& m : question.measurements)
+    add("measured", m.state, inverse::AskedPacking::same, &m);
   if (answer.together)
     for (const auto& [state, specimen] : question.predicted)
       add("predicted", state, specimen, nullptr);
@@ -316,7 +316,7 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
                       .tone = plot::Tone::hollow,
                       .colour = plot::Colour::closed_form};
   double least = question.measurements.front().state.mean_stress(), most = least;
-  for (const inverse::Measurement& m : question.measurements) {
+  for (const inverse::Observation& m : question.measurements) {
     least = std::min(least, m.state.mean_stress());
     most = std::max(most, m.state.mean_stress());
     if (m.quantity != quantity)

@@ -16,13 +16,6 @@ void add_strict(CLI::App& app, bool& strict) {
   in_group(app, output_group, {"--strict"});
 }
 
-nlohmann::ordered_json json_of(const studies::Verdict& verdict) {
-  return {{"claim", verdict.claim},
-          {"holds", verdict.holds},
-          {"measured", verdict.measured},
-          {"finding", verdict.finding}};
-}
-
 ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict) {
   ExitCode code = ExitCode::ok;
   const auto fall_short = [&code](std::string_view kind, const studies::Verdict& verdict) {

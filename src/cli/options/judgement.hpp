@@ -20,7 +20,4 @@ void add_strict(CLI::App& app, bool& strict);
 /// finding differs from the paper; ok else. Says each reason on standard error.
 [[nodiscard]] ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict);
 
-/// A verdict as manifests hold it.
-[[nodiscard]] nlohmann::ordered_json json_of(const studies::Verdict& verdict);
-
 } // namespace granum::cli

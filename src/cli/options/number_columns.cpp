@@ -59,11 +59,11 @@ NumberColumns::NumberColumns(const io::CsvTable& table)
 
 bool NumberColumns::bind(Number& number, EmptyField empty) {
   const auto& headings = table_.headings();
-  std::optional<io::CsvTable::Column> found;
+  std::optional<io::CsvTable::Place> found;
   for (const std::string& name : names_of(number)) {
     if (!table_.has(name))
       continue;
-    const io::CsvTable::Column column = table_.column(name, number.dimension);
+    const io::CsvTable::Place column = table_.column(name, number.dimension);
     if (found)
       throw FileError(table_.name(), table_.heading_line(),
                       fmt::format("columns {} and {}, '{}' and '{}', both hold {}", found->index + 1,

@@ -45,7 +45,7 @@ class NumberColumns {
  private:
   struct Input {
     Number* number;
-    io::CsvTable::Column column;
+    io::CsvTable::Place column;
     EmptyField empty;
     double by_default;
   };

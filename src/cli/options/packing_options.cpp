@@ -283,9 +283,4 @@ ordered_json packing_json(const PackingOptions& o, const State& s) {
   return json;
 }
 
-bool declines(const effective::RungAnswer& answer) {
-  const auto& error = answer.relative_error; // a rung that answers states one, under zero stress as well
-  return error && error->bulk_modulus == 0 && error->G_hh == 0 && error->G_vh == 0;
-}
-
 } // namespace granum::cli

@@ -110,8 +110,4 @@ void require_density_or_stress(const PackingOptions& options);
 [[nodiscard]] nlohmann::ordered_json packing_json(const PackingOptions& options,
                                                   const effective::State& state);
 
-/// Whether a calibrated rung declines: z* is not above the isostatic point, where a network of contacts is
-/// not rigid. Its moduli are then zero, and it states no error of them.
-[[nodiscard]] bool declines(const effective::RungAnswer& answer);
-
 } // namespace granum::cli

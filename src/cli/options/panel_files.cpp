@@ -10,9 +10,8 @@ namespace granum::cli {
 void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels) {
   prepare_folder(folder, {}, true);
   for (const studies::Panel& panel : panels)
-    for (const auto& [ending, text] : {std::pair{".csv", studies::panel_csv(panel)},
-                                       {".svg", plot::svg(panel.chart)},
-                                       {".gp", studies::panel_script(panel)}})
+    for (const auto& [ending, text] :
+         {std::pair{".csv", studies::panel_csv(panel)}, {".svg", plot::svg(panel.chart)}})
       io::write_file(folder / (panel.stem + ending), text, io::Existing::replace);
 }
 

@@ -8,7 +8,7 @@
 
 namespace granum::cli {
 
-/// Numbers, picture and gnuplot script of each panel; replaces those of an earlier run.
+/// Numbers and picture of each panel; replaces those of an earlier run.
 /// \param    folder   is made where it is missing
 /// \throws   FileError
 void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels);

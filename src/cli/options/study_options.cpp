@@ -36,7 +36,7 @@ void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneComma
 }
 
 void ResultOptions::print(const std::string& report, const nlohmann::ordered_json& manifest) const {
-  deliver({.json = json, .strict = false, .force = false, .out = {}}, report, manifest, {});
+  deliver({.json = json, .strict = false, .force = false, .out = {}}, within_width(report), manifest, {});
 }
 
 void add_result_options(CLI::App& app, ResultOptions& options, const std::string& out_help,

@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
+#include <granum/io/csv/columns.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
@@ -47,57 +49,68 @@ Rule rule_of(const studies::Scene& scene, triaxial::Density density, double erro
           modulus.size.smallest, modulus.size.largest};
 }
 
-std::string rule_lines(const Options& options, const studies::Scene& scene) {
-  std::string text =
-      "errors that size, seeds and rate leave, by the laws of validation/trade (equal spheres):\n";
-  for (const triaxial::Density density : scene.study.densities) {
-    const Rule rule = rule_of(scene, density, options.error);
-    text += fmt::format("  {}: G {}, s {:.4f}; for {} of G {} grains and inertial numbers up to {} (measured "
-                        "with {} to {})\n",
-                        studies::name(density), percent_text(rule.modulus_error), rule.exponent_error,
-                        percent_text(options.error), rule.recipe.grains,
-                        short_text(rule.recipe.inertial_number, 2), short_text(rule.smallest),
-                        short_text(rule.largest));
-  }
-  return text;
+/// A line of what would run: number first.
+io::ShownColumn shown(std::string label, std::string meaning = "") {
+  return {.heading = std::move(label), .digits = 3, .meaning = std::move(meaning)};
+}
+
+io::Items plan_items(const studies::Scene& scene, const studies::Plan& plan) {
+  io::Items list;
+  const auto grains = fmt::format("of {} grains, frictionless", scene.study.grains);
+  const auto pressures = fmt::format("through {} pressures each", scene.study.pressures.size());
+  io::add_item(list, "packings", plan.packings, shown("packings", grains));
+  io::add_item(list, "specimens", plan.specimens, shown("specimens with friction", pressures));
+  io::add_item(list, "network_solutions", plan.network_solutions, shown("networks", "6 load cases each"));
+  io::add_item(list, "probes", plan.probes, shown("cyclic shear probes"));
+  io::add_item(list, "grain_steps", plan.grain_steps, shown("grain-steps", "about"));
+  io::add_item(
+      list, "seconds_per_grain_step", plan.seconds_per_grain_step,
+      io::ShownColumn{
+          .heading = "a grain-step", .digits = 3, .unit = 1e-9, .symbol = " ns", .meaning = "measured now"});
+  io::add_item(list, "predicted_time_s", plan.seconds,
+               io::ShownColumn{.heading = "time",
+                               .digits = 2,
+                               .symbol = " s",
+                               .meaning = fmt::format("on {} threads", studies::thread_count(scene))});
+  io::add_item(
+      list, "predicted_memory_bytes", plan.memory,
+      io::ShownColumn{.heading = "memory", .digits = 0, .fixed = true, .unit = 1e6, .symbol = " MB"});
+  return list;
+}
+
+io::Items rule_items(const Rule& rule, double wanted) {
+  io::Items list;
+  const io::ShownColumn percent{.heading = "error of G", .digits = 2, .unit = 0.01, .symbol = " %"};
+  const std::string for_wanted = "for " + percent_text(wanted) + " of G";
+  io::add_item(list, "G", rule.modulus_error, percent);
+  io::add_item(list, "s", rule.exponent_error, shown("error of s"));
+  io::add_item(list, "wanted_G", wanted);
+  io::add_item(list, "grains_for_wanted", rule.recipe.grains, shown("grains", for_wanted));
+  io::add_item(list, "inertial_number_for_wanted", rule.recipe.inertial_number,
+               shown("inertial number", for_wanted + ", at most"));
+  io::add_item(list, "smallest_grains_measured", rule.smallest);
+  io::add_item(list, "largest_grains_measured", rule.largest);
+  io::add_item(list, "", fmt::format("{} to {}", rule.smallest, rule.largest), shown("grains measured"));
+  return list;
 }
 
 ExitCode run(const Options& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
   say_cost_of_sizes(scene);
-  const studies::Plan plan = studies::plan(scene, studies::measured_speed(scene));
+  const io::Items items = plan_items(scene, studies::plan(scene, studies::measured_speed(scene)));
   nlohmann::ordered_json json = with_cost_of_sizes(json_head("plan"), scene);
   json["scene"] = json_of(scene);
-  json["packings"] = plan.packings;
-  json["specimens"] = plan.specimens;
-  json["network_solutions"] = plan.network_solutions;
-  json["probes"] = plan.probes;
-  json["grain_steps"] = plan.grain_steps;
-  json["seconds_per_grain_step"] = plan.seconds_per_grain_step;
-  json["predicted_time_s"] = plan.seconds;
-  json["predicted_memory_bytes"] = plan.memory;
+  put_members(json, items, io::Only{});
+  std::string text =
+      "granum verify would run\n" + io::list_text(items, io::Only{}) +
+      "errors that size, seeds and rate leave, by the laws of validation/trade (equal spheres)\n";
   for (const triaxial::Density density : scene.study.densities) {
-    const Rule rule = rule_of(scene, density, options.error);
-    json["errors"][std::string(studies::name(density))] = {
-        {"G", rule.modulus_error},
-        {"s", rule.exponent_error},
-        {"wanted_G", options.error},
-        {"grains_for_wanted", rule.recipe.grains},
-        {"inertial_number_for_wanted", rule.recipe.inertial_number},
-        {"smallest_grains_measured", rule.smallest},
-        {"largest_grains_measured", rule.largest}};
+    const io::Items rule = rule_items(rule_of(scene, density, options.error), options.error);
+    const std::string name(studies::name(density));
+    json["errors"][name] = members(rule, io::Only{});
+    text += name + "\n" + io::list_text(rule, io::Only{});
   }
-  const std::string table = fmt::format(
-      "granum verify would run\n"
-      "  {:6} frictionless packings of {} grains (positions only: no rotations, no contact memory)\n"
-      "  {:6} specimens with friction, each through {} pressures\n"
-      "  {:6} networks solved, 6 load cases each\n"
-      "  {:6} cyclic shear probes\n"
-      "in about {:.3g} grain-steps: {:.0f} s at {:.0f} ns each, measured now, on {} threads; {:.0f} MB\n",
-      plan.packings, scene.study.grains, plan.specimens, scene.study.pressures.size(), plan.network_solutions,
-      plan.probes, plan.grain_steps, plan.seconds, 1e9 * plan.seconds_per_grain_step,
-      studies::thread_count(scene), plan.memory / 1e6);
-  return deliver(options.output, table + rule_lines(options, scene), json, likely_mistakes(scene));
+  return deliver(options.output, within_width(text), json, likely_mistakes(scene));
 }
 
 } // namespace

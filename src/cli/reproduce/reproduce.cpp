@@ -135,11 +135,11 @@ ExitCode run(const Options& options) {
     return exit_code_of_stop();
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
-  const RunFigures figures{.seconds = seconds_since(start), .resumed = !anew};
+  const studies::RunTime time{.seconds = seconds_since(start), .resumed = !anew};
   const nlohmann::ordered_json manifest = with_cost_of_sizes(
-      with_warnings(manifest_of(experiment, verdicts, figures), likely_mistakes(place.scene)), place.scene);
-  write_results(place.folder, experiment, verdicts, manifest);
-  options.results.print(report_of(experiment, verdicts, figures) + "report.html, tables and pictures in " +
+      with_warnings(manifest_of(experiment, verdicts, time), likely_mistakes(place.scene)), place.scene);
+  write_results(place.folder, experiment, verdicts, manifest, time);
+  options.results.print(report_of(experiment, verdicts, time) + "report.html, tables and pictures in " +
                             place.folder.string() + "\n",
                         manifest);
   const ExitCode code = judged(verdicts, options.strict);

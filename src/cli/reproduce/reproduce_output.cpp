@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reproduce_output.hpp"
 
-#include "studies/reproduce/experiment_html.hpp"
 #include "studies/reproduce/experiment_tables.hpp"
 #include "studies/reproduce/figures/experiment_figures.hpp"
 #include "studies/verify/tables.hpp"
@@ -9,7 +8,7 @@
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
-#include "cli/options/judgement.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/options/panel_files.hpp"
 #include "cli/options/scene_file.hpp"
 
@@ -24,32 +23,11 @@ constexpr const char* names[] = {"states.csv",   "curves.csv",    "loops.csv",  
                                  "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
                                  "verdicts.csv", "manifest.json", "report.html", "figures"};
 
-ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
-
-/// Null where nothing is asked or nothing can be told.
-ordered_json within(studies::Agreement agreement) {
-  using studies::Agreement;
-  if (agreement == Agreement::within || agreement == Agreement::beyond)
-    return agreement == Agreement::within;
-  return nullptr;
-}
-
 ordered_json table_json(const std::vector<studies::TableRow>& rows) {
-  ordered_json json = ordered_json::array();
-  for (const studies::TableRow& row : rows)
-    for (const studies::Cell& cell : row.cells)
-      json.push_back({{"contact", contact::name(row.contact)},
-                      {"density", studies::name(row.density)},
-                      {"quantity", cell.quantity},
-                      {"granum", cell.ours.value},
-                      {"standard_error", number(cell.ours.standard_error)},
-                      {"paper", number(cell.printed)},
-                      {"reach", number(cell.reach)},
-                      {"within", within(cell.agreement())}});
-  return json;
+  return members_of_all(studies::cell_columns(), studies::cell_rows(rows));
 }
 
-/// Numbers, picture and gnuplot script of every panel.
+/// Numbers and picture of every panel.
 void write_figures(const fs::path& folder, const std::vector<studies::Figure>& figures,
                    const std::optional<studies::AssemblyPicture>& assembly) {
   prepare_folder(folder, {}, true);
@@ -81,10 +59,10 @@ ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies
 std::span<const char* const> result_names() { return names; }
 
 ordered_json manifest_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
-                         const RunFigures& figures) {
+                         const studies::RunTime& time) {
   ordered_json json = json_head("reproduce");
-  json["wall_time_s"] = figures.seconds;
-  json["resumed"] = figures.resumed;
+  json["wall_time_s"] = time.seconds;
+  json["resumed"] = time.resumed;
   json["complete"] = experiment.complete();
   json["scene"] = json_of(experiment.scene);
   json["threads_used"] = studies::thread_count(experiment.scene);
@@ -96,9 +74,7 @@ ordered_json manifest_of(const studies::Experiment& experiment, const std::vecto
   json["table_4"] = table_json(studies::table_4(experiment));
   json["table_5"] = table_json(studies::table_5(experiment));
   json["further_exponents"] = table_json(studies::further_exponents(experiment));
-  json["verdicts"] = ordered_json::array();
-  for (const studies::Verdict& verdict : verdicts)
-    json["verdicts"].push_back(json_of(verdict));
+  json["verdicts"] = members_of_all(studies::verdict_columns(), verdicts);
   json["runs"] = ordered_json::array();
   for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
     for (const studies::PathRun& run : specimen.runs)
@@ -107,7 +83,8 @@ ordered_json manifest_of(const studies::Experiment& experiment, const std::vecto
 }
 
 void write_results(const fs::path& folder, const studies::Experiment& experiment,
-                   const std::vector<studies::Verdict>& verdicts, const ordered_json& manifest) {
+                   const std::vector<studies::Verdict>& verdicts, const ordered_json& manifest,
+                   const studies::RunTime& time) {
   const auto write = [&](const char* name, const std::string& text) {
     io::write_file(folder / name, text, io::Existing::replace);
   };
@@ -119,12 +96,11 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
   write("table4.csv", studies::table_csv(studies::table_4(experiment)));
   write("table5.csv", studies::table_csv(studies::table_5(experiment)));
   write("exponents.csv", studies::table_csv(studies::further_exponents(experiment)));
-  write("verdicts.csv", studies::verdicts_csv(verdicts));
+  write("verdicts.csv", io::csv_text(studies::verdict_columns(), verdicts));
   const std::vector<studies::Figure> figures = studies::experiment_figures(experiment);
   const std::optional<studies::AssemblyPicture> assembly = studies::assembly_picture(experiment);
-  const studies::ExperimentReport report = studies::experiment_report(
-      experiment, verdicts, figures, assembly,
-      {.seconds = manifest.at("wall_time_s").get<double>(), .resumed = manifest.at("resumed").get<bool>()});
+  const studies::ExperimentReport report =
+      studies::experiment_report(experiment, verdicts, figures, assembly, time);
   const fs::path pictures = folder / studies::figures_folder;
   write_figures(pictures, figures, assembly);
   write_panels(pictures, report.panels);
@@ -133,10 +109,10 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
 }
 
 std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
-                      const RunFigures& figures) {
+                      const studies::RunTime& time) {
   std::string out =
-      "granum +- standard error (paper); ! where the difference is larger than asked for, ? where the\n"
-      "standard error is\n\n";
+      "granum +- standard error beside the paper; within: whether the difference is as small as asked for,\n"
+      "which a larger standard error cannot tell\n\n";
   out += studies::table_text("Table 2: start of isotropic compression", studies::table_2(experiment)) + "\n";
   out += studies::table_text("Table 4: friction angle at the peak", studies::table_4(experiment)) + "\n";
   out +=
@@ -144,13 +120,9 @@ std::string report_of(const studies::Experiment& experiment, const std::vector<s
       "\n";
   out += studies::table_text("Further exponents", studies::further_exponents(experiment)) + "\n";
   out += studies::verdicts_table(verdicts);
-  std::size_t points = 0;
-  for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
-    for (const studies::PathRun& run : specimen.runs)
-      points += run.points.size();
   return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {} threads\n",
-                           experiment.specimens.size(), experiment.scene.study.grains, points,
-                           figures.seconds, studies::thread_count(experiment.scene));
+                           experiment.specimens.size(), experiment.scene.study.grains,
+                           frozen_states(experiment), time.seconds, studies::thread_count(experiment.scene));
 }
 
 } // namespace granum::cli

@@ -6,33 +6,28 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/experiment.hpp"
-#include "studies/verify/findings.hpp"
+#include "studies/reproduce/experiment_html.hpp"
 #include <nlohmann/json.hpp>
 
 /// What `granum reproduce` leaves in its folder and prints.
 namespace granum::cli {
-
-/// Figures of the run itself.
-struct RunFigures {
-  double seconds = 0; ///< wall time [s]
-  bool resumed = false;
-};
 
 /// Files and folders that write_results makes.
 [[nodiscard]] std::span<const char* const> result_names();
 
 [[nodiscard]] nlohmann::ordered_json manifest_of(const studies::Experiment& experiment,
                                                  const std::vector<studies::Verdict>& verdicts,
-                                                 const RunFigures& figures);
+                                                 const studies::RunTime& time);
 
 /// Tables, figures, report.html and manifest; replaces those of an earlier run.
 /// \throws   FileError
 void write_results(const std::filesystem::path& folder, const studies::Experiment& experiment,
-                   const std::vector<studies::Verdict>& verdicts, const nlohmann::ordered_json& manifest);
+                   const std::vector<studies::Verdict>& verdicts, const nlohmann::ordered_json& manifest,
+                   const studies::RunTime& time);
 
 /// Tables 2, 4 and 5 beside the printed ones and the verdicts, as text.
 [[nodiscard]] std::string report_of(const studies::Experiment& experiment,
-                                    const std::vector<studies::Verdict>& verdicts, const RunFigures& figures);
+                                    const std::vector<studies::Verdict>& verdicts,
+                                    const studies::RunTime& time);
 
 } // namespace granum::cli

@@ -11,6 +11,7 @@
 #include <granum/plot/chart.hpp>
 
 #include "cli/frame/frame.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/options/scene_file.hpp"
 
 namespace granum::cli {
@@ -46,22 +47,13 @@ std::string title(const TradeScene& trade, Varied varied) {
   return {};
 }
 
-std::string in_percent(const std::optional<studies::Deviation>& d) {
-  return d ? fmt::format("{:+7.2f} +- {:<5.2f}{:6.2f}", 100 * d->bias, 100 * d->standard_error,
-                         100 * d->scatter)
-           : fmt::format("{:>23}", "-");
-}
-
-std::string plain(const std::optional<studies::Deviation>& d) {
-  return d ? fmt::format("{:+7.4f} +- {:<6.4f}{:7.4f}", d->bias, d->standard_error, d->scatter)
-           : fmt::format("{:>24}", "-");
-}
-
-bool has_boundary(Varied varied) { return varied == Varied::boundary; }
-
+/// What a row is about, with a star where the others are compared with it.
 std::string label(const TradeRow& row) {
-  const std::string value = short_text(row.value);
-  return has_boundary(row.varied) ? fmt::format("{} {}", studies::name(row.boundary), value) : value;
+  const std::string value = short_text(row.value) + (row.reference ? "*" : "");
+  if (row.varied != Varied::boundary)
+    return value;
+  const std::string boundary(studies::name(row.boundary));
+  return boundary.substr(0, boundary.find('-')) + " " + value;
 }
 
 constexpr const char* panel_title(Varied varied) {
@@ -116,36 +108,119 @@ void add_row(plot::Chart& panel, const TradeRow& row) {
   series->y_error.push_back(row.shear_modulus->standard_error);
 }
 
-ordered_json json_of(const std::optional<studies::Deviation>& d) {
-  if (!d)
-    return nullptr;
-  return {{"bias", d->bias}, {"standard_error", d->standard_error}, {"scatter", d->scatter}};
-}
-
-std::string text(std::string_view view) { return std::string(view); }
-
 /// The columns that rows and samples begin with.
 template <class Row>
 io::Columns<Row> subject_columns() {
-  return {{"varied", [](const Row& row) { return text(studies::name(row.varied)); }},
-          {"boundary", [](const Row& row) { return text(studies::name(row.boundary)); }},
-          {"value", "", [](const Row& row) { return row.value; }},
-          {"density", [](const Row& row) { return text(studies::name(row.density)); }}};
+  return {{"varied", "varied", [](const Row& row) { return studies::name(row.varied); }},
+          {"boundary", "boundary", [](const Row& row) { return studies::name(row.boundary); }},
+          {"value", "value", &Row::value},
+          {"density", "density", [](const Row& row) { return studies::name(row.density); }}};
 }
 
+/// Adds a deviation of three parts, and how its mean is shown.
+void add_deviation(io::Columns<TradeRow>& to, const std::string& name,
+                   std::optional<studies::Deviation> TradeRow::*of, io::ShownColumn shown,
+                   int scatter_width) {
+  using studies::Deviation;
+  to.emplace_back("", name, [of](const TradeRow& row) { return row.*of ? io::Value() : io::Value(nullptr); });
+  for (const auto& [heading, key, part] : {std::tuple{"_bias", "/bias", &Deviation::bias},
+                                           {"_error", "/standard_error", &Deviation::standard_error},
+                                           {"_scatter", "/scatter", &Deviation::scatter}})
+    to.emplace_back(name + heading, name + key, [of, part = part](const TradeRow& row) {
+      return row.*of ? std::optional((*(row.*of)).*part) : std::nullopt;
+    });
+  to.back().shown = shown;
+  to.back().shown->heading = "scatter";
+  to.back().shown->width = scatter_width;
+  to.back().shown->sign = false;
+  const auto mean = [of](const TradeRow& row) {
+    return row.*of ? std::optional(Measured{(*(row.*of)).bias, (*(row.*of)).standard_error}) : std::nullopt;
+  };
+  to.insert(to.end() - 1, {"", "", mean, shown});
+}
+
+/// What table, JSON and screen have of a row.
+const io::Columns<TradeRow>& row_columns() {
+  static const io::Columns<TradeRow> columns = [] {
+    io::Columns<TradeRow> list = subject_columns<TradeRow>();
+    list.insert(list.begin(), {"", "", label, io::ShownColumn{.heading = "*reference", .width = -14}});
+    list.back().shown = io::ShownColumn{.heading = "", .width = -6};
+    list.push_back(
+        {"specimens", "specimens", &TradeRow::specimens, io::ShownColumn{.heading = "n", .width = 3}});
+    list.push_back({"reference", "", [](const TradeRow& row) { return row.reference ? 1 : 0; }});
+    list.push_back({"", "reference", &TradeRow::reference});
+    const auto shown = [](std::string heading, int width, int digits, double unit) {
+      return io::ShownColumn{.heading = std::move(heading),
+                             .width = width,
+                             .digits = digits,
+                             .fixed = true,
+                             .unit = unit,
+                             .absent = "-",
+                             .sign = true};
+    };
+    add_deviation(list, "G", &TradeRow::shear_modulus, shown("bias of G [%]", 13, 2, 0.01), 8);
+    add_deviation(list, "s", &TradeRow::exponent, shown("of s", 16, 4, 1), 0);
+    add_deviation(list, "peak", &TradeRow::peak_ratio, shown("of peak [%]", 13, 2, 0.01), 0);
+    const auto cost = [](double TradeRow::*of) {
+      return io::or_null(
+          [of](const TradeRow& row) { return row.specimens > 0 ? std::optional(row.*of) : std::nullopt; });
+    };
+    list.push_back({"cpu_s", "cpu_s", cost(&TradeRow::cpu_seconds),
+                    io::ShownColumn{.heading = "CPU [s]", .width = 8, .digits = 2}});
+    list.push_back({"steps", "steps", cost(&TradeRow::steps)});
+    return list;
+  }();
+  return columns;
+}
+
+/// A law, and what limits one specimen at the defaults of the study.
 struct NamedLaw {
   const char* name;
   const studies::ErrorLaw& law;
   double inertial_number; ///< that the study has as a default
+  double grains;
 };
 
 std::vector<NamedLaw> named(const TradeScene& trade, const studies::TradeLaws& laws) {
   const double compression = trade.compression_inertial_number;
-  return {{"G, dense", laws.dense_modulus, compression},
-          {"s, dense", laws.dense_exponent, compression},
-          {"G, loose", laws.loose_modulus, compression},
-          {"s, loose", laws.loose_exponent, compression},
-          {"peak, dense", laws.dense_peak, trade.shear_inertial_number}};
+  const auto grains = static_cast<double>(trade.scene.study.grains);
+  return {{"G, dense", laws.dense_modulus, compression, grains},
+          {"s, dense", laws.dense_exponent, compression, grains},
+          {"G, loose", laws.loose_modulus, compression, grains},
+          {"s, loose", laws.loose_exponent, compression, grains},
+          {"peak, dense", laws.dense_peak, trade.shear_inertial_number, grains}};
+}
+
+const io::Columns<NamedLaw>& law_columns() {
+  const auto shown = [](std::string heading, int width, int digits, bool sign) {
+    return io::ShownColumn{
+        .heading = std::move(heading), .width = width, .digits = digits, .fixed = true, .sign = sign};
+  };
+  static const io::Columns<NamedLaw> columns = {
+      {"", "", &NamedLaw::name, io::ShownColumn{.heading = "", .width = -12}},
+      {"", "scatter_c", [](const NamedLaw& l) { return l.law.size.scatter; }, shown("c", 7, 3, false)},
+      {"", "size_bias_b", [](const NamedLaw& l) { return l.law.size.bias; }},
+      {"", "size_bias_error", [](const NamedLaw& l) { return l.law.size.bias_error; }},
+      {"", "rate_bias_k", [](const NamedLaw& l) { return l.law.rate.bias; }},
+      {"", "rate_bias_error", [](const NamedLaw& l) { return l.law.rate.bias_error; }},
+      {"", "",
+       [](const NamedLaw& l) {
+         return Measured{l.law.size.bias, l.law.size.bias_error};
+       },
+       shown("b", 16, 2, true)},
+      {"", "",
+       [](const NamedLaw& l) {
+         return Measured{l.law.rate.bias, l.law.rate.bias_error};
+       },
+       shown("k", 16, 2, true)},
+      {"", "", [](const NamedLaw& l) { return studies::scatter_of(l.law, l.grains); },
+       shown("scatter", 9, 4, false)},
+      {"", "", [](const NamedLaw& l) { return studies::size_bias_of(l.law, l.grains); },
+       shown("size", 9, 4, true)},
+      {"", "", [](const NamedLaw& l) { return studies::rate_bias_of(l.law, l.inertial_number); },
+       shown("rate", 9, 4, true)},
+  };
+  return columns;
 }
 
 } // namespace
@@ -156,17 +231,8 @@ std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& ro
     std::vector<TradeRow> block;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(block),
                  [varied](const TradeRow& row) { return row.varied == varied; });
-    if (block.empty())
-      continue;
-    out += fmt::format("{}\n{:<18} {:>6} {:>3}   {:<23} {:<25} {:<23} {:>8} {:>8}\n", title(trade, varied),
-                       "", "", "n", "G: bias, scatter [%]", "s: bias, scatter [1]", "peak: bias, scatter [%]",
-                       "CPU [s]", "steps");
-    for (const TradeRow& row : block)
-      out += fmt::format("{:>18} {:>6} {:>3}   {} {} {} {:8.3g} {:8.0f}{}\n", label(row),
-                         studies::name(row.density), row.specimens, in_percent(row.shear_modulus),
-                         plain(row.exponent), in_percent(row.peak_ratio), row.cpu_seconds, row.steps,
-                         row.reference ? "  reference" : "");
-    out += "\n";
+    if (!block.empty())
+      out += title(trade, varied) + "\n" + io::table_text(row_columns(), block) + "\n";
   }
   return out;
 }
@@ -174,42 +240,18 @@ std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& ro
 std::string laws_table(const TradeScene& trade, const studies::TradeLaws& laws) {
   std::string out =
       fmt::format("errors as power laws: scatter c N^(-1/2), bias b/N + k I; one specimen of {} "
-                  "grains at the default I\n{:<12} {:>7} {:>18} {:>18} {:>9} {:>9} {:>9}\n",
-                  trade.scene.study.grains, "", "c", "b", "k", "scatter", "size", "rate");
-  for (const NamedLaw& l : named(trade, laws)) {
-    const studies::SizeLaw& size = l.law.size;
-    const studies::RateLaw& rate = l.law.rate;
-    if (!(size.scatter > 0))
-      continue;
-    const double grains = static_cast<double>(trade.scene.study.grains);
-    out += fmt::format("{:<12} {:7.3f} {:+8.2f} +- {:<6.2f} {:+8.2f} +- {:<6.2f} {:9.4f} {:+9.4f} {:+9.4f}\n",
-                       l.name, size.scatter, size.bias, size.bias_error, rate.bias, rate.bias_error,
-                       size.scatter / std::sqrt(grains), size.bias / grains, rate.bias * l.inertial_number);
-  }
+                  "grains at the default I\n{}\n",
+                  trade.scene.study.grains, io::heading_line(law_columns()));
+  for (const NamedLaw& law : named(trade, laws))
+    if (law.law.size.scatter > 0)
+      out += io::row_line(law_columns(), law) + "\n";
   return out + "\n";
 }
 
 std::string trade_csv(const std::vector<TradeRow>& rows) {
-  using studies::Deviation;
-  io::Columns<TradeRow> columns = subject_columns<TradeRow>();
-  const auto add = [&](const std::string& heading, auto of) { columns.emplace_back(heading, "", of); };
-  add("specimens", [](const TradeRow& row) { return static_cast<double>(row.specimens); });
-  add("reference", [](const TradeRow& row) { return row.reference ? 1.0 : 0.0; });
-  for (const auto& [quantity, deviation] : {std::pair{"G", &TradeRow::shear_modulus},
-                                            {"s", &TradeRow::exponent},
-                                            {"peak", &TradeRow::peak_ratio}})
-    for (const auto& [part, of] : {std::pair{"_bias", &Deviation::bias},
-                                   {"_error", &Deviation::standard_error},
-                                   {"_scatter", &Deviation::scatter}})
-      add(std::string(quantity) + part, [deviation = deviation, of = of](const TradeRow& row) {
-        return row.*deviation ? std::optional((*(row.*deviation)).*of) : std::nullopt;
-      });
-  for (const auto& [heading, of] : {std::pair{"cpu_s", &TradeRow::cpu_seconds}, {"steps", &TradeRow::steps}})
-    add(heading,
-        [of = of](const TradeRow& row) { return row.specimens > 0 ? std::optional(row.*of) : std::nullopt; });
   return io::csv_text(
-      columns, rows,
-      {{"program", "granum " + text(version()) + " trade"},
+      row_columns(), rows,
+      {{"program", fmt::format("granum {} trade", version())},
        {"bias", "of the mean against the reference, in parts of it for G and peak"},
        {"scatter", "standard deviation of one specimen; of differences where packings are the same"}});
 }
@@ -217,19 +259,19 @@ std::string trade_csv(const std::vector<TradeRow>& rows) {
 std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>& samples) {
   io::Columns<TradeSample> columns = subject_columns<TradeSample>();
   const auto add = [&](const std::string& heading, auto of) { columns.emplace_back(heading, "", of); };
-  add("seed", [](const TradeSample& sample) { return static_cast<double>(sample.seed); });
+  add("seed", &TradeSample::seed);
   for (std::size_t k = 0; k < trade.scene.study.pressures.size(); ++k)
     add(fmt::format("G_at_{}kPa_Pa", short_text(trade.scene.study.pressures[k] / 1e3)),
         [k](const TradeSample& sample) {
           return k < sample.shear_modulus.size() ? std::optional(sample.shear_modulus[k]) : std::nullopt;
         });
-  add("s", [](const TradeSample& sample) { return sample.exponent; });
-  add("peak_q_over_p", [](const TradeSample& sample) { return sample.peak_ratio; });
-  add("cpu_s", [](const TradeSample& sample) { return sample.cpu_seconds; });
-  add("steps", [](const TradeSample& sample) { return static_cast<double>(sample.steps); });
-  columns.emplace_back("failure", [](const TradeSample& sample) { return sample.failure; });
+  add("s", &TradeSample::exponent);
+  add("peak_q_over_p", &TradeSample::peak_ratio);
+  add("cpu_s", &TradeSample::cpu_seconds);
+  add("steps", &TradeSample::steps);
+  add("failure", &TradeSample::failure);
   return io::csv_text(columns, samples,
-                      {{"program", "granum " + text(version()) + " trade"},
+                      {{"program", fmt::format("granum {} trade", version())},
                        {"scene", json_text(json_of(trade), -1)},
                        {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}});
 }
@@ -271,31 +313,12 @@ ordered_json json_of(const TradeScene& trade) {
   return json;
 }
 
-ordered_json json_of(const std::vector<TradeRow>& rows) {
-  ordered_json json = ordered_json::array();
-  for (const TradeRow& row : rows)
-    json.push_back({{"varied", studies::name(row.varied)},
-                    {"boundary", studies::name(row.boundary)},
-                    {"value", row.value},
-                    {"density", studies::name(row.density)},
-                    {"specimens", row.specimens},
-                    {"reference", row.reference},
-                    {"G", json_of(row.shear_modulus)},
-                    {"s", json_of(row.exponent)},
-                    {"peak", json_of(row.peak_ratio)},
-                    {"cpu_s", row.cpu_seconds},
-                    {"steps", row.steps}});
-  return json;
-}
+ordered_json json_of(const std::vector<TradeRow>& rows) { return members_of_all(row_columns(), rows); }
 
 ordered_json json_of(const studies::TradeLaws& laws) {
   ordered_json json;
-  for (const NamedLaw& l : named({}, laws))
-    json[l.name] = {{"scatter_c", l.law.size.scatter},
-                    {"size_bias_b", l.law.size.bias},
-                    {"size_bias_error", l.law.size.bias_error},
-                    {"rate_bias_k", l.law.rate.bias},
-                    {"rate_bias_error", l.law.rate.bias_error}};
+  for (const NamedLaw& law : named({}, laws))
+    json[law.name] = members(law_columns(), law);
   return json;
 }
 

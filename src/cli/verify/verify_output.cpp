@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
@@ -32,25 +31,12 @@ constexpr const char* figures_name = "figures";
 constexpr const char* file_names[] = {states_name,   exponents_name, scene_name,
                                       manifest_name, report_name,    figures_name};
 
-ordered_json exponent_json(const std::optional<Measured>& exponent) {
-  if (!exponent)
-    return nullptr;
-  return {{"value", exponent->value}, {"standard_error", exponent->standard_error}};
-}
-
 /// The report, from scene and manifest alone, so that it can be made of a run of yesterday.
 void write_report(const fs::path& folder, const studies::Scene& scene, const ordered_json& manifest,
                   io::Existing existing) {
   const StudyPage page = study_page(scene, manifest);
   write_panels(folder / figures_name, page.panels);
   io::write_file(folder / report_name, page.html, existing);
-}
-
-std::string text_of_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw FileError(file.string(), 0, "could not be opened");
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 } // namespace
@@ -77,29 +63,16 @@ ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_f
        "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},
       {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
       {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
-  for (const char* list : {"exponents", "verdicts", "specimens"})
-    json[list] = ordered_json::array();
-  for (const studies::ExponentRow& row : outcome.exponents)
-    json["exponents"].push_back({{"contact", contact::name(row.contact)},
-                                 {"density", studies::name(row.density)},
-                                 {"contact_law", row.contact_law},
-                                 {"closed_form", exponent_json(row.closed_form)},
-                                 {"network", exponent_json(row.network)},
-                                 {"network_with_void_ratio_function", exponent_json(row.network_void)},
-                                 {"probe", exponent_json(row.probe)},
-                                 {"paper", row.paper ? ordered_json(*row.paper) : ordered_json()}});
-  for (const studies::Verdict& verdict : outcome.verdicts)
-    json["verdicts"].push_back(json_of(verdict));
+  json["exponents"] = members_of_all(studies::exponent_columns(), outcome.exponents);
+  json["verdicts"] = members_of_all(studies::verdict_columns(), outcome.verdicts);
+  json["specimens"] = ordered_json::array();
   for (const studies::SpecimenResult& specimen : outcome.specimens) {
-    ordered_json entry = {{"contact", contact::name(specimen.contact)},
-                          {"density", studies::name(specimen.density)},
-                          {"seed", specimen.seed},
-                          {"failure", specimen.failure},
-                          {"left_out", specimen.left_out},
-                          {"states", ordered_json::array()}};
-    for (const studies::CompressedState& state : specimen.states)
-      entry["states"].push_back(members(studies::state_columns(), state));
-    json["specimens"].push_back(entry);
+    json["specimens"].push_back({{"contact", contact::name(specimen.contact)},
+                                 {"density", studies::name(specimen.density)},
+                                 {"seed", specimen.seed},
+                                 {"failure", specimen.failure},
+                                 {"left_out", specimen.left_out},
+                                 {"states", members_of_all(studies::state_columns(), specimen.states)}});
   }
   return json;
 }
@@ -116,8 +89,11 @@ void write_results(const fs::path& folder, const StudyOutcome& outcome, const or
 void rewrite_report(const fs::path& folder) {
   const studies::Scene scene = read_scene((folder / scene_name).string(), studies::SceneCommand::verify);
   const fs::path file = folder / manifest_name;
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw FileError(file.string(), 0, "could not be opened");
   try {
-    write_report(folder, scene, ordered_json::parse(text_of_file(file)), io::Existing::replace);
+    write_report(folder, scene, ordered_json::parse(in), io::Existing::replace);
   } catch (const nlohmann::json::exception& error) {
     throw FileError(file.string(), 0, std::string("is no manifest of granum verify: ") + error.what());
   } catch (const std::bad_optional_access&) {

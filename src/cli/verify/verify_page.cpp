@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "studies/report/verdict_lists.hpp"
+#include "studies/verify/tables.hpp"
 #include <fmt/core.h>
-#include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/page.hpp>
+
+#include "cli/frame/json_members.hpp"
 
 namespace granum::cli {
 
@@ -18,16 +20,14 @@ using studies::Compression;
 
 constexpr const char* figures = "figures";
 
-std::optional<double> number_at(const ordered_json& json, const char* name) {
-  const auto found = json.find(name);
-  return found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<double>());
+std::optional<double> number_at(const ordered_json& json, const char* key) {
+  return io::number_of(value_at(json, key));
 }
 
-std::optional<Measured> measured_at(const ordered_json& json, const char* name) {
-  const ordered_json& found = json.at(name);
-  if (found.is_null())
-    return std::nullopt;
-  return Measured{found.at("value").get<double>(), found.at("standard_error").get<double>()};
+std::optional<Measured> measured_at(const ordered_json& json, const char* key) {
+  const io::Value value = value_at(json, key);
+  const auto* measured = std::get_if<Measured>(&value);
+  return measured == nullptr ? std::nullopt : std::optional(*measured);
 }
 
 /// Rung 3 of a state: the uniform strain that the manifest has, times the relaxation of its z*.
@@ -53,8 +53,8 @@ studies::RouteState route_state(const studies::Scene& scene, contact::Shape shap
                           .relaxed = {relaxed, relaxed, relaxed}};
   if (network && affine)
     out.softening = *network / *affine;
-  if (const auto probes = state.find("probes"); probes != state.end())
-    out.probe = {number_at(*probes, "G_hv_Pa"), number_at(*probes, "G_vh_Pa"), number_at(*probes, "G_hh_Pa")};
+  out.probe = {number_at(state, "probes/G_hv_Pa"), number_at(state, "probes/G_vh_Pa"),
+               number_at(state, "probes/G_hh_Pa")};
   return out;
 }
 
@@ -68,23 +68,6 @@ triaxial::Density density_of(const ordered_json& row) {
              : triaxial::Density::loose;
 }
 
-std::string shown(const std::optional<Measured>& exponent) {
-  return exponent ? fmt::format("{:.3f} \u00b1 {:.3f}", exponent->value, exponent->standard_error) : "";
-}
-
-std::string exponents_table(const ordered_json& manifest) {
-  std::vector<std::vector<std::string>> rows;
-  for (const ordered_json& row : manifest.at("exponents")) {
-    const auto paper = number_at(row, "paper");
-    rows.push_back({row.at("contact").get<std::string>(), row.at("density").get<std::string>(),
-                    fmt::format("{:.3f}", row.at("contact_law").get<double>()),
-                    shown(measured_at(row, "closed_form")), shown(measured_at(row, "network")),
-                    shown(measured_at(row, "probe")), paper ? fmt::format("{:.3f}", *paper) : ""});
-  }
-  return plot::html_table({"Contact", "Density", "1/(1+\u03b1)", "closed form", "network", "probe", "paper"},
-                          rows);
-}
-
 std::vector<studies::Verdict> verdicts_of(const ordered_json& manifest) {
   std::vector<studies::Verdict> out;
   for (const ordered_json& one : manifest.at("verdicts"))
@@ -95,27 +78,15 @@ std::vector<studies::Verdict> verdicts_of(const ordered_json& manifest) {
   return out;
 }
 
-std::string states_table(const ordered_json& specimen) {
-  std::vector<std::vector<std::string>> rows;
-  const auto cell = [](const ordered_json& state, const char* name, double unit, int digits) {
-    const auto value = number_at(state, name);
-    return value ? short_text(*value / unit, digits) : "";
-  };
-  for (const ordered_json& state : specimen.at("states"))
-    rows.push_back({cell(state, "pressure_Pa", 1e3, 4), cell(state, "coordination_number", 1, 4),
-                    cell(state, "mechanical_coordination_number", 1, 4), cell(state, "void_ratio", 1, 4),
-                    cell(state, "G_closed_Pa", 1e6, 4), cell(state, "G_network_Pa", 1e6, 4)});
-  return plot::html_table({"p' [kPa]", "C_n", "z*", "e", "G uniform strain [MPa]", "G network [MPa]"}, rows);
-}
-
 std::string all_states(const ordered_json& manifest) {
   std::string out;
   for (const ordered_json& specimen : manifest.at("specimens")) {
     const std::string failure = specimen.at("failure").get<std::string>();
-    out += plot::html_folded(
-        fmt::format("{}, {}, seed {}", specimen.at("contact").get<std::string>(),
-                    specimen.at("density").get<std::string>(), specimen.at("seed").get<std::uint64_t>()),
-        states_table(specimen) + (failure.empty() ? "" : plot::html_paragraph("Ended early: " + failure)));
+    out += plot::html_folded(fmt::format("{}, {}, seed {}", specimen.at("contact").get<std::string>(),
+                                         specimen.at("density").get<std::string>(),
+                                         specimen.at("seed").get<std::uint64_t>()),
+                             page_table_of(studies::state_columns(), specimen.at("states")) +
+                                 (failure.empty() ? "" : plot::html_paragraph("Ended early: " + failure)));
   }
   return out;
 }
@@ -161,7 +132,8 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
           plot::html_paragraph("Closed form, contact network and DEM probe beside Table 5 of Chung, Jang, "
                                "Baek and Jung, Granular Matter 16 (2014) 23-39.",
                                "soft") +
-              exponents_table(manifest) + studies::verdict_lists(verdicts_of(manifest))) +
+              page_table_of(studies::exponent_columns(), manifest.at("exponents")) +
+              studies::verdict_lists(verdicts_of(manifest))) +
       plot::html_section("run", "The run",
                          plot::html_paragraph(run_text(scene, manifest)) + all_states(manifest));
   return {.html = plot::html_page("granum verify: why G grows as p^s", body),

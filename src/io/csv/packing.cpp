@@ -30,7 +30,7 @@ class TableColumns {
   }
 
   /// Where a column stands, and what its numbers are multiplied by to give SI.
-  [[nodiscard]] CsvTable::Column place(const char* quantity, Dimension dimension) const {
+  [[nodiscard]] CsvTable::Place place(const char* quantity, Dimension dimension) const {
     return table_.column(quantity, stated(quantity, dimension));
   }
 
@@ -127,7 +127,7 @@ void note_digits(PackingBuilder& builder, const TableColumns& columns) {
   DigitWatch watch;
   double unit = 1;
   for (const char* const axis : {"x", "y", "z"}) {
-    const CsvTable::Column column = columns.place(axis, Dimension::length);
+    const CsvTable::Place column = columns.place(axis, Dimension::length);
     unit = column.factor;
     for (std::size_t row = 0; row < columns.table().row_count(); ++row)
       watch.see(columns.table().fields(row)[column.index]);

@@ -222,7 +222,7 @@ std::size_t CsvTable::find(std::string_view quantity, Dimension dimension) const
                       (unit.empty() ? "" : " (or another unit)") + ", found " + joined(headings_));
 }
 
-CsvTable::Column CsvTable::column(std::string_view quantity, Dimension dimension) const {
+CsvTable::Place CsvTable::column(std::string_view quantity, Dimension dimension) const {
   const std::size_t index = find(quantity, dimension);
   try {
     return {index, column_factor(headings_[index], quantity, dimension)};

@@ -29,8 +29,9 @@ std::vector<std::uint32_t> soft_grains(const Backbone& backbone, FactorRule rule
 } // namespace
 
 template <int Dof>
-IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly, const Options& options,
-                                             FactorRule rule, const Workers& workers, Backbone& backbone) {
+IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,
+                                             const ResponseOptions& options, FactorRule rule,
+                                             const Workers& workers, Backbone& backbone) {
   std::vector<bool> first(assembly.grain_count());
   const auto add = [&](const std::vector<std::uint32_t>& grains) {
     bool more = false;
@@ -59,9 +60,9 @@ IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly, 
   }
 }
 
-template IncompleteFactor<3> factor_with_soft_first(const packing::Assembly&, const Options&, FactorRule,
-                                                    const Workers&, Backbone&);
-template IncompleteFactor<6> factor_with_soft_first(const packing::Assembly&, const Options&, FactorRule,
-                                                    const Workers&, Backbone&);
+template IncompleteFactor<3> factor_with_soft_first(const packing::Assembly&, const ResponseOptions&,
+                                                    FactorRule, const Workers&, Backbone&);
+template IncompleteFactor<6> factor_with_soft_first(const packing::Assembly&, const ResponseOptions&,
+                                                    FactorRule, const Workers&, Backbone&);
 
 } // namespace granum::network

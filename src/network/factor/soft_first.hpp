@@ -22,7 +22,7 @@ namespace granum::network {
 /// \param    backbone   of the assembly and the options; numbered anew
 template <int Dof>
 [[nodiscard]] IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,
-                                                           const Options& options, FactorRule rule,
+                                                           const ResponseOptions& options, FactorRule rule,
                                                            const Workers& workers, Backbone& backbone);
 
 } // namespace granum::network

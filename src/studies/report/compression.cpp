@@ -265,8 +265,7 @@ Panel softening_panel(const Scene& scene, const std::vector<Compression>& all) {
 plot::PageFigure with_files(plot::PageFigure figure, const std::vector<Panel>& panels,
                             const std::string& folder) {
   for (const Panel& panel : panels)
-    for (plot::PageFile& file : files_of(panel, folder))
-      figure.files.push_back(std::move(file));
+    figure.files.push_back(file_of(panel, folder));
   return figure;
 }
 
@@ -364,9 +363,8 @@ Panel modulus_panel(const std::vector<Compression>& all, std::size_t modulus) {
   return out;
 }
 
-std::vector<plot::PageFile> files_of(const Panel& panel, const std::string& figures) {
-  return {{panel.stem + ".csv", figures + "/" + panel.stem + ".csv"},
-          {panel.stem + ".gp", figures + "/" + panel.stem + ".gp"}};
+plot::PageFile file_of(const Panel& panel, const std::string& figures) {
+  return {panel.stem + ".csv", figures + "/" + panel.stem + ".csv"};
 }
 
 CompressionStory compression_story(const Scene& scene, const std::vector<Compression>& all,

@@ -60,8 +60,8 @@ struct CompressionStory {
 [[nodiscard]] CompressionStory compression_story(const Scene& scene, const std::vector<Compression>& all,
                                                  const std::string& figures);
 
-/// Links to the data and the script of a panel.
-[[nodiscard]] std::vector<plot::PageFile> files_of(const Panel& panel, const std::string& figures);
+/// Link to the data of a panel.
+[[nodiscard]] plot::PageFile file_of(const Panel& panel, const std::string& figures);
 
 /// "spheres", "flat contacts".
 [[nodiscard]] std::string plural(contact::Shape shape);

@@ -2,27 +2,11 @@
 #include "studies/report/panel.hpp"
 
 #include <algorithm>
+#include <numeric>
 
-#include <granum/io/csv/table.hpp>
+#include <granum/io/csv/columns.hpp>
 
 namespace granum::studies {
-
-namespace {
-
-/// Headings of the columns of a panel.
-std::vector<plot::CsvColumns> columns_of(const Panel& panel) {
-  std::vector<plot::CsvColumns> out;
-  for (std::size_t k = 0; k < panel.keys.size(); ++k) {
-    const std::string key = panel.keys[k] + " ";
-    const bool errors = !panel.chart.series[k].y_error.empty();
-    out.push_back({.x = key + panel.x_heading,
-                   .y = key + panel.y_heading,
-                   .y_error = errors ? key + "error " + panel.y_heading : ""});
-  }
-  return out;
-}
-
-} // namespace
 
 Panel panel(std::string stem, std::string title, const Quantity& x, const Quantity& y) {
   return {.stem = std::move(stem),
@@ -46,35 +30,25 @@ void add(Panel& to, plot::Series series, std::string key) {
 }
 
 std::string panel_csv(const Panel& panel) {
-  io::CsvContent csv;
+  io::Columns<std::size_t> columns; // of the number of a row
   std::size_t rows = 0;
-  const std::vector<plot::CsvColumns> headings = columns_of(panel);
-  for (std::size_t k = 0; k < headings.size(); ++k) {
-    csv.headings.push_back(headings[k].x);
-    csv.headings.push_back(headings[k].y);
-    if (!headings[k].y_error.empty())
-      csv.headings.push_back(headings[k].y_error);
-    rows = std::max(rows, panel.chart.series[k].x.size());
+  const auto add_numbers = [&](const std::string& heading, const std::vector<double>& numbers) {
+    columns.emplace_back(heading, "", [&numbers](const std::size_t& row) {
+      return row < numbers.size() ? std::optional(numbers[row]) : std::nullopt;
+    });
+    rows = std::max(rows, numbers.size());
+  };
+  for (std::size_t k = 0; k < panel.keys.size(); ++k) {
+    const plot::Series& series = panel.chart.series[k];
+    const std::string key = panel.keys[k] + " ";
+    add_numbers(key + panel.x_heading, series.x);
+    add_numbers(key + panel.y_heading, series.y);
+    if (!series.y_error.empty())
+      add_numbers(key + "error " + panel.y_heading, series.y_error);
   }
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::vector<io::CsvCell> cells;
-    const auto append = [&](const std::vector<double>& numbers) {
-      cells.emplace_back(row < numbers.size() ? numbers[row] : io::empty_cell);
-    };
-    for (const plot::Series& series : panel.chart.series) {
-      append(series.x);
-      append(series.y);
-      if (!series.y_error.empty())
-        append(series.y_error);
-    }
-    csv.rows.push_back(std::move(cells));
-  }
-  return io::csv_text(csv);
-}
-
-std::string panel_script(const Panel& panel) {
-  return plot::gnuplot_script(panel.chart, panel.stem + ".csv", columns_of(panel),
-                              panel.stem + "_gnuplot.svg");
+  std::vector<std::size_t> all(rows);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return io::csv_text(columns, all);
 }
 
 } // namespace granum::studies

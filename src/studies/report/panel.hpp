@@ -6,7 +6,7 @@
 
 #include <granum/plot/chart.hpp>
 
-/// Charts of reports, with the files that their numbers and a script go to.
+/// Charts of reports, with the files that their numbers go to.
 /// Checked by tests/studies/test_experiment_figures.cpp
 namespace granum::studies {
 
@@ -33,8 +33,5 @@ void add(Panel& to, plot::Series series, std::string key);
 
 /// The numbers of a panel, two or three columns (x, y, error of y) for each series.
 [[nodiscard]] std::string panel_csv(const Panel& panel);
-
-/// gnuplot script that redraws a panel from <stem>.csv beside it, into <stem>_gnuplot.svg.
-[[nodiscard]] std::string panel_script(const Panel& panel);
 
 } // namespace granum::studies

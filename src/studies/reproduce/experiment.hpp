@@ -9,8 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/running/probes.hpp"
+#include "studies/running/run_control.hpp"
 #include "studies/scene/scene.hpp"
-#include "studies/verify/study.hpp"
 #include <granum/analysis/measurement.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>

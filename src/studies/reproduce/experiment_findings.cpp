@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "studies/reproduce/paper.hpp"
+#include "studies/paper/paper.hpp"
 #include <granum/core/number.hpp>
 #include <granum/hardin/fit.hpp>
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/reproduce/experiment_html.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "studies/report/verdict_lists.hpp"
 #include "studies/reproduce/experiment_data.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
+#include "studies/reproduce/experiment_tables.hpp"
 #include "studies/reproduce/figures/figure_parts.hpp"
 #include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
@@ -40,14 +39,6 @@ RouteState route_state(const StateRecord& point) {
   if (point.probes)
     out.probe = {point.probes->G_hv, point.probes->G_vh, point.probes->G_hh};
   return out;
-}
-
-std::size_t frozen_states(const Experiment& experiment) {
-  std::size_t count = 0;
-  for (const ExperimentSpecimen& specimen : experiment.specimens)
-    for (const PathRun& run : specimen.runs)
-      count += run.points.size();
-  return count;
 }
 
 std::string duration(const RunTime& time) {
@@ -90,50 +81,10 @@ std::string what_was_run(const Experiment& experiment, const RunTime& time) {
   return plot::html_table({"", ""}, rows);
 }
 
-/// "0.484 \u00b1 0.007": as many decimals as the two first digits of the error need, at most 4.
-std::string shown(const TableValue& measured) {
-  if (!measured.standard_error || !(*measured.standard_error > 0))
-    return short_text(measured.value);
-  const double error = *measured.standard_error;
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 4);
-  const double unit = std::pow(10, -decimals);
-  const auto rounded = [unit](double value) { return short_text(unit * std::round(value / unit), 12); };
-  return rounded(measured.value) + " \u00b1 " + rounded(error);
-}
-
-std::string words_of(Agreement agreement) {
-  switch (agreement) {
-  case Agreement::within:
-    return "within";
-  case Agreement::beyond:
-    return "beyond";
-  case Agreement::undecided:
-    return "cannot tell: the standard error is larger than what is asked for";
-  default:
-    return "";
-  }
-}
-
-std::vector<std::string> cell_row(const TableRow& specimen, const Cell& cell) {
-  return {std::string(name(specimen.contact)) + ", " + std::string(name(specimen.density)),
-          cell.quantity,
-          shown(cell.ours),
-          cell.printed ? short_text(*cell.printed) : "",
-          cell.printed ? short_text(cell.ours.value - *cell.printed, 3) : "",
-          cell.reach ? short_text(*cell.reach) : "",
-          words_of(cell.agreement())};
-}
-
 std::string table(const std::string& title, const std::vector<TableRow>& specimens) {
-  std::vector<std::vector<std::string>> rows;
-  for (const TableRow& specimen : specimens)
-    for (const Cell& cell : specimen.cells)
-      rows.push_back(cell_row(specimen, cell));
-  if (rows.empty())
-    return plot::html_folded(title, plot::html_paragraph("Nothing was measured."));
-  return plot::html_folded(
-      title,
-      plot::html_table({"Specimen", "Quantity", "granum", "paper", "difference", "asked for", ""}, rows));
+  const std::vector<CellRow> cells = cell_rows(specimens);
+  return plot::html_folded(title, cells.empty() ? plot::html_paragraph("Nothing was measured.")
+                                                : io::page_table(cell_columns(), cells));
 }
 
 /// Which of the three moduli a panel shows, if its figure has them all.
@@ -148,8 +99,7 @@ std::string folded_figure(const Figure& figure) {
   plot::PageFigure out{.caption = figure.caption};
   for (const Panel& panel : figure.panels) {
     out.pictures.push_back({.svg = plot::svg_in_page(panel.chart), .choice = choice_of(panel)});
-    for (plot::PageFile& file : files_of(panel, figures_folder))
-      out.files.push_back(std::move(file));
+    out.files.push_back(file_of(panel, figures_folder));
   }
   return plot::html_folded(figure.name + ": " + figure.title, plot::html_figure(out));
 }
@@ -187,12 +137,11 @@ std::string how_to_read() {
        "s = m + n. The paper's C holds p_a in MPa and is not set beside ours.",
        "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each, over "
        "the root of "
-       "the number of seeds. With one seed it does not hold what another specimen would differ by.",
+       "the number of seeds. With one seed it does not hold what another specimen would differ by. Within: "
+       "whether "
+       "ours is as near to the paper's as is asked for; it cannot tell where the standard error is larger.",
        "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables beside this page; the "
-       "figures' "
-       "own in "
-       "the folder figures, each with a gnuplot script that draws it again. Figures 1, 2 and 5 of the paper "
-       "are sketches."});
+       "figures' own in the folder figures. Figures 1, 2 and 5 of the paper are sketches."});
 }
 
 std::string left_out(const Experiment& experiment) {
@@ -232,6 +181,14 @@ std::string report_body(const Experiment& experiment, const CompressionStory& st
 }
 
 } // namespace
+
+std::size_t frozen_states(const Experiment& experiment) {
+  std::size_t count = 0;
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    for (const PathRun& run : specimen.runs)
+      count += run.points.size();
+  return count;
+}
 
 std::vector<Compression> compressions(const Experiment& experiment) {
   const std::vector<TableRow> exponents = table_5(experiment);

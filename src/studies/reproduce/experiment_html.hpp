@@ -17,6 +17,8 @@ struct RunTime {
   bool resumed = false; ///< of the last part alone
 };
 
+[[nodiscard]] std::size_t frozen_states(const Experiment& experiment);
+
 /// Isotropic compression of the first specimen of each kind; s of G_hv as in Table 5.
 [[nodiscard]] std::vector<Compression> compressions(const Experiment& experiment);
 

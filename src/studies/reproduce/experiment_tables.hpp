@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/reproduce/experiment_findings.hpp"
+#include <granum/io/csv/columns.hpp>
 
 /// The numbers of an experiment as CSV and as text for people. Units in the headings.
 /// Checked by tests/studies/test_experiment_findings.cpp
@@ -18,11 +19,15 @@ namespace granum::studies {
 [[nodiscard]] std::string loops_csv(const Experiment& experiment);
 /// Contacts of every frozen state by direction and by force: contact, density, seed, path, eta, bin, count.
 [[nodiscard]] std::string histograms_csv(const Experiment& experiment);
-/// One cell of a table a row: ours, its standard error, the printed number, the difference, the reach.
+/// A cell of a table with where it is from, as CSV, JSON, screen and page have it.
+struct CellRow {
+  const TableRow* row;
+  const Cell* cell;
+};
+[[nodiscard]] std::vector<CellRow> cell_rows(const std::vector<TableRow>& rows);
+/// Ours, its standard error, the printed number, the difference, the reach, and whether ours is within it.
+[[nodiscard]] const io::Columns<CellRow>& cell_columns();
 [[nodiscard]] std::string table_csv(const std::vector<TableRow>& rows);
-[[nodiscard]] std::string verdicts_csv(const std::vector<Verdict>& verdicts);
-
-/// A table as text: ours +- standard error, in brackets the printed number; a mark where it is out of reach.
 [[nodiscard]] std::string table_text(const std::string& title, const std::vector<TableRow>& rows);
 
 } // namespace granum::studies

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "studies/verify/study.hpp"
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
 #include <granum/dem/specimen_bytes.hpp>
@@ -14,7 +13,6 @@
 
 #include "state_record.hpp"
 #include "studies/running/outcome_text.hpp"
-#include "studies/running/probes.hpp"
 
 namespace granum::studies {
 

@@ -32,7 +32,7 @@ analysis::Measurement measure(const dem::Specimen& state, const dem::Material& m
       .rose_bins = polar_bins,
       .force_bins = force_bins,
       .closed_forms = true,
-      .network = network::Options{.tolerance = network_tolerance, .stop_requested = stop_requested}};
+      .network = network::ResponseOptions{.tolerance = network_tolerance, .stop_requested = stop_requested}};
   if (state.walls)
     wanted.interior_layer = 4 * state.radius; // two diameters, the custom
   return analysis::measure(dem::contact_network(state, material), given, wanted);
@@ -97,6 +97,19 @@ StateRecord state_record(const dem::Specimen& state, const dem::Material& materi
                       ", p' = " + pretty(at.stress.mean(), Dimension::pressure) + ": " + failure);
   }
   return out;
+}
+
+ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta, double amplitude,
+                     const StopRequest& stop_requested) {
+  triaxial::ProbeResult result = triaxial::probe(state, material, triaxial::ShearMode::hh,
+                                                 {.amplitude = amplitude,
+                                                  .sliding = true,
+                                                  .hold_normal_stress = true,
+                                                  .loop_points = 5,
+                                                  .force_tolerance = 1e-6,
+                                                  .max_steps = 4000,
+                                                  .stop_requested = stop_requested});
+  return {.eta = eta, .amplitude = amplitude, .points = std::move(result.last_loop)};
 }
 
 } // namespace granum::studies

@@ -21,4 +21,10 @@ namespace granum::studies {
                                        const triaxial::PathPoint& at, bool probed,
                                        std::vector<std::string>& notes, const StopRequest& stop_requested);
 
+/// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest:
+/// the loop is drawn as it is.
+/// \throws   Stopped if stop_requested says so
+[[nodiscard]] ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta,
+                                   double amplitude, const StopRequest& stop_requested);
+
 } // namespace granum::studies

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "studies/reproduce/experiment.hpp"
 #include <granum/analysis/measure.hpp>
 #include <granum/core/stop_request.hpp>
 #include <granum/dem/specimen.hpp>
 
 /// What studies measure by DEM on a specimen that granum made.
 namespace granum::studies {
+
+/// Shear moduli of the three probes of one frozen state [Pa].
+struct Probes {
+  double G_hh = 0;
+  double G_hv = 0;
+  double G_vh = 0;
+  double amplitude = 0; ///< shear strain [1]
+
+  bool operator==(const Probes&) const = default;
+};
 
 /// What analysis::measure needs beside the contacts of a specimen: their law, and the void ratio.
 [[nodiscard]] analysis::Given known_of(const dem::Specimen& state, const dem::Material& material);
@@ -16,11 +25,5 @@ namespace granum::studies {
 /// \throws   NotConverged if a probe does not come to rest; Stopped if stop_requested says so
 [[nodiscard]] Probes run_probes(const dem::Specimen& state, const dem::Material& material,
                                 const StopRequest& stop_requested);
-
-/// A cycle of horizontal shear with friction, normal stresses held. Near failure it need not come to rest:
-/// the loop is drawn as it is.
-/// \throws   Stopped if stop_requested says so
-[[nodiscard]] ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta,
-                                   double amplitude, const StopRequest& stop_requested);
 
 } // namespace granum::studies

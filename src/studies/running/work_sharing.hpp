@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/verify/study.hpp"
+#include "studies/running/run_control.hpp"
 #include <granum/core/stop_request.hpp>
 
 /// How studies share work among threads and report their progress.

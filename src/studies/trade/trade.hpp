@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/running/run_control.hpp"
 #include "studies/scene/scene.hpp"
-#include "studies/verify/study.hpp"
 #include <granum/dem/engine.hpp>
 
 /// Speed against accuracy: the same specimens with one setting varied at a time, what each choice does to

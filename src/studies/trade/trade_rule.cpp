@@ -103,13 +103,17 @@ const TradeLaws& recorded_laws() {
   return laws;
 }
 
+double scatter_of(const ErrorLaw& law, double grains) { return law.size.scatter / std::sqrt(grains); }
+double size_bias_of(const ErrorLaw& law, double grains) { return law.size.bias / grains; }
+double rate_bias_of(const ErrorLaw& law, double inertial_number) { return law.rate.bias * inertial_number; }
+
 double expected_error(const ErrorLaw& law, std::size_t grains, std::size_t specimens,
                       double inertial_number) {
   const double count = require_positive("grains", static_cast<double>(grains));
   const double number = require_positive("specimens", static_cast<double>(specimens));
   require_non_negative("inertial_number", inertial_number);
   const double variance = law.size.scatter * law.size.scatter / count / number;
-  return std::sqrt(variance + std::pow(law.size.bias / count + law.rate.bias * inertial_number, 2));
+  return std::sqrt(variance + std::pow(size_bias_of(law, count) + rate_bias_of(law, inertial_number), 2));
 }
 
 Recipe recipe_for(const ErrorLaw& law, double error, std::size_t specimens) {

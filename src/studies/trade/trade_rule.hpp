@@ -48,6 +48,12 @@ struct TradeLaws {
 /// The laws of validation/trade/, for spheres between 10 and 100 kPa.
 [[nodiscard]] const TradeLaws& recorded_laws();
 
+/// What the laws make of one specimen: standard deviation between seeds, bias of its size, bias of its rate.
+/// \param    grains   >= 1
+[[nodiscard]] double scatter_of(const ErrorLaw& law, double grains);
+[[nodiscard]] double size_bias_of(const ErrorLaw& law, double grains);
+[[nodiscard]] double rate_bias_of(const ErrorLaw& law, double inertial_number);
+
 /// Root mean square error of the mean over some specimens.
 /// \param    grains, specimens   >= 1
 /// \throws   InvalidArgument for an inertial number that is negative, or no grains or specimens

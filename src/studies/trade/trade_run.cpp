@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <ctime>
 
-#include "studies/verify/findings.hpp"
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
@@ -12,6 +11,7 @@
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "studies/running/fitted_exponent.hpp"
 #include "studies/running/outcome_text.hpp"
 #include "studies/running/probes.hpp"
 #include "studies/running/work_sharing.hpp"
@@ -49,7 +49,8 @@ triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packi
 }
 
 void make(const TradeScene& trade, const StopRequest& stop_requested, Packing& packing) {
-  triaxial::Preparation made = triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
+  triaxial::FrictionlessPacking made =
+      triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
   packing.state = std::move(made.state);
   packing.steps = made.minimiser_steps;
 }
@@ -65,7 +66,7 @@ double probed(const dem::Specimen& state, const dem::Material& material, triaxia
 analysis::Measurement measured(const dem::Specimen& state, const dem::Material& material,
                                const StopRequest& stop_requested) {
   return analysis::measure(dem::contact_network(state, material), known_of(state, material),
-                           {.network = network::Options{.stop_requested = stop_requested}});
+                           {.network = network::ResponseOptions{.stop_requested = stop_requested}});
 }
 
 void measure_network(const dem::Specimen& frozen, const dem::Material& material,

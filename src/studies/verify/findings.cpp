@@ -6,13 +6,14 @@
 #include <functional>
 #include <iterator>
 
-#include "studies/reproduce/paper.hpp"
+#include "studies/paper/paper.hpp"
 #include <granum/core/number.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/hardin/polynomial.hpp>
 
 #include "exponent_scatter.hpp"
 #include "seed_mean.hpp"
+#include "studies/running/fitted_exponent.hpp"
 #include "studies/running/outcome_text.hpp"
 
 namespace granum::studies {
@@ -182,19 +183,6 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
 }
 
 } // namespace
-
-std::optional<Measured> fitted_exponent(const std::vector<hardin::MeasuredModulus>& rows,
-                                        hardin::VoidRatioFunction function) {
-  if (rows.size() < 3)
-    return std::nullopt;
-  const hardin::FitReport report = hardin::fit_exponent_sum(
-      rows,
-      {.atmospheric_pressure = 100e3, .void_ratio_function = function, .weights = hardin::Weights::absolute});
-  if (report.status() != hardin::FitStatus::converged)
-    return std::nullopt; // states too near to each other to have a slope
-  const Measured& s = report.fit().exponent_sum;
-  return Measured{s.value, s.standard_error};
-}
 
 std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   using enum hardin::VoidRatioFunction;

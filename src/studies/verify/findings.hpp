@@ -7,16 +7,8 @@
 
 #include "studies/verify/study.hpp"
 #include <granum/core/measured.hpp>
-#include <granum/hardin/fit.hpp>
 
 namespace granum::studies {
-
-/// s of one specimen's path: G ~ p^s by Levenberg-Marquardt on G itself, as in the paper.
-/// \return   nothing with fewer than three states, or if the fit does not converge
-/// \throws   InvalidArgument if a modulus or a stress is not positive
-[[nodiscard]] std::optional<Measured>
-fitted_exponent(const std::vector<hardin::MeasuredModulus>& states,
-                hardin::VoidRatioFunction function = hardin::VoidRatioFunction::none);
 
 /// s of G ~ p^s by every route, for one contact and density.
 struct ExponentRow {

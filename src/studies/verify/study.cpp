@@ -62,7 +62,8 @@ void measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe&
       .sliding_fraction = sliding_fraction(dem::contact_network(snapshot.state, material)),
       .packing = analysis::measure(
           dem::contact_network(frozen.state(), material), known_of(frozen.state(), material),
-          {.work = true, .network = network::Options{.force_terms = true, .stop_requested = stop_requested}}),
+          {.work = true,
+           .network = network::ResponseOptions{.force_terms = true, .stop_requested = stop_requested}}),
       .probes = {},
       .steps = snapshot.report.steps + frozen.report.steps,
       .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "studies/running/probes.hpp"
+#include "studies/running/run_control.hpp"
 #include "studies/scene/scene.hpp"
 #include <granum/analysis/measurement.hpp>
 #include <granum/elastic/isotropic.hpp>
 
 namespace granum::studies {
-
-/// Shear moduli of the three probes of one frozen state [Pa].
-struct Probes {
-  double G_hh = 0;
-  double G_hv = 0;
-  double G_vh = 0;
-  double amplitude = 0; ///< shear strain [1]
-
-  bool operator==(const Probes&) const = default;
-};
 
 /// One state of isotropic compression.
 struct CompressedState {
@@ -64,17 +54,6 @@ struct SpecimenResult {
 
 /// "flat loose #3".
 [[nodiscard]] std::string title(const SpecimenResult& specimen);
-
-struct Progress {
-  double done = 0; ///< share of the predicted work, 0..1
-  std::string what;
-  double done_before = 0; ///< share that checkpoints of an earlier run held
-};
-
-struct RunControl {
-  std::function<void(const Progress&)> report = {}; ///< called from worker threads, one at a time
-  const std::atomic<bool>* stop = nullptr; ///< set it to end the study early; what is finished is kept
-};
 
 /// Runs the study: a frictionless packing for each contact and seed, from it a dense and a loose specimen,
 /// each compressed through the pressures, frozen at each, analysed, solved as a network, and probed where

@@ -10,8 +10,10 @@
 
 namespace granum::studies {
 
-/// The columns of a table of states, from which CSV, JSON and screen are written.
+/// The columns of states, exponents and verdicts, from which CSV, JSON, screen and page are written.
 [[nodiscard]] io::Columns<CompressedState> state_columns();
+[[nodiscard]] io::Columns<ExponentRow> exponent_columns();
+[[nodiscard]] io::Columns<Verdict> verdict_columns();
 
 /// All states, a row each; units in the headings. Columns of probes are empty where none was run.
 [[nodiscard]] std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens);

@@ -2,63 +2,110 @@
 #include <granum/io/csv/columns.hpp>
 
 #include <doctest/doctest.h>
+#include <granum/core/error.hpp>
 
+using namespace granum;
 using namespace granum::io;
 
 namespace {
 
 struct Grain {
   double radius = 0;
-  std::optional<double> mass = {};
+  std::optional<Measured> mass = {};
+  std::size_t contacts = 0;
+  const char* name = "";
+
+  [[nodiscard]] double diameter() const { return 2 * radius; }
 };
 
 const Columns<Grain> columns{
-    {"R_m", "radius", [](const Grain& g) { return g.radius; }, ShownColumn{"R [mm]", 8, 2, true, 1e-3}},
-    {"", "", [](const Grain& g) { return 2 * g.radius; }, ShownColumn{"d [m]", 7, 3}},
-    {"m_kg", "mass", [](const Grain& g) { return g.mass; }, ShownColumn{"m [kg]", 7, 4}},
+    {"name", "name", &Grain::name, ShownColumn{.heading = "grain", .width = -7}},
+    {"R_m", "radius", &Grain::radius, ShownColumn{"R [mm]", 8, 2, true, 1e-3}},
+    {"", "", &Grain::diameter, ShownColumn{"d [m]", 7, 3}},
+    {"m_kg", "mass", &Grain::mass,
+     ShownColumn{.heading = "m [g]", .width = 11, .digits = 1, .fixed = true, .unit = 1e-3, .absent = "-"}},
+    {"contacts", "contacts", &Grain::contacts},
 };
+const std::vector<Grain> grains{{.radius = 0.5, .mass = Measured{2, 0.5}, .contacts = 6, .name = "large"},
+                                {.radius = 0.25, .name = "small, round"}};
 
 } // namespace
 
-TEST_CASE("one list of columns makes the CSV and the screen") {
-  CsvContent csv;
-  add_headings(csv, columns);
-  for (const Grain& g : {Grain{0.5, 2}, Grain{0.25}}) {
-    std::vector<CsvCell> row;
-    add_cells(row, columns, g);
-    csv.rows.push_back(row);
+TEST_CASE("one list of columns makes the CSV, with a second column for an error") {
+  CHECK(
+      csv_text(columns, grains, {{"program", "granum"}}) ==
+      "# program: granum\nname,R_m,m_kg,m_kg_error,contacts\nlarge,0.5,2,0.5,6\n\"small, round\",0.25,,,0\n");
+}
+
+TEST_CASE("the same list makes the table of the screen") {
+  CHECK(heading_line(columns) == "grain    R [mm]  d [m]      m [g]");
+  CHECK(row_line(columns, grains[0]) ==
+        "large    500.00      1 2000.0+-500.0"); // wider than its column: whole, apart
+  CHECK(row_line(columns, grains[1]) == "small, round   250.00    0.5          -");
+  CHECK(table_text(columns, grains) == heading_line(columns) + "\n" + row_line(columns, grains[0]) + "\n" +
+                                           row_line(columns, grains[1]) + "\n");
+}
+
+TEST_CASE("the same list makes the list of the screen, where nothing is left out of it") {
+  const std::string all = list_text(columns, grains[0]), less = list_text(columns, grains[1]);
+  CHECK(all.find("R [mm]                   500.00") != std::string::npos);
+  CHECK(all.find("2000.0 +- 5e+02") != std::string::npos); // errors with two digits
+  CHECK(std::count(all.begin(), all.end(), '\n') == 4);
+  CHECK(std::count(less.begin(), less.end(), '\n') == 3);
+}
+
+TEST_CASE("the same list makes the table of a page") {
+  const std::string page = page_table(columns, grains);
+  for (const char* part : {"R [mm]", "m [g]", "small, round", "500.00", "2000.0 \u00b1 500.0"}) {
+    CAPTURE(part);
+    CHECK(page.find(part) != std::string::npos);
   }
-  CHECK(csv_text(csv) == "R_m,m_kg\n0.5,2\n0.25,\n");
-  CHECK(heading_line(columns) == "  R [mm]  d [m] m [kg]");
-  CHECK(number_line(columns, Grain{0.5, 2}) == "  500.00      1      2");
-  CHECK(number_line(columns, Grain{0.25}) == "  250.00    0.5");
 }
 
-TEST_CASE("on the screen some columns stand ahead, in the CSV all stand as they are listed") {
-  Columns<Grain> ordered = columns;
-  ordered[2].shown->ahead = true;
-  CHECK(heading_line(ordered) == " m [kg]  R [mm]  d [m]");
-  CHECK(number_line(ordered, Grain{0.5, 2}) == "      2  500.00      1");
-  CsvContent csv;
-  add_headings(csv, ordered);
-  CHECK(csv.headings == std::vector<std::string>{"R_m", "m_kg"});
+TEST_CASE("values of what getters return") {
+  CHECK(is_nothing(value_of(std::optional<double>())));
+  CHECK(number_of(value_of(std::optional(2.5))) == 2.5);
+  CHECK(number_of(value_of(std::size_t{7})) == 7.0);
+  CHECK(number_of(value_of(-7L)) == -7.0);
+  CHECK(number_of(value_of(Measured{3, 1})) == 3.0);
+  CHECK_FALSE(number_of(value_of(std::string("3"))));
+  CHECK(std::get<std::string>(value_of("text")) == "text");
+  CHECK(std::get<bool>(value_of(true)));
+  const auto mass = or_null(&Grain::mass);
+  CHECK(std::holds_alternative<std::nullptr_t>(mass(grains[1])));
+  CHECK(std::get<Measured>(mass(grains[0])).value == 2);
+  CHECK(Column<Grain>("m", "", mass).has_error); // nothing has two cells as well
 }
 
-TEST_CASE("a column of texts stands in the CSV, below the notes") {
-  const Columns<Grain> named{
-      {"size", [](const Grain& g) { return std::string(g.radius > 0.3 ? "large" : "small, round"); }},
-      {"m_kg", "", [](const Grain& g) { return g.mass; }},
+TEST_CASE("how values are shown") {
+  CHECK(shown_text({.heading = "", .digits = 3}, 0.123456, screen_sign) == "0.123");
+  CHECK(shown_text({.heading = "", .digits = 1, .unit = 0.01, .symbol = " %"}, 0.5, screen_sign) ==
+        "5e+01 %");
+  CHECK(shown_text({.heading = "", .dimension = Dimension::force}, 66.95e-3, screen_sign) == "66.95 mN");
+  CHECK(shown_text({.heading = "", .digits = 2, .fixed = true, .sign = true}, 1.5, screen_sign) == "+1.50");
+  CHECK(shown_text({.heading = "", .digits = 2}, std::vector<double>{1, 2.5}, screen_sign) == "1 2.5");
+  CHECK(cell_text({.heading = "", .width = 3, .digits = 6}, 123456.0) ==
+        " 123456"); // apart from the one before
+  CHECK(cell_text({.heading = "", .width = 3}, 12.0) == " 12");
+  CHECK(heading_text({.heading = "a long heading", .width = 3}) == "a long heading");
+}
+
+TEST_CASE("a part's columns stand in those of the whole") {
+  struct Pair {
+    const Grain* first;
+    const Grain* second;
   };
-  CHECK(csv_text(named, {Grain{0.5, 2}, Grain{0.25}}, {{"program", "granum"}}) ==
-        "# program: granum\nsize,m_kg\nlarge,2\n\"small, round\",\n");
+  Columns<Pair> all;
+  add_part(
+      all, columns, [](const Pair& pair) { return pair.second; }, "second/", "second_");
+  CHECK(all[1].heading == "second_R_m");
+  CHECK(all[1].key == "second/radius");
+  CHECK(all[2].key.empty());
+  CHECK(csv_text(all, std::vector<Pair>{{nullptr, &grains[0]}, {nullptr, nullptr}}) ==
+        "second_name,second_R_m,second_m_kg,second_m_kg_error,second_contacts\nlarge,0.5,2,0.5,6\n,,,,\n");
 }
 
-TEST_CASE("what is wider than its column is shown whole") {
-  const ShownColumn narrow{"a long heading", 3, 6};
-  CHECK(heading_text(narrow) == "a long heading");
-  CHECK(number_text(narrow, 123456) == " 123456"); // apart from the number before
-  CHECK(number_text(narrow, 123) == " 123");
-  CHECK(number_text(narrow, 12) == " 12");
-  CHECK(number_text(narrow, std::nullopt) == "   ");
-  CHECK(number_text({"a", 3, 4, false, 1, "-"}, std::nullopt) == "  -");
+TEST_CASE("several numbers are no cell") {
+  const Columns<Grain> bad{{"list", "", [](const Grain&) { return std::vector<double>{1, 2}; }}};
+  CHECK_THROWS_AS((void)csv_text(bad, grains), InvalidArgument);
 }

@@ -8,64 +8,78 @@
 #include <vector>
 
 #include <granum/io/csv/table.hpp>
+#include <granum/io/csv/value.hpp>
 
-/// A table as one list of columns, from which files and screen are written: a new column is one more entry.
+/// A result as one list of columns: CSV, JSON, a table on a screen, a list on a screen and a table of a page are
+/// prints of it. What is new in a result is one more entry.
 /// Checked by tests/io/csv/test_columns.cpp
 namespace granum::io {
 
-/// How a column looks on a screen.
-struct ShownColumn {
-  std::string heading;
-  int width = 0;           ///< of heading and numbers, both to the right [characters]
-  int digits = 4;          ///< significant ones, or behind the point
-  bool fixed = false;      ///< digits behind the point
-  double unit = 1;         ///< that numbers are shown in [SI]
-  std::string absent = ""; ///< what a row without a number shows
-  bool ahead = false;      ///< stands before those that are not, wherever it is in the list
-};
-
-enum class ColumnKind {
-  number,
-  count ///< a whole number, which JSON shows as one
-};
-
 template <class Row>
 struct Column {
-  using Of = std::function<std::optional<double>(const Row&)>;
-  using Text = std::function<std::string(const Row&)>;
+  std::string heading;                 ///< in CSV, with its unit; empty: not there
+  std::string key;                     ///< in JSON, "probes/G_hh_Pa" within an object; empty: not there
+  std::function<Value(const Row&)> of; ///< in SI
+  std::optional<ShownColumn> shown;    ///< nothing: neither on a screen nor in a page
+  bool has_error = false;              ///< Measured: CSV has a second column, heading_error
 
-  std::string heading; ///< in CSV, with its unit; empty: not there
-  std::string key;     ///< in JSON, "probes/G_hh_Pa" within an object; empty: not there
-  Of of;               ///< the number of a row, SI; nothing: an empty cell
-  Text text;           ///< the text of a row, in CSV; null where the column holds numbers
-  ColumnKind kind = ColumnKind::number;
-  std::optional<ShownColumn> shown; ///< nothing: not on the screen
-
-  Column(std::string heading_, std::string key_, Of of_, ColumnKind kind_ = ColumnKind::number)
-      : heading(std::move(heading_)), key(std::move(key_)), of(std::move(of_)), kind(kind_) {}
-  Column(std::string heading_, std::string key_, Of of_, ShownColumn shown_)
-      : heading(std::move(heading_)), key(std::move(key_)), of(std::move(of_)), kind(ColumnKind::number),
-        shown(std::move(shown_)) {}
-  /// A column of texts.
-  Column(std::string heading_, Text text_)
-      : heading(std::move(heading_)), of([](const Row&) { return std::nullopt; }), text(std::move(text_)) {}
+  /// \param    get   a member, or a function of a row: a number, a count, a truth, a text, a Measured, numbers,
+  ///                 or an optional one of these
+  template <class Get>
+  Column(std::string heading_, std::string key_, Get get, std::optional<ShownColumn> shown_ = {})
+      : heading(std::move(heading_)), key(std::move(key_)),
+        of([get](const Row& row) { return value_of(std::invoke(get, row)); }), shown(std::move(shown_)),
+        has_error(gives_measured<Get, Row>) {}
 };
 
 template <class Row>
 using Columns = std::vector<Column<Row>>;
 
+/// A result of one row, each value at its key. JSON: members(items, Only{}); screen: list_text(items, Only{}).
+struct Only {};
+using Items = Columns<Only>;
+template <class T>
+void add_item(Items& to, std::string key, const T& value, std::optional<ShownColumn> shown = {}) {
+  to.emplace_back(
+      "", std::move(key), [value = value_of(value)](const Only&) { return value; }, std::move(shown));
+}
+
+/// Adds the columns of a part of a row, which `part_of` finds; null where a row has none.
+/// \param    key, heading   stand before each key and each heading that is not empty
+template <class Row, class Part, class PartOf>
+void add_part(Columns<Row>& to, const Columns<Part>& columns, PartOf part_of, const std::string& key = "",
+              const std::string& heading = "") {
+  for (Column<Part> column : columns) {
+    const auto of = [part_of, get = column.of](const Row& row) {
+      const Part* part = part_of(row);
+      return part == nullptr ? Value() : get(*part);
+    };
+    to.emplace_back(column.heading.empty() ? "" : heading + column.heading,
+                    column.key.empty() ? "" : key + column.key, of, column.shown);
+    to.back().has_error = column.has_error;
+  }
+}
+
 template <class Row>
 void add_headings(CsvContent& to, const Columns<Row>& columns) {
-  for (const Column<Row>& column : columns)
-    if (!column.heading.empty())
-      to.headings.push_back(column.heading);
+  for (const Column<Row>& column : columns) {
+    if (column.heading.empty())
+      continue;
+    to.headings.push_back(column.heading);
+    if (column.has_error)
+      to.headings.push_back(column.heading + "_error");
+  }
 }
+
+/// Adds a value as a cell, or two where it has an error.
+/// \throws   InvalidArgument for several numbers, which are no cell
+void add_cell(std::vector<CsvCell>& to, const Value& value, bool has_error);
 
 template <class Row>
 void add_cells(std::vector<CsvCell>& to, const Columns<Row>& columns, const Row& row) {
   for (const Column<Row>& column : columns)
     if (!column.heading.empty())
-      to.push_back(column.text ? CsvCell(column.text(row)) : CsvCell(column.of(row).value_or(empty_cell)));
+      add_cell(to, column.of(row), column.has_error);
 }
 
 /// The text of a file with a row for each of `rows`, below the notes.
@@ -79,35 +93,59 @@ template <class Row>
   return csv_text(csv);
 }
 
-/// A heading, or a number in its unit, to the right of the column; what is shown for nothing. A number that
-/// fills its column has a blank in front, so that it never runs into the one before.
-[[nodiscard]] std::string heading_text(const ShownColumn& column);
-[[nodiscard]] std::string number_text(const ShownColumn& column, const std::optional<double>& number);
-
-/// Calls visit(column, how it is shown) for the columns of a screen, from left to right.
-template <class Row, class Visit>
-void for_each_shown(const Columns<Row>& columns, const Visit& visit) {
-  for (const bool ahead : {true, false})
-    for (const Column<Row>& column : columns)
-      if (column.shown && column.shown->ahead == ahead)
-        visit(column, *column.shown);
-}
-
 /// The lines of a table on a screen, without their ends and blanks there.
 template <class Row>
 [[nodiscard]] std::string heading_line(const Columns<Row>& columns) {
   std::string line;
-  for_each_shown(columns, [&](const Column<Row>&, const ShownColumn& shown) { line += heading_text(shown); });
+  for (const Column<Row>& column : columns)
+    if (column.shown && column.shown->width != 0)
+      line += heading_text(*column.shown);
+  line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }
 template <class Row>
-[[nodiscard]] std::string number_line(const Columns<Row>& columns, const Row& row) {
+[[nodiscard]] std::string row_line(const Columns<Row>& columns, const Row& row) {
   std::string line;
-  for_each_shown(columns, [&](const Column<Row>& column, const ShownColumn& shown) {
-    line += number_text(shown, column.of(row));
-  });
+  for (const Column<Row>& column : columns)
+    if (column.shown && column.shown->width != 0)
+      line += cell_text(*column.shown, column.of(row));
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
+}
+/// The whole table, each line with its end.
+template <class Row>
+[[nodiscard]] std::string table_text(const Columns<Row>& columns, const std::vector<Row>& rows) {
+  std::string text = heading_line(columns) + "\n";
+  for (const Row& row : rows)
+    text += row_line(columns, row) + "\n";
+  return text;
+}
+
+/// What a row has, a line each, on a screen.
+template <class Row>
+[[nodiscard]] std::string list_text(const Columns<Row>& columns, const Row& row) {
+  std::string text;
+  for (const Column<Row>& column : columns)
+    if (column.shown && column.shown->listed)
+      if (const Value value = column.of(row); !is_nothing(value))
+        text += list_line(*column.shown, value);
+  return text;
+}
+
+/// A table of a page (plot/page.hpp): the columns that a table on a screen has, with their meanings below.
+[[nodiscard]] std::string page_table(const std::vector<ShownColumn>& columns,
+                                     const std::vector<std::vector<Value>>& rows);
+template <class Row>
+[[nodiscard]] std::string page_table(const Columns<Row>& columns, const std::vector<Row>& rows) {
+  std::vector<ShownColumn> shown;
+  std::vector<std::vector<Value>> values(rows.size());
+  for (const Column<Row>& column : columns)
+    if (column.shown && column.shown->width != 0) {
+      shown.push_back(*column.shown);
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        values[k].push_back(column.of(rows[k]));
+    }
+  return page_table(shown, values);
 }
 
 } // namespace granum::io

@@ -42,13 +42,13 @@ class CsvTable {
   /// Whether a column holds `quantity`, with any unit.
   [[nodiscard]] bool has(std::string_view quantity) const;
   /// Place of a quantity in every row, and what its numbers are multiplied by to give SI.
-  struct Column {
+  struct Place {
     std::size_t index = 0;
     double factor = 1;
   };
   /// \throws   FileError if no column or more than one holds the quantity, or if its heading lacks a unit of
   ///           `dimension`
-  [[nodiscard]] Column column(std::string_view quantity, Dimension dimension) const;
+  [[nodiscard]] Place column(std::string_view quantity, Dimension dimension) const;
   /// The column of a quantity in SI: for sigma_v the column sigma_v_kPa, say, times 1000.
   /// \throws   FileError as column, or, naming the line, if a field is not a finite number
   [[nodiscard]] std::vector<double> numbers(std::string_view quantity, Dimension dimension) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
+#include "studies/paper/paper.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
-#include "studies/reproduce/paper.hpp"
 
 #include "figure_parts.hpp"
 

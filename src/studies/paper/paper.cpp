@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/reproduce/paper.hpp"
+#include "studies/paper/paper.hpp"
 
 namespace granum::studies {
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analyse.hpp"
+
+/// What is found of a frame, part by part, as lists of columns, from which JSON, the tables of CSV, the screen and
+/// the page are written.
+namespace granum::cli {
+
+/// Sizes of the grains and the void ratio.
+[[nodiscard]] const io::Columns<analysis::Measurement>& packing_fields();
+/// What is counted without knowing the contacts, and what needs them.
+[[nodiscard]] const io::Columns<analysis::Counts>& grain_count_fields();
+[[nodiscard]] const io::Columns<analysis::Counts>& contact_count_fields();
+[[nodiscard]] const io::Columns<analysis::InteriorMeasures>& window_fields();
+[[nodiscard]] const io::Columns<analysis::Fabric>& fabric_fields();
+[[nodiscard]] const io::Columns<packing::ContactStress>& stress_fields();
+[[nodiscard]] const io::Columns<analysis::Forces>& force_fields();
+[[nodiscard]] const io::Columns<analysis::LawCheck>& law_fields();
+/// Headings are beginnings, which the name of a rung ends.
+[[nodiscard]] const io::Columns<RungResult>& rung_fields();
+[[nodiscard]] const io::Columns<analysis::Network>& network_fields();
+
+/// A matrix of the network, and how it is called in tables, files and JSON.
+struct NamedMatrix {
+  const char* name;
+  const analysis::NetworkMatrix* matrix;
+};
+/// Affine, and relaxed where the network was solved; none without a network.
+[[nodiscard]] std::vector<NamedMatrix> network_matrices(const FrameAnswer& frame);
+inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"};
+/// Moduli along the axes with the distances from symmetry, and wave speeds.
+[[nodiscard]] const io::Columns<NamedMatrix>& matrix_fields();
+[[nodiscard]] const io::Columns<NamedMatrix>& wave_fields();
+
+/// Exponents of a rung over a series: s, then m and n.
+[[nodiscard]] const io::Columns<RungSeries>& sum_fields();
+[[nodiscard]] const io::Columns<RungSeries>& separate_fields();
+
+/// All that a frame has, of which these are parts: a frame of the JSON, a row of frames.csv, and a line of the table of
+/// frames on the screen.
+/// \param    like   has the rungs and the matrices that are asked for
+[[nodiscard]] io::Columns<FrameAnswer> frame_fields(const FrameAnswer& like);
+
+} // namespace granum::cli

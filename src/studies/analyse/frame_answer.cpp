@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame_answer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <granum/core/number.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/elastic/projection.hpp>
+
+namespace granum::studies {
+
+namespace {
+
+/// Why rung 3 has no answer for a packing that is not rigid.
+std::string declined(const analysis::Measurement& packing) {
+  return "declines: z* = " + short_text(packing.microstructure().mechanical_coordination_number) +
+         " is not above " +
+         short_text(effective::isostatic_coordination_number(packing.state->tangential_ratio)) +
+         ", the isostatic point; nothing holds such a network";
+}
+
+void add_closed_forms(FrameAnswer& frame) {
+  for (const analysis::ClosedForm& form : frame.measured.packing.closed_forms) {
+    RungResult result{
+        .name = form.rung->column, .title = effective::label(*form.rung), .error = form.refusal};
+    if (form.answer && declines(*form.answer)) {
+      result.error = declined(frame.measured.packing);
+      frame.validity.merge(form.answer->validity);
+    } else if (form.answer) {
+      result.moduli = moduli_of(form.answer->stiffness);
+      result.relative_error = form.answer->relative_error;
+      frame.validity.merge(form.answer->validity);
+    }
+    frame.rungs.push_back(std::move(result));
+  }
+}
+
+void add_network(FrameAnswer& frame) {
+  if (!frame.measured.packing.network)
+    return;
+  const network::Response& response = frame.measured.packing.network->response;
+  frame.rungs.push_back(
+      {.name = "affine", .title = "network, affine", .moduli = moduli_of(response.affine())});
+  RungResult result{.name = network_name, .title = "rung 4, network"};
+  if (response.converged())
+    result.moduli = moduli_of(response.relaxed());
+  else
+    result.error = "did not converge";
+  frame.rungs.push_back(std::move(result));
+}
+
+void set_ratios(FrameAnswer& frame) {
+  const RungResult* network = find_rung(frame, network_name);
+  for (RungResult& rung : frame.rungs)
+    if (network != nullptr && rung.moduli && rung.moduli->K > 0 && rung.moduli->G > 0) {
+      rung.network_over_K = network->moduli->K / rung.moduli->K;
+      rung.network_over_G = network->moduli->G / rung.moduli->G;
+    }
+}
+
+} // namespace
+
+PrintedStress printed(const packing::ContactStress& stress) {
+  const Mat3& s = stress.tensor; // f_i l_j
+  return {s(0, 0), s(1, 1), s(2, 2), s(1, 0), s(2, 0), s(2, 1)};
+}
+
+Moduli moduli_of(const elastic::TransverselyIsotropic& c) {
+  return {.K = c.bulk_modulus(),
+          .G = elastic::projected_shear_modulus(c),
+          .G_hh = c.G_hh(),
+          .G_vh = c.G_vh(),
+          .C11 = c.C11,
+          .C33 = c.C33,
+          .C12 = c.C12,
+          .C13 = c.C13};
+}
+
+Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
+  return moduli_of(elastic::transversely_isotropic_projection(stiffness));
+}
+
+std::string relaxed_name() { return effective::rung(effective::RungName::relaxed).column; }
+
+FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  analysis::Given given = options.given;
+  analysis::Wanted wanted = options.wanted;
+  given.materials = materials_of(packing, options.materials);
+  if (options.window)
+    wanted.window = window_in(packing, *options.window);
+  FrameAnswer frame{.read = packing.notes, .measured = measure_frame(packing, given, wanted)};
+  frame.window = wanted.window;
+  add_closed_forms(frame);
+  add_network(frame);
+  set_ratios(frame);
+  frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return frame;
+}
+
+const RungResult* find_rung(const FrameAnswer& frame, const std::string& name) {
+  const auto found = std::find_if(frame.rungs.begin(), frame.rungs.end(),
+                                  [&](const RungResult& rung) { return rung.name == name && rung.moduli; });
+  return found == frame.rungs.end() ? nullptr : &*found;
+}
+
+std::optional<double> mean_stress(const FrameAnswer& frame) {
+  const analysis::Measurement& m = frame.measured.packing;
+  if (frame.window && m.interior && m.stress)
+    return trace(m.interior->stress) / 3;
+  return m.stress ? std::optional(m.stress->mean()) : std::nullopt;
+}
+
+std::optional<double> mean_code_stress(const FrameAnswer& frame) {
+  if (!frame.code_stress)
+    return std::nullopt;
+  const PrintedStress& s = *frame.code_stress;
+  return (s[0] + s[1] + s[2]) / 3;
+}
+
+std::array<std::optional<double>, 6> stress_differences(const FrameAnswer& frame) {
+  std::array<std::optional<double>, 6> out;
+  if (!frame.code_stress || !frame.measured.packing.stress)
+    return out;
+  const PrintedStress own = printed(*frame.measured.packing.stress), &code = *frame.code_stress;
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (code[k] != 0)
+      out[k] = own[k] / code[k] - 1;
+  return out;
+}
+
+std::optional<double> largest_stress_difference(const FrameAnswer& frame) {
+  if (!frame.code_stress || !frame.measured.packing.stress)
+    return std::nullopt;
+  const PrintedStress own = printed(*frame.measured.packing.stress), &code = *frame.code_stress;
+  double largest = 0, apart = 0;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    largest = std::max(largest, std::abs(code[k]));
+    apart = std::max(apart, std::abs(own[k] - code[k]));
+  }
+  return apart == 0 ? 0 : apart / largest;
+}
+
+std::optional<double> network_over_relaxed(const FrameAnswer& frame) {
+  const RungResult* relaxed = find_rung(frame, relaxed_name());
+  return relaxed == nullptr ? std::nullopt : relaxed->network_over_G;
+}
+
+} // namespace granum::studies

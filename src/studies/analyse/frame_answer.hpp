@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/analyse/materials.hpp"
+#include "studies/analyse/measured_frame.hpp"
+#include "studies/analyse/window.hpp"
+#include <granum/effective/rungs.hpp>
+#include <granum/elastic/stiffness.hpp>
+#include <granum/elastic/transverse_isotropic.hpp>
+
+/// One frame with all rungs of the ladder beside each other.
+/// Checked by tests/studies/test_frame_answer.cpp
+namespace granum::studies {
+
+/// A stress as a code prints it, compression positive: xx yy zz xy xz yz [Pa].
+using PrintedStress = std::array<double, 6>;
+inline constexpr const char* stress_names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+
+/// The components of a stress by contacts that codes print: sum d_a f_b over the volume, d the line of
+/// centres, without making it symmetric.
+[[nodiscard]] PrintedStress printed(const packing::ContactStress& stress);
+
+/// Moduli of a stiffness, for the side-by-side table [Pa].
+struct Moduli {
+  double K = 0;
+  double G = 0; ///< of the nearest isotropic stiffness
+  double G_hh = 0;
+  double G_vh = 0;
+  double C11 = 0;
+  double C33 = 0;
+  double C12 = 0;
+  double C13 = 0;
+};
+[[nodiscard]] Moduli moduli_of(const elastic::TransverselyIsotropic& stiffness);
+/// Of the nearest stiffness that is symmetric about axis 3.
+[[nodiscard]] Moduli moduli_of(const elastic::VoigtStiffness& stiffness);
+
+/// What one rung says of a frame, or why it cannot.
+struct RungResult {
+  std::string name;  ///< in JSON and headings
+  std::string title; ///< in tables
+  std::optional<Moduli> moduli = std::nullopt;
+  std::optional<effective::ModulusErrors> relative_error = std::nullopt;
+  std::string error = {};
+  std::optional<double> network_over_K = std::nullopt; ///< K of the network over that of the rung
+  std::optional<double> network_over_G = std::nullopt;
+};
+
+/// What is measured: the frozen network, every grain in equilibrium.
+inline constexpr const char* network_name = "rung4";
+/// Rung 3 in the list of a frame's rungs.
+[[nodiscard]] std::string relaxed_name();
+
+struct FrameAnswer {
+  std::size_t number = 0;                ///< of the frame in the files, from 0
+  std::string file = {};                 ///< of its grains
+  std::vector<io::ImportNote> read = {}; ///< what the reader noted
+  MeasuredFrame measured = {};
+  std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
+  std::optional<PrintedStress> code_stress = std::nullopt;
+  std::optional<analysis::Window> window = std::nullopt; ///< of measured.packing.interior
+  Validity validity = {};                                ///< of the closed forms
+  double seconds = 0;                                    ///< reading left out
+};
+
+/// What is given of the packings, and what is to be measured.
+struct MeasureOptions {
+  analysis::Given given;
+  analysis::Wanted wanted;
+  MaterialsByType materials = {};
+  std::optional<WindowChoice> window = {};
+};
+
+/// Measures a frame and asks every rung about it.
+/// \throws   InvalidArgument as measure_frame, materials_of and window_in
+[[nodiscard]] FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOptions& options);
+
+/// What a rung says of a frame; null if it says nothing.
+[[nodiscard]] const RungResult* find_rung(const FrameAnswer& frame, const std::string& name);
+
+/// The mean stress of the state that the closed forms are asked about [Pa]; nothing without forces.
+[[nodiscard]] std::optional<double> mean_stress(const FrameAnswer& frame);
+/// The mean of the stress that the code printed [Pa].
+[[nodiscard]] std::optional<double> mean_code_stress(const FrameAnswer& frame);
+
+/// The stress by contacts over the code's own, less 1, by component; nothing where that is 0.
+[[nodiscard]] std::array<std::optional<double>, 6> stress_differences(const FrameAnswer& frame);
+/// The largest difference of a component over the largest component of the code's own stress; nothing unless
+/// both stresses are known.
+[[nodiscard]] std::optional<double> largest_stress_difference(const FrameAnswer& frame);
+
+/// G of the network over that of rung 3.
+[[nodiscard]] std::optional<double> network_over_relaxed(const FrameAnswer& frame);
+
+} // namespace granum::studies
