@@ -56,7 +56,6 @@ __all__ = [
     "PackingAnswer",
     "PathPoint",
     "PlaneWaves",
-    "PowerLaw",
     "ProbeResult",
     "Range",
     "RoseBin",
@@ -629,7 +628,7 @@ class Measurement:
     @property
     def forces(self) -> Optional[Forces]: ...
     @property
-    def law(self) -> Optional[PowerLaw]: ...
+    def law(self) -> Optional[NormalLaw]: ...
     @property
     def law_check(self) -> Optional[LawCheck]: ...
     @property
@@ -710,6 +709,30 @@ class Network:
     def shear_modulus(self) -> float: ...
     @property
     def symmetry(self) -> SymmetryDistances: ...
+class NormalLaw:
+    @property
+    def alpha(self) -> float: ...
+    @property
+    def coefficient(self) -> float: ...
+    def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
+    def energy(self, overlap: ArrayLike) -> _Numbers: ...
+    def exponent_at_force(self, force: ArrayLike) -> _Numbers: ...
+    def force(self, overlap: ArrayLike) -> _Numbers: ...
+    @property
+    def force_exponent(self) -> float: ...
+    def overlap(self, force: ArrayLike) -> _Numbers: ...
+    @property
+    def poisson_ratio(self) -> float: ...
+    @property
+    def profile_constant(self) -> float: ...
+    @property
+    def shear_modulus(self) -> float: ...
+    def stiffness_at_force(self, force: ArrayLike) -> _Numbers: ...
+    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Numbers: ...
+    @property
+    def stiffness_exponent(self) -> float: ...
+    def times(self, factor: float) -> NormalLaw: ...
+
 
 class Packing:
     def __eq__(self, arg0: object) -> bool: ...
@@ -807,29 +830,6 @@ class PlaneWaves:
     def polarisation(self) -> NDArray[np.float64]: ...
     @property
     def speed(self) -> NDArray[np.float64]: ...
-
-class PowerLaw:
-    @property
-    def alpha(self) -> float: ...
-    @property
-    def coefficient(self) -> float: ...
-    def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
-    def energy(self, overlap: ArrayLike) -> _Numbers: ...
-    def force(self, overlap: ArrayLike) -> _Numbers: ...
-    @property
-    def force_exponent(self) -> float: ...
-    def overlap(self, force: ArrayLike) -> _Numbers: ...
-    @property
-    def poisson_ratio(self) -> float: ...
-    @property
-    def profile_constant(self) -> float: ...
-    @property
-    def shear_modulus(self) -> float: ...
-    def stiffness_at_force(self, force: ArrayLike) -> _Numbers: ...
-    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Numbers: ...
-    @property
-    def stiffness_exponent(self) -> float: ...
-    def times(self, factor: float) -> PowerLaw: ...
 
 class ProbeResult:
     @property
@@ -996,7 +996,7 @@ class Verdict:
 
 def answer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1014,7 +1014,7 @@ def answer(
 def bulk_density(*, grain_density: float, void_ratio: float, pore_density: float = ...) -> float: ...
 def carried_contacts(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     void_ratio: float,
     pressure: float,
@@ -1046,10 +1046,13 @@ def cement_in_surface_layer(
     strict: bool = False,
 ) -> IsotropicModuli: ...
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
-def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> PowerLaw: ...
+def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> NormalLaw: ...
+def contact_law(
+    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **numbers: float
+) -> NormalLaw: ...
 def contact_prior(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     void_ratio: float,
     pressure: float,
@@ -1069,7 +1072,7 @@ def digby(
 def engineering_moduli(stiffness: ArrayLike) -> EngineeringModuli: ...
 def estimate(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1092,7 +1095,7 @@ def estimate_anisotropy_by_likelihood(normals: ArrayLike) -> LikelihoodEstimate:
 def expected_contact_means(sizes: Distribution, *, rattler_fraction: float = ...) -> ContactMeans: ...
 def exponents(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1114,14 +1117,14 @@ def fabric_measures(
     *, anisotropy: float = ..., F33: float = ..., P2_coefficient: float = ..., mean_cos_2gamma: float = ...
 ) -> FabricMeasures: ...
 def fabric_polar_cosine_quantile(*, probability: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
-def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> PowerLaw: ...
+def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> NormalLaw: ...
 def formats() -> dict[str, str]: ...
 def frames(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
 ) -> Frames: ...
 def free_spin(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1142,7 +1145,7 @@ def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
 def gradient(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1170,7 +1173,7 @@ def hertz_mindlin(
 ) -> IsotropicModuli: ...
 def infer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     pressure: Optional[ArrayLike] = ...,
@@ -1208,7 +1211,7 @@ def jenkins_shear_modulus(
 def measure(
     packing: Packing,
     *,
-    law: Optional[PowerLaw] = None,
+    law: Optional[NormalLaw] = None,
     grain_shear_modulus: Optional[float] = None,
     grain_poisson_ratio: Optional[float] = None,
     materials: Optional[Mapping[int, tuple[float, float]]] = None,
@@ -1241,7 +1244,7 @@ def packing(
 ) -> Packing: ...
 def packing_answer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: Optional[ArrayLike] = ...,
@@ -1262,7 +1265,7 @@ def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
 def power_law(
     *, shear_modulus: float, poisson_ratio: float, alpha: float, profile_constant: float
-) -> PowerLaw: ...
+) -> NormalLaw: ...
 def probe(
     specimen: Specimen,
     *,
@@ -1275,7 +1278,7 @@ def read(
 ) -> Packing: ...
 def relaxed(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1316,7 +1319,7 @@ def soft_sand(
 ) -> IsotropicModuli: ...
 def specimen(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     friction_coefficient: float,
     kind: Literal["dense", "loose"],
@@ -1328,7 +1331,7 @@ def specimen(
     sizes: Optional[Distribution] = None,
     wall_friction: Optional[float] = None,
 ) -> Specimen: ...
-def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> PowerLaw: ...
+def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> NormalLaw: ...
 def stiff_sand(
     *,
     shear_modulus: ArrayLike,
@@ -1347,7 +1350,7 @@ def transversely_isotropic_projection(
 ) -> Estimate: ...
 def uncertainty(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1368,7 +1371,7 @@ def uncertainty(
 ) -> Uncertainty: ...
 def uniform_strain(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1384,7 +1387,7 @@ def uniform_strain(
 ) -> Estimate: ...
 def uniform_strain_kinematic(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1400,7 +1403,7 @@ def uniform_strain_kinematic(
 ) -> Estimate: ...
 def uniform_strain_moduli(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
@@ -1412,7 +1415,7 @@ def uniform_strain_moduli(
 ) -> Moduli: ...
 def uniform_stress(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1428,7 +1431,7 @@ def uniform_stress(
 ) -> Estimate: ...
 def uniform_stress_kinematic(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,

@@ -22,6 +22,12 @@ AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const D
   return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, to_exponent, rule_for(c2 * c2));
 }
 
+AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
+                                            const StiffnessRatio<Dual<stress_seeds>>& weight) {
+  const double c2 = root.value();
+  return direction_moments(a, root, Dual<stress_seeds>(1 / root), c2, weight, rule_for(c2 * c2));
+}
+
 void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which) {
   (void)require_valid(state);
   require_positive("stress_v", state.stress_v, "Pa");

@@ -14,6 +14,7 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "effective/sensitivity/relaxed_parts.hpp"
+#include "kernels.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {
@@ -146,7 +147,7 @@ kernel::Stretch stretch_of(const State& s, double shear) {
   using D = Eigen::AutoDiffScalar<Eigen::Vector4d>;
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const double a = s.fabric_anisotropy;
-  const double b = s.law.stiffness_exponent();
+  const double b = kernel::calibrated_exponent(s);
   const double log_fabric = std::log(F.F33 / F.F11);
   const double log_stress = log_stress_ratio(s);
   const D logarithm =
@@ -177,6 +178,10 @@ void note_state(const State& s, double z, Validity& validity) {
         "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
         "as long as the diameter, are too stiff",
         overlap));
+  if (const double b = kernel::local_exponent(s); b > largest_calibrated_exponent)
+    validity.add(detail::formatted(
+        "contacts stiffen as f^%.3g: the relaxation factors are calibrated up to f^0.5, and taken from there",
+        b));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(
@@ -222,9 +227,13 @@ RelaxingFactors relaxing_factors(double z, double r, double b, double branch_var
   return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
 }
 
+double calibrated_exponent(const State& s) {
+  return std::min(local_exponent(s), largest_calibrated_exponent);
+}
+
 RelaxedParts relaxed_parts(const State& s, double z) {
   auto [shear, bulk] =
-      relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent(), branch_variance(s.contacts));
+      relaxing_factors(z, s.tangential_ratio, calibrated_exponent(s), branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
   shear.error = std::hypot(shear.error, shear_by_stress * stresses);
   bulk.error = std::hypot(bulk.error, bulk_by_stress * stresses);
@@ -253,7 +262,7 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
                       double stiffness_exponent) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
-  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 0.5);
+  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, largest_calibrated_exponent);
   const kernel::RelaxingFactors factors = kernel::relaxing_factors(z, r, b, 0);
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }

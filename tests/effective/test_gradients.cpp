@@ -94,7 +94,7 @@ TEST_CASE("gradients: identities") {
           for (const Modulus which : all_moduli) {
             const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
             const Gradient g = effective::gradient(s, m, which);
-            const double b = s.law.stiffness_exponent();
+            const double b = s.law.constant_exponent().value();
             const double p = (s.stress_v + 2 * s.stress_h) / 3;
             // Sums of a few terms of either sign: 1e-13 of the largest.
             const auto same = [&](double x, double y) {

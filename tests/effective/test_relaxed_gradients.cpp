@@ -114,7 +114,7 @@ TEST_CASE("relaxed gradients: identities") {
           for (const Modulus which : all_moduli) {
             const State s = state_of(alpha, a, 0.15, stress_ratio * 1e5, 1e5);
             const Gradient g = relaxed_gradient(s, z, which).gradient;
-            const double b = s.law.stiffness_exponent();
+            const double b = s.law.constant_exponent().value();
             // Sums of terms of either sign, amplified by the cancellation in C12 and C13.
             const auto same = [&](double x, double y) {
               return std::abs(x - y) <= 1e-12 * relaxed_modulus(s, z, Modulus::C11);

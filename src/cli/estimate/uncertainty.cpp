@@ -39,8 +39,9 @@ bool in_use(const PackingOptions& o, const Number& n) {
   const bool radius_known = o.d50.given() || (o.sizes && o.sizes->mean_radius());
   const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults) &&
                           !(&n == &o.radius && radius_known);
-  const bool of_contact = (&n == &o.slope && o.contact == contact::Shape::cone) ||
-                          (&n == &o.punch_radius && o.contact == contact::Shape::flat);
+  const bool of_contact = std::any_of(o.law_numbers.begin(), o.law_numbers.end(), [&](const LawNumber& of) {
+    return &n == &of.number && o.contact == of.row->shape;
+  });
   return n.given() || by_default || of_contact;
 }
 
@@ -51,17 +52,20 @@ std::array<double, effective::input_count> slopes_of(const PackingOptions& o, co
   const effective::State& s = packing.state;
   const double shear = s.law.grain().shear_modulus, e = s.void_ratio;
   const double z = packing.mechanical_coordination_number.value_or(0);
-  const double of_size = contact::depends_on_size(o.contact) ? shear / 2 : 0; // c ~ sqrt(R)
+  const double of_size = contact::row_of(o.contact).depends_on_size ? shear / 2 : 0; // c ~ sqrt(R)
+  const Number &cone_slope = o.law_number("cone_slope"), &punch_radius = o.law_number("punch_radius"),
+               &profile = o.law_number("profile_constant");
+  const double alpha = s.law.power_law() != nullptr ? s.law.power_law()->alpha() : 1; // else unused
   const double carrying = o.rattler_fraction.given() ? 1 - o.rattler_fraction.value : 1;
   const struct {
     const Number* number;
     Input input;
     double slope;
   } all[] = {
-      {&o.slope, Input::grain_shear_modulus, -shear / o.slope.value},
-      {&o.punch_radius, Input::grain_shear_modulus, shear / o.punch_radius.value},
-      {&o.alpha, Input::alpha, 1},
-      {&o.profile_constant, Input::grain_shear_modulus, -shear / (s.law.alpha() * o.profile_constant.value)},
+      {&cone_slope, Input::grain_shear_modulus, -shear / cone_slope.value},
+      {&punch_radius, Input::grain_shear_modulus, shear / punch_radius.value},
+      {&o.law_number("alpha"), Input::alpha, 1},
+      {&profile, Input::grain_shear_modulus, -shear / (alpha * profile.value)},
       {&o.grain_shear_modulus, Input::grain_shear_modulus, 1},
       {&o.grain_poisson_ratio,
        o.tangential_ratio.given() ? Input::grain_poisson_ratio : Input::grain_poisson_ratio_mindlin, 1},

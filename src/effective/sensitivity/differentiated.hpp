@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include <granum/effective/sensitivity/gradients.hpp>
 
@@ -15,15 +16,15 @@ namespace granum::effective::kernel {
 /// is its radius.
 double log_stiffness_by_shape(const contact::PowerLaw& law, double log_force);
 
-/// k_n of the force area x load, by the chain rule of ln k_n.
+/// k_n of the force area x load, by the chain rule of ln k_n. All seeds: of the power family alone.
 template <int N>
-Dual<N> contact_stiffness(const contact::PowerLaw& law, const Dual<N>& area, const Dual<N>& load) {
+Dual<N> contact_stiffness(const contact::NormalLaw& law, const Dual<N>& area, const Dual<N>& load) {
   const double value = contact_stiffness(law, area.value(), load.value());
   Dual<N> k(value, (area.derivatives() / area.value() + load.derivatives() / load.value()) *
-                       (value * law.stiffness_exponent()));
+                       (value * law.exponent_at_force(area.value() * load.value())));
   if constexpr (shape < N)
     k.derivatives()[shape] +=
-        value * log_stiffness_by_shape(law, std::log(area.value()) + std::log(load.value()));
+        value * log_stiffness_by_shape(*law.power_law(), std::log(area.value()) + std::log(load.value()));
   return k;
 }
 
@@ -33,6 +34,10 @@ AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const D
 AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<all_seeds>& root,
                                          const Dual<all_seeds>& exponent);
 
+/// Means of k_n^(+1 or -1) over those at the reference force, for a law whose b is not the same at every force.
+AxialMoments<Dual<stress_seeds>> moments_of(const Dual<stress_seeds>& a, const Dual<stress_seeds>& root,
+                                            const StiffnessRatio<Dual<stress_seeds>>& weight);
+
 /// The stiffness of a model with derivatives by the first N seeds. Assumes a checked, loaded state.
 template <int N>
 Constants<Dual<N>> differentiated(const State& s, const Model& model) {
@@ -41,7 +46,6 @@ Constants<Dual<N>> differentiated(const State& s, const Model& model) {
   const T stress_h = log_seeded<N>(s.stress_h, log_stress_h);
   const T a = seeded<N>(s.fabric_anisotropy, anisotropy);
   const T r = seeded<N>(s.tangential_ratio, ratio);
-  const double b = s.law.stiffness_exponent();
   const Geometry<T> packing =
       geometry(log_seeded<N>(s.coordination_number, log_coordination), log_seeded<N>(s.radius, log_radius),
                seeded<N>(s.void_ratio, voids), s.contacts);
@@ -55,7 +59,14 @@ Constants<Dual<N>> differentiated(const State& s, const Model& model) {
     const T root = sqrt(T(loads.horizontal / loads.vertical));
     load = root * loads.vertical;
     const double sign = by_stress ? -1 : 1;
-    moments = moments_of(a, root, seeded<N>(sign * b, shape, -sign * b * b)); // d b/d alpha = -b^2
+    if (const std::optional<double> b = s.law.constant_exponent())
+      moments = moments_of(a, root, seeded<N>(sign * *b, shape, -sign * *b * *b)); // d b/d alpha = -b^2
+    else if constexpr (N == stress_seeds)
+      moments = moments_of(a, root,
+                           StiffnessRatio<T>{.law = s.law,
+                                             .reference = packing.force_area * load,
+                                             .stiffness = contact_stiffness(s.law, packing.force_area, load),
+                                             .inverse = by_stress});
   }
   const T stiffness = contact_stiffness(s.law, packing.force_area, load);
   if (by_stress)

@@ -65,6 +65,7 @@ AxialMoments<Dual<all_seeds>> moments_of(const Dual<all_seeds>& a, const Dual<al
 }
 
 Constants<Dual<all_seeds>> all_derivatives(const State& state, const Model& model) {
+  (void)power_law_of(state, "the derivative by every input");
   return differentiated<all_seeds>(state, model);
 }
 
@@ -81,7 +82,8 @@ Gradient by_inputs(const State& s, double value, const Dual<all_seeds>::DerType&
   g[Input::radius] = by[log_radius] / s.radius;
   // The grain's elasticity enters by k_n ~ c^(1-b), c ~ G/(1-nu), alone.
   const auto& grain = s.law.grain();
-  const double by_log_coefficient = (1 - s.law.stiffness_exponent()) * g.value;
+  const double by_log_coefficient =
+      (1 - power_law_of(s, "the derivative by every input").stiffness_exponent()) * g.value;
   g[Input::grain_shear_modulus] = by_log_coefficient / grain.shear_modulus;
   g[Input::grain_poisson_ratio] = by_log_coefficient / (1 - grain.poisson_ratio);
   const double other = 2 - grain.poisson_ratio; // r = 2(1-nu)/(2-nu), dr/dnu = -2/(2-nu)^2

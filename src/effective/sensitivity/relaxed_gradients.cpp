@@ -37,7 +37,7 @@ Constants<Dual> relaxed_constants(const Constants<Dual>& uniform, const RelaxedP
 
 /// Of a quantity that depends on the packing by way of r and b.
 Slopes slopes_of(const State& s, double by_ratio, double by_exponent) {
-  const double b = s.law.stiffness_exponent();
+  const double b = kernel::calibrated_exponent(s);
   Slopes slopes = Slopes::Zero();
   slopes[kernel::ratio] = by_ratio;
   slopes[kernel::shape] = -b * b * by_exponent; // b = 1/(1+alpha)

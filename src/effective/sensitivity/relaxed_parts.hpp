@@ -42,6 +42,10 @@ struct RelaxedParts {
   Stretch stretch;
 };
 
+/// b of the state's contacts, or the largest that the factors are calibrated with.
+/// Assumes   a valid state.
+double calibrated_exponent(const State& state);
+
 /// Assumes   a valid state and z* >= 0.
 RelaxedParts relaxed_parts(const State& state, double z);
 

@@ -9,6 +9,8 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
+#include "effective/kernels.hpp"
+
 namespace granum::effective {
 
 namespace {
@@ -29,6 +31,10 @@ constexpr const char* input_names[input_count] = {"mean_stress",
 
 constexpr std::size_t index(Input input) { return static_cast<std::size_t>(input); }
 
+const contact::PowerLaw& power_law(const State& s) {
+  return kernel::power_law_of(s, "the uncertainty by every input");
+}
+
 /// One uncertain number for each input: its value, its deviation, and that no other input moves with it.
 std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviations& deviations) {
   const auto& grain = s.law.grain();
@@ -38,7 +44,7 @@ std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviatio
                                       s.coordination_number,
                                       s.void_ratio,
                                       s.fabric_anisotropy,
-                                      s.law.alpha(),
+                                      power_law(s).alpha(),
                                       grain.shear_modulus,
                                       grain.poisson_ratio,
                                       grain.poisson_ratio,
@@ -51,7 +57,7 @@ std::vector<UncertainNumber> numbers_of(const State& s, double z, const Deviatio
     numbers[i] = {.value = values[i], .deviation = deviations.by[i], .slopes = {}, .key = input_names[i]};
     numbers[i].slopes[i] = 1;
   }
-  if (std::isinf(s.law.alpha()) && deviations[Input::alpha] > 0)
+  if (std::isinf(power_law(s).alpha()) && deviations[Input::alpha] > 0)
     throw InvalidArgument("alpha of a flat punch is infinite and cannot be uncertain");
   return numbers;
 }
@@ -66,8 +72,9 @@ State moved(const State& s, std::span<const double> x) {
   const double scale = at(Input::mean_stress) / ((s.stress_v + 2 * s.stress_h) / 3);
   const double growth = contact::mindlin_stiffness_ratio(mindlin_nu) - contact::mindlin_stiffness_ratio(nu);
   const double alpha = at(Input::alpha);
-  return {.law = alpha == s.law.alpha() ? s.law.of_grain(grain)
-                                        : contact::PowerLaw::general(grain, alpha, s.law.profile_constant()),
+  const contact::PowerLaw& law = power_law(s);
+  return {.law = alpha == law.alpha() ? law.of_grain(grain)
+                                      : contact::PowerLaw::general(grain, alpha, law.profile_constant()),
           .tangential_ratio = at(Input::tangential_ratio) + growth,
           .radius = at(Input::radius),
           .void_ratio = at(Input::void_ratio),

@@ -45,7 +45,8 @@ struct Gradient {
 
 /// A modulus of a model with its derivatives by every input, differentiated exactly under the integral.
 ///                                                                                [Chung2014; ChangLiao1994]
-/// \throws   InvalidArgument as require_valid(State); without stress or contacts, where a derivative may be
+/// \throws   InvalidArgument as require_valid(State); for a law that is none of the power family, whose numbers
+///           are no Input; without stress or contacts, where a derivative may be
 ///           infinite; for E_v and E_h of uniform stress at k_t = 0, where they vanish
 /// Accuracy  relative 1e-11 of the largest logarithmic derivative.
 ///           Checked by tests/effective/test_gradients.cpp
