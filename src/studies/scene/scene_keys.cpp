@@ -244,10 +244,11 @@ std::vector<SceneKey> grain_keys() {
 
 /// A number of a contact law, as the table of laws has it.
 SceneKey law_key(const contact::LawRow& row, const contact::LawParameter& parameter) {
+  const std::string unit = parameter.unit.empty() ? "" : " in " + parameter.unit;
   const std::string origin = parameter.origin.empty() ? "" : "; " + parameter.origin;
   SceneKey key =
       key_of({"contact." + parameter.key,
-              std::string(name(row.shape)) + ": " + parameter.symbol + ", " + parameter.help + origin,
+              std::string(name(row.shape)) + ": " + parameter.symbol + unit + ", " + parameter.help + origin,
               all_commands, needs_contact(row.shape)},
              parameter.dimension, parameter.unit.empty() ? "" : "_SI");
   key.range = {.low = parameter.low, .high = parameter.high, .reason = parameter.reason};
