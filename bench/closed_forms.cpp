@@ -88,7 +88,7 @@ struct Columns {
   Array pressure, coordination_number, porosity, bulk, shear;
 };
 
-PackingBatch three_columns(const contact::PowerLaw& law, const Columns& in) {
+PackingBatch three_columns(const contact::NormalLaw& law, const Columns& in) {
   return {.law = law,
           .tangential_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
           .radius = radius,
@@ -97,7 +97,7 @@ PackingBatch three_columns(const contact::PowerLaw& law, const Columns& in) {
           .porosity = std::span<const double>(in.porosity.span())};
 }
 
-PackingBatch one_column(const contact::PowerLaw& law, const Columns& in) {
+PackingBatch one_column(const contact::NormalLaw& law, const Columns& in) {
   PackingBatch batch = three_columns(law, in);
   batch.coordination_number = 6.0;
   batch.porosity = 0.375;
@@ -119,12 +119,12 @@ std::size_t failed_rows(const PackingBatch& batch, const Columns& in) {
   return report.failed;
 }
 
-void add_batch(const std::string& name, const contact::PowerLaw& law, const Columns& in) {
+void add_batch(const std::string& name, const contact::NormalLaw& law, const Columns& in) {
   add("batch " + name, in.pressure.span().size(),
       [&in, batch = three_columns(law, in)] { return failed_rows(batch, in); });
 }
 
-void add_batch_of_pressures(const std::string& name, const contact::PowerLaw& law, const Columns& in) {
+void add_batch_of_pressures(const std::string& name, const contact::NormalLaw& law, const Columns& in) {
   add("batch " + name + ", p varies", in.pressure.span().size(),
       [&in, batch = one_column(law, in)] { return failed_rows(batch, in); });
 }

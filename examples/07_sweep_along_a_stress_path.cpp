@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   std::printf("                kPa                      MPa      G_hv ~ sigma_h^m sigma_v^n\n"
               "  eta       p'  sigma_v     G_hh    G_hv     E_v        m +      n =      s\n");
   double worst = 0;
-  const double b = packing.law.stiffness_exponent();
+  const double b = packing.law.constant_exponent().value();
   for (int k = 0; k <= steps; ++k) {
     const double eta = end * k / steps;
     const Row row = evaluate(packing, start, eta);

@@ -21,7 +21,7 @@ async function byModule(loose, seed) {
   const granum = await startModule();
   const begin = performance.now(), processor = process.cpuUsage();
   let first;
-  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius,
+  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, NaN, NaN,
     grain.frictionAngle, loose, 0, 1000, seed, 1e4);
   granum.call("experiment_prepare");
   for (const pressure of pressures) {

@@ -54,7 +54,6 @@ __all__ = [
     "PackingAnswer",
     "PathPoint",
     "PlaneWaves",
-    "PowerLaw",
     "ProbeResult",
     "Range",
     "RoseBin",
@@ -572,7 +571,7 @@ class Measurement:
     @property
     def forces(self) -> Optional[Forces]: ...
     @property
-    def law(self) -> Optional[PowerLaw]: ...
+    def law(self) -> Optional[NormalLaw]: ...
     @property
     def law_check(self) -> Optional[LawCheck]: ...
     @property
@@ -653,6 +652,30 @@ class Network:
     def shear_modulus(self) -> float: ...
     @property
     def symmetry(self) -> SymmetryDistances: ...
+class NormalLaw:
+    @property
+    def alpha(self) -> float: ...
+    @property
+    def coefficient(self) -> float: ...
+    def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
+    def energy(self, overlap: ArrayLike) -> _Numbers: ...
+    def exponent_at_force(self, force: ArrayLike) -> _Numbers: ...
+    def force(self, overlap: ArrayLike) -> _Numbers: ...
+    @property
+    def force_exponent(self) -> float: ...
+    def overlap(self, force: ArrayLike) -> _Numbers: ...
+    @property
+    def poisson_ratio(self) -> float: ...
+    @property
+    def profile_constant(self) -> float: ...
+    @property
+    def shear_modulus(self) -> float: ...
+    def stiffness_at_force(self, force: ArrayLike) -> _Numbers: ...
+    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Numbers: ...
+    @property
+    def stiffness_exponent(self) -> float: ...
+    def times(self, factor: float) -> NormalLaw: ...
+
 
 class Packing:
     def __eq__(self, arg0: object) -> bool: ...
@@ -756,29 +779,6 @@ class PlaneWaves:
     def polarisation(self) -> NDArray[np.float64]: ...
     @property
     def speed(self) -> NDArray[np.float64]: ...
-
-class PowerLaw:
-    @property
-    def alpha(self) -> float: ...
-    @property
-    def coefficient(self) -> float: ...
-    def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
-    def energy(self, overlap: ArrayLike) -> _Numbers: ...
-    def force(self, overlap: ArrayLike) -> _Numbers: ...
-    @property
-    def force_exponent(self) -> float: ...
-    def overlap(self, force: ArrayLike) -> _Numbers: ...
-    @property
-    def poisson_ratio(self) -> float: ...
-    @property
-    def profile_constant(self) -> float: ...
-    @property
-    def shear_modulus(self) -> float: ...
-    def stiffness_at_force(self, force: ArrayLike) -> _Numbers: ...
-    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Numbers: ...
-    @property
-    def stiffness_exponent(self) -> float: ...
-    def times(self, factor: float) -> PowerLaw: ...
 
 class ProbeResult:
     @property
@@ -929,7 +929,7 @@ class Verdict:
 
 def answer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -947,7 +947,7 @@ def answer(
 def bulk_density(*, grain_density: float, void_ratio: float, pore_density: float = ...) -> float: ...
 def carried_contacts(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     void_ratio: float,
     pressure: float,
@@ -979,10 +979,13 @@ def cement_in_surface_layer(
     strict: bool = False,
 ) -> IsotropicModuli: ...
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
-def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> PowerLaw: ...
+def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> NormalLaw: ...
+def contact_law(
+    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **numbers: float
+) -> NormalLaw: ...
 def contact_prior(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     void_ratio: float,
     pressure: float,
@@ -1002,7 +1005,7 @@ def digby(
 def engineering_moduli(stiffness: ArrayLike) -> EngineeringModuli: ...
 def estimate(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     void_ratio: float,
     coordination_number: Optional[float] = ...,
@@ -1026,7 +1029,7 @@ def estimate_anisotropy_by_likelihood(normals: ArrayLike) -> LikelihoodEstimate:
 def expected_contact_means(sizes: Distribution, *, rattler_fraction: float = ...) -> ContactMeans: ...
 def exponents(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1048,14 +1051,14 @@ def fabric_measures(
     *, anisotropy: float = ..., F33: float = ..., P2_coefficient: float = ..., mean_cos_2gamma: float = ...
 ) -> FabricMeasures: ...
 def fabric_polar_cosine_quantile(*, probability: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
-def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> PowerLaw: ...
+def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> NormalLaw: ...
 def formats() -> dict[str, str]: ...
 def frames(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
 ) -> Frames: ...
 def free_spin(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1086,7 +1089,7 @@ def hertz_mindlin(
 ) -> IsotropicModuli: ...
 def infer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     pressure: Optional[ArrayLike] = ...,
@@ -1124,7 +1127,7 @@ def jenkins_shear_modulus(
 def measure(
     packing: Packing,
     *,
-    law: Optional[PowerLaw] = None,
+    law: Optional[NormalLaw] = None,
     grain_shear_modulus: Optional[float] = None,
     grain_poisson_ratio: Optional[float] = None,
     materials: Optional[Mapping[int, tuple[float, float]]] = None,
@@ -1157,7 +1160,7 @@ def packing(
 ) -> Packing: ...
 def packing_answer(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: Optional[ArrayLike] = ...,
@@ -1179,7 +1182,7 @@ def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
 def power_law(
     *, shear_modulus: float, poisson_ratio: float, alpha: float, profile_constant: float
-) -> PowerLaw: ...
+) -> NormalLaw: ...
 def probe(
     specimen: Specimen,
     *,
@@ -1192,7 +1195,7 @@ def read(
 ) -> Packing: ...
 def relaxed(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1233,7 +1236,7 @@ def soft_sand(
 ) -> IsotropicModuli: ...
 def specimen(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     friction_coefficient: float,
     kind: Literal["dense", "loose"],
@@ -1245,7 +1248,7 @@ def specimen(
     sizes: Optional[Distribution] = None,
     wall_friction: Optional[float] = None,
 ) -> Specimen: ...
-def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> PowerLaw: ...
+def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> NormalLaw: ...
 def stiff_sand(
     *,
     shear_modulus: ArrayLike,
@@ -1264,7 +1267,7 @@ def transversely_isotropic_projection(
 ) -> Estimate: ...
 def uniform_strain(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1280,7 +1283,7 @@ def uniform_strain(
 ) -> Estimate: ...
 def uniform_strain_kinematic(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1296,7 +1299,7 @@ def uniform_strain_kinematic(
 ) -> Estimate: ...
 def uniform_strain_moduli(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: float,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
@@ -1308,7 +1311,7 @@ def uniform_strain_moduli(
 ) -> Moduli: ...
 def uniform_stress(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,
@@ -1324,7 +1327,7 @@ def uniform_stress(
 ) -> Estimate: ...
 def uniform_stress_kinematic(
     *,
-    law: PowerLaw,
+    law: NormalLaw,
     radius: ArrayLike,
     void_ratio: ArrayLike,
     coordination_number: ArrayLike,

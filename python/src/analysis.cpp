@@ -262,12 +262,9 @@ enum : std::size_t {
   prestress_at,
 };
 
-/// The law of two grains of any material and radius that a law between two of them stands for: only that of
-/// spheres depends on the radius.
-analysis::LawFamily family_of(const contact::PowerLaw& law) {
-  if (law.alpha() == 2)
-    return contact::PowerLaw::sphere;
-  return [law](const contact::GrainMaterial& grain, double) { return law.of_grain(grain); };
+/// The law of two grains of any material and radius that a law between two of them stands for.
+analysis::LawFamily family_of(const contact::NormalLaw& law) {
+  return [law](const contact::GrainMaterial& grain, double radius) { return law.of(grain, radius); };
 }
 
 std::optional<double> number_if_given(const Arguments& a, std::size_t at, const char* name) {
@@ -304,7 +301,7 @@ analysis::Given given_of(const Arguments& a, const Packing& packing) {
     if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
       throw py::type_error("law says what the grains are made of: leave out grain_shear_modulus, "
                            "grain_poisson_ratio and materials");
-    const auto& law = a[law_at].cast<const contact::PowerLaw&>();
+    const auto& law = a[law_at].cast<const contact::NormalLaw&>();
     given.law_family = family_of(law);
     given.grain_shear_modulus = law.grain().shear_modulus;
     given.grain_poisson_ratio = law.grain().poisson_ratio;
@@ -365,7 +362,7 @@ Parameters
 ----------
 packing : Packing
     As read() or packing() makes it. Without contacts, overlapping spheres are taken to touch.
-law : PowerLaw, optional
+law : NormalLaw, optional
     Contact law and material of the grains; spheres take the radii of the packing. Without it, what the forces
     show against the overlaps.
 grain_shear_modulus, grain_poisson_ratio : float, optional

@@ -77,7 +77,7 @@ py::array_t<double> array_to_write(const py::handle& value, const std::vector<py
 class Batch {
  public:
   explicit Batch(const Arguments& a)
-      : law_(a[0].cast<const contact::PowerLaw&>()),
+      : law_(a[0].cast<const contact::NormalLaw&>()),
         contacts_(a.given(6) ? a[6].cast<sizes::ContactMeans>() : sizes::ContactMeans{}),
         tangential_ratio_(a.given(5) ? number_of("tangential_ratio", a[5])
                                      : contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio)),
@@ -144,7 +144,7 @@ class Batch {
     }
   }
 
-  const contact::PowerLaw& law_;
+  const contact::NormalLaw& law_;
   sizes::ContactMeans contacts_;
   double tangential_ratio_, radius_;
   BatchColumn pressure_, coordination_number_, porosity_;
@@ -192,7 +192,7 @@ The fast way for large arrays: within 1e-14 of answer(rung=0).
 
 Parameters
 ----------
-law : PowerLaw
+law : NormalLaw
     Normal contact of two grains.
 radius : float
     R > 0 of a grain [m].

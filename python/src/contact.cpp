@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/contact/laws.hpp>
 #include <granum/contact/pair.hpp>
-#include <granum/contact/power_law.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
@@ -15,6 +21,7 @@ namespace granum::python {
 namespace {
 
 using contact::GrainMaterial;
+using contact::NormalLaw;
 using contact::PowerLaw;
 
 contact::GrainMaterial grain_of(const Arguments& a) {
@@ -29,58 +36,77 @@ py::object map(const char* name, const py::handle& value, const F& f) {
                   [](double y) { return y; });
 }
 
-using Method = double (PowerLaw::*)(double) const;
-
-template <class Class>
-void add_method(Class& type, const char* name, Method method, const char* argument,
+template <class Of>
+void add_method(py::class_<NormalLaw>& type, const char* name, Of of, const char* argument,
                 const char* documentation) {
   type.def(
       name,
-      [=](const PowerLaw& law, const py::object& x) {
-        return map(argument, x, [&](double v) { return (law.*method)(v); });
+      [=](const NormalLaw& law, const py::object& x) {
+        return map(argument, x, [&](double v) { return of(law, v); });
       },
       py::arg(argument), documentation);
 }
 
-std::string text_of(const PowerLaw& law) {
-  return "PowerLaw(alpha=" + short_text(law.alpha()) + ", coefficient=" + exact_text(law.coefficient()) +
-         ", shear_modulus=" + exact_text(law.grain().shear_modulus) +
-         ", poisson_ratio=" + exact_text(law.grain().poisson_ratio) + ")";
+/// What the power family alone has.
+const PowerLaw& power_law(const NormalLaw& law) {
+  if (const PowerLaw* power = law.power_law())
+    return *power;
+  throw InvalidArgument(law.text() + " is none of the power family, f = c d^(1+1/alpha)");
 }
 
-void bind_power_law(py::module_& module) {
-  py::class_<PowerLaw> law(module, "PowerLaw",
-                           R"(Normal contact of two equal elastic grains, f = c d^(1+1/alpha).
+template <class Value>
+void add_of_power_law(py::class_<NormalLaw>& type, const char* name, Value (PowerLaw::*of)() const,
+                      const char* documentation) {
+  type.def_property_readonly(
+      name, [of](const NormalLaw& law) { return (power_law(law).*of)(); }, documentation);
+}
 
-Made by sphere, cone, flat_punch and power_law. The overlap d is the full approach of two grain centres;
-compression is positive. Methods take numbers or arrays.)");
-  law.def_property_readonly("alpha", &PowerLaw::alpha,
-                            "Exponent of the profile z = A r^alpha [1]; inf: flat punch.")
-      .def_property_readonly("coefficient", &PowerLaw::coefficient,
-                             "c of f = c d^(1+1/alpha) [N m^-(1+1/alpha)].")
-      .def_property_readonly("force_exponent", &PowerLaw::force_exponent, "1 + 1/alpha [1].")
-      .def_property_readonly("stiffness_exponent", &PowerLaw::stiffness_exponent,
-                             "b = 1/(1+alpha) of k_n ~ f^b [1].")
-      .def_property_readonly("profile_constant", &PowerLaw::profile_constant,
-                             "A of the profile [m^(1-alpha)].")
+void bind_normal_law(py::module_& module) {
+  py::class_<NormalLaw> law(module, "NormalLaw",
+                            R"(Normal contact of two equal elastic grains.
+
+Made by sphere, cone, flat_punch, power_law and, whatever the law, contact_law. The overlap d is the full
+approach of two grain centres; compression is positive. Methods take numbers or arrays. What only the power
+family f = c d^(1+1/alpha) has raises InvalidArgument for another law.)");
+  add_of_power_law(law, "alpha", &PowerLaw::alpha,
+                   "Exponent of the profile z = A r^alpha [1]; inf: flat punch.");
+  add_of_power_law(law, "coefficient", &PowerLaw::coefficient,
+                   "c of f = c d^(1+1/alpha) [N m^-(1+1/alpha)].");
+  add_of_power_law(law, "force_exponent", &PowerLaw::force_exponent, "1 + 1/alpha [1].");
+  add_of_power_law(law, "stiffness_exponent", &PowerLaw::stiffness_exponent,
+                   "b = 1/(1+alpha) of k_n ~ f^b [1].");
+  add_of_power_law(law, "profile_constant", &PowerLaw::profile_constant, "A of the profile [m^(1-alpha)].");
+  law.def_property_readonly(
+         "shear_modulus", [](const NormalLaw& l) { return l.grain().shear_modulus; },
+         "G_g of the grains [Pa].")
       .def_property_readonly(
-          "shear_modulus", [](const PowerLaw& l) { return l.grain().shear_modulus; },
-          "G_g of the grains [Pa].")
-      .def_property_readonly(
-          "poisson_ratio", [](const PowerLaw& l) { return l.grain().poisson_ratio; },
+          "poisson_ratio", [](const NormalLaw& l) { return l.grain().poisson_ratio; },
           "nu_g of the grains [1].")
-      .def("times", &PowerLaw::times, py::arg("factor"),
-           "The law of another coefficient, c times a factor [1].")
-      .def("__repr__", &text_of);
-  add_method(law, "force", &PowerLaw::force, "overlap", "Normal force [N] at an overlap >= 0 [m].");
-  add_method(law, "overlap", &PowerLaw::overlap, "force", "Overlap [m] at a force >= 0 [N].");
-  add_method(law, "stiffness_at_overlap", &PowerLaw::stiffness_at_overlap, "overlap",
+      .def(
+          "times", [](const NormalLaw& l, double factor) { return NormalLaw(power_law(l).times(factor)); },
+          py::arg("factor"), "The power law of another coefficient, c times a factor [1].")
+      .def("__repr__", &NormalLaw::text);
+  add_method(law, "force", std::mem_fn(&NormalLaw::force), "overlap",
+             "Normal force [N] at an overlap >= 0 [m].");
+  add_method(law, "overlap", std::mem_fn(&NormalLaw::overlap), "force", "Overlap [m] at a force >= 0 [N].");
+  add_method(law, "stiffness_at_overlap", std::mem_fn(&NormalLaw::stiffness_at_overlap), "overlap",
              "k_n [N/m] at an overlap >= 0 [m].");
-  add_method(law, "stiffness_at_force", &PowerLaw::stiffness_at_force, "force",
+  add_method(law, "stiffness_at_force", std::mem_fn(&NormalLaw::stiffness_at_force), "force",
              "k_n [N/m] at a force >= 0 [N].");
-  add_method(law, "energy", &PowerLaw::energy, "overlap", "Elastic energy [J] at an overlap >= 0 [m].");
-  add_method(law, "contact_radius", &PowerLaw::contact_radius, "overlap",
-             "Radius of the contact disc [m] at an overlap >= 0 [m].");
+  add_method(law, "exponent_at_force", std::mem_fn(&NormalLaw::exponent_at_force), "force",
+             "b = d ln k_n/d ln f [1] at a force >= 0 [N].");
+  add_method(law, "energy", std::mem_fn(&NormalLaw::energy), "overlap",
+             "Elastic energy [J] at an overlap >= 0 [m].");
+  add_method(
+      law, "contact_radius",
+      [](const NormalLaw& l, double overlap) { return power_law(l).contact_radius(overlap); }, "overlap",
+      "Radius of the contact disc [m] at an overlap >= 0 [m], of the power family.");
+}
+
+/// "tangent of the flank angle [1]."
+std::string sentence_of(const contact::LawParameter& parameter) {
+  const std::string unit = parameter.si_unit();
+  return parameter.symbol + ", " + parameter.help + " [" + (unit.empty() ? "1" : unit) + "].";
 }
 
 constexpr const char* material = R"(
@@ -95,7 +121,7 @@ poisson_ratio : float
 constexpr const char* law_result = R"(
 Returns
 -------
-PowerLaw
+NormalLaw
 
 Raises
 ------
@@ -103,47 +129,86 @@ InvalidArgument
     For a number that no grain can have.
 )";
 
+/// The function that makes a law of the table, whose numbers it takes by their names.
+void define_maker(py::module_& module, const contact::LawRow& row) {
+  std::vector<Keyword> keywords{{"shear_modulus"}, {"poisson_ratio"}};
+  std::string numbers;
+  if (row.depends_on_size) {
+    keywords.push_back({"radius"});
+    numbers += "radius : float\n    R > 0 of each grain [m].\n";
+  }
+  for (const contact::LawParameter& parameter : row.parameters) {
+    keywords.push_back({parameter.name.c_str()});
+    numbers += parameter.name + " : float\n    " + sentence_of(parameter) + "\n";
+  }
+  const auto make = [&row](const Arguments& a) {
+    std::size_t k = 2;
+    const double radius = row.depends_on_size ? number_of("radius", a[k++]) : 0;
+    std::vector<double> values;
+    for (const contact::LawParameter& parameter : row.parameters)
+      values.push_back(number_of(parameter.name.c_str(), a[k++]));
+    return py::cast(row.make(grain_of(a), radius, values));
+  };
+  define(module, {row.maker.c_str(), keywords, make,
+                  row.title + "\n" + material + numbers + law_result +
+                      notes(row.source, "contact::" + row.cpp_name, row.header)});
+}
+
+/// Any law of the table by its name.
+NormalLaw contact_law(const std::string& shape, double shear_modulus, double poisson_ratio,
+                      std::optional<double> radius, const py::kwargs& numbers) {
+  const std::optional<contact::Shape> known = contact::find_shape(shape);
+  if (!known)
+    throw InvalidArgument("contact law '" + shape + "' is not one of " + contact::shape_names());
+  const contact::LawRow& row = contact::row_of(*known);
+  if (row.depends_on_size && !radius)
+    throw py::type_error("the contact law " + shape + " needs radius");
+  std::vector<double> values;
+  for (const contact::LawParameter& parameter : row.parameters) {
+    if (!numbers.contains(parameter.name.c_str()))
+      throw py::type_error("the contact law " + shape + " needs " + parameter.name);
+    values.push_back(number_of(parameter.name.c_str(), numbers[parameter.name.c_str()]));
+  }
+  if (numbers.size() > values.size())
+    throw py::type_error("the contact law " + shape +
+                         " takes no such number: " + std::string(py::str(py::list(numbers))));
+  return row.make({shear_modulus, poisson_ratio}, radius.value_or(0), values);
+}
+
+void define_contact_law(py::module_& module) {
+  std::string known;
+  for (const contact::LawRow& row : contact::laws()) {
+    known += "    " + std::string(name(row.shape)) + ": " + row.title;
+    for (const contact::LawParameter& parameter : row.parameters)
+      known += " " + parameter.name + ": " + sentence_of(parameter);
+    known += "\n";
+  }
+  module.def(
+      "contact_law", &contact_law, py::arg("shape"), py::kw_only(), py::arg("shear_modulus"),
+      py::arg("poisson_ratio"), py::arg("radius") = py::none(),
+      ("Contact law of two equal grains, by its name.\n\nParameters\n----------\nshape : str\n    One of " +
+       contact::shape_names() + R"(, as the options and scenes of the program name them.
+shear_modulus : float
+    G_g > 0 of the grains' material [Pa].
+poisson_ratio : float
+    nu_g of it, -1 < nu_g <= 0.5 [1].
+radius : float, optional
+    R > 0 of each grain [m], of laws that depend on it.
+**numbers : float
+    What the law is made of, each in SI [unit]:
+)" + known +
+       law_result + notes("", "contact::law_of", "contact/laws.hpp"))
+          .c_str());
+}
+
 } // namespace
 
 void bind_contact(py::module_& module) {
-  bind_power_law(module);
-  define(module, {"sphere",
-                  {{"shear_modulus"}, {"poisson_ratio"}, {"radius"}},
-                  [](const Arguments& a) {
-                    return py::cast(PowerLaw::sphere(grain_of(a), number_of("radius", a[2])));
-                  },
-                  std::string("Hertz contact of two equal spheres, c = 2 G sqrt(2R)/(3(1-nu)).\n") +
-                      material + "radius : float\n    R > 0 of each sphere [m].\n" + law_result +
-                      notes("Overlaps are small against R. [Hertz1882]", "contact::PowerLaw::sphere",
-                            "contact/power_law.hpp")});
-  define(module,
-         {"cone",
-          {{"shear_modulus"}, {"poisson_ratio"}, {"slope"}},
-          [](const Arguments& a) { return py::cast(PowerLaw::cone(grain_of(a), number_of("slope", a[2]))); },
-          std::string("Contact of two equal cones, c = G/(pi (1-nu) A_1).\n") + material +
-              "slope : float\n    A_1 > 0, tangent of the flank angle [1].\n" + law_result +
-              notes("[Sneddon1965]", "contact::PowerLaw::cone", "contact/power_law.hpp")});
-  define(module,
-         {"flat_punch",
-          {{"shear_modulus"}, {"poisson_ratio"}, {"punch_radius"}},
-          [](const Arguments& a) {
-            return py::cast(PowerLaw::flat(grain_of(a), number_of("punch_radius", a[2])));
-          },
-          std::string("Contact of two flat punches, of the same stiffness at every force.\n") + material +
-              "punch_radius : float\n    a > 0 of the disc [m].\n" + law_result +
-              notes("c = 2 G a/(1-nu). [Sneddon1965]", "contact::PowerLaw::flat", "contact/power_law.hpp")});
-  define(module, {"power_law",
-                  {{"shear_modulus"}, {"poisson_ratio"}, {"alpha"}, {"profile_constant"}},
-                  [](const Arguments& a) {
-                    return py::cast(PowerLaw::general(grain_of(a), number_of("alpha", a[2]),
-                                                      number_of("profile_constant", a[3])));
-                  },
-                  std::string("Contact of two profiles z = A r^alpha.\n") + material +
-                      "alpha : float\n    1 <= alpha < inf [1].\n"
-                      "profile_constant : float\n    A > 0 of one grain [m^(1-alpha)].\n" +
-                      law_result +
-                      notes("The family that holds the others. [Galin1946] [Sneddon1965]",
-                            "contact::PowerLaw::general", "contact/power_law.hpp")});
+  bind_normal_law(module);
+  for (const contact::LawRow& row : contact::laws())
+    if (!row.maker.empty())
+      define_maker(module, row);
+  define_contact_law(module);
   module.def(
       "mindlin_stiffness_ratio",
       [](const py::object& nu) { return map("poisson_ratio", nu, contact::mindlin_stiffness_ratio); },

@@ -61,7 +61,7 @@ struct MeasuredColumns {
   std::vector<inverse::Quantity> given;
 };
 
-MeasuredColumns columns_of(const Arguments& a, const contact::PowerLaw& law) {
+MeasuredColumns columns_of(const Arguments& a, const contact::NormalLaw& law) {
   MeasuredColumns out;
   out.arguments = {Argument{"radius", a[Given::radius]},
                    Argument{"void_ratio", a[Given::void_ratio]},
@@ -89,7 +89,7 @@ struct Answer {
 };
 
 py::object infer(const Arguments& a) {
-  const auto& law = a[Given::law].cast<const contact::PowerLaw&>();
+  const auto& law = a[Given::law].cast<const contact::NormalLaw&>();
   effective::State state{.law = law};
   if (a.given(Given::contact_means))
     state.contacts = a[Given::contact_means].cast<sizes::ContactMeans>();
@@ -292,7 +292,7 @@ All measurements are of one packing, and are fitted together. Calibrate once, pr
 
 Parameters
 ----------
-law : PowerLaw
+law : NormalLaw
     Normal contact of two grains, as sphere() makes it.
 radius : float
     R > 0 of a grain [m].

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -43,7 +44,7 @@ struct Keyword {
 struct KeywordFunction {
   const char* name;
   std::vector<Keyword> keywords;
-  py::object (*call)(const Arguments& arguments);
+  std::function<py::object(const Arguments& arguments)> call;
   std::string documentation;
   std::size_t positional = 0; ///< so many may be given without their names as well
 };

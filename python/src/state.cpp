@@ -66,7 +66,7 @@ std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
 const char* const state_parameters = R"(
 Parameters
 ----------
-law : PowerLaw
+law : NormalLaw
     Normal contact of two grains, as sphere() makes it.
 radius : array_like
     R > 0 of a grain [m].
@@ -93,7 +93,7 @@ strict : bool
 )";
 
 StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordination_number)
-    : law_(&a[law_at].cast<const contact::PowerLaw&>()),
+    : law_(&a[law_at].cast<const contact::NormalLaw&>()),
       contacts_(a.given(contact_means_at) ? a[contact_means_at].cast<sizes::ContactMeans>()
                                           : sizes::ContactMeans{}),
       knows_coordination_number_(coordination_number == CoordinationNumber::needed ||

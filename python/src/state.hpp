@@ -53,7 +53,7 @@ class StateArguments {
  private:
   enum class Coordination { unknown, mechanical, rattlers };
 
-  const contact::PowerLaw* law_;
+  const contact::NormalLaw* law_;
   sizes::ContactMeans contacts_;
   Coordination coordination_ = Coordination::unknown;
   bool knows_coordination_number_ = true;

@@ -63,7 +63,7 @@ triaxial::Density density_of(const std::string& name) {
 }
 
 triaxial::SpecimenRecipe recipe_of(const Arguments& a) {
-  const auto& law = a[recipe_keyword::law].cast<const contact::PowerLaw&>();
+  const auto& law = a[recipe_keyword::law].cast<const contact::NormalLaw&>();
   dem::Material material{
       .law = law, .friction_coefficient = number_of("friction_coefficient", a[recipe_keyword::friction])};
   material.tangential_ratio = a.given(recipe_keyword::tangential_ratio)
@@ -440,7 +440,7 @@ Same arguments, same bits.
 
 Parameters
 ----------
-law : PowerLaw
+law : NormalLaw
     Normal contact of two grains of the radius.
 radius : float
     R > 0 of all grains, or the mean by number of a distribution of sizes [m].

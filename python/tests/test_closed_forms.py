@@ -212,6 +212,36 @@ def test_methods_of_laws_take_arrays():
         LAW.force([1e-7, -1e-7])
 
 
+MATERIAL = {"shear_modulus": 30e9, "poisson_ratio": 0.15}
+
+
+@pytest.mark.parametrize(
+    "shape, maker, numbers",
+    [
+        ("sphere", granum.sphere, {"radius": 0.5e-3}),
+        ("cone", granum.cone, {"slope": 0.4}),
+        ("flat", granum.flat_punch, {"punch_radius": 5.7e-6}),
+        ("power-law", granum.power_law, {"alpha": 1.5, "profile_constant": 180}),
+    ],
+)
+def test_laws_by_name_are_those_of_their_makers(shape, maker, numbers):
+    law, made = granum.contact_law(shape, **MATERIAL, **numbers), maker(**MATERIAL, **numbers)
+    assert repr(law) == repr(made)
+    assert law.force(1e-7) == made.force(1e-7)
+    assert law.exponent_at_force(0.1) == law.stiffness_exponent
+    missing = dict(numbers)
+    left_out, _ = missing.popitem()
+    with pytest.raises(TypeError, match=left_out):
+        granum.contact_law(shape, **MATERIAL, **missing)
+    with pytest.raises(TypeError, match="colour"):
+        granum.contact_law(shape, **MATERIAL, **numbers, colour=1)
+
+
+def test_a_law_that_is_none_is_refused_with_those_there_are():
+    with pytest.raises(granum.InvalidArgument, match="cube.*sphere"):
+        granum.contact_law("cube", **MATERIAL)
+
+
 class TestBatch:
     """uniform_strain_moduli, which hands whole columns to the library's batch."""
 

@@ -148,7 +148,7 @@ class Measuring {
 
   /// Compares forces with the law, and takes the grain's modulus from them if it is not given.
   void find_law() {
-    constexpr double any_modulus = 1e9; // forces are proportional to it
+    constexpr double any_modulus = 1e9; // forces of one exponent are proportional to it
     const double nu = given_.grain_poisson_ratio;
     const double modulus = given_.grain_shear_modulus.value_or(any_modulus);
     if (given_.law) {
@@ -166,7 +166,8 @@ class Measuring {
       out_.law_check = check_law(assembly_, given_.law_family, {modulus, nu});
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
-    } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_)) {
+    } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_) &&
+               of_any_modulus().constant_exponent()) {
       const double found = any_modulus * out_.law_check->coefficient_ratio;
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
@@ -180,11 +181,16 @@ class Measuring {
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
   }
 
+  /// The law whose grains are not known.
+  [[nodiscard]] contact::NormalLaw of_any_modulus() const {
+    return given_.law_family({1e9, given_.grain_poisson_ratio}, out_.sizes.equivalent);
+  }
+
   /// Hertz' contacts of materials that nobody knows: k_n = 1.5 f/d of each; closed forms take the mean.
   bool take_hertz() {
     const double nu = given_.grain_poisson_ratio;
-    if (!forces_known_ || rounded_ > rough ||
-        given_.law_family({1e9, nu}, out_.sizes.equivalent).alpha() != 2)
+    const contact::NormalLaw any = of_any_modulus();
+    if (!forces_known_ || rounded_ > rough || any.power_law() == nullptr || any.power_law()->alpha() != 2)
       return false;
     const auto exponent = common_exponent(assembly_, given_.type);
     if (!exponent || !is_hertz(*exponent))
@@ -302,8 +308,8 @@ class Measuring {
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (!given_.materials.empty())
       assign_hertz_stiffness(assembly, given_.materials, given_.tangential_ratio, from);
-    else if (out_.grain && out_.law->alpha() == 2 && out_.sizes.smallest != out_.sizes.largest)
-      assign_hertz_stiffness(assembly, *out_.grain, tangential_ratio(), from);
+    else if (out_.grain && out_.law->depends_on_size() && out_.sizes.smallest != out_.sizes.largest)
+      assign_stiffness_by_size(assembly, *out_.law, tangential_ratio(), from);
     else
       assign_stiffness(assembly, *out_.law, tangential_ratio(), from);
     out_.notes.emplace_back(from == packing::StiffnessFrom::force ? "k_n of the network from the forces"

@@ -5,10 +5,10 @@
 
 namespace granum::contact {
 
-PowerLaw of_sizes(const PowerLaw& law, double i, double j) {
+NormalLaw of_sizes(const NormalLaw& law, double i, double j) {
   require_positive("size of a grain", i);
   require_positive("size of a grain", j);
-  return law.alpha() == 2 ? law.times(std::sqrt(pair_radius(i, j))) : law;
+  return law.of_pair_radius(pair_radius(i, j));
 }
 
 GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j) {

@@ -11,6 +11,7 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 namespace granum::contact {
 
@@ -103,6 +104,15 @@ PowerLaw PowerLaw::of_grain(const GrainMaterial& grain) const {
   return {grain, alpha_, coefficient_ * stiffer};
 }
 
+PowerLaw PowerLaw::of(const GrainMaterial& grain, double radius) const {
+  return depends_on_size() ? sphere(grain, radius) : of_grain(grain);
+}
+
+PowerLaw PowerLaw::of_pair_radius(double ratio) const {
+  require_positive("ratio", ratio);
+  return depends_on_size() ? times(std::sqrt(ratio)) : *this;
+}
+
 PowerLaw PowerLaw::times(double factor) const {
   return {grain_, alpha_, coefficient_ * require_positive("factor", factor)};
 }
@@ -150,7 +160,7 @@ double PowerLaw::contact_radius(double overlap) const {
   return stiffness_at_overlap(overlap) * (1 - grain_.poisson_ratio) / (2 * grain_.shear_modulus);
 }
 
-NormalKernel PowerLaw::kernel() const {
+PowerLaw::Kernel PowerLaw::kernel() const {
   if (alpha_ == 1)
     return ConeKernel{coefficient_};
   if (alpha_ == 2)
@@ -158,6 +168,12 @@ NormalKernel PowerLaw::kernel() const {
   if (std::isinf(alpha_))
     return FlatKernel{coefficient_};
   return GeneralKernel{coefficient_, 1 / alpha_};
+}
+
+std::string PowerLaw::text() const {
+  return "PowerLaw(alpha=" + short_text(alpha_) + ", coefficient=" + exact_text(coefficient_) +
+         ", shear_modulus=" + exact_text(grain_.shear_modulus) +
+         ", poisson_ratio=" + exact_text(grain_.poisson_ratio) + ")";
 }
 
 double mindlin_stiffness_ratio(double poisson_ratio) {

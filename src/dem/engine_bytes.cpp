@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,9 +15,10 @@ namespace granum::dem {
 namespace {
 
 /// The numbers that forces follow from; two materials with the same ones give the same bits.
-std::array<double, 5> fingerprint(const Material& material) {
-  return {material.law.alpha(), material.law.coefficient(), material.tangential_ratio,
-          material.friction_coefficient, material.density};
+std::vector<double> fingerprint(const Material& material) {
+  std::vector<double> numbers = material.law.numbers();
+  numbers.insert(numbers.end(), {material.tangential_ratio, material.friction_coefficient, material.density});
+  return numbers;
 }
 
 /// Scalars of Engine::Data, so that writing and reading cannot fall out of step.
@@ -65,7 +65,8 @@ void take(ByteReader& from, std::vector<T>& list) {
 
 void Engine::save(ByteWriter& to) const {
   const Data& d = *data_;
-  to.put(fingerprint(d.material));
+  for (const double number : fingerprint(d.material))
+    to.put(number);
   save_specimen(to, state());
   to.put_all(d.order);
   to.put_all(d.list.pairs());
@@ -79,8 +80,9 @@ void Engine::save(ByteWriter& to) const {
 }
 
 Engine Engine::load(ByteReader& from, const Material& material) {
-  if (from.get<std::array<double, 5>>() != fingerprint(material))
-    from.fail("was written for grains of another material or contact law");
+  for (const double number : fingerprint(material))
+    if (from.get<double>() != number)
+      from.fail("was written for grains of another material or contact law");
   Specimen state = load_specimen(from);
   std::vector<std::uint32_t> order = from.get_all<std::uint32_t>();
   if (!is_order(order, state.grain_count()))

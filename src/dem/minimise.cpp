@@ -53,7 +53,7 @@ struct FireRule {
 /// Grains in an order in which neighbours are near each other, with the list of their pairs.
 class Minimiser {
  public:
-  Minimiser(const Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
+  Minimiser(const Specimen& state, const contact::NormalLaw& law, std::optional<double> pressure,
             const MinimiseOptions& options)
       : order_(near_order(state)), state_(reordered(state, order_)), law_(law.kernel()), pressure_(pressure),
         options_(options), list_(state, pressure ? first_pressed_skin : growing_skin,
@@ -293,7 +293,7 @@ void clear_tangential(Specimen& state) {
     state.walls->history.clear();
 }
 
-RelaxReport minimise(Specimen& state, const contact::PowerLaw& law, std::optional<double> pressure,
+RelaxReport minimise(Specimen& state, const contact::NormalLaw& law, std::optional<double> pressure,
                      const MinimiseOptions& options) {
   if (state.grain_count() == 0)
     throw InvalidArgument("minimise: the state has no grains");
@@ -315,11 +315,11 @@ double RelaxReport::pressure() const {
   return last_pressure;
 }
 
-RelaxReport minimise_energy(Specimen& state, const contact::PowerLaw& law, const MinimiseOptions& options) {
+RelaxReport minimise_energy(Specimen& state, const contact::NormalLaw& law, const MinimiseOptions& options) {
   return minimise(state, law, std::nullopt, options);
 }
 
-RelaxReport minimise_enthalpy(Specimen& state, const contact::PowerLaw& law, double pressure,
+RelaxReport minimise_enthalpy(Specimen& state, const contact::NormalLaw& law, double pressure,
                               const MinimiseOptions& options) {
   require_positive("pressure", pressure, "Pa");
   return minimise(state, law, pressure, options);

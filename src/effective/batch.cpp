@@ -104,6 +104,22 @@ struct GeneralRule {
   }
 };
 
+/// A law that is no power of the force: k_n of each row's mean force.
+struct AnyRule {
+  double factor; ///< c/k_n
+  double area;   ///< 4 pi R^2 [m^2]
+  const contact::NormalLaw& law;
+  GRANUM_INLINE static void argument(Work& work, std::size_t k, double w, double p, bool good) {
+    const bool touch = good & (w > 0);
+    work.x[k] = touch ? w : 0.0;
+    work.y[k] = touch ? p / w : 0.0;
+  }
+  GRANUM_INLINE static void pass(Work&, std::size_t) {}
+  GRANUM_INLINE double root(const Work& work, std::size_t k) const {
+    return work.x[k] * law.stiffness_at_force(area * work.y[k]);
+  }
+};
+
 /// NaN fails every comparison.
 GRANUM_INLINE bool is_good(double p, double C, double n) {
   return (p >= 0) & (p <= most_pressure) & (C >= 0) & (C <= most_contacts) & (n > 0) & (n < 1);
@@ -246,11 +262,14 @@ BatchReport uniform_strain(const PackingBatch& b, const ModuliColumns& moduli) {
   const double area = 4 * std::numbers::pi * b.radius * b.radius * (grain_volume / branch);
   const double c =
       b.law.stiffness_at_force(area) / (6 * std::numbers::pi * b.radius) * (branch_square / grain_volume);
-  if (b.law.alpha() == 2)
+  const contact::PowerLaw* const power = b.law.power_law();
+  if (power == nullptr)
+    return run(AnyRule{c / b.law.stiffness_at_force(area), area, b.law}, b, moduli);
+  if (power->alpha() == 2)
     return run(SphereRule{c * 0x1p-60}, b, moduli);
-  if (b.law.alpha() == 1)
+  if (power->alpha() == 1)
     return run(ConeRule{c * 0x1p-90}, b, moduli);
-  const double exponent = b.law.stiffness_exponent();
+  const double exponent = power->stiffness_exponent();
   if (exponent == 0)
     return run(FlatRule{c}, b, moduli);
   return run(GeneralRule{c * std::exp2(-180 * exponent), SplitExponent(exponent)}, b, moduli);

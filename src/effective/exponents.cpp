@@ -16,9 +16,9 @@ namespace kernel {
 namespace {
 
 /// k_n of the force area x load, by the chain rule of ln k_n.
-Dual stiffness_under(const contact::PowerLaw& law, double area, const Dual& load) {
+Dual stiffness_under(const contact::NormalLaw& law, double area, const Dual& load) {
   const double value = contact_stiffness(law, area, load.value());
-  return {value, load.derivatives() / load.value() * (value * law.stiffness_exponent())};
+  return {value, load.derivatives() / load.value() * (value * law.exponent_at_force(area * load.value()))};
 }
 
 /// Means of f^exponent over the directions.
@@ -28,6 +28,12 @@ AxialMoments<Dual> moments_of(double a, const Dual& root, double exponent) {
   const double c2 = root.value();
   const auto to_exponent = [&](const Dual& f) { return power(f, exponent); };
   return direction_moments(Dual(a), root, Dual(1 / root), c2, to_exponent, rule_for(c2 * c2));
+}
+
+/// Means of k_n^(+1 or -1) over those at the reference force, for a law whose b is not the same at every force.
+AxialMoments<Dual> moments_of(double a, const Dual& root, const StiffnessRatio<Dual>& weight) {
+  const double c2 = root.value();
+  return direction_moments(Dual(a), root, Dual(1 / root), c2, weight, rule_for(c2 * c2));
 }
 
 /// The same at any size: Young's moduli are made of products that must stay within the range of a double.
@@ -71,7 +77,14 @@ Constants<Dual> stress_derivatives(const State& s, const Model& model) {
     const NormalLoads<Dual> loads = static_loads(a, stress_v, stress_h);
     const Dual root = sqrt(Dual(loads.horizontal / loads.vertical));
     load = root * loads.vertical;
-    moments = moments_of(s.fabric_anisotropy, root, (by_stress ? -1 : 1) * s.law.stiffness_exponent());
+    if (const std::optional<double> b = s.law.constant_exponent())
+      moments = moments_of(s.fabric_anisotropy, root, (by_stress ? -1 : 1) * *b);
+    else
+      moments = moments_of(s.fabric_anisotropy, root,
+                           StiffnessRatio<Dual>{.law = s.law,
+                                                .reference = packing.force_area * load,
+                                                .stiffness = stiffness_under(s.law, packing.force_area, load),
+                                                .inverse = by_stress});
   }
   const Dual stiffness = stiffness_under(s.law, packing.force_area, load);
   if (by_stress)

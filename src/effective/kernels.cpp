@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
+
+#include <granum/core/error.hpp>
 
 namespace granum::effective::kernel {
 
@@ -32,13 +36,30 @@ std::span<const QuadratureNode> rule_for(double ratio) {
   return rules.back().nodes;
 }
 
-double contact_stiffness(const contact::PowerLaw& law, double area, double load) {
+double contact_stiffness(const contact::NormalLaw& law, double area, double load) {
   constexpr double smallest = 1e-290; // below, a product may lose digits to underflow
   const double force = area * load;
   if (force >= smallest || load == 0) [[likely]]
     return law.stiffness_at_force(force);
+  const std::optional<double> exponent = law.constant_exponent();
+  if (!exponent)
+    return law.stiffness_at_force(force);
   constexpr int lift = 600;
-  return law.stiffness_at_force(area * std::ldexp(load, lift)) * std::exp2(-lift * law.stiffness_exponent());
+  return law.stiffness_at_force(area * std::ldexp(load, lift)) * std::exp2(-lift * *exponent);
+}
+
+double local_exponent(const State& state) {
+  if (const std::optional<double> exponent = state.law.constant_exponent())
+    return *exponent;
+  const double force = geometry(state).force_area * (state.stress_v + 2 * state.stress_h);
+  return state.law.exponent_at_force(state.coordination_number.value_or(0) > 0 ? force : 0);
+}
+
+const contact::PowerLaw& power_law_of(const State& state, const char* asked) {
+  if (const contact::PowerLaw* law = state.law.power_law())
+    return *law;
+  throw InvalidArgument(std::string(asked) + " is known of contact laws of the power family alone, not of " +
+                        state.law.text());
 }
 
 } // namespace granum::effective::kernel

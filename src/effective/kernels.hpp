@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <type_traits>
 
 #include <granum/core/quadrature.hpp>
 #include <granum/effective/state.hpp>
@@ -151,7 +152,43 @@ NormalLoads<T> static_loads(const T& a, const T& stress_v, const T& stress_h) {
 
 /// k_n at the force area x load. A force too small to have all its digits is multiplied by 2^600 first,
 /// and the stiffness scaled back.
-double contact_stiffness(const contact::PowerLaw& law, double area, double load);
+double contact_stiffness(const contact::NormalLaw& law, double area, double load);
+
+/// b at the mean contact force of a valid state; without contacts at no force.
+double local_exponent(const State& state);
+
+/// The same, or the largest that the relaxation factors are calibrated with.
+double calibrated_exponent(const State& state);
+
+/// The law as one of the power family, for what is known of that alone.
+/// \throws   InvalidArgument for another law, naming what was asked for
+const contact::PowerLaw& power_law_of(const State& state, const char* asked);
+
+/// k_n of a force; of one with derivatives by the chain rule.
+template <class T>
+T stiffness_at(const contact::NormalLaw& law, const T& force) {
+  if constexpr (std::is_same_v<T, double>) {
+    return law.stiffness_at_force(force);
+  } else {
+    const double value = law.stiffness_at_force(force.value());
+    return {value, force.derivatives() * (value * law.exponent_at_force(force.value()) / force.value())};
+  }
+}
+
+/// (k_n(reference x)/k_n(reference))^(+1 or -1), the weight of direction_moments for a law whose b is not the
+/// same at every force.
+template <class T>
+struct StiffnessRatio {
+  const contact::NormalLaw& law;
+  T reference; ///< force [N]
+  T stiffness; ///< k_n there [N/m]
+  bool inverse = false;
+
+  T operator()(const T& x) const {
+    const T k = stiffness_at(law, T(reference * x));
+    return inverse ? T(stiffness / k) : T(k / stiffness);
+  }
+};
 
 /// x^exponent for x within some decades of 1, where this spends 2 ulp and is faster than pow.
 inline double power(double x, double exponent) { return std::exp(exponent * std::log(x)); }

@@ -25,9 +25,14 @@ using kernel::AxialMoments;
 /// Strains exp(t/2) along the axis and exp(-t/2) across, t = ln(strain_v/strain_h).
 const double largest_t = std::log(1e4);
 
+/// The one unknown is what a homogeneous law leaves.
+const contact::PowerLaw& power_law(const State& s) {
+  return kernel::power_law_of(s, "the field of a uniform strain from no load");
+}
+
 /// Moments of (k_n/k_ref)^sign at such strains, k_ref that of an overlap of l times strain 1.
 AxialMoments<double> strain_moments(const State& s, double t, double sign) {
-  const double exponent = sign / s.law.alpha(); // k_n ~ d^(1/alpha)
+  const double exponent = sign / power_law(s).alpha(); // k_n ~ d^(1/alpha)
   if (exponent == 0 || t == 0)
     return kernel::fabric_moments(s.fabric_anisotropy);
   const double root = std::exp(-t / 2);
@@ -127,7 +132,7 @@ KinematicForceField kinematic_force_field(const State& s) {
   const Solution solution = solve(s);
   const double length = branch_length(s);
   const double strain = s.law.overlap(checked.geometry.force_area * solution.load) / length;
-  return {.law = s.law,
+  return {.law = power_law(s),
           .tangential_ratio = s.tangential_ratio,
           .branch_length = length,
           .strain_v = strain * std::exp(solution.t / 2),

@@ -39,7 +39,7 @@ StressExponents at_mean_force(const State& state, const Model& model, Modulus wh
   const elastic::TransverselyIsotropic stiffness = uniform_field(state, model).stiffness;
   kernel::require_modulus(modulus(stiffness, which), stiffness.C11, which);
   const double share_v = state.stress_v / (state.stress_v + 2 * state.stress_h);
-  const double b = state.law.stiffness_exponent();
+  const double b = kernel::local_exponent(state);
   return {.stress_v = b * share_v, .stress_h = b * (1 - share_v)};
 }
 

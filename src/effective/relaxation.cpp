@@ -13,6 +13,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "kernels.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {
@@ -160,7 +161,7 @@ double log_stress_ratio(const State& s) { return s.stress_h > 0 ? std::log(s.str
 
 Stretch stretch_of(const State& s, double shear) {
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
-  const double b = s.law.stiffness_exponent();
+  const double b = kernel::calibrated_exponent(s);
   const double log_fabric = std::log(F.F33 / F.F11), log_stress = log_stress_ratio(s);
   const double logarithm =
       kernel::log_stretch(shear, b, log_fabric, log_stress, kernel::stretch_coefficients);
@@ -184,6 +185,10 @@ void note_state(const State& s, double z, Validity& validity) {
         "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
         "as long as the diameter, are too stiff",
         overlap));
+  if (const double b = kernel::local_exponent(s); b > largest_calibrated_exponent)
+    validity.add(detail::formatted(
+        "contacts stiffen as f^%.3g: the relaxation factors are calibrated up to f^0.5, and taken from there",
+        b));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(
@@ -226,7 +231,7 @@ RelaxingFactors relaxing_factors(double z, double r, double b, double branch_var
 
 /// The same for a state, the errors complete with what unequal stresses add.
 RelaxingFactors relaxing_factors(const State& s, double z) {
-  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, s.law.stiffness_exponent(),
+  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, kernel::calibrated_exponent(s),
                                              kernel::branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
   factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
@@ -237,6 +242,12 @@ RelaxingFactors relaxing_factors(const State& s, double z) {
 RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
 
 } // namespace
+
+namespace kernel {
+
+double calibrated_exponent(const State& s) { return std::min(local_exponent(s), largest_calibrated_exponent); }
+
+} // namespace kernel
 
 double mechanical_coordination_number(double coordination_number, double rattler_fraction) {
   require_non_negative("coordination_number", coordination_number);
@@ -258,7 +269,7 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
                       double stiffness_exponent) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
-  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 0.5);
+  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, largest_calibrated_exponent);
   const RelaxingFactors factors = relaxing_factors(z, r, b, 0);
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/relaxed_exponents.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
@@ -30,8 +32,8 @@ Vector2d pressure_slopes(const State& s) {
 /// of the factor.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
   const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
-  const double per_pressure = (1 - s.law.stiffness_exponent()) *
-                              (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
+  const double per_pressure =
+      (1 - kernel::local_exponent(s)) * (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
   const Vector2d common = per_pressure * pressure_slopes(s);
   const auto growing = [&](const Dual& X) { return Dual(X.value(), X.derivatives() + X.value() * common); };
   return {growing(frozen.C11), growing(frozen.C33), growing(frozen.C12), growing(frozen.C13),
@@ -41,7 +43,7 @@ kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& g
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
-  const Dual r = constant(s.tangential_ratio), b = constant(s.law.stiffness_exponent());
+  const Dual r = constant(s.tangential_ratio), b = constant(kernel::calibrated_exponent(s));
   const Dual shear =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                b, kernel::constants<Dual>(kernel::shear_coefficients));
@@ -74,6 +76,13 @@ constexpr ClosingGapLaw law_of(const std::array<double, 7>& c) {
           .scatter = c[6]};
 }
 
+/// d ln d/d ln f of two grains.
+double overlap_exponent(const contact::NormalLaw& law, double force) {
+  if (const std::optional<double> b = law.constant_exponent())
+    return 1 - *b;
+  return force / (law.overlap(force) * law.stiffness_at_force(force));
+}
+
 void require_valid(const MeasuredPacking& packing) {
   require_positive("pressure", packing.pressure, "Pa");
   require_positive("coordination_number", packing.coordination_number);
@@ -100,7 +109,7 @@ StressExponents relaxed_exponents(const State& state, double mechanical_coordina
                                   const Growth& growth, Modulus which) {
   require_finite(growth);
   const Relaxation factors =
-      relaxation(mechanical_coordination_number, state.tangential_ratio, state.law.stiffness_exponent());
+      relaxation(mechanical_coordination_number, state.tangential_ratio, kernel::calibrated_exponent(state));
   effective::require_valid(state);
   require_positive("stress_v", state.stress_v, "Pa");
   if (!(factors.shear.value > 0))
@@ -120,16 +129,17 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure *
                       (state.contacts.grain_volume / state.contacts.branch); // f C_n
   const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
-  const double amplitude = law.amplitude * (1 - law.spread * state.law.stiffness_exponent());
   // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each round gains digits.
   double z = law.initial;
   for (int round = 0; round < 60; ++round) {
     const double force = load / (z * (1 - rattlers(z)));
+    const double b = std::min(state.law.exponent_at_force(force), largest_calibrated_exponent);
+    const double amplitude = law.amplitude * (1 - law.spread * b);
     z = law.initial + amplitude * std::pow(state.law.overlap(force) / diameter, law.exponent);
   }
   const double x0 = rattlers(z);
   const double relative = 1 / z + law.rattler_decay * x0 / (1 - x0); // d ln C_n/dz
-  const double free = law.exponent * (1 - state.law.stiffness_exponent()) * (z - law.initial);
+  const double free = law.exponent * overlap_exponent(state.law, load / (z * (1 - x0))) * (z - law.initial);
   const double slope = free / (1 + free * relative);
   return {.coordination_number = z * (1 - x0),
           .mechanical_coordination_number = z,

@@ -87,7 +87,7 @@ CheckedState checked(const State& s) {
   const double mean = uniform ? vertical : std::sqrt(horizontal) * std::sqrt(vertical);
   const double largest = std::max(horizontal, vertical);
   state.stiffness = contact_stiffness(s.law, state.geometry.force_area, mean);
-  // k_n grows with a power of the force that is at most 1/2: a bound tells almost every state apart from
+  // k_n grows with a power of the force that is at most 1: a bound tells almost every state apart from
   // those that need the stiffness of the largest force.
   const double bound = uniform ? state.stiffness : state.stiffness * (largest / mean);
   if (bound * (1 - s.law.grain().poisson_ratio) >
@@ -115,6 +115,11 @@ double mean_contact_force(const State& state) {
   const auto geometry = kernel::checked_geometry(state);
   kernel::require_contacts(state);
   return geometry.force_area * (state.stress_v + 2 * state.stress_h);
+}
+
+double contact_exponent(const State& state) {
+  (void)kernel::checked_geometry(state);
+  return kernel::local_exponent(state);
 }
 
 double StaticForceField::tangential_force(double n3) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <granum/core/check.hpp>
@@ -22,15 +23,25 @@ TransverselyIsotropic transversely_isotropic(const kernel::Constants<double>& c)
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
 }
 
-/// Means of (k_n/k_ref)^sign over the directions.
-AxialMoments<double> contact_moments(const State& s, const kernel::NormalLoads<double>& loads, double sign) {
-  const double b = s.law.stiffness_exponent();
-  if (loads.horizontal == loads.vertical || b == 0)
+/// Means of (k_n/k_ref)^sign over the directions, sign = 1 or -1.
+AxialMoments<double> contact_moments(const State& s, const kernel::CheckedState& checked, double sign) {
+  const kernel::NormalLoads<double>& loads = checked.loads;
+  const std::optional<double> b = s.law.constant_exponent();
+  if (loads.horizontal == loads.vertical || b == 0.0)
     return kernel::fabric_moments(s.fabric_anisotropy);
   const double ratio = loads.horizontal / loads.vertical;
   const double root = std::sqrt(ratio);
-  const auto power = [exponent = sign * b](double f) { return kernel::power(f, exponent); };
-  return kernel::direction_moments(s.fabric_anisotropy, root, 1 / root, root, power, kernel::rule_for(ratio));
+  const auto moments = [&](const auto& weight) {
+    return kernel::direction_moments(s.fabric_anisotropy, root, 1 / root, root, weight,
+                                     kernel::rule_for(ratio));
+  };
+  if (b)
+    return moments([exponent = sign * *b](double f) { return kernel::power(f, exponent); });
+  const double mean = std::sqrt(loads.horizontal) * std::sqrt(loads.vertical);
+  return moments(kernel::StiffnessRatio<double>{.law = s.law,
+                                                .reference = checked.geometry.force_area * mean,
+                                                .stiffness = checked.stiffness,
+                                                .inverse = sign < 0});
 }
 
 /// Where the density of contacts is negative the sums over them may lose their sign too.
@@ -43,7 +54,7 @@ void note_instability(const State& s, Estimate& estimate) {
 Estimate strained(const State& state, Spin spin) {
   kernel::CheckedState checked = kernel::checked(state);
   const double scale = checked.geometry.prefactor * checked.stiffness;
-  const auto moments = contact_moments(state, checked.loads, 1);
+  const auto moments = contact_moments(state, checked, 1);
   Estimate estimate{.stiffness = transversely_isotropic(
                         kernel::uniform_strain(scale, state.tangential_ratio, moments, spin)),
                     .validity = std::move(checked.validity)};
@@ -112,7 +123,7 @@ Estimate free_spin(const State& state) { return strained(state, Spin::free); }
 Estimate uniform_stress(const State& state) {
   kernel::CheckedState checked = kernel::checked(state);
   const double scale = checked.geometry.static_prefactor * checked.stiffness;
-  const auto moments = contact_moments(state, checked.loads, -1);
+  const auto moments = contact_moments(state, checked, -1);
   const auto fabric = kernel::fabric_moments(state.fabric_anisotropy);
   Estimate estimate{.stiffness = transversely_isotropic(
                         kernel::uniform_stress(scale, state.tangential_ratio, fabric, moments)),

@@ -13,24 +13,24 @@ namespace {
 /// The law of two grains of an assembly.
 class PairLaws {
  public:
-  PairLaws(const Assembly& assembly, const contact::PowerLaw& law, double radius)
+  PairLaws(const Assembly& assembly, const contact::NormalLaw& law, double radius)
       : assembly_(assembly), law_(law), radius_(radius) {}
 
-  [[nodiscard]] contact::PowerLaw operator()(std::size_t i, std::size_t j) const {
+  [[nodiscard]] contact::NormalLaw operator()(std::size_t i, std::size_t j) const {
     const double a = assembly_.radius[i] / radius_, b = assembly_.radius[j] / radius_;
     return a == 1 && b == 1 ? law_ : of_sizes(law_, a, b);
   }
 
  private:
   const Assembly& assembly_;
-  const contact::PowerLaw& law_;
+  const contact::NormalLaw& law_;
   double radius_;
 };
 
 /// Energy that the contacts release as the cell grows from 1 - strain to 1 + strain of its size. Summed
 /// contact by contact: the difference of two sums over all would lose the digits that a small strain needs.
 double released_energy(const Assembly& assembly, const PairLaws& law, double strain) {
-  const auto released = [strain](const contact::PowerLaw& of_pair, double overlap, double branch) {
+  const auto released = [strain](const contact::NormalLaw& of_pair, double overlap, double branch) {
     return of_pair.energy(overlap + strain * branch) -
            of_pair.energy(std::max(0.0, overlap - strain * branch));
   };
@@ -44,7 +44,7 @@ double released_energy(const Assembly& assembly, const PairLaws& law, double str
 
 } // namespace
 
-double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law, double law_radius) {
+double pressure_by_cell_work(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {
   require_valid(assembly);
   require_positive("law_radius", law_radius, "m");
   double overlap = 0, length = 0;

@@ -62,7 +62,7 @@ dem::RelaxReport arrived(const dem::RelaxReport& report, const std::string& stag
 std::size_t expand(dem::Specimen& state, const SpecimenRecipe& recipe, const StopRequest& stop_requested) {
   constexpr double first_fraction = 0.2, last_stage = 0.55, stage = 0.05;
   const double full = 1 / (1 + recipe.expansion_void_ratio);
-  const contact::PowerLaw law = linear_law(recipe);
+  const contact::NormalLaw law = linear_law(recipe);
   dem::MinimiseOptions options;
   options.overlap_tolerance = 1e-3;
   options.force_tolerance = 1e-2;

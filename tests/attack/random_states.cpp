@@ -131,7 +131,7 @@ class Attack {
     const TransverselyIsotropic strain = effective::uniform_strain(state).stiffness;
     const TransverselyIsotropic spin = effective::free_spin(state).stiffness;
     const TransverselyIsotropic stress = effective::uniform_stress(state).stiffness;
-    const double b = state.law.stiffness_exponent();
+    const double b = state.law.constant_exponent().value();
     demand(finite(strain) && finite(spin) && finite(stress), "a constant is not finite");
     demand(not_stiffer(spin, strain, 1e-11), "free spin is stiffer than none");
     // The forces of the static hypothesis are admissible, those of free spin the best of these, where the
@@ -173,7 +173,7 @@ class Attack {
     using enum effective::Modulus;
     if (s.state.stress_v == 0 || s.state.coordination_number == 0)
       return;
-    const double b = s.state.law.stiffness_exponent();
+    const double b = s.state.law.constant_exponent().value();
     for (const effective::Modulus which : {K, G_hh, G_vh, C11, C33}) {
       const double sum = effective::uniform_strain_exponents(s.state, which).sum();
       demand(std::abs(sum - b) <= 1e-10, "exponents do not add up to s");
@@ -187,10 +187,10 @@ class Attack {
     demand(finite(relaxed.stiffness) && finite(more.stiffness), "a relaxed constant is not finite");
     demand(relaxed.stiffness.bulk_modulus() >= 0 && relaxed.stiffness.C44 >= 0,
            "a relaxed modulus is negative");
-    const effective::Relaxation h =
-        effective::relaxation(s.mechanical, s.state.tangential_ratio, s.state.law.stiffness_exponent());
+    const effective::Relaxation h = effective::relaxation(s.mechanical, s.state.tangential_ratio,
+                                                          s.state.law.constant_exponent().value());
     const effective::Relaxation h_more = effective::relaxation(1.25 * s.mechanical, s.state.tangential_ratio,
-                                                               s.state.law.stiffness_exponent());
+                                                               s.state.law.constant_exponent().value());
     demand(h.shear.value >= 0 && h.shear.value <= 1 + 1e-13, "a factor of G is outside [0, 1]");
     demand(h.bulk.value >= 0 && h.bulk.value <= 1 + 1e-13, "a factor of K is outside [0, 1]");
     demand(h_more.shear.value >= h.shear.value * (1 - 1e-13), "more contacts relax G further");

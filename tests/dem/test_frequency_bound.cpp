@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
+#include <granum/contact/laws.hpp>
 #include <granum/contact/pair.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/walls.hpp>
@@ -109,7 +110,7 @@ double exact(const Scene& scene) {
     if (norm(b) >= reach)
       continue;
     const Eigen::Vector3d lever = Eigen::Vector3d(b.x, b.y, b.z) / reach;
-    const contact::PowerLaw law =
+    const contact::NormalLaw law =
         scene.state.size.empty() ? scene.law : contact::of_sizes(scene.law, size_i, size_j);
     const Eigen::Matrix<double, 3, 12> moved = approach(lever);
     const Eigen::Matrix<double, 12, 12> own =
@@ -162,14 +163,10 @@ Specimen random_grains(unsigned seed, bool unequal, std::size_t count = 80) {
 
 contact::PowerLaw law_of(contact::Shape shape) {
   const contact::GrainMaterial glass{.shear_modulus = 29e9, .poisson_ratio = 0.2};
-  switch (shape) {
-  case contact::Shape::cone:
+  if (shape == contact::Shape::cone)
     return contact::PowerLaw::cone(glass, 1.4);
-  case contact::Shape::flat:
-    return contact::PowerLaw::flat(glass, 1e-5);
-  default:
-    return contact::PowerLaw::sphere(glass, radius);
-  }
+  return shape == contact::Shape::flat ? contact::PowerLaw::flat(glass, 1e-5)
+                                       : contact::PowerLaw::sphere(glass, radius);
 }
 
 } // namespace

@@ -54,7 +54,7 @@ TEST_CASE("kinematic field: its forces balance the stress, its contacts give the
           CAPTURE(r);
           State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
           s.tangential_ratio = r;
-          KinematicForceField field{.law = s.law};
+          KinematicForceField field{.law = *s.law.power_law()};
           try {
             field = effective::kinematic_force_field(s);
           } catch (const InvalidArgument&) {
@@ -99,7 +99,7 @@ TEST_CASE("kinematic field: published moduli of spheres under hydrostatic and un
           .radius = R,
           .void_ratio = 0.36 / 0.64,
           .coordination_number = 6};
-  const KinematicForceField given{.law = s.law,
+  const KinematicForceField given{.law = *s.law.power_law(),
                                   .tangential_ratio = s.tangential_ratio,
                                   .branch_length = 2 * R,
                                   .strain_v = 0.08,

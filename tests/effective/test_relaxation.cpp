@@ -170,7 +170,8 @@ TEST_CASE("relaxed: an isotropic packing takes the two factors") {
       const State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
       const auto uniform = effective::uniform_strain(s).stiffness;
       const effective::RelaxedEstimate estimate = relaxed(s, z);
-      const effective::Relaxation factors = relaxation(z, s.tangential_ratio, s.law.stiffness_exponent());
+      const effective::Relaxation factors =
+          relaxation(z, s.tangential_ratio, s.law.constant_exponent().value());
       const elastic::TransverselyIsotropic& c = estimate.stiffness;
       CHECK(c.bulk_modulus() == relative(factors.bulk.value * uniform.bulk_modulus(), 1e-14));
       CHECK(c.G_vh() == relative(factors.shear.value * uniform.G_vh(), 1e-14));
@@ -187,7 +188,7 @@ TEST_CASE("relaxed: an anisotropic packing is the uniform-strain one through two
     for (const double a : {-0.2, 0.0, 0.2})
       for (const double ratio : {0.5, 1.0, 2.0}) {
         const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
-        const double b = s.law.stiffness_exponent();
+        const double b = s.law.constant_exponent().value();
         const effective::Relaxation factors = relaxation(5.0, s.tangential_ratio, b);
         const elastic::TransverselyIsotropic c = relaxed(s, 5.0).stiffness;
         CHECK(c.positive_definite());

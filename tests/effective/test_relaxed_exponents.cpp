@@ -128,7 +128,7 @@ TEST_CASE("relaxed exponents: a closing-gap law solves for C_n and the mean forc
         State s = state_of(alpha, 0, 0.15, p, p);
         const effective::PredictedPacking found = effective::predict_packing(law, s, p);
         s.coordination_number = found.coordination_number;
-        const double amplitude = law.amplitude * (1 - law.spread * s.law.stiffness_exponent());
+        const double amplitude = law.amplitude * (1 - law.spread * s.law.constant_exponent().value());
         const double overlap = s.law.overlap(effective::mean_contact_force(s)) / (2 * s.radius);
         CHECK(found.mechanical_coordination_number ==
               relative(law.initial + amplitude * std::pow(overlap, law.exponent), 1e-12));

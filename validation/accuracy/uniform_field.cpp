@@ -105,7 +105,8 @@ void check_directional(Table& table, std::size_t samples) {
     const Real horizontal = 2 * Real(state.radius) / P * Real(state.stress_h) / F11;
     const Real vertical = 2 * Real(state.radius) / P * Real(state.stress_v) / F33;
     const Real b = 1 / (1 + Real(alpha));
-    const Real k_ref = (1 + 1 / Real(alpha)) * pow(Real(state.law.coefficient()), 1 - b) * pow(vertical, b);
+    const Real k_ref =
+        (1 + 1 / Real(alpha)) * pow(Real(state.law.power_law()->coefficient()), 1 - b) * pow(vertical, b);
     const Real spread_of_forces = horizontal / vertical;
     const std::string at =
         said({{"alpha", alpha}, {"a", a}, {"stress_v", state.stress_v}, {"stress_h", state.stress_h}});

@@ -76,7 +76,7 @@ void append(Record& record, char** of) {
   row.add("grains", static_cast<double>(assembly.grain_count()));
   row.add("stage", 0);
   row.add("p_Pa", measured.stress.value().mean());
-  row.add("alpha", material.law.alpha());
+  row.add("alpha", material.law.power_law()->alpha());
   row.add("stress_ratio", 0);
   row.add("friction_coefficient", std::numeric_limits<double>::quiet_NaN());
   if (record.has(row))

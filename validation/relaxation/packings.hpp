@@ -42,7 +42,7 @@ struct Packing {
   double relative_overlap = 0;    ///< of the mean force, over the diameter
   std::vector<Network> networks;
 
-  [[nodiscard]] double exponent() const { return state.law.stiffness_exponent(); }
+  [[nodiscard]] double exponent() const { return state.law.constant_exponent().value(); }
   [[nodiscard]] bool isotropic() const { return stress_ratio == 0; }
 };
 

@@ -106,7 +106,7 @@ inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem:
       mechanical_coordination(assembly, packing::ContactKind::frictionless);
   const Mat3& stress = measured.stress.value().symmetric;
   const packing::BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
-  const double b = material.law.stiffness_exponent();
+  const double b = material.law.constant_exponent().value();
   row.add("C_n", micro.coordination_number);
   row.add("z_star", micro.mechanical_coordination_number);
   row.add("rattler_fraction", micro.rattler_fraction);

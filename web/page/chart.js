@@ -4,6 +4,9 @@
 
 /// What each colour stands for is said by include/granum/plot/palette.hpp, from which the style sheet has it.
 const colours = Object.fromEntries([..."<!--colours-->".split(" "), "grey"].map((name) => [name, `var(--${name})`]));
+/// A contact law without a colour of its own has that of power laws.
+const shapeColourName = (shape) => (shape in colours ? shape : "power_law");
+const shapeColour = (shape) => colours[shapeColourName(shape)];
 const escapeText = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
 /// Numbers as people write them, at most `digits` of them.

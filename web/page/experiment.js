@@ -31,7 +31,7 @@ class ExperimentPanel {
       const input = element("input", { id: key, type: "number", min, max, value: address.number(key, start, min, max), onchange: () => address.put(key, input.value) });
       return [input, element("label", {}, label, input)];
     };
-    const shape = select("xshape", w.shape, shapes.map((s) => [s, this.texts.shape[s]]), "sphere");
+    const shape = select("xshape", w.shape, contactLaws.map((law) => [law.name, law.plural]), "sphere");
     const density = select("xdensity", w.density, [["dense", w.dense], ["loose", w.loose]], "loose");
     const sizes = select("xsizes", w.sizes, [["0", w.equal], ["0.2", w.narrow], ["0.35", w.wide]], "0");
     const grains = number("xgrains", w.grains, 200, 2000, 600);
@@ -82,7 +82,7 @@ class ExperimentPanel {
     this.states = [];
     this.notAtRest = "";
     this.setup = setup;
-    this.viewed({ shape: setup.grain.shape });
+    this.viewed({ shape: shapeColourName(setup.grain.shape) });
     this.contactExponent = this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent;
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);

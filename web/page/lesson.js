@@ -13,7 +13,7 @@ const lessonSteps = [
   {
     controls: { shape: "sphere", overlap: [0.02, 1, 0.02, 0.5, "µm"] },
     picture(granum, grain, at, texts) {
-      const curves = shapes.map((shape) => granum.contactCurve({ ...grain, shape }, 1e-6, 100));
+      const curves = contactLaws.map(({ name }) => granum.contactCurve({ ...grain, shape: name }, 1e-6, 100));
       const here = granum.contactCurve(grain, at.overlap * 1e-6, 1);
       const values = { force: written(here.points[0].force), stiffness: written(here.points[0].stiffness / 1e6), alpha: here.alpha === Infinity ? "∞" : written(here.alpha) };
       return {
@@ -22,7 +22,7 @@ const lessonSteps = [
           x: { label: texts.axis.overlap, min: 0, max: 1 },
           y: { label: texts.axis.force, min: 0, max: 1.15 * Math.max(...curves.map((c) => c.points.at(-1).force)) },
           series: curves.map((curve, k) => ({
-            label: texts.shape[shapes[k]], colour: colours[shapes[k]], faint: shapes[k] !== grain.shape,
+            label: contactLaws[k].plural, colour: shapeColour(contactLaws[k].name), faint: contactLaws[k].name !== grain.shape,
             points: [[0, 0], ...curve.points.map((p) => [p.overlap * 1e6, p.force])],
           })),
           mark: [at.overlap, here.points[0].force],
@@ -55,7 +55,7 @@ const lessonSteps = [
         values: { p: written(at.pressure), G: written(here.vh / MPa), factor: written(form(grain.shape, 1000).vh / form(grain.shape, 10).vh), slope: written(here.exponent) },
         chart: {
           x: { label: texts.axis.pressure, min: 10, max: 1000, log: true }, y: { label: texts.axis.G, min: 30, max: 1500, log: true },
-          series: shapes.map((shape) => ({ label: texts.shape[shape], colour: colours[shape], faint: shape !== grain.shape, points: line(shape) })),
+          series: contactLaws.map(({ name, plural }) => ({ label: plural, colour: shapeColour(name), faint: name !== grain.shape, points: line(name) })),
           triangle: here.exponent > 0.01 ? { x0: 30, x1: 120, y: low.vh / MPa, slope: here.exponent, text: `s = ${written(here.exponent)}` } : undefined,
           mark: [at.pressure, here.vh / MPa],
         },
@@ -125,13 +125,13 @@ function addLesson(granum, texts) {
     for (const [name, range] of Object.entries(step.controls)) {
       const key = `${number + 1}${name}`;
       if (name === "shape") {
-        grain.shape = address.choice(key, range, shapes);
-        controls.append(element("fieldset", {}, element("legend", {}, texts.slider.shape), ...shapes.map((shape) =>
+        grain.shape = address.choice(key, range, contactLaws.map((law) => law.name));
+        controls.append(element("fieldset", {}, element("legend", {}, texts.slider.shape), ...contactLaws.map(({ name: shape, plural }) =>
           element("label", {}, element("input", { type: "radio", name: key, value: shape, checked: shape === grain.shape, onchange: () => {
             grain.shape = shape;
             address.put(key, shape);
             draw();
-          } }), ` ${texts.shape[shape]}`))));
+          } }), ` ${plural}`))));
         continue;
       }
       const [min, max, by, start, unit] = range;

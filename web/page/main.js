@@ -3,7 +3,7 @@
 
 /// Grains of the page: the paper's, as granum's own scenes have them.
 const defaultGrain = {
-  shape: "sphere", shearModulus: 30e9, poissonRatio: 0.15, radius: 0.5e-3, coneSlope: 0.4, punchRadius: 5.7e-6,
+  shape: "sphere", shearModulus: 30e9, poissonRatio: 0.15, radius: 0.5e-3,
   frictionAngle: (26.5 * Math.PI) / 180,
 };
 

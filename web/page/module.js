@@ -9,6 +9,10 @@ class Granum {
     granum.compiled = compiled;
     granum.onFrame = onFrame;
     await granum.restart();
+    contactLaws = granum.call("laws").notes.map((line) => {
+      const [name, plural, ...numbers] = line.split("\t");
+      return { name, plural, numbers: numbers.filter((_, k) => k % 2 === 0).map((key, k) => ({ key, value: Number(numbers[2 * k + 1]) })) };
+    });
     return granum;
   }
 
@@ -122,8 +126,12 @@ const shearNames = ["event", "axialStrain", "volumetricStrain", "deviator", "rat
 /// A point of a stress-strain curve, of the row of experiment_shear.
 const shearPoint = (numbers) => Object.fromEntries(shearNames.map((name, k) => [name, numbers[k]]));
 
-const shapes = ["cone", "sphere", "flat"];
-
+/// granum's table of contact laws: [{name, plural, numbers: [{key, value}]}]
+let contactLaws = [];
+const lawNamed = (name) => contactLaws.find((law) => law.name === name);
+/// What granum's functions take of two grains; a law's numbers are those of the table unless the grain has them.
 function grainNumbers(grain) {
-  return [shapes.indexOf(grain.shape), grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius];
+  const law = lawNamed(grain.shape);
+  const numbers = law.numbers.map(({ key, value }) => grain.numbers?.[key] ?? value);
+  return [contactLaws.indexOf(law), grain.shearModulus, grain.poissonRatio, grain.radius, numbers[0] ?? NaN, numbers[1] ?? NaN];
 }

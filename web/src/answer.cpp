@@ -53,12 +53,12 @@ effective::State state_of(const web::PageGrain& grain, double void_ratio, double
 /// names are the first words. A mechanical coordination number that is not a number is not given; saturation
 /// is a share.
 GRANUM_EXPORT(answer)
-void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-            double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
+void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+            double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double preparation, double mechanical_coordination_number, double grain_density,
             double saturation) {
   estimate::Question question{
-      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
                         anisotropy, stress_v, stress_h),
       .preparation = preparation_of(preparation),
       .grain_density = grain_density,
@@ -84,10 +84,10 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
 /// G_vh and its relative error, or not a number where the rung states none, of every closed form, at the
 /// contacts that are said; the words are their labels.
 GRANUM_EXPORT(ladder)
-void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-            double punch_radius, double void_ratio, double anisotropy, double stress_v, double stress_h,
+void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+            double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double coordination_number, double mechanical_coordination_number) {
-  effective::State packing = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius},
+  effective::State packing = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
                                       void_ratio, anisotropy, stress_v, stress_h);
   packing.coordination_number = coordination_number;
   packing.mechanical_coordination_number = mechanical_coordination_number;
@@ -104,8 +104,8 @@ void ladder(double shape, double shear_modulus, double poisson_ratio, double rad
 /// standard error; then the shares of the variance of z*, whose names are the first words. Quantities by
 /// their place in inverse::quantities.
 GRANUM_EXPORT(infer)
-void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-           double punch_radius, double void_ratio, double pressure, double grain_density, double quantity,
+void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+           double second_number, double void_ratio, double pressure, double grain_density, double quantity,
            double value, double relative_error, double other_pressure) {
   const auto place = static_cast<std::size_t>(quantity);
   if (!(quantity >= 0) || place >= inverse::quantities().size())
@@ -113,8 +113,8 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
   const inverse::Observation measured{
       .quantity = inverse::quantities()[place].quantity,
       .value = {value, relative_error * value},
-      .state = state_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}, void_ratio,
-                        0, pressure, pressure)};
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
+                        void_ratio, 0, pressure, pressure)};
   const inverse::InferenceAnswer found =
       inverse::infer(std::span(&measured, 1), {.grain_density = grain_density});
   web::say(found.validity);

@@ -95,12 +95,12 @@ using web::experiment;
 /// random numbers follow from the seed.
 GRANUM_EXPORT(experiment_begin)
 void experiment_begin(double shape, double shear_modulus, double poisson_ratio, double radius,
-                      double cone_slope, double punch_radius, double friction_angle, double loose,
+                      double first_number, double second_number, double friction_angle, double loose,
                       double sigma, double grains, double seed, double first_pressure) {
   running = std::make_unique<Experiment>(
       Experiment{.contact = web::shape_of(shape),
                  .recipe = {.material = {.law = web::law_of({shape, shear_modulus, poisson_ratio, radius,
-                                                             cone_slope, punch_radius}),
+                                                             first_number, second_number}),
                                          .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
                                          .friction_coefficient =
                                              contact::Friction::from_angle(friction_angle).coefficient()},

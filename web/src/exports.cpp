@@ -2,8 +2,10 @@
 #include "exports.hpp"
 
 #include <cstddef>
+#include <span>
 
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
 
 namespace granum::web {
@@ -24,17 +26,17 @@ void say(const Validity& validity) {
     words() += note + "\n";
 }
 
-contact::Shape shape_of(double number) {
-  const auto place = static_cast<std::size_t>(number);
-  if (!(number >= 0) || place > 2)
-    throw InvalidArgument("shape", number, "", "0 (cone), 1 (sphere) or 2 (flat)");
-  return contact::all_shapes[place];
+contact::Shape shape_of(double place) {
+  if (!(place >= 0 && place < static_cast<double>(contact::laws().size())))
+    throw InvalidArgument("shape", place, "", "the place of one in the table of contact laws");
+  return contact::laws()[static_cast<std::size_t>(place)].shape;
 }
 
-contact::PowerLaw law_of(const PageGrain& grain) {
-  return contact::law_of(
-      shape_of(grain.shape), {.shear_modulus = grain.shear_modulus, .poisson_ratio = grain.poisson_ratio},
-      {.radius = grain.radius, .cone_slope = grain.cone_slope, .punch_radius = grain.punch_radius});
+contact::NormalLaw law_of(const PageGrain& grain) {
+  const contact::LawRow& row = contact::row_of(shape_of(grain.shape));
+  const double numbers[] = {grain.first, grain.second};
+  return row.make({.shear_modulus = grain.shear_modulus, .poisson_ratio = grain.poisson_ratio}, grain.radius,
+                  std::span(numbers).first(row.parameters.size()));
 }
 
 } // namespace granum::web
@@ -49,5 +51,14 @@ GRANUM_EXPORT(words_count) std::size_t words_count() { return web::words().size(
 GRANUM_EXPORT(forget) void forget() {
   web::numbers().clear();
   web::words().clear();
+}
+/// The table of contact laws, a line each: name, plural, and key and value of its numbers, with tabs between.
+GRANUM_EXPORT(laws) void laws() {
+  for (const contact::LawRow& row : contact::laws()) {
+    web::words() += std::string(name(row.shape)) + "\t" + row.plural;
+    for (const contact::LawParameter& parameter : row.parameters)
+      web::words() += "\t" + parameter.key + "\t" + exact_text(parameter.value);
+    web::words() += "\n";
+  }
 }
 GRANUM_EXPORT(version) void version() { web::words() = std::string(granum::version()); }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/contact/shape.hpp>
+#include <granum/contact/laws.hpp>
 #include <granum/core/validity.hpp>
 
 #define GRANUM_EXPORT(name) extern "C" __attribute__((export_name(#name)))
@@ -19,18 +19,17 @@ std::vector<double>& numbers();
 std::string& words();
 void say(const Validity& validity);
 
-/// Two grains of a shape, by its place in contact::all_shapes. One length and one slope describe them all.
+/// Two grains of a shape, by its place in contact::laws().
 struct PageGrain {
   double shape;
   double shear_modulus; ///< G_g [Pa]
   double poisson_ratio; ///< nu_g [1]
   double radius;        ///< R [m]
-  double cone_slope;    ///< A_1 of the cone [1]
-  double punch_radius;  ///< of the flat contact [m]
+  double first;         ///< of the numbers of the law, in the order of its row; not read where it has none
+  double second;        ///< likewise
 };
-/// 0: cone, 1: sphere, 2: flat.
 /// \throws   InvalidArgument
-contact::Shape shape_of(double number);
-contact::PowerLaw law_of(const PageGrain& grain);
+contact::Shape shape_of(double place);
+contact::NormalLaw law_of(const PageGrain& grain);
 
 } // namespace granum::web

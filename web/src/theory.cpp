@@ -44,19 +44,22 @@ void add_answer(const effective::RungName name, const effective::State& packing,
 
 } // namespace
 
-/// alpha, stiffness exponent 1/(1+alpha), k_t/k_n; then overlap, force, k_n and contact radius at `points`
-/// equal steps of the overlap.
+/// alpha, the stiffness exponent at the largest overlap, k_t/k_n; then overlap, force, k_n and contact radius at
+/// `points` equal steps of the overlap. Not a number for what the power family alone has.
 GRANUM_EXPORT(contact_curve)
-void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-                   double punch_radius, double largest_overlap, double points) {
-  const contact::PowerLaw law =
-      web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius});
+void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius,
+                   double first_number, double second_number, double largest_overlap, double points) {
+  const contact::NormalLaw law =
+      web::law_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number});
   std::vector<double>& row = web::numbers();
-  row = {law.alpha(), law.stiffness_exponent(), contact::mindlin_stiffness_ratio(poisson_ratio)};
+  const contact::PowerLaw* const power = law.power_law();
+  constexpr double none = effective::State::unset;
+  row = {power != nullptr ? power->alpha() : none, law.exponent_at_force(law.force(largest_overlap)),
+         contact::mindlin_stiffness_ratio(poisson_ratio)};
   for (double k = 1; k <= points; ++k) {
     const double overlap = largest_overlap * (k / points);
-    row.insert(row.end(),
-               {overlap, law.force(overlap), law.stiffness_at_overlap(overlap), law.contact_radius(overlap)});
+    row.insert(row.end(), {overlap, law.force(overlap), law.stiffness_at_overlap(overlap),
+                           power != nullptr ? power->contact_radius(overlap) : none});
   }
 }
 
@@ -79,11 +82,11 @@ void relaxation(double mechanical_coordination_number, double tangential_ratio, 
 /// K, G_hh, G_vh, s and error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the
 /// mean contact force. A mechanical coordination number that is not a number is not given.
 GRANUM_EXPORT(closed_forms)
-void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-                  double punch_radius, double void_ratio, double coordination_number, double anisotropy,
+void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+                  double second_number, double void_ratio, double coordination_number, double anisotropy,
                   double stress_v, double stress_h, double mechanical_coordination_number) {
   const effective::State packing{
-      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
+      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}),
       .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
       .radius = radius,
       .void_ratio = void_ratio,
@@ -104,11 +107,12 @@ void closed_forms(double shape, double shear_modulus, double poisson_ratio, doub
 /// One packing carried from a pressure where z* and x_0 are known to another, at `points` equal steps of
 /// ln p: each p, z*, x_0, e, G by uniform strain and relaxed; then s and its error of both.
 GRANUM_EXPORT(carried_path)
-void carried_path(double shape, double shear_modulus, double poisson_ratio, double radius, double cone_slope,
-                  double punch_radius, double void_ratio, double mechanical_coordination_number,
-                  double rattler_fraction, double from, double to, double points) {
+void carried_path(double shape, double shear_modulus, double poisson_ratio, double radius,
+                  double first_number, double second_number, double void_ratio,
+                  double mechanical_coordination_number, double rattler_fraction, double from, double to,
+                  double points) {
   effective::State known{
-      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, cone_slope, punch_radius}),
+      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}),
       .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
       .radius = radius,
       .void_ratio = void_ratio,

@@ -23,15 +23,16 @@ test("closed forms equal the native ones to 1e-12", async () => {
   const random = randoms(1);
   const within = (low, high) => low + (high - low) * random.next().value;
   for (let k = 0; k < 30; ++k) {
-    const shape = ["cone", "sphere", "flat"][k % 3];
+    const shape = ["cone", "sphere", "flat", "power-law"][k % 4];
     const packing = { voidRatio: within(0.5, 0.8), coordinationNumber: within(4.5, 6.5), anisotropy: within(-0.4, 0.4), stressV: within(1e4, 1e6) };
     packing.stressH = packing.stressV * within(0.5, 1.5);
     packing.mechanicalCoordinationNumber = packing.coordinationNumber * within(1, 1.1);
     const native = granumJson("estimate", "--contact", shape, "--void-ratio", packing.voidRatio, "--coordination-number", packing.coordinationNumber,
       "--fabric", packing.anisotropy, "--stress-v", `${packing.stressV}Pa`, "--stress-h", `${packing.stressH}Pa`,
       "--mechanical-coordination-number", packing.mechanicalCoordinationNumber,
-      ...{ cone: ["--slope", grain.coneSlope], sphere: [], flat: ["--punch-radius", `${grain.punchRadius}m`] }[shape]);
-    const forms = granum.closedForms({ ...grain, shape }, packing);
+      ...{ cone: ["--slope", 0.37], sphere: [], flat: ["--punch-radius", "6um"], "power-law": ["--alpha", 1.4, "--profile-constant", 90] }[shape]);
+    const numbers = { cone_slope: 0.37, punch_radius: 6e-6, alpha: 1.4, profile_constant: 90 };
+    const forms = granum.closedForms({ ...grain, shape, numbers }, packing);
     for (const [ours, theirs] of [["uniformStrain", "uniform_strain"], ["uniformStress", "uniform_stress"], ["relaxed", "relaxed"]]) {
       const form = found(native, theirs);
       close(forms[ours].vh, form.G_vh, 1e-12, `${shape} ${theirs} G_vh`);
@@ -148,7 +149,7 @@ test("errors are granum's own, and the module goes on", async () => {
   assert.throws(() => granum.closedForms({ ...grain, poissonRatio: 0.6 }, packing), /grain_poisson_ratio = 0.6/);
   assert.deepEqual(granum.closedForms(grain, packing), before);
   assert.throws(() => granum.call("experiment_shear"), /the experiment has not begun/);
-  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius, grain.frictionAngle, 0, 0, 200, 1, 1e4);
+  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, NaN, NaN, grain.frictionAngle, 0, 0, 200, 1, 1e4);
   assert.throws(() => granum.call("experiment_shear_begin", 0.01), /sheared after it was compressed/);
 });
 
@@ -157,7 +158,7 @@ const pressures = [1e4, 2e4, 3e4, 5e4, 7e4, 1e5];
 /// A module that is about to compress a specimen, made.
 async function prepared(loose, seed, onFrame) {
   const granum = await startModule(onFrame);
-  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, grain.coneSlope, grain.punchRadius,
+  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, NaN, NaN,
     grain.frictionAngle, loose ? 1 : 0, 0, 300, seed, pressures[0]);
   granum.call("experiment_prepare");
   return granum;

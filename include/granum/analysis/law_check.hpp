@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/core/measured.hpp>
 #include <granum/packing/assembly.hpp>
 
@@ -15,7 +15,7 @@
 namespace granum::analysis {
 
 /// The contact law of two equal grains of a material and a radius [m]; contact::PowerLaw::sphere is one.
-using LawFamily = std::function<contact::PowerLaw(const contact::GrainMaterial& grain, double radius)>;
+using LawFamily = std::function<contact::NormalLaw(const contact::GrainMaterial& grain, double radius)>;
 
 /// f_n against the overlap d of all contacts that press. Contacts of two sizes count as the contact of equal
 /// spheres with the same 1/R_i + 1/R_j, and f_n/R^2 goes as (d/R)^(1+1/alpha): all of similar grains lie on

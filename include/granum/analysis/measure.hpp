@@ -18,7 +18,7 @@ namespace granum::analysis {
 /// What is known of a packing beside what the assembly holds.
 struct Given {
   /// Of all contacts, as one knows it of own specimens of equal grains: no material is looked for then.
-  std::optional<contact::PowerLaw> law = {};
+  std::optional<contact::NormalLaw> law = {};
   LawFamily law_family =
       contact::PowerLaw::sphere;                  ///< else: the law of two grains of a material and a radius
   std::optional<double> grain_shear_modulus = {}; ///< G_g [Pa]; without it, from forces against overlaps

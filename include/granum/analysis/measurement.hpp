@@ -136,7 +136,7 @@ struct Measurement {
   std::optional<Forces> forces = {};
   std::optional<LawCheck> law_check = {};
   std::optional<contact::GrainMaterial> grain = {}; ///< given, or with G_g as the forces show it
-  std::optional<contact::PowerLaw> law = {};        ///< of contacts of grains of the equivalent radius
+  std::optional<contact::NormalLaw> law = {};       ///< of contacts of grains of the equivalent radius
   /// What the closed forms are asked: C_n, e and a, of the interior between walls, stress and contact law.
   std::optional<effective::State> state = {};
   std::vector<ClosedForm> closed_forms = {}; ///< as effective::closed_forms(); empty without a state

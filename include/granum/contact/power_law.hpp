@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <variant>
 
 /// Normal contact of two identical elastic grains whose profiles are z = A r^alpha near the contact.
@@ -23,7 +26,8 @@ struct NormalResponse {
 };
 
 /// The kernels f = c d^(1+1/alpha), k_n = (1+1/alpha) f/d: unchecked, noexcept, one small type a law so that
-/// a sweep over contacts is compiled for its law. Assumes overlap >= 0.
+/// a sweep over contacts is compiled for its law. Assumes overlap >= 0. One that depends on the size of the
+/// grains has of_pair_radius.
 struct ConeKernel {
   double coefficient;
   NormalResponse operator()(double overlap) const noexcept {
@@ -36,6 +40,10 @@ struct SphereKernel {
   NormalResponse operator()(double overlap) const noexcept {
     const double root = coefficient * std::sqrt(overlap);
     return {root * overlap, 1.5 * root};
+  }
+  /// The kernel of a pair whose pair_radius is so many times that of this kernel's pair; c goes as its root.
+  [[nodiscard]] SphereKernel of_pair_radius(double ratio) const noexcept {
+    return {coefficient * std::sqrt(ratio)};
   }
 };
 struct FlatKernel {
@@ -50,13 +58,14 @@ struct GeneralKernel {
     return {root * overlap, (1 + inverse_alpha) * root};
   }
 };
-using NormalKernel = std::variant<ConeKernel, SphereKernel, FlatKernel, GeneralKernel>;
 
 /// Power-law contact f = c d^(1+1/alpha) of two identical elastic grains. [Galin1946; Sneddon1965; Chung2014]
 /// Assumes   identical grains, contact radius small against the grain, monotonic loading.
 /// Checked by tests/contact/test_power_law.cpp
 class PowerLaw {
  public:
+  using Kernel = std::variant<ConeKernel, SphereKernel, FlatKernel, GeneralKernel>;
+
   /// alpha = 1: cones, c = G/(pi (1-nu) A_1).                                                   [Sneddon1965]
   /// \param    slope   A_1 > 0, tangent of the flank angle [1]
   /// \throws   InvalidArgument if grain or slope is out of range
@@ -85,6 +94,18 @@ class PowerLaw {
   /// \throws   InvalidArgument if grain is out of range
   /// Accuracy  3 ulp more than this law.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
+  /// The law of two equal grains of another solid and size: of spheres, alpha = 2, sphere(grain, radius); any
+  /// other profile is one of the surface, of_grain(grain).
+  /// \throws   InvalidArgument as those
+  /// Accuracy  that of those.  Checked by tests/contact/test_laws.cpp
+  [[nodiscard]] PowerLaw of(const GrainMaterial& grain, double radius) const;
+  /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. The curvature of a sphere is its
+  /// size. The profile of a cone, a flat contact or a power law is one of the surface, A_alpha being given in
+  /// absolute terms: pairs of all sizes have the law of two equal grains.
+  [[nodiscard]] bool depends_on_size() const { return alpha_ == 2; }
+  /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
+  /// \throws   InvalidArgument if the ratio is not positive and finite
+  [[nodiscard]] PowerLaw of_pair_radius(double ratio) const;
   /// The law of another coefficient, c times a factor; pairs of grains of different sizes: pair.hpp.
   /// \throws   InvalidArgument if the factor is not positive and finite
   /// Accuracy  1 ulp.  Checked by tests/contact/test_pair.cpp
@@ -94,6 +115,9 @@ class PowerLaw {
   [[nodiscard]] double alpha() const { return alpha_; }
   /// 1/(1+alpha): the exponent b of k_n ~ f^b, 0 for the flat punch.
   [[nodiscard]] double stiffness_exponent() const { return 1 / (1 + alpha_); }
+  /// That b is the same at every force.
+  [[nodiscard]] std::optional<double> constant_exponent() const { return stiffness_exponent(); }
+  [[nodiscard]] double exponent_at_force(double /*force*/) const { return stiffness_exponent(); }
   /// 1 + 1/alpha: the exponent of f ~ d^(1+1/alpha).
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
@@ -142,7 +166,11 @@ class PowerLaw {
   [[nodiscard]] double contact_radius(double overlap) const;
 
   /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
-  [[nodiscard]] NormalKernel kernel() const;
+  [[nodiscard]] Kernel kernel() const;
+  /// alpha and c: laws of the same ones have the same forces.
+  [[nodiscard]] std::array<double, 2> numbers() const { return {alpha_, coefficient_}; }
+  /// "PowerLaw(alpha=2, coefficient=...)": kind and numbers, for people who compare two.
+  [[nodiscard]] std::string text() const;
 
   /// Same profile of same grains.
   bool operator==(const PowerLaw&) const = default;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/core/stop_request.hpp>
 #include <granum/dem/specimen.hpp>
 
@@ -39,12 +39,12 @@ struct [[nodiscard]] RelaxReport {
 /// Converged when forces balance, or when no overlap beyond the tolerance is left (below jamming).
 /// \throws   InvalidArgument for a state that is empty or too small for its cell
 /// Checked by tests/dem/test_minimise.cpp
-RelaxReport minimise_energy(Specimen& state, const contact::PowerLaw& law,
+RelaxReport minimise_energy(Specimen& state, const contact::NormalLaw& law,
                             const MinimiseOptions& options = {});
 
 /// Minimises the enthalpy (energy + p V) over positions and an isotropic change of the cell's size.
 /// \param    pressure  p > 0 [Pa]
-RelaxReport minimise_enthalpy(Specimen& state, const contact::PowerLaw& law, double pressure,
+RelaxReport minimise_enthalpy(Specimen& state, const contact::NormalLaw& law, double pressure,
                               const MinimiseOptions& options = {});
 
 } // namespace granum::dem

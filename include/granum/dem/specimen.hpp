@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/packing/assembly.hpp>
 
@@ -13,7 +13,7 @@ namespace granum::dem {
 
 /// What the grains are made of and how they touch.
 struct Material {
-  contact::PowerLaw law;           ///< normal contact of two grains of size 1 (Specimen::size)
+  contact::NormalLaw law;          ///< normal contact of two grains of size 1 (Specimen::size)
   double tangential_ratio = 0;     ///< k_t/k_n >= 0 [1]
   double friction_coefficient = 0; ///< mu >= 0 [1]; infinity: no contact slides
   double density = 2650; ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer

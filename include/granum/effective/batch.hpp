@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 /// Moduli of many packings in one call.
@@ -34,7 +34,7 @@ class BatchInput {
 
 /// Isotropic packings that share their contact law and the sizes of their grains.
 struct PackingBatch {
-  contact::PowerLaw law;             ///< normal contact of two grains, of the mean pair
+  contact::NormalLaw law;            ///< normal contact of two grains, of the mean pair
   double tangential_ratio;           ///< k_t/k_n >= 0
   double radius;                     ///< R > 0 of a grain, or that `contacts` refer to [m]
   BatchInput pressure;               ///< p in [0, 1e200] [Pa]

@@ -9,7 +9,8 @@ namespace granum::effective {
 
 /// Forces of contacts that have followed a mean strain on a proportional path from zero, without spin and
 /// without slip: d = l (strain_h sin^2 gamma + strain_v cos^2 gamma), f_n = c d^(1+1/alpha), and since k_t
-/// grows on the way, f_t = alpha/(1+alpha) k_t d_t with d_t = l (strain_h - strain_v) sin gamma cos gamma.
+/// grows on the way, f_t = alpha/(1+alpha) k_t d_t with d_t = l (strain_h - strain_v) sin gamma cos gamma. Of
+/// contact laws of the power family alone.
 struct KinematicForceField {
   contact::PowerLaw law;
   double tangential_ratio = 0; ///< k_t/k_n
@@ -31,7 +32,7 @@ struct KinematicForceField {
 /// Assumes   all contacts of the fabric carry force: C_n and a are those of this very state, so that a strain
 ///           that opens some of them contradicts it. That bounds the stress ratio: at k_t = k_n hardly,
 ///           at k_t = 0 and a = 0 for spheres to stress_v/stress_h in about (2/5, 4).
-/// \throws   InvalidArgument as require_valid, if C_n = 0, or if the strains of all-compressed directions
+/// \throws   InvalidArgument as require_valid, for a law of another kind, if C_n = 0, or if the strains of all-compressed directions
 ///           (ratio strain_v/strain_h within [1e-4, 1e4]) cannot give the stress ratio; the text names the
 ///           range that they can
 /// Accuracy  relative 1e-12 for the strains.  Checked by tests/effective/test_kinematic_field.cpp

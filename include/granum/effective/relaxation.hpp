@@ -45,6 +45,9 @@ struct Relaxation {
 /// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
+/// The largest b that the factors are calibrated with.
+inline constexpr double largest_calibrated_exponent = 0.5;
+
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
@@ -52,7 +55,7 @@ struct Relaxation {
 /// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
-/// \param    stiffness_exponent               b of k_n ~ f^b, PowerLaw::stiffness_exponent(), in [0, 0.5]
+/// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 0.5]
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
@@ -89,7 +92,8 @@ struct RelaxedEstimate {
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
 /// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
-/// for C_u = 2, more beyond.
+/// for C_u = 2, more beyond. b is contact_exponent(state); beyond largest_calibrated_exponent the factors are
+/// those of that one, with a note.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/core/validity.hpp>
 #include <granum/sizes/contact_means.hpp>
 
@@ -19,7 +19,7 @@ namespace granum::effective {
 struct State {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-  contact::PowerLaw law;           ///< normal contact of two grains, of the mean pair
+  contact::NormalLaw law;          ///< normal contact of two grains, of the mean pair
   double tangential_ratio = unset; ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
   double radius = unset;           ///< R > 0 of a grain, or that `contacts` refer to [m]
   double void_ratio = unset;       ///< e > 0
@@ -63,6 +63,12 @@ Validity require_valid(const State& state);
 /// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);
+
+/// b = d ln k_n/d ln f of the state's law at the mean contact force, which is b at any force for laws of one b;
+/// without contacts that at no force.
+/// \throws   InvalidArgument as require_valid
+/// Accuracy  that of the law.  Checked by tests/effective/test_kernels.cpp
+[[nodiscard]] double contact_exponent(const State& state);
 
 /// Contact forces f = V/(N_c <l>) stress F^-1 n of the static hypothesis: in the plane of axis 3 and the
 /// normal n, f = (horizontal sin gamma, vertical cos gamma).

@@ -82,7 +82,7 @@ struct Estimate {
 
 /// A packing that has no directions: State with one stress and no fabric.
 struct IsotropicPacking {
-  contact::PowerLaw law;                     ///< normal contact of two grains
+  contact::NormalLaw law;                    ///< normal contact of two grains
   double tangential_ratio = State::unset;    ///< k_t/k_n >= 0
   double radius = State::unset;              ///< R > 0 of a grain, or that `contacts` refer to [m]
   double void_ratio = State::unset;          ///< e > 0

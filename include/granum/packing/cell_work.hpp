@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/packing/assembly.hpp>
 
 namespace granum::packing {
@@ -17,7 +17,7 @@ namespace granum::packing {
 /// Accuracy  1e-8 relative: a central difference over 1e-6 of the mean overlap. A contact that opens within
 ///           that, of flat punches the worst, adds 3e-7 of its share.
 ///           Checked by tests/packing/test_cell_work.cpp
-[[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::PowerLaw& law,
+[[nodiscard]] double pressure_by_cell_work(const Assembly& assembly, const contact::NormalLaw& law,
                                            double law_radius);
 
 } // namespace granum::packing

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/packing/assembly.hpp>
 
 namespace granum::packing {
@@ -24,13 +24,19 @@ enum class StiffnessFrom {
 /// \param    from       a contact that does not press (overlap or force <= 0) gets k_n at zero: 0, for the
 ///                      flat punch its constant
 /// \throws   InvalidArgument for an assembly that require_valid rejects or a ratio out of range
-/// Accuracy  that of contact::PowerLaw.  Checked by tests/packing/test_stiffness.cpp
-void assign_stiffness(Assembly& assembly, const contact::PowerLaw& law, double ratio,
+/// Accuracy  that of the law.  Checked by tests/packing/test_stiffness.cpp
+void assign_stiffness(Assembly& assembly, const contact::NormalLaw& law, double ratio,
                       StiffnessFrom from = StiffnessFrom::overlap);
+
+/// The same for grains of any sizes: each pair has the law of two equal grains of its contact::pair_radius, a
+/// wall that of its grain, law.of(law.grain(), radius).
+/// Accuracy  that of the law.  Checked by tests/packing/test_stiffness.cpp
+void assign_stiffness_by_size(Assembly& assembly, const contact::NormalLaw& law, double ratio,
+                              StiffnessFrom from = StiffnessFrom::overlap);
 
 /// The same for spheres of any sizes: Hertz with 1/R* = 1/R_i + 1/R_j of each pair. [Hertz1882]
 /// \throws   InvalidArgument also for a material out of range
-/// Accuracy  that of contact::PowerLaw.  Checked by tests/packing/test_stiffness.cpp
+/// Accuracy  that of the law.  Checked by tests/packing/test_stiffness.cpp
 void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& grain, double ratio,
                             StiffnessFrom from = StiffnessFrom::overlap);
 

@@ -44,16 +44,13 @@ ordered_json json_of(const effective::RungAnswer& answer) {
   return json;
 }
 
-/// "cone, slope 0.4": the shape and what belongs to it.
+/// "cone, A_1 = 0.4": the shape and what belongs to it.
 std::string contact_text(const ordered_json& contact) {
   std::string text = contact.at("contact").get<std::string>();
-  if (contact.contains("slope"))
-    text += " of slope " + short_text(contact["slope"].get<double>());
-  if (contact.contains("punch_radius"))
-    text += " punch of radius " + pretty(contact["punch_radius"].get<double>(), Dimension::length);
-  if (contact.contains("alpha"))
-    text += fmt::format(", profile {} r^{} (SI)", short_text(contact["profile_constant"].get<double>()),
-                        short_text(contact["alpha"].get<double>()));
+  for (const contact::LawParameter& parameter : contact::row_of(*contact::find_shape(text)).parameters)
+    text += fmt::format(", {} = {}{}", parameter.symbol,
+                        pretty(contact.at(parameter.name).get<double>(), parameter.dimension),
+                        parameter.unit.empty() ? "" : " " + parameter.unit);
   return text;
 }
 

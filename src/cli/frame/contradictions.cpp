@@ -2,9 +2,11 @@
 #include "contradictions.hpp"
 
 #include <algorithm>
+#include <deque>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <granum/contact/laws.hpp>
 
 #include "help.hpp"
 
@@ -84,19 +86,38 @@ struct Belonging {
   const char* reason;    ///< behind "--eta goes with "; empty: as of contacts
 };
 
+/// Numbers of contact laws, as the table of laws has them.
+std::vector<Belonging> of_contact_laws() {
+  static std::deque<std::string> words;
+  std::vector<Belonging> out;
+  for (const contact::LawRow& row : contact::laws()) {
+    OptionNames options;
+    for (const contact::LawParameter& parameter : row.parameters)
+      options.push_back(words.emplace_back(parameter.option()).c_str());
+    if (!options.empty())
+      out.push_back({options, "--contact", {words.emplace_back(name(row.shape)).c_str()}, "sphere", ""});
+  }
+  return out;
+}
+
+std::vector<Belonging> all_belongings() {
+  std::vector<Belonging> table = of_contact_laws();
+  table.insert(
+      table.end(),
+      {
+          {{"--material"}, "--contact", {"sphere"}, "sphere", "--contact sphere"},
+          {{"--eta", "--friction-angle"},
+           "--path",
+           {"txc", "rtxc", "rtxe", "txe"},
+           "iso",
+           "--path txc, rtxc, rtxe and txe, not with iso"},
+          {{"--to"}, "--path", {"iso"}, "iso", "--path iso; other paths end at --eta or --friction-angle"},
+      });
+  return table;
+}
+
 const std::vector<Belonging>& belongings() {
-  static const std::vector<Belonging> table = {
-      {{"--slope"}, "--contact", {"cone"}, "sphere", ""},
-      {{"--punch-radius"}, "--contact", {"flat"}, "sphere", ""},
-      {{"--alpha", "--profile-constant"}, "--contact", {"power-law"}, "sphere", ""},
-      {{"--material"}, "--contact", {"sphere"}, "sphere", "--contact sphere"},
-      {{"--eta", "--friction-angle"},
-       "--path",
-       {"txc", "rtxc", "rtxe", "txe"},
-       "iso",
-       "--path txc, rtxc, rtxe and txe, not with iso"},
-      {{"--to"}, "--path", {"iso"}, "iso", "--path iso; other paths end at --eta or --friction-angle"},
-  };
+  static const std::vector<Belonging> table = all_belongings();
   return table;
 }
 

@@ -142,12 +142,9 @@ PackingOptions read_table(const InferOptions& o, InferCase& question) {
 /// The numbers whose error all measurements share: stresses and contacts are not among them.
 std::vector<Number*> shared_numbers(PackingOptions& o) {
   std::vector<Number*> shared{&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.fabric};
-  Number* by_contact[] = {&o.slope, &o.punch_radius, &o.alpha, &o.profile_constant};
-  const contact::Shape owners[] = {contact::Shape::cone, contact::Shape::flat, contact::Shape::power_law,
-                                   contact::Shape::power_law};
-  for (std::size_t k = 0; k < std::size(owners); ++k)
-    if (o.contact == owners[k])
-      shared.push_back(by_contact[k]);
+  for (LawNumber& of : o.law_numbers)
+    if (o.contact == of.row->shape)
+      shared.push_back(&of.number);
   for (Number* size : {&o.radius, &o.d50})
     if (size->given() || (size == &o.radius && !o.d50.given()))
       shared.push_back(size);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing_options.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/format.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
@@ -24,28 +27,65 @@ using effective::State;
 using nlohmann::ordered_json;
 
 void require_belongs_to_contact(const PackingOptions& o) {
-  using contact::Shape;
-  const std::pair<const Number*, Shape> owners[] = {{&o.slope, Shape::cone},
-                                                    {&o.punch_radius, Shape::flat},
-                                                    {&o.alpha, Shape::power_law},
-                                                    {&o.profile_constant, Shape::power_law}};
-  for (const auto& [number, shape] : owners)
-    if (number->given() && o.contact != shape)
-      throw InvalidArgument(belongs_to_other_contact(number->name, name(shape), name(o.contact)));
+  for (const auto& [row, parameter, number] : o.law_numbers)
+    if (number.given() && o.contact != row->shape)
+      throw InvalidArgument(belongs_to_other_contact(number.name, name(row->shape), name(o.contact)));
+}
+
+/// A number whose value in the table has no origin has to be given, and so have its companions.
+void require_numbers_of_contact(const PackingOptions& o) {
+  std::vector<std::string> needed;
+  bool missing = false;
+  for (const auto& [row, parameter, number] : o.law_numbers)
+    if (row->shape == o.contact && parameter->origin.empty()) {
+      needed.push_back(number.name);
+      missing = missing || !number.given();
+    }
+  if (missing)
+    throw InvalidArgument(fmt::format("--contact {} needs {}", name(o.contact), fmt::join(needed, " and ")));
+}
+
+/// "Cone: A_1, tangent of the flank angle".
+std::string help_of(const contact::LawRow& row, const contact::LawParameter& parameter) {
+  std::string shape(name(row.shape));
+  shape.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(shape.front())));
+  const std::string unit = parameter.unit.empty() ? "" : fmt::format("; in SI, {}", parameter.unit);
+  return fmt::format("{}: {}, {}{}", shape, parameter.symbol, parameter.help, unit);
+}
+
+/// What people call the shapes: {"hertz", "sphere"}, {"rough", "cone or power-law"}.
+OtherWords synonyms() {
+  OtherWords out;
+  for (const contact::LawRow& row : contact::laws())
+    for (const std::string& word : row.synonyms) {
+      const auto known =
+          std::find_if(out.begin(), out.end(), [&](const auto& of) { return of.first == word; });
+      if (known != out.end())
+        known->second += " or " + std::string(name(row.shape));
+      else
+        out.emplace_back(word, std::string(name(row.shape)));
+    }
+  return out;
 }
 
 } // namespace
 
-contact::PowerLaw resolve_law(const PackingOptions& o) {
+std::vector<LawNumber> law_numbers() {
+  std::vector<LawNumber> out;
+  for (const contact::LawRow& row : contact::laws())
+    for (const contact::LawParameter& parameter : row.parameters)
+      out.push_back({&row, &parameter, Number{parameter.value, parameter.dimension}});
+  return out;
+}
+
+contact::NormalLaw resolve_law(const PackingOptions& o) {
   require_belongs_to_contact(o);
-  if (o.contact == contact::Shape::power_law && (!o.alpha.given() || !o.profile_constant.given()))
-    throw InvalidArgument("--contact power-law needs --alpha and --profile-constant");
+  require_numbers_of_contact(o);
+  contact::LawNumbers numbers;
+  for (const auto& [row, parameter, number] : o.law_numbers)
+    numbers[parameter->key] = number.value;
   return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
-                         {.radius = resolve_radius(o) * resolve_contact_means(o).pair_radius,
-                          .cone_slope = o.slope.value,
-                          .punch_radius = o.punch_radius.value,
-                          .alpha = o.alpha.value,
-                          .profile_constant = o.profile_constant.value});
+                         resolve_radius(o) * resolve_contact_means(o).pair_radius, numbers);
 }
 
 namespace {
@@ -81,35 +121,31 @@ double resolve_void_ratio(const PackingOptions& o) {
 
 void add_law_options(CLI::App& command, PackingOptions& o, const std::string& name) {
   std::vector<std::string> known;
-  for (const contact::Shape shape : contact::all_shapes)
-    known.emplace_back(contact::name(shape));
+  for (const contact::LawRow& row : contact::laws())
+    known.emplace_back(contact::name(row.shape));
   add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
   add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
   o.contact_option = command
                          .add_option_function<std::string>(
                              name, [&o](const std::string& text) { o.contact = *contact::find_shape(text); },
                              "Shape of the grains near their contacts")
-                         ->transform(one_of(known, {{"hertz", "sphere"},
-                                                    {"hertzian", "sphere"},
-                                                    {"mindlin", "sphere"},
-                                                    {"hertz-mindlin", "sphere"},
-                                                    {"spherical", "sphere"},
-                                                    {"conical", "cone"},
-                                                    {"rough", "cone or power-law"},
-                                                    {"linear", "flat"},
-                                                    {"punch", "flat"}}))
+                         ->transform(one_of(known, synonyms()))
                          ->default_str(std::string(contact::name(o.contact)));
-  add_number(command, "--slope", o.slope, "Cone: A_1, tangent of the flank angle");
-  add_number(command, "--punch-radius", o.punch_radius, "Flat: radius of the contact");
-  add_number_without_default(command, "--alpha", o.alpha, "Power-law: alpha >= 1 of the profile A r^alpha");
-  add_number_without_default(command, "--profile-constant", o.profile_constant,
-                             "Power-law: A in SI, m^(1-alpha), without unit");
   in_group(command, grains_group, {"--grain-shear-modulus", "--grain-poisson-ratio"});
-  in_group(command, law_group, {"--slope", "--punch-radius", "--alpha", "--profile-constant"});
+  for (auto& [row, parameter, number] : o.law_numbers)
+    (parameter->origin.empty() ? add_number_without_default : add_number)(command, parameter->option(),
+                                                                          number, help_of(*row, *parameter))
+        ->group(law_group);
   command.get_option(name.substr(0, name.find(',')))->group(law_group);
 }
 
 bool Number::given() const { return in_table || preset || (option != nullptr && option->count() > 0); }
+
+const Number& PackingOptions::law_number(std::string_view key) const {
+  return std::find_if(law_numbers.begin(), law_numbers.end(),
+                      [key](const LawNumber& of) { return of.parameter->key == key; })
+      ->number;
+}
 
 bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
 
@@ -126,25 +162,14 @@ CLI::Option* add_number_without_default(CLI::App& command, const std::string& na
 }
 
 std::vector<Number*> numbers(PackingOptions& o) {
-  return {&o.slope,
-          &o.punch_radius,
-          &o.alpha,
-          &o.profile_constant,
-          &o.grain_shear_modulus,
-          &o.grain_poisson_ratio,
-          &o.radius,
-          &o.d50,
-          &o.tangential_ratio,
-          &o.void_ratio,
-          &o.porosity,
-          &o.solid_fraction,
-          &o.coordination_number,
-          &o.mechanical_coordination_number,
-          &o.rattler_fraction,
-          &o.fabric,
-          &o.pressure,
-          &o.stress_v,
-          &o.stress_h};
+  std::vector<Number*> all;
+  for (LawNumber& of : o.law_numbers)
+    all.push_back(&of.number);
+  all.insert(all.end(), {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.d50,
+                         &o.tangential_ratio, &o.void_ratio, &o.porosity, &o.solid_fraction,
+                         &o.coordination_number, &o.mechanical_coordination_number, &o.rattler_fraction,
+                         &o.fabric, &o.pressure, &o.stress_v, &o.stress_h});
+  return all;
 }
 
 void add_packing_options(CLI::App& command, PackingOptions& o) {
@@ -235,10 +260,9 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
   };
   if (!o.contact_given())
     notes.emplace_back("assumed --contact sphere");
-  if (o.contact == contact::Shape::cone)
-    note_default(o.slope, ", fitted to Table 5 of Chung et al. 2014");
-  if (o.contact == contact::Shape::flat)
-    note_default(o.punch_radius, ", fitted to Table 5 of Chung et al. 2014");
+  for (const auto& [row, parameter, number] : o.law_numbers)
+    if (row->shape == o.contact)
+      note_default(number, ", " + parameter->origin);
   const std::string grains = ", as the grains of Chung et al. 2014, Table 1";
   note_default(o.grain_shear_modulus, grains);
   note_default(o.grain_poisson_ratio, grains);
@@ -263,12 +287,9 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
 
 ordered_json packing_json(const PackingOptions& o, const State& s) {
   ordered_json json = {{"contact", name(o.contact)}};
-  if (o.contact == contact::Shape::cone)
-    json["slope"] = o.slope.value;
-  if (o.contact == contact::Shape::flat)
-    json["punch_radius"] = o.punch_radius.value;
-  if (o.contact == contact::Shape::power_law)
-    json.update({{"alpha", o.alpha.value}, {"profile_constant", o.profile_constant.value}});
+  for (const auto& [row, parameter, number] : o.law_numbers)
+    if (row->shape == o.contact)
+      json[parameter->name] = number.value;
   json.update({{"grain_shear_modulus", s.law.grain().shear_modulus},
                {"grain_poisson_ratio", s.law.grain().poisson_ratio},
                {"radius", s.radius},

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <granum/contact/shape.hpp>
+#include <granum/contact/laws.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
@@ -49,16 +49,22 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Number& numb
 CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
                                         const std::string& help);
 
-/// Defaults: grains of Table 1 of [Chung2014]; cone and punch are those that agree with its Table 5. Numbers
-/// without a default are 0 and never used unless given.
+/// A number of a contact law, for one row of the table of laws.
+struct LawNumber {
+  const contact::LawRow* row;
+  const contact::LawParameter* parameter;
+  Number number;
+};
+/// All of them in the order of the table, with its values.
+[[nodiscard]] std::vector<LawNumber> law_numbers();
+
+/// Defaults: grains of Table 1 of [Chung2014]; contact laws have those of the table of laws. Numbers without a
+/// default are never used unless given.
 struct PackingOptions {
   contact::Shape contact = contact::Shape::sphere;
   const CLI::Option* contact_option = nullptr;
   bool contact_in_table = false;
-  Number slope{0.4};
-  Number punch_radius{5.7e-6, Dimension::length};
-  Number alpha;
-  Number profile_constant;
+  std::vector<LawNumber> law_numbers = cli::law_numbers();
   Number grain_shear_modulus{30e9, Dimension::pressure};
   Number grain_poisson_ratio{0.15};
   Number radius{0.5e-3, Dimension::length};
@@ -77,6 +83,8 @@ struct PackingOptions {
   Number stress_h{0, Dimension::pressure, "sigma_h sigma'_h \u03c3_h \u03c3'_h"};
 
   [[nodiscard]] bool contact_given() const;
+  /// The number of that key in the table of laws.
+  [[nodiscard]] const Number& law_number(std::string_view key) const;
 };
 
 /// All numbers, in the order of their options.
@@ -89,7 +97,7 @@ void add_law_options(CLI::App& command, PackingOptions& options, const std::stri
 
 /// The contact law that the options describe, of two grains, of unequal ones of the mean pair.
 /// \throws   InvalidArgument for options that contradict one another or are out of range
-[[nodiscard]] contact::PowerLaw resolve_law(const PackingOptions& options);
+[[nodiscard]] contact::NormalLaw resolve_law(const PackingOptions& options);
 
 /// \throws   InvalidArgument that names both where neither density nor stress is given
 void require_density_or_stress(const PackingOptions& options);

@@ -35,10 +35,9 @@ std::optional<double> relaxed_modulus(const studies::Scene& scene, contact::Shap
                                       const std::optional<double>& uniform_strain) {
   if (!uniform_strain)
     return std::nullopt;
-  const dem::Material material = studies::recipe(scene, shape, scene.study.first_seed).material;
-  return *uniform_strain *
-         effective::relaxation(z_star, material.tangential_ratio, material.law.stiffness_exponent())
-             .shear.value;
+  return *uniform_strain * effective::relaxation(z_star, studies::tangential_ratio(scene),
+                                                 studies::relaxing_exponent(scene, shape))
+                               .shear.value;
 }
 
 studies::RouteState route_state(const studies::Scene& scene, contact::Shape shape,

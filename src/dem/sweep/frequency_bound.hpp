@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/core/vec3.hpp>
 
 #include "grain_rows.hpp"

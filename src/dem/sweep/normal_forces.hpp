@@ -43,9 +43,12 @@ GRANUM_INLINE double first_guess(const contact::SphereKernel& /*law*/, double cu
 /// \param    curved   the overlap over contact::pair_radius, in units of a grain of size 1
 /// \param    guess    what first_guess made of that
 template <VectorLevel, class Law>
-GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap, double /*curved*/,
-                                                      double /*guess*/) {
-  return law(overlap);
+GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap,
+                                                      [[maybe_unused]] double curved, double /*guess*/) {
+  if constexpr (requires { law.of_pair_radius(curved); })
+    return law.of_pair_radius(curved > 0 ? overlap / curved : 1.0)(overlap);
+  else
+    return law(overlap);
 }
 template <VectorLevel level>
 GRANUM_INLINE contact::NormalResponse normal_response(const contact::SphereKernel& law, double overlap,

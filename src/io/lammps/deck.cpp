@@ -25,12 +25,13 @@ constexpr std::pair<std::string_view, std::string_view> scripts[] = {
 #include "lammps_scripts.inc" // written by CMake
 };
 
-void require_spheres(const contact::PowerLaw& law, double radius) {
-  if (law.alpha() != 2)
-    throw InvalidArgument("LAMMPS has no contact law of alpha = " + short_text(law.alpha()) +
-                          "; supported is sphere (alpha = 2), not cone, flat or power-law");
+void require_spheres(const contact::NormalLaw& law, double radius) {
+  const contact::PowerLaw* const power = law.power_law();
+  if (power == nullptr || power->alpha() != 2)
+    throw InvalidArgument("LAMMPS has no contact law " + law.text() +
+                          "; supported is sphere (alpha = 2), no other law");
   const double expected = contact::PowerLaw::sphere(law.grain(), radius).coefficient();
-  if (std::abs(law.coefficient() - expected) > 1e-12 * expected)
+  if (std::abs(power->coefficient() - expected) > 1e-12 * expected)
     throw InvalidArgument("the contact law is not that of spheres of the grains' radius " +
                           short_text(radius) + " m, the only one of alpha = 2 that LAMMPS has");
 }
@@ -130,7 +131,7 @@ Numbers numbers_of(const packing::Assembly& start, const LammpsExperiment& e) {
       {"density", exact_text(e.density)},
       {"young", exact_text(2 * grain.shear_modulus * (1 + grain.poisson_ratio))},
       {"poisson", exact_text(grain.poisson_ratio)},
-      {"hertz", exact_text(e.law.coefficient())},
+      {"hertz", exact_text(e.law.power_law()->coefficient())},
       {"tangential_stiffness", exact_text(tangential)},
       {"tangential_ratio", exact_text(e.tangential_ratio)},
       {"friction", exact_text(e.friction_coefficient)},

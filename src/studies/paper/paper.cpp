@@ -6,8 +6,7 @@ namespace granum::studies {
 std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density density) {
   const bool dense = density == triaxial::Density::dense;
   constexpr auto none = std::nullopt;
-  switch (contact) {
-  case contact::Shape::cone:
+  if (contact == contact::Shape::cone)
     return dense ? PrintedSpecimen{5.90,
                                    0.555,
                                    {26.8, 26.7, 29.2, 29.2},
@@ -20,7 +19,7 @@ std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density
                                    {none, none, 0.662, 12.99},
                                    {0.322, 0.353, 0.677, 13.31},
                                    {0.354, 0.325, 0.679, 13.32}};
-  case contact::Shape::sphere:
+  if (contact == contact::Shape::sphere)
     return dense ? PrintedSpecimen{5.73,
                                    0.558,
                                    {26.0, 25.7, 28.0, 28.5},
@@ -33,7 +32,7 @@ std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density
                                    {none, none, 0.551, 29.92},
                                    {0.176, 0.357, 0.533, 29.59},
                                    {0.345, 0.189, 0.534, 29.56}};
-  case contact::Shape::flat:
+  if (contact == contact::Shape::flat)
     return dense ? PrintedSpecimen{5.62,
                                    0.559,
                                    {26.2, 25.9, 28.0, 29.0},
@@ -46,9 +45,6 @@ std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density
                                    {none, none, 0.271, 31.36},
                                    {0.058, 0.188, 0.245, 34.11},
                                    {0.180, 0.064, 0.244, 34.07}};
-  case contact::Shape::power_law:
-    break;
-  }
   return std::nullopt;
 }
 

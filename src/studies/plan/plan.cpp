@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <granum/core/check.hpp>
 #include <granum/dem/engine.hpp>
@@ -16,17 +17,13 @@ namespace {
 
 /// Of the first stage of loose specimens beyond the later ones: most of the network is built there.
 double loose_first_stage_steps(contact::Shape shape) {
-  switch (shape) {
-  case contact::Shape::cone:
-    return 1300;
-  case contact::Shape::sphere:
-    return 21500;
-  case contact::Shape::power_law:
-    return 12000;
-  case contact::Shape::flat:
-    break;
-  }
-  return 33500;
+  using contact::Shape;
+  constexpr std::pair<Shape, double> measured[] = {
+      {Shape::cone, 1300}, {Shape::sphere, 21500}, {Shape::flat, 33500}};
+  for (const auto& [known, steps] : measured)
+    if (shape == known)
+      return steps;
+  return 12000;
 }
 
 // Compression and freezing together.

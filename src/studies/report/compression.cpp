@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
@@ -14,11 +15,12 @@ namespace {
 
 using triaxial::Density;
 
-const char* const alphas[] = {"1/2", "1/3", "0"}; // of cones, spheres and flat contacts
-
+/// As a fraction where it is one: "1/3".
 std::string contact_exponent_text(const Compression& c) {
-  const auto shape = static_cast<std::size_t>(c.contact);
-  return shape < std::size(alphas) ? alphas[shape] : short_text(c.contact_exponent, 3);
+  const double b = c.contact_exponent, parts = std::round(1 / b);
+  if (b > 0 && std::abs(b * parts - 1) < 1e-12)
+    return "1/" + short_text(parts);
+  return short_text(b, 3);
 }
 
 std::string with_error(const Measured& m) {
@@ -149,8 +151,7 @@ Panel contact_law_panel(const Scene& scene, const std::vector<Compression>& all)
   out.chart.finding = "Stiffness of a contact against its force: a power of 1/2 for cones and 1/3 for "
                       "spheres, constant for flat contacts.";
   for (const contact::Shape shape : shapes_of(all)) {
-    const contact::PowerLaw contact_law = law(scene, shape);
-    const double b = contact_law.stiffness_exponent();
+    const contact::NormalLaw contact_law = law(scene, shape);
     plot::Series line{.name = std::string(name(shape)),
                       .mark = plot::Mark::line,
                       .x = {},
@@ -161,6 +162,7 @@ Panel contact_law_panel(const Scene& scene, const std::vector<Compression>& all)
       line.x.push_back(force * std::pow(10, k / 20.0));
       line.y.push_back(contact_law.stiffness_at_force(line.x.back()));
     }
+    const double b = contact_law.exponent_at_force(line.x[15]);
     out.chart.triangles.push_back({.x0 = line.x[10],
                                    .x1 = line.x[20],
                                    .y0 = line.y[10],
@@ -209,12 +211,11 @@ double largest_gap(const std::vector<plot::Series>& curves) {
 }
 
 plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double low, double high) {
-  const dem::Material material = recipe(scene, shape, scene.study.first_seed).material;
   plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}, .tone = plot::Tone::grey};
   for (int k = 0; k <= 60; ++k) {
     out.x.push_back(low + (high - low) * k / 60);
     out.y.push_back(
-        effective::relaxation(out.x.back(), material.tangential_ratio, material.law.stiffness_exponent())
+        effective::relaxation(out.x.back(), tangential_ratio(scene), relaxing_exponent(scene, shape))
             .shear.value);
   }
   return out;
@@ -276,31 +277,20 @@ std::string why_figure(const Panel& panel, const std::string& caption, const std
 
 } // namespace
 
-std::string plural(contact::Shape shape) {
-  switch (shape) {
-  case contact::Shape::cone:
-    return "cones";
-  case contact::Shape::sphere:
-    return "spheres";
-  case contact::Shape::flat:
-    return "flat contacts";
-  case contact::Shape::power_law:
-    break;
-  }
-  return "power-law contacts";
+double relaxing_exponent(const Scene& scene, contact::Shape shape) {
+  return std::min(contact_exponent(scene, shape), effective::largest_calibrated_exponent);
 }
 
+std::string plural(contact::Shape shape) { return contact::row_of(shape).plural; }
+
 plot::Colour colour_of(contact::Shape shape) {
-  switch (shape) {
-  case contact::Shape::sphere:
-    return plot::Colour::sphere;
-  case contact::Shape::cone:
-    return plot::Colour::cone;
-  case contact::Shape::flat:
-    return plot::Colour::flat;
-  case contact::Shape::power_law:
-    break;
-  }
+  using contact::Shape;
+  constexpr std::pair<Shape, plot::Colour> own[] = {{Shape::sphere, plot::Colour::sphere},
+                                                    {Shape::cone, plot::Colour::cone},
+                                                    {Shape::flat, plot::Colour::flat}};
+  for (const auto& [known, colour] : own)
+    if (shape == known)
+      return colour;
   return plot::Colour::power_law;
 }
 

@@ -33,7 +33,7 @@ struct RouteState {
 struct Compression {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
-  double contact_exponent = 0;               ///< 1/(1 + alpha)
+  double contact_exponent = 0;               ///< of a single contact, contact_exponent(scene, contact)
   std::optional<Measured> exponent = {};     ///< s of the network, over all seeds
   std::optional<double> paper_exponent = {}; ///< as printed
   std::vector<RouteState> states = {};       ///< of the first seed
@@ -63,10 +63,13 @@ struct CompressionStory {
 /// Link to the data of a panel.
 [[nodiscard]] plot::PageFile file_of(const Panel& panel, const std::string& figures);
 
+/// contact_exponent of the scene, or the largest with which the relaxation is calibrated.
+[[nodiscard]] double relaxing_exponent(const Scene& scene, contact::Shape shape);
+
 /// "spheres", "flat contacts".
 [[nodiscard]] std::string plural(contact::Shape shape);
 
-/// Colour of a shape in all pictures of a report (plot::Series::colour).
+/// Colour of a shape in all pictures of a report: its own, else that of power laws.
 [[nodiscard]] plot::Colour colour_of(contact::Shape shape);
 
 } // namespace granum::studies

@@ -44,10 +44,9 @@ bool is_piece(std::string_view stem) {
   std::vector<std::string> paths{path_in_file_names(std::nullopt)};
   for (const stress::ShearPath path : stress::all_shear_paths)
     paths.push_back(path_in_file_names(path));
-  for (const contact::Shape shape :
-       {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat, contact::Shape::power_law}) {
+  for (const contact::LawRow& row : contact::laws()) {
     std::string_view rest = stem;
-    if (!skip(rest, std::string(name(shape)) + "-"))
+    if (!skip(rest, std::string(name(row.shape)) + "-"))
       continue;
     if (is_numbered(rest, {"packing"}))
       return true;

@@ -196,7 +196,7 @@ std::vector<Compression> compressions(const Experiment& experiment) {
   for (const Kind& kind : kinds(experiment)) {
     Compression one{.contact = kind.contact,
                     .density = kind.density,
-                    .contact_exponent = law(experiment.scene, kind.contact).stiffness_exponent()};
+                    .contact_exponent = studies::contact_exponent(experiment.scene, kind.contact)};
     for (const TableRow& row : exponents)
       for (const Cell& cell : row.cells)
         if (row.contact == kind.contact && row.density == kind.density && cell.quantity == "s of G_hv") {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "studies/plan/plan.hpp"
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 
 #include "path_run.hpp"
 
@@ -47,7 +47,7 @@ double isotropic_steps(const Scene& scene, contact::Shape contact, triaxial::Den
 /// The time to a strain follows from the inertial number, the time step from the stiffness of a contact at
 /// the mean force; their quotient is the number of steps.
 double shear_steps(const Scene& scene, contact::Shape contact, stress::ShearPath path) {
-  const contact::PowerLaw contact_law = law(scene, contact);
+  const contact::NormalLaw contact_law = law(scene, contact);
   const double pressure = scene.study.pressures.back(), diameter = 2 * scene.grain.radius;
   const double rate = scene.shear.inertial_number / (diameter * std::sqrt(scene.grain.density / pressure));
   const double force = diameter * diameter * pressure; // about the mean

@@ -2,6 +2,7 @@
 #include "studies/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -30,13 +31,9 @@ double tangential_ratio(const Scene& scene) {
                                         : contact::mindlin_stiffness_ratio(scene.grain.poisson_ratio);
 }
 
-contact::PowerLaw law(const Scene& scene, contact::Shape shape) {
-  return contact::law_of(shape, {scene.grain.shear_modulus, scene.grain.poisson_ratio},
-                         {.radius = scene.grain.radius,
-                          .cone_slope = scene.contact.cone_slope,
-                          .punch_radius = scene.contact.punch_radius,
-                          .alpha = scene.contact.alpha,
-                          .profile_constant = scene.contact.profile_constant});
+contact::NormalLaw law(const Scene& scene, contact::Shape shape) {
+  return contact::law_of(shape, {scene.grain.shear_modulus, scene.grain.poisson_ratio}, scene.grain.radius,
+                         scene.contact.numbers);
 }
 
 triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::uint64_t seed) {
@@ -56,12 +53,24 @@ triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::u
           .agitation = scene.specimen.agitation};
 }
 
-double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure) {
+namespace {
+
+/// Mean force of a dense packing of the paper's spheres.
+double predicted_force(const Scene& scene, double pressure) {
   constexpr double void_ratio = 0.558, coordination_number = 5.73;
   const double radius = scene.grain.radius;
-  const double force =
-      4 * std::numbers::pi * radius * radius * (1 + void_ratio) * pressure / coordination_number;
-  return law(scene, shape).overlap(force) / (2 * radius);
+  return 4 * std::numbers::pi * radius * radius * (1 + void_ratio) * pressure / coordination_number;
+}
+
+} // namespace
+
+double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure) {
+  return law(scene, shape).overlap(predicted_force(scene, pressure)) / (2 * scene.grain.radius);
+}
+
+double contact_exponent(const Scene& scene, contact::Shape shape) {
+  const double middle = std::sqrt(scene.study.pressures.front() * scene.study.pressures.back());
+  return law(scene, shape).exponent_at_force(predicted_force(scene, middle));
 }
 
 namespace {
@@ -101,11 +110,14 @@ void require_lists(const StudySection& study) {
   require_distinct("study.densities", study.densities);
 }
 
-/// A punch is no wider than its grain.
-void require_punch(const Scene& scene) {
-  if (scene.contact.punch_radius > scene.grain.radius)
-    throw InvalidArgument("contact.punch_radius", scene.contact.punch_radius, "m",
-                          "(0, grain.radius = " + short_text(scene.grain.radius) + "]");
+/// What lies within a grain is no larger than it.
+void require_within_grain(const Scene& scene, contact::Shape shape) {
+  for (const contact::LawParameter& parameter : contact::row_of(shape).parameters) {
+    const double value = value_of(parameter, scene.contact.numbers);
+    if (parameter.within_grain && value > scene.grain.radius)
+      throw InvalidArgument("contact." + parameter.key, value, "m",
+                            "(0, grain.radius = " + short_text(scene.grain.radius) + "]");
+  }
 }
 
 void require_overlap(const Scene& scene, contact::Shape shape, double pressure) {
@@ -141,8 +153,7 @@ void require_valid(const Scene& scene) {
                            .strain_step = scene.shear.strain_step,
                            .largest_strain = scene.shear.largest_strain});
   for (const contact::Shape shape : scene.study.contacts) {
-    if (shape == contact::Shape::flat)
-      require_punch(scene);
+    require_within_grain(scene, shape);
     triaxial::require_valid(recipe(scene, shape, scene.study.first_seed));
     for (const double pressure : {scene.study.pressures.front(), scene.study.pressures.back()})
       require_overlap(scene, shape, pressure);

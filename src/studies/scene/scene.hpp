@@ -8,14 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include <granum/contact/shape.hpp>
+#include <granum/contact/laws.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 /// What `granum verify`, `reproduce`, `trade`, `plan` and `export` work on. The defaults are the paper's
 /// grains (Table 1) with the two lengths that the paper does not print: the cone's slope and the punch radius
-/// that agree with its Table 5. What each value means, its range and which commands take it: scene_keys.hpp.
+/// that agree with its Table 5 (contact/laws.hpp). What each value means, its range and which commands take it: scene_keys.hpp.
 ///                                                                                              [Chung2014]
 namespace granum::studies {
 
@@ -34,10 +34,7 @@ struct GrainSection {
 /// Contacts between grains.
 struct ContactSection {
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; not given: Mindlin's 2(1-nu)/(2-nu)
-  double cone_slope = 0.4;                     ///< A_1 [1]
-  double punch_radius = 5.7e-6;                ///< a of the flat contact [m]
-  double alpha = 1.5;                          ///< of the power-law contact [1]
-  double profile_constant = 180.0;             ///< A_alpha of the power-law contact [m^(1-alpha)]
+  contact::LawNumbers numbers = {};            ///< of contact laws, by their keys
 };
 
 /// Which specimens there are, and at which pressures they are measured.
@@ -99,13 +96,17 @@ void require_periodic_cell(const Scene& scene);
 
 /// k_t/k_n as the scene says, or Mindlin's of its grains [1].
 [[nodiscard]] double tangential_ratio(const Scene& scene);
-[[nodiscard]] contact::PowerLaw law(const Scene& scene, contact::Shape shape);
+[[nodiscard]] contact::NormalLaw law(const Scene& scene, contact::Shape shape);
 [[nodiscard]] triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::uint64_t seed);
 
 /// Overlap of two grains over their diameter, under the mean force f = 4 pi R^2 (1+e) p/C_n of a dense
 /// packing of the paper's spheres (e = 0.558, C_n = 5.73) at a pressure p [Pa].
 /// Accuracy  a factor of two: for judging whether a scene can be run, before it is.
 [[nodiscard]] double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure);
+
+/// b = d ln k_n/d ln f of a shape's contacts: of a law whose b changes with the force, at the mean force of such
+/// a packing half-way between the lowest and the highest pressure of the scene, on a logarithmic scale.
+[[nodiscard]] double contact_exponent(const Scene& scene, contact::Shape shape);
 
 /// Between these a packing can be compressed. Below, rounding of positions is felt in the forces: dense
 /// spheres at 1.1e-9 do not come to rest. Above, the voids close: at 0.095 dense specimens have e = 0.16 to

@@ -242,36 +242,38 @@ std::vector<SceneKey> grain_keys() {
                {.low = 1e-6, .high = 1e18, .reason = "masses and time steps fit, scaled ones included"})};
 }
 
+/// A number of a contact law, as the table of laws has it.
+SceneKey law_key(const contact::LawRow& row, const contact::LawParameter& parameter) {
+  const std::string unit = parameter.unit.empty() ? "" : " in " + parameter.unit;
+  const std::string origin = parameter.origin.empty() ? "" : "; " + parameter.origin;
+  SceneKey key =
+      key_of({"contact." + parameter.key,
+              std::string(name(row.shape)) + ": " + parameter.symbol + unit + ", " + parameter.help + origin,
+              all_commands, needs_contact(row.shape)},
+             parameter.dimension, parameter.unit.empty() ? "" : "_SI");
+  key.range = {.low = parameter.low, .high = parameter.high, .reason = parameter.reason};
+  key.set = [&parameter, name = key.name](Scene& scene, const std::string& text) {
+    scene.contact.numbers[parameter.key] = parse_quantity(name, text, parameter.dimension);
+  };
+  key.get = [&parameter](const Scene& scene) { return KeyValue(value_of(parameter, scene.contact.numbers)); };
+  key.resolved = key.get;
+  return key;
+}
+
 std::vector<SceneKey> contact_keys() {
-  using enum Dimension;
-  using enum contact::Shape;
-  return {tangential_ratio_key(
-              {"contact.tangential_ratio", "k_t/k_n; mindlin: 2(1-nu)/(2-nu) of the grain's Poisson ratio"},
-              {.low = 0,
-               .high = 100,
-               .reason = "no elastic contact is above 4/3, and time steps shrink with it"}),
-          quantity({"contact.cone_slope",
-                    "cone: z = A_1 r; not printed in the paper, 0.4 agrees with its Table 5", all_commands,
-                    needs_contact(cone)},
-                   GRANUM_MEMBER(contact.cone_slope), dimensionless,
-                   {.low = 1e-6, .high = 1e6, .reason = "a cone is neither a plane nor a needle"}),
-          quantity({"contact.punch_radius",
-                    "flat: of the contact at any force; not printed either, chosen likewise", all_commands,
-                    needs_contact(flat)},
-                   GRANUM_MEMBER(contact.punch_radius), length,
-                   {.low = 1e-15, .high = 1e3, .reason = "it is up to the radius of the grains"}),
-          quantity(
-              {"contact.alpha", "power-law: z = A_alpha r^alpha ...", all_commands, needs_contact(power_law)},
-              GRANUM_MEMBER(contact.alpha), dimensionless,
-              {.low = 1, .high = 100, .reason = "beyond, the contact is flat within 1 %"}),
-          quantity({"contact.profile_constant", "... with A_alpha in m^(1-alpha)", all_commands,
-                    needs_contact(power_law)},
-                   GRANUM_MEMBER(contact.profile_constant), dimensionless,
-                   {.low = 1e-300, .high = 1e300, .reason = "its powers fit"}, "_SI")};
+  std::vector<SceneKey> keys{tangential_ratio_key(
+      {"contact.tangential_ratio", "k_t/k_n; mindlin: 2(1-nu)/(2-nu) of the grain's Poisson ratio"},
+      {.low = 0, .high = 100, .reason = "no elastic contact is above 4/3, and time steps shrink with it"})};
+  for (const contact::LawRow& row : contact::laws())
+    for (const contact::LawParameter& parameter : row.parameters)
+      keys.push_back(law_key(row, parameter));
+  return keys;
 }
 
 std::vector<SceneKey> study_keys() {
-  const std::vector<contact::Shape> shapes{contact::all_shapes.begin(), contact::all_shapes.end()};
+  std::vector<contact::Shape> shapes;
+  for (const contact::LawRow& row : contact::laws())
+    shapes.push_back(row.shape);
   const KeyRange stresses{.low = 1e-6, .high = 1e13, .reason = "forces and their squares fit"};
   return {
       names({"study.contacts", "any of " + contact::shape_names()}, GRANUM_MEMBER(study.contacts), shapes),

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include <granum/contact/shape.hpp>
+#include <granum/contact/laws.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "studies/verify/seed_mean.hpp"

@@ -206,7 +206,7 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
       };
       rows.push_back({.contact = contact,
                       .density = density,
-                      .contact_law = law(scene, contact).stiffness_exponent(),
+                      .contact_law = contact_exponent(scene, contact),
                       .closed_form = over_seeds(closed, ExponentRoute::closed_form, none),
                       .network = over_seeds(network, ExponentRoute::network, none),
                       .network_void = over_seeds(network, ExponentRoute::network, hardin_richart_round),

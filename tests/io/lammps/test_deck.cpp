@@ -87,7 +87,7 @@ TEST_CASE("LAMMPS deck: the material is that of the contact law") {
   const LammpsExperiment experiment = spheres();
   CHECK(scene_number(experiment, "young") == relative(69e9, 1e-15)); // 2 G (1 + nu)
   CHECK(scene_number(experiment, "poisson") == 0.15);
-  CHECK(scene_number(experiment, "hertz") == experiment.law.coefficient());
+  CHECK(scene_number(experiment, "hertz") == experiment.law.power_law()->coefficient());
   // LAMMPS's own default for tangential mindlin is 8 G_eff = 4 G/(2 - nu): Mindlin without slip.
   CHECK(scene_number(experiment, "tangential_stiffness") == relative(4 * 30e9 / (2 - 0.15), 1e-14));
   CHECK(scene_value(experiment, "pressure") == "10000 30000");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/normal_law.hpp>
 #include <granum/packing/assembly.hpp>
 
 /// An experiment handed over to LAMMPS, for packings that are too large for one machine.
@@ -30,7 +30,7 @@ struct LammpsPath {
 
 /// One specimen: spheres, isotropic compression with snapshots, a stress path, small-strain probes.
 struct LammpsExperiment {
-  contact::PowerLaw law;       ///< of spheres of `radius`
+  contact::NormalLaw law;      ///< of spheres of `radius`
   double radius = 0;           ///< R > 0 [m], of all grains or of those that the law is of, their mean
   double density = 2650;       ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
   double tangential_ratio = 0; ///< k_t/k_n >= 0 [1]

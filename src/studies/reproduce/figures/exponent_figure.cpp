@@ -24,11 +24,6 @@ struct ShownExponent {
 constexpr ShownExponent shown_exponents[] = {{"s of G_hh", "G_hh", -0.008, 0, plot::Colour::horizontal},
                                              {"s of G_hv", "G_hv", 0.008, 1, plot::Colour::vertical}};
 
-/// 1/(1 + alpha): the power of force that a contact's stiffness has.
-double contact_exponent(const Scene& scene, contact::Shape contact) {
-  return law(scene, contact).stiffness_exponent();
-}
-
 Panel exponent_panel(const Experiment& experiment, const std::vector<TableRow>& table,
                      triaxial::Density density) {
   Panel out = panel("fig15_" + std::string(name(density)), std::string(name(density)),

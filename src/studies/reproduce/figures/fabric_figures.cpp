@@ -6,6 +6,7 @@
 #include <granum/fabric/rose.hpp>
 
 #include "figure_parts.hpp"
+#include "studies/reproduce/paper.hpp"
 
 namespace granum::studies {
 
@@ -125,9 +126,9 @@ void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment)
 void add_microstructure_figures(std::vector<Figure>& to, const Experiment& experiment) {
   int number = 17;
   const std::vector<Kind> all = kinds(experiment);
-  for (const contact::Shape contact :
-       {contact::Shape::cone, contact::Shape::sphere, contact::Shape::flat, contact::Shape::power_law}) {
-    const bool printed = contact != contact::Shape::power_law;
+  for (const contact::LawRow& row : contact::laws()) {
+    const contact::Shape contact = row.shape;
+    const bool printed = studies::printed(contact, triaxial::Density::dense).has_value();
     const std::string stem = printed ? "fig" + std::to_string(number) : "more";
     Figure out{
         .name = printed ? "Fig. " + std::to_string(number) : "Beyond the paper",

@@ -28,17 +28,11 @@ constexpr Modulus moduli[] = {
 /// Number of the paper's figure; nothing for a contact that it does not have.
 std::optional<int> figure_number(const Kind& kind) {
   const int first = kind.density == triaxial::Density::dense ? 9 : 12;
-  switch (kind.contact) {
-  case contact::Shape::cone:
-    return first;
-  case contact::Shape::sphere:
-    return first + 1;
-  case contact::Shape::flat:
-    return first + 2;
-  case contact::Shape::power_law:
-    break;
-  }
-  return std::nullopt;
+  using contact::Shape;
+  constexpr Shape in_order[] = {Shape::cone, Shape::sphere, Shape::flat};
+  const auto* const found = std::find(std::begin(in_order), std::end(in_order), kind.contact);
+  return found != std::end(in_order) ? std::optional(first + static_cast<int>(found - in_order))
+                                     : std::nullopt;
 }
 
 std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }

@@ -60,14 +60,13 @@ plot::Series states(const Experiment& experiment, const Kind& kind) {
 /// The closed form's factor over the range of z* that the states have.
 plot::Series closed_form(const Scene& scene, contact::Shape contact, double low, double high) {
   constexpr int steps = 80;
-  const dem::Material material = recipe(scene, contact, scene.study.first_seed).material;
   plot::Series out{
       .name = "closed form, " + std::string(name(contact)), .mark = plot::Mark::line, .x = {}, .y = {}};
   for (int k = 0; k <= steps; ++k) {
     const double z = low + (high - low) * k / steps;
     out.x.push_back(z);
     out.y.push_back(
-        effective::relaxation(z, material.tangential_ratio, material.law.stiffness_exponent()).shear.value);
+        effective::relaxation(z, tangential_ratio(scene), relaxing_exponent(scene, contact)).shear.value);
   }
   return out;
 }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <granum/contact/power_law.hpp>
+
+/// The contact law of two grains, whichever it is: what closed forms, networks and the engine ask of one.
+namespace granum::contact {
+
+/// What a class has that is a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f and the
+/// energy, each checked; the same law of other grains and of pairs of other sizes; and its kernels for sweeps.
+/// b is `constant_exponent` where it is the same at every force, which keeps closed forms closed.
+template <class Law>
+concept ContactLaw = std::equality_comparable<Law> &&
+    requires(const Law& law, const GrainMaterial& grain, double x) {
+  typename Law::Kernel; // a std::variant of unchecked kernels, as those of power_law.hpp
+  { law.force(x) } -> std::same_as<double>;
+  { law.overlap(x) } -> std::same_as<double>;
+  { law.stiffness_at_overlap(x) } -> std::same_as<double>;
+  { law.stiffness_at_force(x) } -> std::same_as<double>;
+  { law.exponent_at_force(x) } -> std::same_as<double>;
+  { law.constant_exponent() } -> std::same_as<std::optional<double>>;
+  { law.energy(x) } -> std::same_as<double>;
+  { law.grain() } -> std::same_as<const GrainMaterial&>;
+  { law.of_grain(grain) } -> std::same_as<Law>;
+  { law.of(grain, x) } -> std::same_as<Law>;
+  { law.depends_on_size() } -> std::same_as<bool>;
+  { law.of_pair_radius(x) } -> std::same_as<Law>;
+  { law.kernel() } -> std::same_as<typename Law::Kernel>;
+  { *law.numbers().begin() } -> std::convertible_to<double>;
+  { law.text() } -> std::same_as<std::string>;
+};
+
+/// The laws that there are. A new one is named here and has its rows in the table of laws.hpp.
+using AnyLaw = std::variant<PowerLaw>;
+
+namespace detail {
+template <class... Variants>
+struct Joined;
+template <class... A>
+struct Joined<std::variant<A...>> {
+  using type = std::variant<A...>;
+};
+template <class... A, class... B, class... Rest>
+struct Joined<std::variant<A...>, std::variant<B...>, Rest...> : Joined<std::variant<A..., B...>, Rest...> {};
+template <class>
+struct KernelsOf;
+template <class... Laws>
+struct KernelsOf<std::variant<Laws...>> : Joined<typename Laws::Kernel...> {};
+template <class Law, class Laws>
+inline constexpr bool is_one_of = false;
+template <class Law, class... Laws>
+inline constexpr bool is_one_of<Law, std::variant<Laws...>> = (std::same_as<Law, Laws> || ...);
+} // namespace detail
+
+/// The kernels of all laws. A sweep visits its kernel once, outside of the loop over contacts.
+using NormalKernel = detail::KernelsOf<AnyLaw>::type;
+
+/// A value that holds one of the laws. Everything above this module takes laws as this type; what is true of
+/// the power family alone asks power_law(). Units, ranges and accuracy are those of the law that it holds.
+/// Checked by tests/contact/test_laws.cpp, for every row of the table of laws
+class NormalLaw {
+  template <class Function>
+  decltype(auto) visit(const Function& function) const {
+    return std::visit(function, law_);
+  }
+
+ public:
+  /// Any of the laws is one: implicit, so that a law stands wherever a NormalLaw is asked for.
+  template <ContactLaw Law>
+  requires detail::is_one_of<Law, AnyLaw> NormalLaw(Law law)
+      : law_(std::move(law)) {} // NOLINT(google-explicit-constructor)
+
+  /// f of the overlap d >= 0, the full approach [N].
+  [[nodiscard]] double force(double overlap) const {
+    return visit([=](const auto& law) { return law.force(overlap); });
+  }
+  /// d at a force f >= 0 [m].
+  [[nodiscard]] double overlap(double force) const {
+    return visit([=](const auto& law) { return law.overlap(force); });
+  }
+  /// k_n = df/dd at d >= 0 [N/m].
+  [[nodiscard]] double stiffness_at_overlap(double overlap) const {
+    return visit([=](const auto& law) { return law.stiffness_at_overlap(overlap); });
+  }
+  /// k_n at f >= 0 [N/m].
+  [[nodiscard]] double stiffness_at_force(double force) const {
+    return visit([=](const auto& law) { return law.stiffness_at_force(force); });
+  }
+  /// b = d ln k_n/d ln f at f >= 0 [1].
+  [[nodiscard]] double exponent_at_force(double force) const {
+    return visit([=](const auto& law) { return law.exponent_at_force(force); });
+  }
+  /// b where it is the same at every force.
+  [[nodiscard]] std::optional<double> constant_exponent() const {
+    return visit([](const auto& law) { return law.constant_exponent(); });
+  }
+  /// Elastic energy, the integral of the force up to d >= 0 [J].
+  [[nodiscard]] double energy(double overlap) const {
+    return visit([=](const auto& law) { return law.energy(overlap); });
+  }
+  /// Material of both grains.
+  [[nodiscard]] const GrainMaterial& grain() const {
+    return visit([](const auto& law) -> const GrainMaterial& { return law.grain(); });
+  }
+  /// The same surface on grains of another solid.
+  /// \throws   InvalidArgument if it is out of range
+  [[nodiscard]] NormalLaw of_grain(const GrainMaterial& grain) const {
+    return visit([&](const auto& law) { return NormalLaw(law.of_grain(grain)); });
+  }
+  /// The same surface on two equal grains of another solid and radius [m].
+  /// \throws   InvalidArgument if they are out of range
+  [[nodiscard]] NormalLaw of(const GrainMaterial& grain, double radius) const {
+    return visit([&](const auto& law) { return NormalLaw(law.of(grain, radius)); });
+  }
+  /// Whether the law of a pair depends on the sizes of its grains.
+  [[nodiscard]] bool depends_on_size() const {
+    return visit([](const auto& law) { return law.depends_on_size(); });
+  }
+  /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
+  /// \throws   InvalidArgument if the ratio is not positive and finite
+  [[nodiscard]] NormalLaw of_pair_radius(double ratio) const {
+    return visit([=](const auto& law) { return NormalLaw(law.of_pair_radius(ratio)); });
+  }
+  /// The unchecked kernel of the law, for sweeps.
+  [[nodiscard]] NormalKernel kernel() const {
+    return visit([](const auto& law) {
+      return std::visit([](const auto& kernel) { return NormalKernel(kernel); }, law.kernel());
+    });
+  }
+  /// What the forces follow from: two laws of the same numbers have the same forces, to the bit.
+  [[nodiscard]] std::vector<double> numbers() const {
+    return visit([](const auto& law) {
+      const auto all = law.numbers();
+      return std::vector<double>(all.begin(), all.end());
+    });
+  }
+  /// Kind and numbers, for people who compare two.
+  [[nodiscard]] std::string text() const {
+    return visit([](const auto& law) { return law.text(); });
+  }
+
+  /// The law as one of the power family; null where it is none.
+  [[nodiscard]] const PowerLaw* power_law() const { return std::get_if<PowerLaw>(&law_); }
+
+  bool operator==(const NormalLaw&) const = default;
+
+ private:
+  AnyLaw law_;
+};
+
+} // namespace granum::contact
