@@ -42,8 +42,9 @@ granum_cli_test("verify: folder that is a file" EXIT 3 STDERR "^granum: error: i
   ARGS verify ${small} --out isotropic.csv)
 
 granum_cli_test("plan: table" EXIT 0
-  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads; [0-9]+ MB\n.*dense: G [0-9.]+ %, s 0\\.[0-9]+; for 2 % of G [0-9]+ grains"
+  STDOUT "1 frictionless packings of 120 grains .*2 specimens .* 3 pressures.*6 networks.* 0 cyclic.*threads?; [0-9]+ MB\n.*dense: G [0-9.]+ %, s 0\\.[0-9]+; for 2 % of G [0-9]+ grains"
   ARGS plan ${small} --error 2%)
+granum_cli_test("plan: one thread" EXIT 0 STDOUT " 1 thread; " ARGS plan ${small} --threads 1)
 # Unequal grains: as many as their sizes allow, and what sizes beyond 1:5 cost, in a note.
 set(wide "^granum: note: grain\\.sizes span 1:7\\.4: [^\n]* needs 294 grains or more[^\n]*\n$")
 granum_cli_test("plan: unequal grains" EXIT 0 STDERR "${wide}"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
@@ -57,9 +58,7 @@ namespace {
 double require_open_share(const Number& number) {
   const double value = number.value;
   if (!(value > 0 && value < 1))
-    throw InvalidArgument(number.name, value, "",
-                          value > 1 && value < 100 ? fmt::format("(0, 1); write {}% for per cent", value)
-                                                   : "(0, 1)");
+    number.refuse_share("(0, 1)", 1);
   return value;
 }
 
@@ -113,6 +112,15 @@ void add_law_options(CLI::App& command, PackingOptions& o, const std::string& na
 }
 
 bool Number::given() const { return in_table || preset || (option != nullptr && option->count() > 0); }
+
+void Number::refuse_share(const std::string& range, double most) const {
+  const auto has_sign = [](const std::string& text) { return text.find('%') != std::string::npos; };
+  const bool typed =
+      option != nullptr && std::any_of(option->results().begin(), option->results().end(), has_sign);
+  const bool hint = value > most && value <= 100 * most && !per_cent && !typed;
+  throw InvalidArgument(name, value, "",
+                        hint ? fmt::format("{}; write {}% for per cent", range, short_text(value)) : range);
+}
 
 bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
 

@@ -93,10 +93,10 @@ ExitCode run(const Options& options) {
       "  {:6} specimens with friction, each through {} pressures\n"
       "  {:6} networks solved, 6 load cases each\n"
       "  {:6} cyclic shear probes\n"
-      "in about {:.3g} grain-steps: {:.0f} s at {:.0f} ns each, measured now, on {} threads; {:.0f} MB\n",
+      "in about {:.3g} grain-steps: {:.0f} s at {:.0f} ns each, measured now, on {}; {:.0f} MB\n",
       plan.packings, scene.study.grains, plan.specimens, scene.study.pressures.size(), plan.network_solutions,
       plan.probes, plan.grain_steps, plan.seconds, 1e9 * plan.seconds_per_grain_step,
-      studies::thread_count(scene), plan.memory / 1e6);
+      threads_text(studies::thread_count(scene)), plan.memory / 1e6);
   return deliver(options.output, table + rule_lines(options, scene), json, likely_mistakes(scene));
 }
 

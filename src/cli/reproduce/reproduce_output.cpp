@@ -148,9 +148,9 @@ std::string report_of(const studies::Experiment& experiment, const std::vector<s
   for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
     for (const studies::PathRun& run : specimen.runs)
       points += run.points.size();
-  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {} threads\n",
+  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {}\n",
                            experiment.specimens.size(), experiment.scene.study.grains, points,
-                           figures.seconds, studies::thread_count(experiment.scene));
+                           figures.seconds, threads_text(studies::thread_count(experiment.scene)));
 }
 
 } // namespace granum::cli
