@@ -4,7 +4,7 @@
 # Arguments go to `granum verify`; standard output is the program's alone.
 set -euo pipefail
 export PATH # bash supplies one where the environment has none; cmake needs to see it
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 
 "$root/scripts/setup.sh" run
 (cd -- "$root" && cmake --preset release && cmake --build --preset release) >&2

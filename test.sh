@@ -5,7 +5,7 @@
 # system offers what that needs. Each step runs even where an earlier one failed; exit code 1 if any did.
 set -uo pipefail
 export PATH # bash supplies one where the environment has none; cmake needs to see it
-cd -- "$(dirname -- "${BASH_SOURCE[0]}")" || exit 1
+cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" || exit 1
 
 scripts/setup.sh test || exit
 mkdir -p build

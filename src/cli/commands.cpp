@@ -2,7 +2,7 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <iostream>
+#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -118,8 +118,8 @@ ExitCode parse_and_run(int argc, char** argv) {
                  "26.5deg.\n"
                  "\n"
                  "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file,\n"
-                 "4 not converged, or outside validity under --strict, 130 or 143 stopped by\n"
-                 "Ctrl-C or SIGTERM.");
+                 "4 not converged, or outside validity under --strict, 129, 130 or 143\n"
+                 "stopped by SIGHUP, Ctrl-C or SIGTERM.");
   program.formatter_fn(
       [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_text(*app); });
   const std::vector<Command> commands = add_commands(program);
@@ -132,15 +132,19 @@ ExitCode parse_and_run(int argc, char** argv) {
     std::reverse(words.begin(), words.end()); // as the parser takes them
     program.parse(std::move(words));
   } catch (const CLI::Success& request) { // --help, --version
-    program.exit(request);
-    return std::cout.flush() ? ExitCode::ok : fail(ExitCode::file, "standard output: cannot be written");
+    std::ostringstream text;
+    program.exit(request, text, text);
+    print(text.str());
+    return ExitCode::ok;
   } catch (const CLI::ParseError& error) {
     return fail(ExitCode::usage, std::string(error.what()) + "; see " + called + " --help");
   }
   for (const Command& command : commands)
     if (command.app->parsed())
       return command.run();
-  return fail(ExitCode::usage, "a subcommand is required; see granum --help");
+  (void)fail(ExitCode::usage, "a subcommand is required; see granum --help");
+  to_standard_error(commands_text(program));
+  return ExitCode::usage;
 }
 
 } // namespace granum::cli

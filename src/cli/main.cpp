@@ -29,6 +29,7 @@ std::string asked_for(int argc, char** argv) {
 int main(int argc, char** argv) {
   ExitCode code = ExitCode::ok;
   open_missing_streams();
+  take_writing_errors();
   try {
     code = parse_and_run(argc, argv);
   } catch (const InvalidArgument& error) {

@@ -196,6 +196,7 @@ granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map n
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)
 granum_analyse_refuses("a window of two axes" 2 "--window takes three ranges" ${box} --window 0mm..1mm,..)
 granum_analyse_refuses("a window without dots" 2 "--window takes ranges such as" ${box} --window 0mm,1mm,2mm)
+granum_analyse_refuses("a window of three points" 2 "--window takes ranges such as" ${box} --window 0mm...1mm,..,..)
 granum_analyse_refuses("a window without units" 2 "--window = 0 has no unit" ${box} --window 0..1mm,..,..)
 granum_analyse_refuses("a window beyond the grains" 2 "the window reaches beyond the grains along z" ${box} --window ..,..,1mm..30mm)
 granum_analyse_refuses("a depth without an end" 2 "--depth takes two depths" ${box} --depth 1mm..)

@@ -44,6 +44,16 @@ endforeach()
 attack("a hostile name that is not there" 3 [[granum analyse "$(printf 'm\033[2J.csv')"]])
 must(err "x1b")
 attack("hostile headings" 3 [[printf 'nx,ny,nz,\033[2J,nx\n1,0,0,1,1\n' > h.csv; granum analyse h.csv]])
+attack("a heading that turns the direction of text" 3 [[printf 'e,p_kPa,a\342\200\256b_kPa\n0.6,100\n' > "$(printf 't\342\200\256.csv')"
+  granum sweep --table "$(printf 't\342\200\256.csv')"]])
+string(ASCII 226 128 174 turns)
+string(FIND "${err}" "${turns}" at)
+if(NOT at EQUAL -1)
+  message(FATAL_ERROR "U+202E reaches the terminal")
+endif()
+attack("a formula for a spreadsheet" 0 [[printf 'e,p_kPa,"=note"\n0.6,100,=1+1\n0.6,200,-1.5\n' > f.csv
+  granum sweep --table f.csv]])
+must(out "'=note.*\n0.6,100,'=1.1,.*\n0.6,200,-1.5,")
 attack("a folder of 5,000 characters" 3 [[granum analyse n*.csv --out $(printf '%05000d' 1)]])
 attack("a file of 5,000 characters" 3 [[granum analyse $(printf '%05000d' 1)]])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Ctrl-C or SIGTERM during a study ends it in order, with all files written and marked as incomplete:
+# Ctrl-C, SIGTERM or SIGHUP during a study ends it in order, with all files written and marked as incomplete:
 #   cmake -DPROGRAM=... -DFOLDER=... -P check_study_stop.cmake
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/study_files.cmake")
@@ -9,7 +9,7 @@ set(pressures "")
 foreach(k RANGE 1001 2000)
   string(APPEND pressures "${k}0Pa,")
 endforeach()
-foreach(ending INT:130 TERM:143)
+foreach(ending HUP:129 INT:130 TERM:143)
   string(REPLACE ":" ";" ending "${ending}")
   list(POP_FRONT ending signal expected)
   file(REMOVE_RECURSE "${FOLDER}")

@@ -43,6 +43,7 @@ function(granum_depth_refuses what message)
   granum_cli_test("depth: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})
 endfunction()
 granum_depth_refuses("one depth" "--depth = '30m' must be two depths, such as 0m\\.\\.30m" --void-ratio 0.6 --depth 30m)
+granum_depth_refuses("three points, or 0.30 m" "--depth = '0m\\.\\.\\.30m'" --void-ratio 0.6 --depth 0m...30m)
 granum_depth_refuses("upwards" "--depth = '3m\\.\\.1m' must end below its beginning" --void-ratio 0.6 --depth 3m..1m)
 granum_depth_refuses("above the ground" "--depth = -1 m is outside" --void-ratio 0.6 --depth -1m..3m)
 granum_depth_refuses("a weight without depth" "--unit-weight goes with --depth" --void-ratio 0.6 --from 1kPa --to 2kPa

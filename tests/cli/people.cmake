@@ -72,6 +72,9 @@ granum_new_user("several mistakes, each named in the order typed" "estimate --pr
   "--pressure = 100 has no unit.*no option --e.*--radius = '1,5mm'[^\n]* write 1\\.5mm")
 granum_new_user("twice" "estimate --pressure 100kPa --void-ratio 0.6 --pressure 200kPa" 2 "--pressure is given twice")
 granum_new_user("per cent of a tolerance" "estimate --tolerance 5 ${at}" 0 "--tolerance 5 is 500 %; was 5% meant")
+granum_new_user("a saturation beyond all pores" "estimate --saturation 101% ${at}" 2 "saturation = 1\\.01 is outside \\[0, 1\\]\n")
+granum_new_user("a relative density far beyond" "estimate --sand toyoura --relative-density 150% --pressure 98kPa" 2 "relative-density = 1\\.5 is outside \\[0, 1\\.2\\]\n")
+granum_new_user("a porosity beyond" "estimate --porosity 110% --pressure 98kPa" 2 "porosity = 1\\.1 is outside \\(0, 1\\)\n")
 granum_new_user("a saturation in per cent" "estimate --saturation 100 ${at}" 2 "write 100% for per cent")
 granum_new_user("output to a file" "estimate ${at} -o result.json" 2 "no option -o; did you mean --out")
 

@@ -131,6 +131,12 @@ granum_sweep_refuses("picture without numbers" "--picture requires --out" ${pack
 granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
   ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)
 
+# what a row leaves empty has its default, as without the column
+add_test(NAME "cli: sweep: empty fields"
+  COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_empty_fields.sh" "$<TARGET_FILE:granum_cli>" "${CMAKE_CURRENT_BINARY_DIR}/empty fields")
+set_tests_properties("cli: sweep: empty fields" PROPERTIES LABELS cli)
+granum_cli_test("sweep: thousands or decimals" EXIT 3 STDERR "sweep_thousands\\.csv:3: column 'p \\(kPa\\)'"
+  ARGS sweep --table sweep_thousands.csv)
 granum_cli_test("sweep: missing table" EXIT 3 STDERR "none\\.csv: cannot be read: No such file" ARGS sweep --table none.csv)
 granum_cli_test("sweep: truncated table" EXIT 3 STDERR "truncated\\.csv:5: expected 4 fields" ARGS sweep --table truncated.csv)
 granum_cli_test("sweep: column without unit" EXIT 3 STDERR "sweep_unitless\\.csv:1: column 'sigma_v' has no unit"

@@ -22,6 +22,11 @@ TEST_CASE("utf8: what a terminal would obey is written out, and nothing else is 
   CHECK(printable("\x9b"
                   "1m \xC2\x9b"
                   "1m") == "\\x9b1m \\xc2\\x9b1m"); // the terminal's other way to say ESC [
-  const std::string harmless = "p\u2032 = 1\tkPa\n\u03c3_v, H\xF6he, \u00df, \xE4";
+  CHECK(printable("a\u202Eb\u2066c") == "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6c"); // would turn what follows
+  for (const char* unseen :
+       {"\u00AD", "\u061C", "\u200B", "\u200E", "\u2028", "\u2060", "\uFEFF", "\U000E0041"})
+    CHECK(printable(unseen).starts_with("\\x"));
+  const std::string harmless =
+      "p\u2032 = 1\tkPa\n\u03c3_v, H\xF6he, \u00df, \u2030, \u200D, \U0001F600, \xE4, \xAD";
   CHECK(printable(harmless) == harmless);
 }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/output_file.hpp>
 
+#include <csignal>
+#include <cstdio>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -90,6 +96,94 @@ TEST_CASE("what a killed run left of a file is removed by the next that writes i
   std::filesystem::create_symlink("other", part);
   CHECK_THROWS_AS(write_file(path, "new", Existing::replace), FileError);
   CHECK(content(folder.path() / "other") == "kept");
+  // nor through a pipe, or in the place of a folder
+  std::filesystem::remove(part);
+  REQUIRE(mkfifo(part.c_str(), 0600) == 0);
+  CHECK_THROWS_AS(write_file(path, "new", Existing::replace), FileError);
+  CHECK(std::filesystem::is_fifo(part));
+  std::filesystem::remove(part);
+  std::filesystem::create_directory(part);
+  CHECK_THROWS_AS(write_file(path, "new", Existing::replace), FileError);
+  CHECK(std::filesystem::is_directory(part));
+  CHECK(content(path) == "whole");
+}
+
+TEST_CASE("a pipe takes text from whoever may not replace a file, and stays a pipe") {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path() / "pipe", link = folder.path() / "link";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  std::filesystem::create_symlink("pipe", link);
+  CHECK_FALSE(is_taken(pipe));
+  CHECK_FALSE(is_taken(link));
+  const std::string text(200'000, 'a'); // more than a pipe holds
+  for (const auto& path : {pipe, link})
+    for (const Existing existing : {Existing::keep, Existing::replace}) {
+      std::future<std::string> read = std::async(std::launch::async, [&] { return content(pipe); });
+      write_file(path, text, existing);
+      CHECK(read.get() == text);
+    }
+  CHECK_THROWS_AS(write_file(pipe, text, Existing::replace), FileError); // nobody reads
+  CHECK(std::filesystem::is_fifo(pipe));
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(entries(folder.path()) == 2);
+}
+
+TEST_CASE("a link to a device is written through") {
+  const TemporaryFolder folder;
+  const auto device = folder.path() / "null", full = folder.path() / "full";
+  std::filesystem::create_symlink("/dev/null", device);
+  std::filesystem::create_symlink("/dev/full", full);
+  CHECK_FALSE(is_taken(device));
+  write_file(device, "x", Existing::keep);
+  write_file(device, "x", Existing::replace);
+  CHECK_THROWS_AS(write_file(full, "x", Existing::replace), FileError);
+  CHECK(std::filesystem::is_symlink(device));
+  CHECK(std::filesystem::is_symlink(full));
+  CHECK(entries(folder.path()) == 2);
+}
+
+TEST_CASE("a descriptor of this process is written to where it is") {
+  const TemporaryFolder folder;
+  std::FILE* file = std::fopen((folder.path() / "file").c_str(), "w");
+  REQUIRE(file != nullptr);
+  const std::string number = std::to_string(fileno(file));
+  const auto link = folder.path() / "link";
+  std::filesystem::create_symlink("/dev/fd/" + number, link);
+  for (const std::filesystem::path& path : {std::filesystem::path("/proc/self/fd/" + number), link}) {
+    CHECK_FALSE(is_taken(path));
+    write_file(path, "one\n", Existing::keep);
+  }
+  std::fclose(file);
+  CHECK(content(folder.path() / "file") == "one\none\n");
+  CHECK(std::filesystem::is_symlink(link));
+}
+
+TEST_CASE("a name may be as long as its folder takes it") {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {243U, 244U, 250U, 255U}) {
+    const auto path = folder.path() / std::string(length, 'n');
+    write_file(path, "text", Existing::keep);
+    CHECK(content(path) == "text");
+  }
+  std::string sand; // 85 characters of three bytes
+  for (int k = 0; k < 85; ++k)
+    sand += "\u7802";
+  write_file(folder.path() / sand, "text", Existing::keep);
+  CHECK(content(folder.path() / sand) == "text");
+  CHECK(entries(folder.path()) == 5);
+}
+
+TEST_CASE("a limit of file sizes is an error of the file, and leaves nothing") {
+  const TemporaryFolder folder;
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const auto of_signal = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{.rlim_cur = 1000, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  CHECK_THROWS_AS(write_file(folder.path() / "out", std::string(5000, 'a'), Existing::keep), FileError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, of_signal);
+  CHECK(entries(folder.path()) == 0);
 }
 
 TEST_CASE("two runs that write one file leave one of the two texts") {
@@ -126,4 +220,10 @@ TEST_CASE("a place that cannot be written to is named, and no part of the file s
   CHECK_THROWS_AS(write_file(occupied, "x", Existing::replace), FileError);
   CHECK(entries(folder.path()) == 1);
   CHECK(std::filesystem::exists(occupied / "inside"));
+
+  // a link to a folder is no place for a file either
+  const auto link = folder.path() / "link";
+  std::filesystem::create_directory_symlink("occupied", link);
+  CHECK_THROWS_AS(write_file(link, "x", Existing::replace), FileError);
+  CHECK(std::filesystem::is_symlink(link));
 }

@@ -43,6 +43,10 @@ set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zli
 # What only the program may do: print and exit.
 set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|putchar|perror|exit|_Exit|quick_exit|abort)[ \t]*\\(|fprintf[ \t]*\\([ \t]*(stdout|stderr)")
 
+# Files are written by one source alone: whole or not at all, and never in the place of a device or a pipe.
+set(writing_source src/io/output_file.cpp)
+set(writing_means "std::(basic_)?o?fstream|O_(WRONLY|RDWR|CREAT)|(^|[^A-Za-z0-9_])(fopen|freopen|creat|mkstemp|rename|copy_file)[ \t]*\\(")
+
 # Exceptions of the closed forms are caught in one source alone, so that targets that cannot catch leave one source out.
 set(theory_modules core contact sizes stress elastic fabric effective estimate rock_physics)
 set(catching_source src/estimate/uncertain_answer.cpp)
@@ -174,6 +178,10 @@ foreach(path IN LISTS files)
   endif()
   if(NOT path MATCHES "${vector_room}" AND text MATCHES "${vector_means}")
     violation("${path}" "uses ${CMAKE_MATCH_0}; vector code has its room, src/core/vector")
+  endif()
+  if(NOT path STREQUAL writing_source AND text MATCHES "${writing_means}")
+    string(STRIP "${CMAKE_MATCH_0}" what)
+    violation("${path}" "uses ${what}; only ${writing_source} writes files")
   endif()
   if(module IN_LIST theory_modules AND NOT path STREQUAL catching_source AND text MATCHES "(^|[^A-Za-z0-9_])catch[ \t\n]*\\(")
     violation("${path}" "catches an exception; among the closed forms only ${catching_source} does")

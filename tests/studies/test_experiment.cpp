@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+#include <sys/stat.h>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -270,9 +272,10 @@ TEST_CASE("checkpoints are removed by their names, and nothing else is") {
   for (const std::string& name : foreign)
     std::ofstream(folder.path() / name) << "x";
   fs::create_directory(folder.path() / "cone-1-packing.checkpoint");
+  REQUIRE(mkfifo((folder.path() / "cone-2-packing.checkpoint").c_str(), 0600) == 0);
   remove_checkpoints(folder.path());
   std::set<std::string> left = foreign;
-  left.insert("cone-1-packing.checkpoint");
+  left.insert({"cone-1-packing.checkpoint", "cone-2-packing.checkpoint"});
   CHECK(files() == left);
   remove_checkpoints(folder.path() / "none");
 }

@@ -13,8 +13,9 @@ namespace granum {
 /// there are none.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-/// `text` for a terminal: control characters, which could move its cursor or worse, become a backslash, an x
-/// and two digits. Line ends and tabs stay, and so do bytes that are no UTF-8 but letters in other encodings.
+/// `text` for a terminal: control characters, which could move its cursor or worse, and characters that turn
+/// the direction of text or are not seen (U+202E, U+200B) become a backslash, an x and two digits a byte.
+/// Line ends and tabs stay, and so do bytes that are no UTF-8 but letters in other encodings.
 [[nodiscard]] std::string printable(std::string_view text);
 
 } // namespace granum

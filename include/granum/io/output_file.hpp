@@ -11,17 +11,24 @@ enum class Existing {
   replace, ///< an existing file is replaced, whole, at the end
 };
 
-/// What a file that is being written has behind its name.
+/// What a file that is being written has behind its name, which is cut where it would be too long with it.
 inline constexpr std::string_view part_extension = ".granum.part";
 
-/// Whether something stands at a path, be it a link that leads nowhere.
+/// Whether something stands at a path that a result must not replace unasked, be it a link that leads
+/// nowhere. A pipe, a terminal and other devices of characters take text and lose nothing by it: they are not
+/// taken.
 [[nodiscard]] bool is_taken(const std::filesystem::path& path);
 
 /// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text goes
 /// to a temporary name in the same folder, is flushed to disk, and is renamed. A file that is replaced
-/// hands its mode on; what a killed run left of this file is removed.
-/// \throws   FileError if the file exists and existing is keep, or if writing fails (no temporary file
-///                     stays behind)
+/// hands its mode on; a link is replaced, and what it leads to stays; what a killed run left of this file is
+/// removed. A pipe, a device of characters and what a descriptor of this process leads to (/dev/stdout) are
+/// written to, whatever `existing` is, and are never replaced.
+/// Assumes   that SIGXFSZ and SIGPIPE are ignored where a file may grow past its limit or a pipe lose its
+///                     reader: as errors they are FileError, else they end the program
+/// \throws   FileError if the file exists and existing is keep, if path is a folder, a disk or a socket, if a
+///                     pipe has no reader within a second, or if writing fails (no temporary file stays
+///                     behind)
 /// Checked by tests/io/test_output_file.cpp
 void write_file(const std::filesystem::path& path, std::string_view text, Existing existing);
 

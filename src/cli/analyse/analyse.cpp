@@ -11,6 +11,7 @@
 #include "analyse_stress.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/messages.hpp"
 #include "studies/analyse/overlaps.hpp"
 
 namespace granum::cli {
@@ -118,6 +119,19 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   return out;
 }
 
+/// What networks that were not solved come to, which is said.
+ExitCode code_of_networks(const std::vector<FrameAnswer>& frames) {
+  std::size_t networks = 0, unsolved = 0;
+  for (const FrameAnswer& frame : frames)
+    if (const auto& network = frame.measured.packing.network) {
+      ++networks;
+      unsolved += network->response.converged() ? 0U : 1U;
+    }
+  if (unsolved > 0)
+    say("error", fmt::format("{} of {} networks not solved: no moduli of rung 4", unsolved, networks));
+  return code_of_failed(unsolved, networks);
+}
+
 ExitCode run(const AnalyseOptions& o) {
   if (!o.out.empty())
     prepare_folder(o.out, analysis_files, o.force);
@@ -129,7 +143,9 @@ ExitCode run(const AnalyseOptions& o) {
     table += within_width("\nreport.html, CSV, JSON and pictures in " + o.out + "\n");
   }
   const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};
-  return deliver(to_screen, table, analyse_json(answer), warnings_of(answer));
+  const ExitCode code = deliver(to_screen, table, analyse_json(answer), warnings_of(answer));
+  const ExitCode of_networks = code_of_networks(answer.frames);
+  return code == ExitCode::ok ? of_networks : code;
 }
 
 } // namespace

@@ -115,14 +115,13 @@ namespace {
 
 /// "a..b", either end may be left out.
 std::array<std::optional<double>, 2> parse_range(const std::string& name, const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos)
+  const auto ends = ends_of_range(text);
+  if (!ends)
     throw InvalidArgument(fmt::format("{} takes ranges such as 1mm..3mm, not \"{}\"", name, text));
   std::array<std::optional<double>, 2> out;
-  const std::string parts[2] = {text.substr(0, dots), text.substr(dots + 2)};
   for (std::size_t k = 0; k < 2; ++k)
-    if (!parts[k].empty())
-      out[k] = parse_quantity(name, parts[k], Dimension::length);
+    if (!ends->at(k).empty())
+      out[k] = parse_quantity(name, ends->at(k), Dimension::length);
   return out;
 }
 

@@ -2,7 +2,6 @@
 #include "frame.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <unistd.h>
 
@@ -20,15 +19,6 @@
 
 namespace granum::cli {
 
-namespace {
-
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw FileError("standard output", 0, "cannot be written");
-}
-
-} // namespace
-
 void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_flag("--json", options.json, "Print one JSON object, SI units");
   command.add_flag("--strict", options.strict,
@@ -36,6 +26,10 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   auto* out = add_path(command, "--out", options.out, "Write the result to this file")->type_name("FILE");
   command.add_flag("--force", options.force, "Let --out replace an existing file")->needs(out);
   in_group(command, output_group, {"--json", "--strict", "--out", "--force"});
+}
+
+ExitCode code_of_failed(std::size_t failed, std::size_t all) {
+  return failed == 0 ? ExitCode::ok : failed == all ? ExitCode::not_converged : ExitCode::fell_short;
 }
 
 CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
@@ -54,6 +48,17 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optio
     target = parse_quantity(name, text, dimension);
   };
   return command.add_option_function<std::string>(name, take, help)->type_name(type_name(dimension));
+}
+
+std::string threads_text(std::size_t threads) {
+  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
+}
+
+std::optional<std::array<std::string, 2>> ends_of_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos || text.substr(dots + 2).starts_with('.'))
+    return {};
+  return std::array{text.substr(0, dots), text.substr(dots + 2)};
 }
 
 CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -34,9 +35,12 @@ enum class ExitCode : int {
   usage = 2,         ///< arguments that cannot be
   file = 3,          ///< a file that cannot be read or written
   not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
-  interrupted = 130, ///< work was left undone on Ctrl-C
-  terminated = 143,  ///< the same on SIGTERM
+  // work that was left undone has 128 and the number of the signal: exit_code_of_stop
 };
+
+/// Of parts that did not arrive, such as networks or samples: ok if none, fell_short if some, not_converged
+/// if all.
+[[nodiscard]] ExitCode code_of_failed(std::size_t failed, std::size_t all);
 
 /// A subcommand: its parser, and its work, which runs after parsing. The work throws granum's errors, and
 /// main turns them into a message and an exit code. Each subcommand has one file with one function `Command
@@ -76,6 +80,12 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& ta
 /// The same for a quantity that is given or not.
 CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target,
                           Dimension dimension, const std::string& help);
+
+/// "1 thread", "2 threads".
+[[nodiscard]] std::string threads_text(std::size_t threads);
+
+/// The two ends of a range, "0m..30m"; nothing for another text, as one with three points.
+[[nodiscard]] std::optional<std::array<std::string, 2>> ends_of_range(const std::string& text);
 
 /// An option that takes the name of a file or folder. Empty text, as of a shell variable that is not set, is
 /// refused: `target` stays empty where the option is not given.

@@ -207,15 +207,21 @@ std::string usage_line(const CLI::App& command) {
   return line + " [OPTIONS]";
 }
 
-std::string help_text(const CLI::App& command) {
+std::string commands_text(const CLI::App& command) {
   std::string text;
-  append_wrapped(text, 0, command.get_description(), 0);
-  text += "Usage: " + usage_line(command) + "\n";
   for (const CommandGroup& group : command_groups(command)) {
     text += "\n" + group.title + ":\n";
     for (const CLI::App* inner : group.commands)
       append_entry(text, inner->get_name(), inner->get_description());
   }
+  return text;
+}
+
+std::string help_text(const CLI::App& command) {
+  std::string text;
+  append_wrapped(text, 0, command.get_description(), 0);
+  text += "Usage: " + usage_line(command) + "\n";
+  text += commands_text(command);
   for (const OptionGroup& group : option_groups(command)) {
     text += "\n" + group.title + ":\n";
     for (const OptionText& option : group.options)

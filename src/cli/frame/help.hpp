@@ -58,6 +58,8 @@ struct CommandGroup {
 /// The words that an option chooses from, if it does.
 [[nodiscard]] std::vector<std::string> choices_of(const CLI::Option& option);
 
+/// The commands with their descriptions, by group; nothing where there are none.
+[[nodiscard]] std::string commands_text(const CLI::App& command);
 /// All of it, in lines of 80 columns.
 [[nodiscard]] std::string help_text(const CLI::App& command);
 

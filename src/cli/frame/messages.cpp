@@ -4,33 +4,21 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
+#include <cstring>
 #include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <granum/core/error.hpp>
 #include <granum/core/utf8.hpp>
 
 namespace granum::cli {
 
 namespace {
 
-/// While an object of this class exists, writing to a pipe without a reader gives an error instead of the
-/// signal that would end the program.
-class PipesMayBreak {
- public:
-  PipesMayBreak() noexcept {
-    struct sigaction ignore = {};
-    ignore.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &ignore, &before_);
-  }
-  ~PipesMayBreak() { sigaction(SIGPIPE, &before_, nullptr); }
-  PipesMayBreak(const PipesMayBreak&) = delete;
-  PipesMayBreak& operator=(const PipesMayBreak&) = delete;
-
- private:
-  struct sigaction before_ = {};
-};
+void (*of_broken_pipes)(int) = SIG_DFL; ///< what the program was started with
 
 } // namespace
 
@@ -42,8 +30,23 @@ void open_missing_streams() noexcept {
       (void)open("/dev/null", O_RDONLY);
 }
 
+void take_writing_errors() noexcept {
+  of_broken_pipes = std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return;
+  const int error = errno;
+  if (error == EPIPE && of_broken_pipes == SIG_DFL) {
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
+  throw FileError("standard output", 0, std::string("cannot be written: ") + std::strerror(error));
+}
+
 void to_standard_error(std::string_view text) noexcept {
-  const PipesMayBreak guard;
   while (!text.empty()) {
     const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
     if (written < 0 && errno == EINTR)

@@ -32,11 +32,12 @@ const std::atomic<bool>& listen_for_stop() {
   action.sa_handler = granum_stop;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction of_nohup = {};
+  if (sigaction(SIGHUP, nullptr, &of_nohup) == 0 && of_nohup.sa_handler != SIG_IGN)
+    sigaction(SIGHUP, &action, nullptr);
   return stop_requested;
 }
 
-ExitCode exit_code_of_stop() {
-  return signal_number == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-}
+ExitCode exit_code_of_stop() { return static_cast<ExitCode>(128 + signal_number); }
 
 } // namespace granum::cli

@@ -141,14 +141,9 @@ Validity likely_mistakes(const studies::Scene& scene) {
 }
 
 double require_share(const Number& number, double most) {
-  const double value = number.value;
-  const std::string range = fmt::format("[0, {}]", short_text(most));
-  if (!(value >= 0 && value <= most))
-    throw InvalidArgument(number.name, value, "",
-                          value > most && value <= 100 * most
-                              ? fmt::format("{}; write {}% for per cent", range, short_text(value))
-                              : range);
-  return value;
+  if (!(number.value >= 0 && number.value <= most))
+    number.refuse_share(fmt::format("[0, {}]", short_text(most)), most);
+  return number.value;
 }
 
 } // namespace granum::cli

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include <fmt/core.h>
@@ -57,7 +56,7 @@ void refuse_twice(bool option_given, const std::string& option, const std::strin
 NumberColumns::NumberColumns(const io::CsvTable& table)
     : table_(table), read_(table.headings().size(), false) {}
 
-bool NumberColumns::bind(Number& number, EmptyField empty) {
+bool NumberColumns::bind(Number& number) {
   const auto& headings = table_.headings();
   std::optional<io::CsvTable::Place> found;
   for (const std::string& name : names_of(number)) {
@@ -74,7 +73,8 @@ bool NumberColumns::bind(Number& number, EmptyField empty) {
   if (!found)
     return false;
   refuse_twice(number.given(), number.name, headings[found->index]);
-  inputs_.push_back({&number, *found, empty, number.value});
+  number.per_cent = number.dimension == Dimension::dimensionless && found->factor != 1;
+  inputs_.push_back({&number, *found, number.value});
   read_[found->index] = true;
   return true;
 }
@@ -95,20 +95,17 @@ std::optional<std::size_t> NumberColumns::text(const std::string& heading, bool 
 
 void NumberColumns::take(std::size_t row) const {
   const auto& fields = table_.fields(row);
-  for (const auto& [number, column, empty, by_default] : inputs_) {
+  for (const auto& [number, column, by_default] : inputs_) {
     const std::string& field = fields[column.index];
-    const std::string& heading = table_.headings()[column.index];
     number->in_table = !trimmed(field).empty();
-    if (!number->in_table && empty == EmptyField::refused)
-      throw InvalidArgument(fmt::format("column '{}' is empty", heading));
     if (!number->in_table) {
-      number->value = empty == EmptyField::by_default ? by_default : std::numeric_limits<double>::quiet_NaN();
+      number->value = by_default;
       continue;
     }
     const auto value = parse_number(field);
     if (!value || !std::isfinite(*value * column.factor))
-      throw InvalidArgument(
-          fmt::format("expected a finite number in column '{}', found '{}'", heading, field));
+      throw InvalidArgument(fmt::format("expected a finite number in column '{}', found '{}'",
+                                        table_.headings()[column.index], field));
     number->value = *value * column.factor;
   }
 }

@@ -13,23 +13,17 @@
 /// Columns of a table that hold what options say elsewhere.
 namespace granum::cli {
 
-/// What an empty field means.
-enum class EmptyField {
-  refused, ///< the row cannot do without
-  not_given,
-  by_default ///< the row does not give the number, and its default stays
-};
-
 /// Numbers bound to the columns that hold them, by the names of their options (void_ratio, "void ratio") or
 /// by symbol (e), with their unit: p_kPa, "p (kPa)", "p [kPa]".
 class NumberColumns {
  public:
   explicit NumberColumns(const io::CsvTable& table);
 
-  /// Binds the number if the table has a column of it; whether it has.
+  /// Binds the number if the table has a column of it; whether it has. Where a row leaves it empty the number
+  /// is not given, and has its default.
   /// \throws   FileError for a column without its unit, or where two hold the number;
   ///           InvalidArgument where an option gives it too
-  bool bind(Number& number, EmptyField empty);
+  bool bind(Number& number);
   /// The column of a text with that heading; none if there is none.
   /// \throws   InvalidArgument where an option gives it too
   [[nodiscard]] std::optional<std::size_t> text(const std::string& heading, bool option_given);
@@ -37,7 +31,7 @@ class NumberColumns {
   void mark_as_read(std::size_t column) { read_.at(column) = true; }
 
   /// Sets the bound numbers to those of a row.
-  /// \throws   InvalidArgument for a field that is no number, or empty where that is refused
+  /// \throws   InvalidArgument for a field that is no number
   void take(std::size_t row) const;
   /// Headings of the columns that nobody reads.
   [[nodiscard]] std::vector<std::string> unread() const;
@@ -46,7 +40,6 @@ class NumberColumns {
   struct Input {
     Number* number;
     io::CsvTable::Place column;
-    EmptyField empty;
     double by_default;
   };
 

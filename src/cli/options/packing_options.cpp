@@ -94,9 +94,7 @@ namespace {
 double require_open_share(const Number& number) {
   const double value = number.value;
   if (!(value > 0 && value < 1))
-    throw InvalidArgument(number.name, value, "",
-                          value > 1 && value < 100 ? fmt::format("(0, 1); write {}% for per cent", value)
-                                                   : "(0, 1)");
+    number.refuse_share("(0, 1)", 1);
   return value;
 }
 
@@ -145,6 +143,15 @@ const Number& PackingOptions::law_number(std::string_view key) const {
   return std::find_if(law_numbers.begin(), law_numbers.end(),
                       [key](const LawNumber& of) { return of.parameter->key == key; })
       ->number;
+}
+
+void Number::refuse_share(const std::string& range, double most) const {
+  const auto has_sign = [](const std::string& text) { return text.find('%') != std::string::npos; };
+  const bool typed =
+      option != nullptr && std::any_of(option->results().begin(), option->results().end(), has_sign);
+  const bool hint = value > most && value <= 100 * most && !per_cent && !typed;
+  throw InvalidArgument(name, value, "",
+                        hint ? fmt::format("{}; write {}% for per cent", range, short_text(value)) : range);
 }
 
 bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }

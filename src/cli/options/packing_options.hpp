@@ -39,8 +39,12 @@ struct Number {
   const CLI::Option* option = nullptr;
   bool in_table = false; ///< a row of a table gives it
   bool preset = false;   ///< what else was told decides it, as the name of a mineral does
+  bool per_cent = false; ///< the column of the table says so
 
   [[nodiscard]] bool given() const;
+  /// That the number is not within `range`, and where it is above `most` and may be per cent without its
+  /// sign, how that is written.
+  [[noreturn]] void refuse_share(const std::string& range, double most) const;
 };
 
 /// Adds the option of a number; its value is the default.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing_rows.hpp"
 
-#include <algorithm>
-
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
@@ -10,34 +8,24 @@
 
 namespace granum::cli {
 
-namespace {
-
-/// Numbers that a packing may lack, as its contacts or how its density is given, have no default.
-EmptyField when_empty(const PackingOptions& o, const Number& number) {
-  const Number* needed[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.fabric};
-  return std::find(std::begin(needed), std::end(needed), &number) != std::end(needed) ? EmptyField::refused
-                                                                                      : EmptyField::not_given;
-}
-
-} // namespace
-
 PackingRows::PackingRows(const io::CsvTable& table, const PackingOptions& options)
-    : table_(table), row_(options), columns_(table) {
+    : table_(table), row_(options), contact_by_default_(options.contact), columns_(table) {
   for (Number* number : numbers(row_))
-    columns_.bind(*number, when_empty(row_, *number));
+    columns_.bind(*number);
   contact_ = columns_.text("contact", row_.contact_given());
-  row_.contact_in_table = contact_.has_value();
   sizes_ = columns_.text("sizes", row_.sizes.has_value());
   uniformity_ = {0, Dimension::dimensionless, "C_u Cu", "--uniformity"};
   uniformity_.preset = row_.sizes.has_value();
-  sizes_in_table_ = columns_.bind(uniformity_, EmptyField::not_given) || sizes_;
+  sizes_in_table_ = columns_.bind(uniformity_) || sizes_;
 }
 
 const PackingOptions& PackingRows::packing(std::size_t row) {
   const auto& fields = table_.fields(row);
   columns_.take(row);
-  if (contact_) {
-    const std::string& text = fields[*contact_];
+  const std::string text(contact_ ? trimmed(fields[*contact_]) : "");
+  row_.contact_in_table = !text.empty();
+  row_.contact = contact_by_default_;
+  if (row_.contact_in_table) {
     const std::optional<contact::Shape> shape = contact::find_shape(text);
     if (!shape)
       throw InvalidArgument(fmt::format("contact '{}' is not one of {}", text, contact::shape_names()));

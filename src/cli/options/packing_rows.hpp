@@ -35,6 +35,7 @@ class PackingRows {
 
   const io::CsvTable& table_;
   PackingOptions row_;
+  contact::Shape contact_by_default_;
   NumberColumns columns_;
   Number uniformity_;
   std::optional<std::size_t> contact_, sizes_;

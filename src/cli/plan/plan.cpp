@@ -71,7 +71,7 @@ io::Items plan_items(const studies::Scene& scene, const studies::Plan& plan) {
                io::ShownColumn{.heading = "time",
                                .digits = 2,
                                .symbol = " s",
-                               .meaning = fmt::format("on {} threads", studies::thread_count(scene))});
+                               .meaning = "on " + threads_text(studies::thread_count(scene))});
   io::add_item(
       list, "predicted_memory_bytes", plan.memory,
       io::ShownColumn{.heading = "memory", .digits = 0, .fixed = true, .unit = 1e6, .symbol = " MB"});

@@ -120,9 +120,9 @@ std::string report_of(const studies::Experiment& experiment, const std::vector<s
       "\n";
   out += studies::table_text("Further exponents", studies::further_exponents(experiment)) + "\n";
   out += studies::verdicts_table(verdicts);
-  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {} threads\n",
+  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {}\n",
                            experiment.specimens.size(), experiment.scene.study.grains,
-                           frozen_states(experiment), time.seconds, studies::thread_count(experiment.scene));
+                           frozen_states(experiment), time.seconds, threads_text(studies::thread_count(experiment.scene)));
 }
 
 } // namespace granum::cli

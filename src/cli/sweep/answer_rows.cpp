@@ -8,10 +8,9 @@ namespace granum::cli {
 AnswerRows::AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer)
     : table_(table), packings_(table, packing), answer_(answer) {
   NumberColumns& columns = packings_.columns();
-  for (Number* number : {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio})
-    columns.bind(*number, EmptyField::not_given);
-  for (Number* number : {&answer_.grain_density, &answer_.saturation})
-    columns.bind(*number, EmptyField::by_default);
+  for (Number* number : {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
+                         &answer_.grain_density, &answer_.saturation})
+    columns.bind(*number);
   preparation_ = columns.text("preparation", answer.preparation != effective::Preparation{});
   grain_ = columns.text("grain", answer.mineral != nullptr);
   sand_ = columns.text("sand", answer.sand != nullptr);

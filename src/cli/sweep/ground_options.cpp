@@ -20,11 +20,11 @@ constexpr double unit_weight_tolerance = 0.02;
 
 std::vector<double> depths_of(const SweepOptions& o) {
   const std::string& text = o.ground.depth;
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos)
+  const auto ends = ends_of_range(text);
+  if (!ends)
     throw InvalidArgument(fmt::format("--depth = '{}' must be two depths, such as 0m..30m", text));
-  const double first = parse_quantity("--depth", text.substr(0, dots), Dimension::length);
-  const double last = parse_quantity("--depth", text.substr(dots + 2), Dimension::length);
+  const double first = parse_quantity("--depth", ends->front(), Dimension::length);
+  const double last = parse_quantity("--depth", ends->back(), Dimension::length);
   require_non_negative("--depth", first, "m");
   if (!(last > first))
     throw InvalidArgument(fmt::format("--depth = '{}' must end below its beginning", text));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -92,9 +93,9 @@ ordered_json manifest_of(const Outcome& outcome, const Options& options) {
 }
 
 std::string report_of(const Outcome& outcome) {
-  return fmt::format("{}{}{} samples in {:.1f} s on {} threads\n", trade_table(outcome.trade, outcome.rows),
+  return fmt::format("{}{}{} samples in {:.1f} s on {}\n", trade_table(outcome.trade, outcome.rows),
                      laws_table(outcome.trade, studies::laws_of(outcome.rows)), outcome.samples.size(),
-                     outcome.seconds, studies::thread_count(outcome.trade.scene));
+                     outcome.seconds, threads_text(studies::thread_count(outcome.trade.scene)));
 }
 
 void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
@@ -140,7 +141,10 @@ ExitCode run(const Options& options) {
   if (stop)
     return exit_code_of_stop();
   say("error", outcome.failures);
-  return ExitCode::fell_short;
+  const auto failed =
+      std::count_if(outcome.samples.begin(), outcome.samples.end(),
+                    [](const studies::TradeSample& sample) { return !sample.failure.empty(); });
+  return code_of_failed(static_cast<std::size_t>(failed), outcome.samples.size());
 }
 
 } // namespace

@@ -102,10 +102,11 @@ void rewrite_report(const fs::path& folder) {
 }
 
 std::string report_of(const StudyOutcome& outcome) {
-  return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {} threads\n",
+  return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {}\n",
                      studies::states_table(outcome.specimens), studies::exponents_table(outcome.exponents),
                      studies::verdicts_table(outcome.verdicts), outcome.specimens.size(),
-                     outcome.scene.study.grains, outcome.seconds, studies::thread_count(outcome.scene));
+                     outcome.scene.study.grains, outcome.seconds,
+                     threads_text(studies::thread_count(outcome.scene)));
 }
 
 } // namespace granum::cli

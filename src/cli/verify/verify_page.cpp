@@ -10,6 +10,7 @@
 #include <granum/plot/page.hpp>
 
 #include "cli/frame/json_members.hpp"
+#include "cli/frame/frame.hpp"
 
 namespace granum::cli {
 
@@ -91,12 +92,12 @@ std::string all_states(const ordered_json& manifest) {
 }
 
 std::string run_text(const studies::Scene& scene, const ordered_json& manifest) {
-  return fmt::format(
-      "granum {} verify: {} specimens of {} grains in {:.1f} s on {} threads{}. All numbers stand in "
-      "states.csv and exponents.csv, all that was asked for in scene.toml and manifest.json.",
-      manifest.at("version").get<std::string>(), manifest.at("specimens").size(), scene.study.grains,
-      manifest.at("wall_time_s").get<double>(), manifest.at("threads_used").get<std::size_t>(),
-      manifest.at("complete").get<bool>() ? "" : "; NOT COMPLETE, some specimens ended early");
+  return fmt::format("granum {} verify: {} specimens of {} grains in {:.1f} s on {}{}. All numbers stand in "
+                     "states.csv and exponents.csv, all that was asked for in scene.toml and manifest.json.",
+                     manifest.at("version").get<std::string>(), manifest.at("specimens").size(),
+                     scene.study.grains, manifest.at("wall_time_s").get<double>(),
+                     threads_text(manifest.at("threads_used").get<std::size_t>()),
+                     manifest.at("complete").get<bool>() ? "" : "; NOT COMPLETE, some specimens ended early");
 }
 
 } // namespace

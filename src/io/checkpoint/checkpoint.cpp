@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include <zlib.h>
 
@@ -43,8 +44,11 @@ std::uint64_t checksum_of(const Header& header, std::string_view body) {
 }
 
 std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
+  std::ifstream file;
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(path, unknown)) // a pipe would wait for its writer
+    file.open(path, std::ios::binary);
+  if (!file.is_open())
     throw FileError(path.string(), 0, "cannot be opened as a checkpoint");
   std::ostringstream bytes;
   bytes << file.rdbuf();

@@ -35,15 +35,58 @@ char separator_in(std::string_view text, const std::string& name, std::size_t li
   return semicolon ? ';' : ',';
 }
 
-/// "0,65" as "0.65"; any other text as it is.
-void replace_decimal_comma(std::string& field) {
-  const std::size_t comma = field.find(',');
-  if (comma == std::string::npos || field.find('.') != std::string::npos)
-    return;
-  std::string number = field;
-  number[comma] = '.';
-  if (parse_number(number))
-    field = std::move(number);
+/// "1.500" as "1500"; nothing for what cannot be a number with a point between its thousands.
+std::optional<std::string> without_thousands_point(const std::string& field) {
+  const std::size_t sign = field.starts_with('-') || field.starts_with('+') ? 1 : 0;
+  const std::size_t point = field.find('.');
+  if (point == std::string::npos || point <= sign || point > sign + 3 || point + 4 != field.size() ||
+      field[sign] == '0')
+    return {};
+  std::string whole = field;
+  whole.erase(point, 1);
+  return whole.find_first_not_of("0123456789", sign) == std::string::npos ? std::optional(whole)
+                                                                          : std::nullopt;
+}
+
+/// Numbers of a table whose fields are separated by semicolons.
+class DecimalCommas {
+ public:
+  /// Makes "0.65" of "0,65", and leaves any other text as it is.
+  void take(std::string& field, const std::string& heading, std::size_t line) {
+    const std::size_t comma = field.find(',');
+    std::string number = field;
+    if (comma != std::string::npos)
+      number[comma] = '.';
+    if (comma != std::string::npos && field.find('.') == std::string::npos && parse_number(number)) {
+      field = number;
+      found_ = true;
+    } else if (const auto whole = without_thousands_point(field); whole && line_ == 0) {
+      line_ = line;
+      number = field;
+      number[number.find('.')] = ',';
+      doubt_ = "column '" + heading + "' holds '" + field +
+               "', where other numbers have decimal commas: write " + number + " for " +
+               short_text(*parse_number(field)) + ", or " + *whole;
+    }
+  }
+
+  /// \throws   FileError for a point that may be one between thousands, in a table with decimal commas
+  void require_none_of_thousands(const std::string& name) const {
+    if (found_ && line_ > 0)
+      throw FileError(name, line_, doubt_);
+  }
+
+ private:
+  bool found_ = false;
+  std::size_t line_ = 0; ///< of the first number in doubt; 0 for none
+  std::string doubt_;
+};
+
+/// Whether a text would be a formula for a spreadsheet, behind any number of apostrophes.
+bool is_formula(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  return text.size() > 1 && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos &&
+         !parse_number(text);
 }
 
 /// Whether there are too many fields, and no number with a point among them.
@@ -78,12 +121,15 @@ class Cursor {
   /// What separates fields from now on, by the record here.
   char find_separator() { return separator_ = separator_in(text_, name_, line_); }
 
-  /// The fields of the record here, and the cursor after its end.
+  /// The fields of the record here, and the cursor after its end. The apostrophe that keeps a text from being
+  /// a formula is none of it.
   std::vector<std::string> record() {
     std::vector<std::string> fields;
-    do
+    do {
       fields.push_back(field());
-    while (next_is(separator_));
+      if (fields.back().starts_with('\'') && is_formula(fields.back()))
+        fields.back().erase(0, 1);
+    } while (next_is(separator_));
     ++line_;
     return fields;
   }
@@ -156,7 +202,9 @@ std::string joined(const std::vector<std::string>& words) {
 std::string field_text(const CsvCell& cell) {
   if (const double* number = std::get_if<double>(&cell))
     return std::isnan(*number) ? "" : exact_text(*number);
-  const std::string& text = std::get<std::string>(cell);
+  std::string text = std::get<std::string>(cell);
+  if (is_formula(text))
+    text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\r\n") == std::string::npos && trimmed(text) == text && !text.starts_with('#'))
     return text;
   std::string quoted = "\"";
@@ -179,6 +227,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
       throw FileError(name_, heading_line_, "the heading '" + *heading + "' stands there twice");
+  DecimalCommas points;
   while (cursor.seek_record()) {
     const std::size_t line = cursor.line();
     rows_.push_back({line, cursor.record()});
@@ -191,8 +240,10 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
                                ? "; decimal commas ask for semicolons between the fields"
                                : ""));
     if (decimal_commas)
-      std::for_each(rows_.back().fields.begin(), rows_.back().fields.end(), replace_decimal_comma);
+      for (std::size_t k = 0; k < count; ++k)
+        points.take(rows_.back().fields[k], headings_[k], line);
   }
+  points.require_none_of_thousands(name_);
   if (rows_.empty())
     throw FileError(name_, heading_line_, "there are no rows below the heading line");
 }
@@ -270,7 +321,8 @@ std::string csv_text(const CsvContent& content) {
   std::string text;
   for (const auto& [key, value] : content.notes) {
     std::string line = "# " + key + ": " + value;
-    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     text += line + '\n';
   }
   text += csv_line({content.headings.begin(), content.headings.end()});

@@ -65,7 +65,10 @@ void judge_open_contacts(const packing::Assembly& assembly, std::vector<std::str
       "are positions and contacts of the same state, and the positions written with enough digits?";
   if (distance > twice)
     cause = "are the radii half of what they should be?";
-  out.push_back("every contact is open: the centres are " + short_text(distance, 6) +
+  if (distance < 1)
+    cause = "are the overlaps of the contacts those of these positions?";
+  out.push_back(std::string(distance < 1 ? "no contact has an overlap, but" : "every contact is open:") +
+                " the centres are " + short_text(distance, 6) +
                 " times the sum of the radii apart (median); " + cause);
 }
 

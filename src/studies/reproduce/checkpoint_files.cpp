@@ -75,7 +75,8 @@ void remove_checkpoints(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (is_checkpoint(entry.path().filename().string()) && !entry.is_directory(error))
+    if (is_checkpoint(entry.path().filename().string()) &&
+        (entry.is_regular_file(error) || entry.is_symlink(error)))
       files.push_back(entry.path());
   for (const fs::path& file : files)
     if (!fs::remove(file, error) && error)

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include <sys/stat.h>
+
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
@@ -68,6 +70,9 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
 
   CHECK(says(complaint(folder.path() / "none"), "cannot be opened"));
   CHECK(says(complaint(folder.path()), "cannot be opened"));
+  const auto pipe = folder.path() / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(says(complaint(pipe), "cannot be opened"));
   overwrite(path, "ITEM: TIMESTEP\n0\n");
   CHECK(complaint(path) == "is not a checkpoint of granum");
   overwrite(path, "");

@@ -145,3 +145,34 @@ TEST_CASE("commas that could be either are refused with path and line") {
                        "a.csv:2: expected a semicolon after the closing quote", FileError);
   CHECK(io::CsvTable("a.csv", "\"e, x\";p_kPa\n1;2\n").headings()[0] == "e, x");
 }
+
+TEST_CASE("a point that may stand between thousands is refused where other numbers have decimal commas") {
+  for (const char* number : {"1.500", "-12.000", "+999.999", "\"1.500\""}) {
+    const std::string rows = std::string(";") + number + "\n0,6;2\n";
+    CHECK(refusal("e;p_kPa\n0.7" + rows, "p").starts_with("a.csv:2: "));
+    CHECK(refusal("e;p_kPa\n0.7" + rows, "p").find("'p_kPa'") != std::string::npos);
+    CHECK(refusal("e;p_kPa\n0.7" + rows.substr(0, rows.find('\n')) + "\n0.6;2\n", "p")
+              .empty()); // no commas at all
+  }
+  for (const char* number :
+       {"0.650", "1.5", "1.50", "1.5000", "1000.500", "1.5e3", "12,000", "a.500", ".500"})
+    CHECK(CsvTable("a.csv", std::string("e;name\n0,6;") + number + "\n").row_count() == 1);
+}
+
+TEST_CASE("no text that is written is a formula to a spreadsheet, and each is read back as it was") {
+  for (const std::string text :
+       {"=1+1", "@SUM(A1)", "+1+cmd", "-2+3", "'=x", "''-x", "-1.5 kPa", "+-", "=a,b", "=\"x\""}) {
+    const std::string line = csv_line({text, 1.0});
+    CHECK(std::string_view("=+-@").find(line[line[0] == '"' ? 1 : 0]) == std::string_view::npos);
+    const CsvTable table("a.csv", csv_text({.notes = {}, .headings = {text, "b"}, .rows = {{text, 1.0}}}));
+    CHECK(table.headings()[0] == text);
+    CHECK(table.fields(0)[0] == text);
+  }
+  for (const std::string text : {"-1.5", "+5", "-", "'", "'a", "a=b", "1e-3"}) {
+    CHECK(csv_line({text}) == text + "\n");
+    CHECK(CsvTable("a.csv", "x\n" + text + "\n").fields(0)[0] == text);
+  }
+  CHECK(csv_line({-1.5}) == "-1.5\n");
+  CHECK(csv_text({.notes = {{"file", "a\r=x\n=y"}}, .headings = {"a"}, .rows = {}}) ==
+        "# file: a =x =y\na\n");
+}

@@ -14,7 +14,9 @@
 
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
 /// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
-/// decimal comma. A byte order mark, lines that begin with '#' and blank lines are skipped.
+/// decimal comma. A text that a spreadsheet would take for a formula, as it begins with = + - or @ and is no
+/// number, is written behind an apostrophe, which is dropped again when it is read. A byte order mark, lines
+/// that begin with '#' and blank lines are skipped.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
@@ -24,7 +26,8 @@ class CsvTable {
   /// Takes the text of a file; `name` stands for the path in errors.
   /// \throws   FileError naming the line: no heading, no rows, a row with another number of fields, an
   /// unclosed quote,
-  ///           two equal headings, commas and semicolons between them, bytes that are no text
+  ///           two equal headings, commas and semicolons between them, bytes that are no text, a number
+  ///           such as 1.500 where others have decimal commas: its point may stand between thousands
   CsvTable(std::string name, std::string_view text);
 
   /// What stands for the path in errors.
