@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs a program and checks exit code and text:
-#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON=key=regex]
+#   cmake -DPROGRAM=... -DEXIT=0 [-DSTDOUT=regex] [-DSTDERR=regex] [-DJSON_1=key=regex -DJSON_2=...]
 #     -P check_run.cmake -- arguments
 # A key within objects is written outer/inner.
 # What is not asked for must be empty: a run without STDERR may not warn.
@@ -16,15 +16,24 @@ endfunction()
 if(NOT code STREQUAL EXIT)
   fail("exit code ${code}, expected ${EXIT}")
 endif()
-if(DEFINED JSON)
-  string(FIND "${JSON}" "=" split)
-  string(SUBSTRING "${JSON}" 0 ${split} key)
-  math(EXPR after "${split} + 1")
-  string(SUBSTRING "${JSON}" ${after} -1 expected)
-  string(REPLACE "/" ";" key "${key}")
-  string(JSON value ERROR_VARIABLE problem GET "${out}" ${key})
-  if(problem OR NOT value MATCHES "${expected}")
-    fail("JSON ${key} is '${value}' (${problem}), expected ${expected}")
+if(DEFINED JSON_1)
+  set(k 1)
+  set(wrong "")
+  while(DEFINED JSON_${k})
+    set(json "${JSON_${k}}")
+    string(FIND "${json}" "=" split)
+    string(SUBSTRING "${json}" 0 ${split} key)
+    math(EXPR after "${split} + 1")
+    string(SUBSTRING "${json}" ${after} -1 expected)
+    string(REPLACE "/" ";" key "${key}")
+    string(JSON value ERROR_VARIABLE problem GET "${out}" ${key})
+    if(problem OR NOT value MATCHES "${expected}")
+      string(APPEND wrong "JSON ${key} is '${value}' (${problem}), expected ${expected}\n")
+    endif()
+    math(EXPR k "${k} + 1")
+  endwhile()
+  if(wrong)
+    fail("${wrong}")
   endif()
 elseif(DEFINED STDOUT)
   if(NOT out MATCHES "${STDOUT}")
