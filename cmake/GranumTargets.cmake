@@ -3,14 +3,18 @@
 
 # Warnings of the project's own sources; never exported to users.
 add_library(granum_warnings INTERFACE)
-target_compile_options(granum_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wnull-dereference
-  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # which clang gives for every long double as well
-  $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
-# g++ 12 reports -Wrestrict on concatenated strings, wrongly, when it optimises (GCC bug 105651, mended in 13).
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(granum_warnings INTERFACE -Wno-restrict)
+if(GRANUM_WARNINGS)
+  target_compile_options(granum_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    -Woverloaded-virtual -Wnull-dereference
+    $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # which clang gives for every long double as well
+    $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
+  # g++ 12 reports -Wrestrict on concatenated strings, wrongly, when it optimises (GCC bug 105651, mended in 13).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(granum_warnings INTERFACE -Wno-restrict)
+  endif()
+else()
+  target_compile_options(granum_warnings INTERFACE -w)
 endif()
 
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
