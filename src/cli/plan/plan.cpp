@@ -19,7 +19,7 @@ namespace granum::cli {
 
 namespace {
 
-struct Options {
+struct PlanOptions {
   StudyOptions study;
   OutputOptions output;
   double error = 0.01; ///< wanted, of G [1]
@@ -47,7 +47,7 @@ Rule rule_of(const studies::Scene& scene, triaxial::Density density, double erro
           modulus.size.smallest, modulus.size.largest};
 }
 
-std::string rule_lines(const Options& options, const studies::Scene& scene) {
+std::string rule_lines(const PlanOptions& options, const studies::Scene& scene) {
   std::string text =
       "errors that size, seeds and rate leave, by the laws of validation/trade (equal spheres):\n";
   for (const triaxial::Density density : scene.study.densities) {
@@ -62,7 +62,7 @@ std::string rule_lines(const Options& options, const studies::Scene& scene) {
   return text;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const PlanOptions& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
   say_cost_of_sizes(scene);
   const studies::Plan plan = studies::plan(scene, studies::measured_speed(scene));
@@ -103,7 +103,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_plan(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
       program.add_subcommand("plan", "What verify would run, its predicted time, memory and error");
   add_study_options(*command, options->study, studies::SceneCommand::plan);
