@@ -38,6 +38,20 @@ function(granum_precompile target)
   endif()
 endfunction()
 
+# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers.
+function(granum_precompile_together)
+  foreach(library IN LISTS ARGN)
+    if(NOT TARGET granum_${library})
+      continue()
+    elseif(DEFINED first)
+      target_precompile_headers(granum_${library} REUSE_FROM ${first})
+    else()
+      set(first granum_${library})
+      granum_precompile(${first})
+    endif()
+  endforeach()
+endfunction()
+
 # granum_unity_build(<target> <number>): compiles so many sources in one go where GRANUM_UNITY_BUILD asks for it.
 function(granum_unity_build target number)
   set_target_properties(${target} PROPERTIES UNITY_BUILD "${GRANUM_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE ${number})
