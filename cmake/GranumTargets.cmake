@@ -22,7 +22,9 @@ endif()
 function(granum_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_compile_options(${target} PRIVATE -ffp-contract=off
+    # g++ looks for memory to free from 512 MB on, instead of 128 MB: 5 % less time for 130 MB more.
+    $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
   # Private headers are named by their path below src; tests/layering says which module may include which.
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
