@@ -7,5 +7,5 @@ export PATH # bash supplies one where the environment has none; cmake needs to s
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 
 "$root/scripts/setup.sh" run
-(cd -- "$root" && cmake --preset release && cmake --build --preset release) >&2
+"$root/scripts/build_release.sh"
 exec "$root/build/release/granum" verify "$@"

@@ -3,14 +3,18 @@
 
 # Warnings of the project's own sources; never exported to users.
 add_library(granum_warnings INTERFACE)
-target_compile_options(granum_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wnull-dereference
-  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # which clang gives for every long double as well
-  $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
-# g++ 12 reports -Wrestrict on concatenated strings, wrongly, when it optimises (GCC bug 105651, mended in 13).
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(granum_warnings INTERFACE -Wno-restrict)
+if(GRANUM_WARNINGS)
+  target_compile_options(granum_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    -Woverloaded-virtual -Wnull-dereference
+    $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # which clang gives for every long double as well
+    $<$<BOOL:${GRANUM_WARNINGS_AS_ERRORS}>:-Werror>)
+  # g++ 12 reports -Wrestrict on concatenated strings, wrongly, when it optimises (GCC bug 105651, mended in 13).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(granum_warnings INTERFACE -Wno-restrict)
+  endif()
+else()
+  target_compile_options(granum_warnings INTERFACE -w)
 endif()
 
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
@@ -18,7 +22,9 @@ endif()
 function(granum_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_compile_options(${target} PRIVATE -ffp-contract=off
+    # g++ looks for memory to free from 512 MB on, instead of 128 MB: 5 % less time for 130 MB more.
+    $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:granum_warnings>)
   # Private headers are named by their path below src; tests/layering says which module may include which.
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
@@ -32,6 +38,20 @@ function(granum_precompile target)
     target_precompile_headers(${target} PRIVATE
       <algorithm> <array> <cmath> <functional> <limits> <optional> <span> <string> <vector> <Eigen/Core> ${ARGN})
   endif()
+endfunction()
+
+# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers.
+function(granum_precompile_together)
+  foreach(library IN LISTS ARGN)
+    if(NOT TARGET granum_${library})
+      continue()
+    elseif(DEFINED first)
+      target_precompile_headers(granum_${library} REUSE_FROM ${first})
+    else()
+      set(first granum_${library})
+      granum_precompile(${first})
+    endif()
+  endforeach()
 endfunction()
 
 # granum_unity_build(<target> <number>): compiles so many sources in one go where GRANUM_UNITY_BUILD asks for it.

@@ -4,13 +4,13 @@ set(packing --void-ratio 0.6 --pressure 100kPa)
 set(G 122946301.70086603Pa)
 set(glass --grain-shear-modulus 29GPa --grain-poisson-ratio 0.2 --radius 0.05mm --grain-density 2480kg/m3)
 set(beads infer --void-ratio 0.613 --pressure 2.76MPa ${glass})
-foreach(expectation "answer/mechanical_coordination_number/value=^5\\.10204081(6326|6327)" "answer/coordination_number/value=^(5\\.0$|5\\.0000000000|4\\.999999999)"
+granum_cli_test("infer: there and back" EXIT 0 JSON
+    "answer/mechanical_coordination_number/value=^5\\.10204081(6326|6327)"
+    "answer/coordination_number/value=^(5\\.0$|5\\.0000000000|4\\.999999999)"
     "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1626730(92\\.8|9[23]\\.)"
     "predictions/0/G/value=^12294630[12]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
-    "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0")
-  granum_cli_test("infer: there and back ${expectation}" EXIT 0 JSON "${expectation}"
-    ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
-endforeach()
+    "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0"
+  ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
 granum_cli_test("infer: table" EXIT 0
   STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted +z\\* +G \\[MPa\\] +K \\[MPa\\] +V_s \\[m/s\\] +V_p \\[m/s\\]\n  p = 34\\.47 MPa, e = 0\\.5[0-9]* "
   ARGS ${beads} --vs 587m/s+-1% --predict-pressure 34.47MPa)
@@ -23,11 +23,10 @@ granum_cli_test("infer: fixed contacts keep the void ratio" EXIT 0 JSON "predict
   ARGS ${beads} --vs 587m/s --predict-pressure 30MPa --growth fixed --json)
 granum_cli_test("infer: another packing, prepared alike" EXIT 0 JSON "predictions/0/mechanical_coordination_number/value=^5\\.[23]"
   ARGS ${beads} --vs 587m/s --predict-void-ratio 0.65 --json)
-foreach(expectation "grain-shear-modulus=^0\\.3" "grain-poisson-ratio=^0\\.2" "grain-density=^0\\.02" "void-ratio=^0\\.001")
-  granum_cli_test("infer: uncertain inputs have their share, ${expectation}" EXIT 0 JSON "error_shares/${expectation}"
-    ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-poisson-ratio=0.05
+granum_cli_test("infer: uncertain inputs have their share" EXIT 0 BELOW "error_shares/" JSON
+    "grain-shear-modulus=^0\\.3" "grain-poisson-ratio=^0\\.2" "grain-density=^0\\.02" "void-ratio=^0\\.001"
+  ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-poisson-ratio=0.05
       --uncertainty grain-density=20kg/m3 --uncertainty void-ratio=0.01 --json)
-endforeach()
 granum_cli_test("infer: what is assumed is uncertain" EXIT 0 STDOUT "of the variance of z\\*: grain-shear-modulus 9.*note: assumed --grain-density 2650 kg/m3\nnote: taken to be uncertain: grain-shear-modulus by 9 GPa"
   ARGS infer ${packing} --vs 280m/s+-2%)
 granum_cli_test("infer: exact where that is said" EXIT 0 JSON "error_shares/rung 3=^(1\\.0|0\\.9)"

@@ -24,7 +24,7 @@ namespace {
 using stress::ShearPath;
 namespace fs = std::filesystem;
 
-struct Options {
+struct ExportOptions {
   StudyOptions study;
   std::string start = "packed";
   std::string path = "none";
@@ -62,7 +62,7 @@ void require_spheres(const studies::Scene& scene) {
 }
 
 /// The test that --path names; nothing for none.
-std::optional<io::LammpsPath> path_of(const Options& options) {
+std::optional<io::LammpsPath> path_of(const ExportOptions& options) {
   for (const ShearPath path : stress::all_shear_paths)
     if (CLI::detail::to_lower(std::string(stress::name(path))) == options.path)
       return io::LammpsPath{.name = std::string(stress::name(path)),
@@ -73,12 +73,12 @@ std::optional<io::LammpsPath> path_of(const Options& options) {
   return {};
 }
 
-io::LammpsStart start_of(const Options& options) {
+io::LammpsStart start_of(const ExportOptions& options) {
   return options.start == "scattered" ? io::LammpsStart::scattered : io::LammpsStart::packed;
 }
 
 io::LammpsExperiment experiment_of(const studies::Scene& scene, const Specimen& specimen,
-                                   const Options& options) {
+                                   const ExportOptions& options) {
   const dem::Material material = studies::recipe(scene, contact::Shape::sphere, specimen.seed).material;
   return {.law = material.law,
           .radius = scene.grain.radius,
@@ -101,7 +101,7 @@ dem::Specimen start_state(const studies::Scene& scene, const Specimen& specimen,
 }
 
 std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& specimen,
-                                  const Options& options) {
+                                  const ExportOptions& options) {
   const io::LammpsExperiment experiment = experiment_of(scene, specimen, options);
   packing::Assembly grains =
       dem::contact_network(start_state(scene, specimen, start_of(options)),
@@ -116,9 +116,9 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
 }
 
 /// Makes the folders. The files of a deck have the same names for every specimen: a small one tells them.
-void prepare_folders(studies::Scene scene, const Options& options) {
+void prepare_folders(studies::Scene scene, const ExportOptions& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
-  Options small = options;
+  ExportOptions small = options;
   small.start = "scattered";
   scene.study.grains = triaxial::least_grains(scene.grain.sizes);
   const std::vector<io::DeckFile> deck = deck_of(scene, specimens.front(), small);
@@ -129,7 +129,7 @@ void prepare_folders(studies::Scene scene, const Options& options) {
     prepare_folder(fs::path(options.out) / specimen.folder(), names, options.force);
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const ExportOptions& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::export_lammps);
   require_spheres(scene);
   const Validity slips = likely_mistakes(scene);
@@ -158,7 +158,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_export(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = program.add_subcommand("export", "The same scene for another code");
   command->require_subcommand(1);
   CLI::App* lammps = command->add_subcommand(

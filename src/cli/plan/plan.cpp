@@ -21,7 +21,7 @@ namespace granum::cli {
 
 namespace {
 
-struct Options {
+struct PlanOptions {
   StudyOptions study;
   OutputOptions output;
   double error = 0.01; ///< wanted, of G [1]
@@ -94,7 +94,7 @@ io::Items rule_items(const Rule& rule, double wanted) {
   return list;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const PlanOptions& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
   say_cost_of_sizes(scene);
   const io::Items items = plan_items(scene, studies::plan(scene, studies::measured_speed(scene)));
@@ -116,7 +116,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_plan(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
       program.add_subcommand("plan", "What verify would run, its predicted time, memory and error");
   add_study_options(*command, options->study, studies::SceneCommand::plan);

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReproduceOptions {
   StudyOptions study;
   bool paper = false;
   std::string resume;
@@ -38,7 +38,7 @@ struct Options {
   ResultOptions results;
 };
 
-constexpr const char* scene_name = "scene.toml";
+constexpr const char* scene_of_run = "scene.toml";
 constexpr const char* checkpoints_name = "checkpoints";
 
 /// The paper's own size: 10,000 grains between six rigid walls.
@@ -73,7 +73,7 @@ struct Place {
 /// \throws   FileError
 void suggest_resume(const ResultOptions& results) {
   const fs::path folder = results.out;
-  if (!results.out.empty() && !results.force && io::is_taken(folder / scene_name) &&
+  if (!results.out.empty() && !results.force && io::is_taken(folder / scene_of_run) &&
       io::is_taken(folder / checkpoints_name) && !io::is_taken(folder / "manifest.json"))
     throw FileError(
         results.out, 0,
@@ -82,28 +82,28 @@ void suggest_resume(const ResultOptions& results) {
                     results.out));
 }
 
-studies::Scene new_scene(const Options& options) {
+studies::Scene new_scene(const ReproduceOptions& options) {
   return resolve(options.study, studies::SceneCommand::reproduce,
                  options.paper ? paper_scene() : studies::Scene{});
 }
 
-Place new_place(const Options& options, const studies::Scene& scene) {
+Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
   Place place{.scene = scene, .folder = {}};
   std::vector<const char*> names(result_names().begin(), result_names().end());
-  names.push_back(scene_name);
+  names.push_back(scene_of_run);
   names.push_back(checkpoints_name);
   suggest_resume(options.results);
   place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
   studies::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
-  io::write_file(place.folder / scene_name, studies::toml_of(place.scene), options.results.existing());
+  io::write_file(place.folder / scene_of_run, studies::toml_of(place.scene), options.results.existing());
   return place;
 }
 
 /// A run that was stopped, or a finished one whose tables and pictures are to be written again.
-Place old_place(const Options& options) {
+Place old_place(const ReproduceOptions& options) {
   const StudyOptions& study = options.study;
   const fs::path folder = options.resume;
-  Place place{.scene = read_scene((folder / scene_name).string(), studies::SceneCommand::reproduce),
+  Place place{.scene = read_scene((folder / scene_of_run).string(), studies::SceneCommand::reproduce),
               .folder = folder};
   if (study.threads) {
     place.scene.study.threads = *study.threads;
@@ -112,7 +112,7 @@ Place old_place(const Options& options) {
   return place;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const ReproduceOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::atomic<bool>& stop = listen_for_stop();
   const bool anew = options.resume.empty();
@@ -149,7 +149,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_reproduce(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproduceOptions>();
   CLI::App* command = program.add_subcommand(
       "reproduce", "The paper's experiment: six specimens, four stress paths, its tables and figures");
   add_study_options(*command, options->study, studies::SceneCommand::reproduce);

@@ -30,7 +30,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-struct Options {
+struct TradeOptions {
   StudyOptions study;
   bool quick = false;
   bool full = false;
@@ -50,7 +50,7 @@ struct Outcome {
   double seconds = 0;
 };
 
-studies::TradeScene scene_of(const Options& options) {
+studies::TradeScene scene_of(const TradeOptions& options) {
   studies::TradeScene trade = options.quick  ? studies::quick_trade()
                               : options.full ? studies::full_trade()
                                              : studies::default_trade();
@@ -77,7 +77,7 @@ Outcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& sto
   return outcome;
 }
 
-ordered_json manifest_of(const Outcome& outcome, const Options& options) {
+ordered_json manifest_of(const Outcome& outcome, const TradeOptions& options) {
   ordered_json json = json_head("trade");
   json["wall_time_s"] = outcome.seconds;
   json["complete"] = outcome.failures.empty();
@@ -98,7 +98,7 @@ std::string report_of(const Outcome& outcome) {
                      outcome.seconds, threads_text(studies::thread_count(outcome.trade.scene)));
 }
 
-void write_results(const fs::path& folder, const Outcome& outcome, const Options& options) {
+void write_results(const fs::path& folder, const Outcome& outcome, const TradeOptions& options) {
   const io::Existing existing = options.results.existing();
   io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
   io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
@@ -107,7 +107,7 @@ void write_results(const fs::path& folder, const Outcome& outcome, const Options
 }
 
 /// The picture of a finished run by the drawing of today.
-ExitCode draw_again(const Options& options) {
+ExitCode draw_again(const TradeOptions& options) {
   const StudyOptions& study = options.study;
   if (options.quick || options.full || options.budget || !study.scene_file.empty() ||
       !study.settings.empty() || study.grains || study.seeds || !options.results.out.empty())
@@ -119,7 +119,7 @@ ExitCode draw_again(const Options& options) {
   return ExitCode::ok;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const TradeOptions& options) {
   if (!options.redraw.empty())
     return draw_again(options);
   const studies::TradeScene trade = scene_of(options);
@@ -150,7 +150,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_trade(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TradeOptions>();
   CLI::App* command = program.add_subcommand(
       "trade", "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now");
   add_study_options(*command, options->study, studies::SceneCommand::trade);

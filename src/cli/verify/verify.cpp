@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct VerifyOptions {
   StudyOptions study;
   std::string report;
   bool strict = false;
@@ -44,7 +44,7 @@ StudyOutcome run_and_judge(const studies::Scene& scene, const std::atomic<bool>&
   return outcome;
 }
 
-ExitCode report_again(const Options& options) {
+ExitCode report_again(const VerifyOptions& options) {
   rewrite_report(options.report);
   options.results.print(fmt::format("report.html and figures in {}\n", options.report),
                         {{"report", (fs::path(options.report) / "report.html").string()}});
@@ -63,7 +63,7 @@ ExitCode code_of(const StudyOutcome& outcome, bool strict) {
   return ExitCode::not_converged;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const VerifyOptions& options) {
   if (!options.report.empty())
     return report_again(options);
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::verify);
@@ -90,7 +90,7 @@ ExitCode run(const Options& options) {
 } // namespace
 
 Command add_verify(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand(
       "verify", "Closed form against network and DEM, dense and loose: the exponent s");
   add_study_options(*command, options->study, studies::SceneCommand::verify);
