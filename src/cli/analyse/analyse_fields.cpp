@@ -73,8 +73,6 @@ void add_test(io::Columns<Fabric>& to, const std::string& key, std::optional<Tes
   to.emplace_back("", key + "/p_value", of(&fabric::ChiSquareTest::p_value));
 }
 
-std::vector<double> values(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 std::vector<std::vector<double>> rows(const Mat3& m) {
   std::vector<std::vector<double>> out;
   for (const auto& row : m.m)

@@ -7,6 +7,9 @@
 /// the page are written.
 namespace granum::cli {
 
+/// The components of a vector as a value of a column.
+[[nodiscard]] inline std::vector<double> values(const Vec3& v) { return {v.x, v.y, v.z}; }
+
 /// Sizes of the grains and the void ratio.
 [[nodiscard]] const io::Columns<analysis::Measurement>& packing_fields();
 /// What is counted without knowing the contacts, and what needs them.

@@ -9,10 +9,6 @@ using analysis::Counts;
 using analysis::Measurement;
 using io::ShownColumn;
 
-constexpr double MPa = 1e6;
-
-std::vector<double> values(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 using FrameFields = io::Columns<FrameAnswer>;
 
 /// Where a frame has a part that not every measurement has.
@@ -95,7 +91,7 @@ void add_rungs(FrameFields& to, const std::vector<RungResult>& rungs) {
       field.shown.reset();
       if (field.heading == "G" && (relaxed || rungs[k].name == network_name))
         field.shown = ShownColumn{
-            .heading = relaxed ? "G rung 3" : "G network", .width = 10, .unit = MPa, .absent = "-"};
+            .heading = relaxed ? "G rung 3" : "G network", .width = 10, .unit = 1e6, .absent = "-"};
       if (!field.heading.empty())
         field.heading += "_" + rungs[k].name + "_Pa";
     }

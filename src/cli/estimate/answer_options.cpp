@@ -79,8 +79,9 @@ bool in_use(const PackingOptions& o, const AnswerOptions& answer, const Number& 
   const bool radius_known = o.d50.given() || (o.sizes && o.sizes->mean_radius());
   const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults) &&
                           !(&n == &o.radius && radius_known);
-  const bool of_contact = (&n == &o.slope && o.contact == contact::Shape::cone) ||
-                          (&n == &o.punch_radius && o.contact == contact::Shape::flat);
+  const bool of_contact = std::any_of(o.law_numbers.begin(), o.law_numbers.end(), [&](const LawNumber& of) {
+    return &of.number == &n && of.row->shape == o.contact;
+  });
   return n.given() || by_default || of_contact;
 }
 

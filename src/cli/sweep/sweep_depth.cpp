@@ -110,7 +110,7 @@ std::string table_of(const GroundCase& ground, const std::vector<DepthState>& st
           last_columns("MPa", "m/s", "m/s");
   for (const DepthState& at : states) {
     const estimate::Answer& a = at.state.answer->answer;
-    text += io::number_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, widths[0]) +
+    text += io::row_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, widths[0]) +
             range_cell(a[Field::shear_wave_speed], 1, widths[1]) +
             range_cell(a[Field::compression_wave_speed], 1, widths[2]) + "\n";
   }

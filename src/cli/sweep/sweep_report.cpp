@@ -184,8 +184,10 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
     states_.push_back(std::move(place));
     return;
   }
-  for (const io::Column<estimate::Answer>& column : columns_)
-    cells.emplace_back(state.answer ? column.of(state.answer->answer).value_or(nothing) : nothing);
+  if (state.answer)
+    io::add_cells(cells, columns_, state.answer->answer);
+  else
+    cells.insert(cells.end(), columns_.size(), nothing);
   for (const std::optional<RungAnswer>& answer : state.rungs)
     for (const SweptQuantity& quantity : quantities)
       cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include <granum/contact/shape.hpp>
+#include <granum/contact/laws.hpp>
 #include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
 

@@ -6,7 +6,7 @@
 #include <granum/fabric/rose.hpp>
 
 #include "figure_parts.hpp"
-#include "studies/reproduce/paper.hpp"
+#include "studies/paper/paper.hpp"
 
 namespace granum::studies {
 
