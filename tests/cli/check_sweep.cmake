@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A sweep gives the numbers of `granum estimate` at each state, writes three files or none, and `granum fit` reads its CSV:
+# A sweep gives the numbers of `granum estimate` at each state, writes two files or none, and `granum fit` reads its CSV:
 #   cmake -DPROGRAM=... -DFOLDER=... -P check_sweep.cmake     in the folder of the data
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/study_files.cmake")
@@ -70,7 +70,7 @@ if(NOT (code EQUAL 0 AND count EQUAL 4 AND svg MATCHES ">p' \\[kPa\\]<" AND svg 
   fail("the picture of a table has ${count} circles") # three rows, and its legend
 endif()
 
-# three files, or none
+# two files, or none
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")
 macro(draw)
@@ -82,7 +82,7 @@ macro(list_files)
 endmacro()
 draw()
 list_files()
-if(NOT (code EQUAL 0 AND out STREQUAL "" AND err STREQUAL "" AND "${written}" STREQUAL "iso.csv;iso.gp;iso.svg"))
+if(NOT (code EQUAL 0 AND out STREQUAL "" AND err STREQUAL "" AND "${written}" STREQUAL "iso.csv;iso.svg"))
   fail("a picture is drawn: files are ${written}")
 endif()
 file(READ "${FOLDER}/iso.svg" svg)
@@ -95,21 +95,23 @@ list(LENGTH circles count)
 if(NOT count EQUAL 10) # nine states of rung 0, and its legend
   fail("the picture has ${count} circles")
 endif()
-file(READ "${FOLDER}/iso.gp" script)
-if(NOT script MATCHES "'iso\\.csv' using \\(column\\('p_Pa'\\)/1000\\):\\(column\\('G_hv_rung2_Pa'\\)/1000000\\)")
-  fail("the script does not draw the CSV: ${script}")
-endif()
-file(REMOVE "${FOLDER}/iso.csv" "${FOLDER}/iso.svg")
+file(REMOVE "${FOLDER}/iso.csv")
 draw()
 list_files()
-if(NOT (code EQUAL 3 AND err MATCHES "iso\\.gp: exists already and is kept" AND "${written}" STREQUAL "iso.gp"))
-  fail("an existing script is kept, and nothing written: files are ${written}")
+if(NOT (code EQUAL 3 AND err MATCHES "iso\\.svg: exists already and is kept" AND "${written}" STREQUAL "iso.svg"))
+  fail("an existing picture is kept, and nothing written: files are ${written}")
 endif()
 draw(--force --picture-of s)
 list_files()
 file(READ "${FOLDER}/iso.svg" svg)
-if(NOT (code EQUAL 0 AND "${written}" STREQUAL "iso.csv;iso.gp;iso.svg" AND svg MATCHES ">s<"))
+if(NOT (code EQUAL 0 AND "${written}" STREQUAL "iso.csv;iso.svg" AND svg MATCHES ">s<"))
   fail("--force replaces: files are ${written}")
+endif()
+
+# A picture needs no other file.
+run(sweep ${packing} --from 10kPa --to 1MPa --points 9 --picture "${FOLDER}/alone.svg")
+if(NOT (code EQUAL 0 AND EXISTS "${FOLDER}/alone.svg" AND out MATCHES "\np_Pa,"))
+  fail("a picture alone")
 endif()
 
 # Eq. (1) of the swept moduli: s of cones
