@@ -85,3 +85,24 @@ granum_cli_test("answer: C_u of the laws" EXIT 0 STDOUT "C_u = 1\\.4; each" STDE
   --pressure 100kPa)
 granum_cli_test("answer: bounds only where they are asked for" EXIT 0 STDOUT "answer +low +high.*uniform strain +uniform stress"
   ARGS ${beads} --bounds)
+
+# One state, one answer, whoever asks; ranges that hold their value; lines that fit a screen.
+function(granum_answer_check name)
+  add_test(NAME "cli: answer: ${name}"
+    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" ${ARGN})
+  set_tests_properties("cli: answer: ${name}" PROPERTIES LABELS cli)
+endfunction()
+granum_answer_check("the same of estimate, path, depth and table" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/one answer"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_one_answer.cmake")
+granum_answer_check("every range holds its value" "-DFILE=${CMAKE_CURRENT_BINARY_DIR}/ranges.csv"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_ranges.cmake")
+# granum_width_test(<command line> [<regex of the lines that are looked at>])
+function(granum_width_test line)
+  separate_arguments(words UNIX_COMMAND "${line}")
+  granum_answer_check("80 columns of ${line}" "-DLINES=${ARGV1}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_width.cmake" -- ${words})
+endfunction()
+set(numbers "^  (contact|grains|packing|stress|G  |V_s|V_p|K|E|nu|density|s) ")
+granum_width_test("estimate --void-ratio 0.6 --pressure 100kPa" "${numbers}")
+granum_width_test("estimate --void-ratio 0.6 --pressure 100kPa --bounds --tolerance 5%" "^  (C11|C33|C12|C13) |^  (G_vh|G_hh|K   ) = [0-9]")
+granum_width_test("sweep --void-ratio 0.6 --depth 0m..30m --water-table 2m --points 16" "^ +[0-9m]+ |^depth |^  (ground|at rest) ")
+granum_width_test("infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%" "^  [a-zA-Z_*]+ +[0-9.]+|^note: (assumed --[cft]|.*density)")

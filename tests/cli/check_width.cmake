@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# No line that a command writes on the screen is wider than 80 columns; LINES may tell which are looked at:
+#   cmake -DPROGRAM=... [-DLINES=<regex>] -P check_width.cmake -- <arguments>
+cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
+
+execute_process(COMMAND "${PROGRAM}" ${arguments} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 0 OR out STREQUAL "")
+  message(FATAL_ERROR "exit code ${code}\n${err}")
+endif()
+string(REGEX REPLACE "[][;]" "_" lines "${out}") # which lists of CMake take for their own
+string(REPLACE "\n" ";" lines "${lines}")
+set(wide "")
+set(count 0)
+foreach(line IN LISTS lines)
+  if(NOT line MATCHES "${LINES}")
+    continue()
+  endif()
+  math(EXPR count "${count} + 1")
+  string(LENGTH "${line}" length)
+  if(length GREATER 80)
+    string(APPEND wide "${length}: ${line}\n")
+  endif()
+endforeach()
+if(count LESS 5)
+  message(FATAL_ERROR "only ${count} lines were looked at")
+endif()
+if(NOT wide STREQUAL "")
+  message(FATAL_ERROR "lines of more than 80 columns:\n${wide}")
+endif()
