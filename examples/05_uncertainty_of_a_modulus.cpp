@@ -2,10 +2,10 @@
 //
 // Example 05: how well is G known, if its inputs are known only so well?
 //
-// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a data
-// sheet: each is known to within an error. How many grains touch is not known at first. estimate::answer gives
-// G with the range that all of this leaves open, and the share that each input has in it: the largest is the
-// one worth measuring. Here that is done, four times.
+// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a
+// data sheet: each is known to within an error. How many grains touch is not known at first. estimate::answer
+// gives G with the range that all of this leaves open, and the share that each input has in it: the largest
+// is the one worth measuring. Here that is done, four times.
 #include <cmath>
 #include <cstdio>
 #include <string>

@@ -177,7 +177,8 @@ const Rung& rung(RungName name) {
 std::string label(const Rung& rung) { return (rung.number ? "rung " : "") + std::string(rung.key); }
 
 bool has_inputs(const State& packing, const Rung& rung) {
-  return !rung.needs_packing && (!rung.needs_coordination || packing.mechanical_coordination_number);
+  return !rung.needs_packing && packing.coordination_number &&
+         (!rung.needs_coordination || packing.mechanical_coordination_number);
 }
 
 RungAnswer answer(const Rung& rung, const State& packing) {

@@ -23,7 +23,7 @@ struct ContactGrowth {
   effective::Growth middle, fewer, more;
 };
 
-/// Central differences of contacts_of by ln p: exactly 0 where the contacts are known.
+/// Central differences of contacts_of by ln p; 0 where contacts are known: those of this packing stay.
 /// Assumes   stress
 /// Accuracy  1e-7 of each slope
 ContactGrowth growth_of(const Question& question);

@@ -200,6 +200,9 @@ inline void check_ladder(const estimate::Answer& answer, const Demand& demand) {
     const estimate::Ladder ladder = estimate::choose(answer, tolerance);
     demand(ladder.chosen <= dearest, "a looser tolerance takes a dearer rung");
     dearest = ladder.chosen;
+    for (std::size_t k = 0; k < ladder.chosen; ++k)
+      demand(ladder.rungs[k].largest_error().value_or(2 * tolerance) > tolerance || !ladder.tolerance_met,
+             "a cheaper rung fits the tolerance");
     const std::optional<double> error = ladder.choice().largest_error();
     demand(!ladder.tolerance_met || (error && *error <= tolerance),
            "the tolerance is met by an error beyond it");

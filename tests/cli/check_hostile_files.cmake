@@ -57,6 +57,12 @@ must(out "'=note.*\n0.6,100,'=1.1,.*\n0.6,200,-1.5,")
 attack("a folder of 5,000 characters" 3 [[granum analyse n*.csv --out $(printf '%05000d' 1)]])
 attack("a file of 5,000 characters" 3 [[granum analyse $(printf '%05000d' 1)]])
 
+# what a shell would run, as a name
+attack("a command for a name" 0 [[sweep --out '< touch x; cat a.csv' --picture a.svg]])
+if(NOT EXISTS "${FOLDER}/< touch x; cat a.csv" OR NOT EXISTS "${FOLDER}/a.svg" OR EXISTS "${FOLDER}/x")
+  message(FATAL_ERROR "the name is not that of the file")
+endif()
+
 # a link that leads nowhere is kept
 attack("a dangling link" 3 [[ln -s nowhere link.csv; sweep --out link.csv]])
 if(NOT IS_SYMLINK "${FOLDER}/link.csv")

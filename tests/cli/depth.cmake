@@ -3,21 +3,21 @@
 set(ground sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m --k0 0.5)
 
 # 4 m: 2 m of 19 kN/m3 and 2 m of (2650 + 0.6 998)/1.6 9.80665 N/m3 = 19.9124 kN/m3; water of 9.787 kN/m3
-granum_cli_test("depth: state" EXIT 0 BELOW "states/" JSON
-    "2/depth=^4(\\.0)?$" "2/total_stress_v=^77824\\.805" "2/pore_pressure=^19574\\.07" "2/stress_v=^58250\\.73"
-    "2/stress_h=^29125\\.36" "2/mean_stress=^38833\\.82" "2/answer/saturation=^1(\\.0)?$"
-    "1/stress_v=^38000(\\.0)?$" "1/pore_pressure=^0(\\.0)?$" "1/answer/saturation=^0\\.7513982756"
-    "0/answer/shear_modulus/high=^0(\\.0)?$"
+granum_cli_test("depth: states" EXIT 0 JSON "states/2/depth=^4(\\.0)?$" "states/2/total_stress_v=^77824\\.805"
+  "states/2/pore_pressure=^19574\\.07" "states/2/stress_v=^58250\\.73" "states/2/stress_h=^29125\\.36" "states/2/mean_stress=^38833\\.82"
+  "states/2/answer/saturation=^1(\\.0)?$" "states/1/stress_v=^38000(\\.0)?$" "states/1/pore_pressure=^0(\\.0)?$"
+  "states/1/answer/saturation=^0\\.7513982756" "states/0/answer/shear_modulus/high=^0(\\.0)?$" "states/2/error=^$"
   ARGS ${ground} --points 16 --json)
 granum_cli_test("depth: ground in JSON" EXIT 0 JSON "ground/saturated_unit_weight=^19912\\.40" ARGS ${ground} --json)
-granum_cli_test("depth: table" EXIT 0 STDOUT "G \\(low-high\\).*\n   4\\.00     77\\.8    19\\.6      58\\.3      29\\.1    38\\.8 +85\\.1 \\(36-133\\) +205 \\(134-256\\) +1638 \\(1588-1677\\)\n"
+granum_cli_test("depth: table" EXIT 0
+  STDOUT "\ndepth +s_v +u +s'_v +s'_h +p' +G \\(low-high\\) +V_s +V_p\n +m( +kPa)+ +MPa +m/s +m/s\n.*\n    4 77\\.82 19\\.57 58\\.25 29\\.13 38\\.83 +85\\.1 \\(36-134\\) +205 \\(134-257\\) +1638 \\(1588-1677\\)\n"
   ARGS ${ground} --points 16)
-granum_cli_test("depth: what is assumed is said" EXIT 0
-  STDOUT "75\\.1 % of the pores above the water table are water.*saturated unit weight of 19\\.91 kN/m3: grains of 2650 kg/m3.*assumed --k0 0\\.5"
+granum_cli_test("depth: assumptions" EXIT 0 STDOUT "- 75\\.1 % .*--saturation.*19\\.91 kN/m3: grains of 2650 kg/m3.*--saturated-unit-weight.*assumed --k0 0\\.5"
   ARGS sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m)
-granum_cli_test("depth: no stress at the surface" EXIT 0 STDOUT "without stress spheres have no stiffness: at the surface G and V_s are 0"
-  ARGS ${ground})
-granum_cli_test("depth: unequal stresses" EXIT 0 STDOUT "unequal stresses act on each contact by its direction" ARGS ${ground})
+# A note for what each of these does: no stress at the surface, unequal stresses.
+granum_cli_test("depth: notes" EXIT 0 JSON "notes=G and V_s are 0" "notes=--fabric " ARGS ${ground} --json)
+granum_cli_test("depth: fewer notes" EXIT 0 JSON "notes/0=--unit-weight" "notes/1=assumed --contact" "notes/8=contacts grow" "notes/9=MISSING"
+  ARGS sweep --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
 granum_cli_test("depth: isotropic ground, dry, its weight of void ratio" EXIT 0 JSON "ground/unit_weight=^16242\\.26"
   ARGS sweep --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
 granum_cli_test("depth: surcharge" EXIT 0 JSON "states/0/stress_v=^50000(\\.0)?$" ARGS ${ground} --surcharge 50kPa --json)
@@ -54,11 +54,6 @@ granum_depth_refuses("saturated weight without water" "--saturated-unit-weight g
   --depth 0m..3m --saturated-unit-weight 20kN/m3)
 granum_depth_refuses("a path as well" "--depth excludes --from|--from excludes --depth" --void-ratio 0.6 --depth 0m..3m --from 1kPa)
 granum_depth_refuses("K_0 of 0" "--k0 = 0 is outside" --void-ratio 0.6 --depth 0m..3m --k0 0)
-granum_depth_refuses("preparation of a path" "--preparation goes with --depth or --table" --void-ratio 0.6 --from 1kPa --to 2kPa
-  --preparation dense)
-granum_depth_refuses("saturation of a path" "--saturation goes with --depth or --table" --void-ratio 0.6 --from 1kPa --to 2kPa
-  --saturation 1)
-
 add_test(NAME "cli: depth: files, and the same numbers as estimate"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/depth files"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_depth.cmake")

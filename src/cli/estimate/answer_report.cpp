@@ -78,13 +78,13 @@ bool is_shown(const FieldRow& row, bool by_direction) {
 
 std::string moduli_text(const AnswerCase& c) {
   const bool wet = c.question.saturation > 0, by_direction = anisotropic(c.question);
-  std::string text = fmt::format("  {:<8}{:>12}{:>14}{:>14}\n", "", "answer", "low", "high");
+  std::string text = fmt::format("  {:<7}{:>11}{:>12}{:>12}\n", "", "answer", "low", "high");
   for (const FieldRow& row : estimate::fields()) {
     const std::optional<Range>& range = c.answer.find(row.field);
     if (!range || !is_shown(row, by_direction))
       continue;
     text +=
-        fmt::format("  {:<8}{:>12}{:>14}{:>14}   {}{}\n", by_direction ? row.directed_symbol : row.symbol,
+        fmt::format("  {:<7}{:>11}{:>12}{:>12}  {}{}\n", by_direction ? row.directed_symbol : row.symbol,
                     field_text(row, range->value), field_text(row, range->low), field_text(row, range->high),
                     by_direction ? row.directed_meaning : row.meaning, wet ? row.in_water : "");
   }
@@ -154,7 +154,7 @@ std::string sands_text(const AnswerCase& c) {
                   short_text(s.void_ratio), pressure(s.mean_stress()), short_text(c.uniformity),
                   c.uniformity_assumed ? " assumed" : "");
   for (const SandAnswer& sand : c.sands)
-    text += fmt::format("    {:<26}{:>12}   {}{}\n", sand.law->key,
+    text += fmt::format("    {:<26}{:>11}  {}{}\n", sand.law->key,
                         sand.modulus ? pressure(sand.modulus->shear_modulus) : "none", sand.law->sand,
                         sand.modulus && sand.modulus->validity.ok() ? "" : " (not tested here)");
   return text + "    " + comparison_text(c.answer[Field::shear_modulus], c.sands);

@@ -71,7 +71,7 @@ ExitCode run(Options o) {
     validity.merge(ladder.validity);
   }
   validity.keep_each_once();
-  return deliver(o.output, table, json, validity);
+  return deliver(o.output, within_width(table), json, validity);
 }
 
 } // namespace

@@ -54,12 +54,11 @@ std::string contact_text(const ordered_json& contact) {
   return text;
 }
 
-/// One line: a label, what each closed form says, and the meaning.
-std::string row(const std::string& label, const std::vector<std::string>& cells, const std::string& meaning) {
+/// One line: a label, and what each closed form gives.
+std::string row(const std::string& label, const std::vector<std::string>& cells) {
   std::string line = fmt::format("  {:<12}", label);
   for (std::size_t k = 0; k < cells.size(); ++k)
-    line += fmt::format(" {:>{}}", cells[k], k == 0 ? 14 : k == 1 ? 16 : 22);
-  line += "   " + meaning;
+    line += fmt::format(" {:>{}}", cells[k], k == 2 ? 22 : 14);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -74,26 +73,13 @@ std::string error_text(const ordered_json& answer, const char* key) {
 struct Label {
   const char* key; ///< in the JSON
   const char* label;
-  const char* meaning;
 };
 
-constexpr Label moduli[] = {
-    {"K", "K", "bulk modulus"},
-    {"G_vh", "G_vh = C44", "shear in a vertical plane (= G_hv)"},
-    {"G_hh", "G_hh = C66", "shear in the horizontal plane"},
-    {"E_v", "E_v", "Young's modulus, vertical"},
-    {"E_h", "E_h", "Young's modulus, horizontal"},
-    {"C11", "C11", ""},
-    {"C33", "C33", ""},
-    {"C12", "C12", ""},
-    {"C13", "C13", ""},
-};
+constexpr Label moduli[] = {{"K", "K"},     {"G_vh", "G_vh = C44"}, {"G_hh", "G_hh = C66"},
+                            {"E_v", "E_v"}, {"E_h", "E_h"},         {"C11", "C11"},
+                            {"C33", "C33"}, {"C12", "C12"},         {"C13", "C13"}};
 
-constexpr Label exponents[] = {
-    {"m", "m", "of sigma_h in G_hv"},
-    {"n", "n", "of sigma_v in G_hv"},
-    {"s", "s = m + n", "of the mean stress"},
-};
+constexpr Label exponents[] = {{"m", "m, sigma_h"}, {"n", "n, sigma_v"}, {"s", "s = m + n"}};
 
 std::string pressure_text(const ordered_json& value) {
   return value.is_null() ? "undefined" : pretty(value.get<double>(), Dimension::pressure);
@@ -199,17 +185,16 @@ std::string bounds_table(const State& state, const Bounds& bounds) {
   };
   std::string text = fmt::format("  at C_n = {}, z* = {}\n", short_text(*state.coordination_number),
                                  short_text(*state.mechanical_coordination_number));
-  text += row("", titles, "");
+  text += row("", titles);
   for (const Label& m : moduli)
     text += row(m.label, cells([&m](const ordered_json& one) {
                   return one.contains("declines") ? "declines"
                                                   : pressure_text(one[m.key]) + error_text(one, m.key);
-                }),
-                m.meaning);
-  text += "\n  exponents of stress\n";
+                }));
+  text += "\n  exponents of stress in G_vh\n";
   for (const Label& e : exponents)
     text +=
-        row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }), e.meaning);
+        row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }));
   return text + relaxation_text(state);
 }
 

@@ -52,7 +52,7 @@ std::string answer_text(const RungAssessment& rung) {
 std::string rung_line(const RungAssessment& rung) {
   const auto error = rung.largest_error();
   const std::string value = rung.stiffness ? pretty(rung.stiffness->G_vh(), Dimension::pressure) : "-";
-  return fmt::format("  {}  {:<47} {:>10} {:>8} {:>8}  {}\n", *rung.rung->number, rung.rung->title, value,
+  return fmt::format("  {}  {:<47} {:>10} {:>7} {:>7}\n     {}\n", *rung.rung->number, rung.rung->title, value,
                      error ? percent_text(*error) : "-", pretty(rung.rung->typical_time, Dimension::time),
                      rung.verdict == RungVerdict::chosen ? "chosen: " + rung.reason : rung.reason);
 }
@@ -78,7 +78,7 @@ std::string ladder_table(const Ladder& ladder) {
       fmt::format("\nRung {}, {}: tolerance of {} {}\n\n", *choice.rung->number, choice.rung->title,
                   percent_text(ladder.tolerance), ladder.tolerance_met ? "met" : "not met");
   text += answer_text(choice);
-  text += fmt::format("\n  {:<50} {:>10} {:>8} {:>8}\n", "rung", "G_vh", "error", "time");
+  text += fmt::format("\n  {:<50} {:>10} {:>7} {:>7}\n", "rung", "G_vh", "error", "time");
   for (const RungAssessment& rung : ladder.rungs)
     text += rung_line(rung);
   const estimate::Range& z = ladder.mechanical_coordination_number;

@@ -6,6 +6,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
+#include "cli/frame/help.hpp"
 #include "cli/frame/json_members.hpp"
 #include "depth.hpp"
 
@@ -24,18 +25,13 @@ struct DepthPoint {
 };
 
 io::Columns<DepthPoint> depth_columns() {
-  constexpr double kPa = 1e3;
-  const auto shown = [](const char* heading) { return io::ShownColumn{heading, 6, 4, false, kPa}; };
-  return {
-      {"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }, io::ShownColumn{"depth", 5, 4}},
-      {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; },
-       shown("s_v")},
-      {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
-      {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; },
-       shown("u")},
-      {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }, shown("s'_v")},
-      {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }, shown("s'_h")},
-      {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }, shown("p'")}};
+  return {{"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }},
+          {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; }},
+          {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
+          {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; }},
+          {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }},
+          {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }},
+          {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }}};
 }
 
 struct DepthState {
@@ -84,38 +80,70 @@ std::string brief(double number, int digits) {
                                              : fmt::format("{:.0f}", number);
 }
 
-/// "85.1 (36-133)".
-std::string range_cell(const Range& range, double unit, int width) {
-  return fmt::format("{:>{}}",
-                     fmt::format("{} ({}-{})", brief(range.value / unit, 3), brief(range.low / unit, 2),
-                                 brief(range.high / unit, 2)),
-                     width);
+/// To the right of its column, with a blank in front where it fills it.
+std::string cell(const std::string& text, int width) {
+  const std::string filled = fmt::format("{:>{}}", text, width);
+  return filled.starts_with(' ') ? filled : " " + filled;
 }
 
-/// Widths of the last three columns: with the stresses they fill 80 columns.
-constexpr int widths[] = {14, 14, 17};
+/// "85.1 (36-133)".
+std::string brief_range(const Range& range, double unit) {
+  return fmt::format("{} ({}-{})", brief(range.value / unit, 3), brief(range.low / unit, 2),
+                     brief(range.high / unit, 2));
+}
+
+/// A column of the screen: together they fill 80 columns.
+struct ShownDepth {
+  int width;
+  const char* heading;
+  const char* unit;
+  std::string (*text)(const DepthState& at);
+};
+
+template <class Of>
+std::string stress_text(const DepthState& at, const Of& of) {
+  return brief(of(at.point.stress) / 1e3, 4);
+}
+std::string field_cell(const DepthState& at, Field field, double unit) {
+  return brief_range(at.state.answer->answer[field], unit);
+}
+
+constexpr ShownDepth shown_columns[] = {
+    {6, "depth", "m", [](const DepthState& at) { return brief(at.point.depth, 4); }},
+    {6, "s_v", "kPa",
+     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.total.v; }); }},
+    {6, "u", "kPa",
+     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.pore_pressure; }); }},
+    {6, "s'_v", "kPa",
+     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.v; }); }},
+    {6, "s'_h", "kPa",
+     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.h; }); }},
+    {6, "p'", "kPa",
+     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.mean(); }); }},
+    {13, "G (low-high)", "MPa", [](const DepthState& at) { return field_cell(at, Field::shear_modulus, 1e6); }},
+    {14, "V_s", "m/s", [](const DepthState& at) { return field_cell(at, Field::shear_wave_speed, 1); }},
+    {17, "V_p", "m/s", [](const DepthState& at) { return field_cell(at, Field::compression_wave_speed, 1); }}};
+
+template <class Text>
+std::string line_of(const Text& text) {
+  std::string line;
+  for (const ShownDepth& column : shown_columns)
+    line += cell(text(column), column.width);
+  return line + "\n";
+}
 
 std::string table_of(const GroundCase& ground, const std::vector<DepthState>& states,
                      const std::vector<std::string>& remarks) {
-  const io::Columns<DepthPoint> columns = depth_columns();
   const AnswerCase& last = *states.back().state.answer;
   std::string text = fmt::format("Small-strain stiffness of level ground of void ratio {}\n\n",
                                  short_text(last.question.state.void_ratio));
   text += ground_text(ground);
-  const auto last_columns = [](const char* G, const char* V_s, const char* V_p) {
-    return fmt::format("{:>{}}{:>{}}{:>{}}\n", G, widths[0], V_s, widths[1], V_p, widths[2]);
-  };
-  text += io::heading_line(columns) + last_columns("G (low-high)", "V_s", "V_p");
-  text += fmt::format("{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}", "m", "kPa", "kPa", "kPa", "kPa", "kPa") +
-          last_columns("MPa", "m/s", "m/s");
-  for (const DepthState& at : states) {
-    const estimate::Answer& a = at.state.answer->answer;
-    text += io::row_line(columns, at.point) + range_cell(a[Field::shear_modulus], 1e6, widths[0]) +
-            range_cell(a[Field::shear_wave_speed], 1, widths[1]) +
-            range_cell(a[Field::compression_wave_speed], 1, widths[2]) + "\n";
-  }
-  text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane, waves\n"
-                      "  up and down; at {} m:",
+  text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
+  text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
+  for (const DepthState& at : states)
+    text += line_of([&](const ShownDepth& column) { return column.text(at); });
+  text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane,\n"
+                      "  waves up and down; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
@@ -260,7 +288,7 @@ ExitCode sweep_depth(const SweepOptions& o) {
   const ordered_json packing = packing_json(o.packing, last.question.state);
   const SweepOutput output = output_of(o, states);
   return deliver_sweep(
-      o, table_of(ground, states, remarks),
+      o, within_width(table_of(ground, states, remarks)),
       output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground_json(ground), -1)}},
                  remarks),
       output.json({{"inputs", packing}, {"ground", ground_json(ground)}}, remarks),
