@@ -106,9 +106,8 @@ std::string preparation_remark(const AnswerCase& c) {
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
     return fmt::format("  contacts of the preparation {}, as sphere packings have them\n",
                        preparation_text(c.question.preparation));
-  return "  how the grains came together is not known: from friction 0.5 to the densest contacts of\n"
-         "  this void ratio; --preparation, --rattler-fraction or --mechanical-coordination-number narrow "
-         "it\n";
+  return "  how the grains came together is not known: from friction 0.5 to the densest contacts of "
+         "this void ratio; --preparation, --rattler-fraction or --mechanical-coordination-number narrow it\n";
 }
 
 /// What the laws say that were tested at this void ratio and stress; of all, if none was.

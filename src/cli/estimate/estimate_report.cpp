@@ -91,7 +91,7 @@ std::string exponent_text(const ordered_json& value) {
 
 /// What no closed form of a mean field knows; ratios measured on contact networks of all three shapes.
 std::string relaxation_text(const State& state) {
-  return fmt::format("\n{} G of a real packing, whose grains relax. The last column corrects that by\n"
+  return fmt::format("\n{} G of a real packing, whose grains relax. The last column corrects that by "
                      "factors calibrated on contact networks; its exponents are those of frozen contacts.\n",
                      state.tangential_ratio > 0 ? "Uniform strain and stress overestimate"
                                                 : "Uniform strain overestimates");
