@@ -27,7 +27,7 @@ if(DEFINED JSON)
     fail("JSON ${key} is '${value}' (${problem}), expected ${expected}")
   endif()
 elseif(DEFINED STDOUT)
-  string(REGEX REPLACE "\n +" " " unwrapped "${out}") # long lines go on in the next one
+  string(REGEX REPLACE "\n *" " " unwrapped "${out}") # long lines go on in the next one
   if(NOT (out MATCHES "${STDOUT}" OR unwrapped MATCHES "${STDOUT}"))
     fail("standard output does not match ${STDOUT}")
   endif()
