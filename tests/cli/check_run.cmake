@@ -39,7 +39,7 @@ if(DEFINED JSON_0)
     math(EXPR index "${index} + 1")
   endwhile()
 elseif(DEFINED STDOUT)
-  string(REGEX REPLACE "\n +" " " unwrapped "${out}") # long lines go on in the next one
+  string(REGEX REPLACE "\n *" " " unwrapped "${out}") # long lines go on in the next one
   if(NOT (out MATCHES "${STDOUT}" OR unwrapped MATCHES "${STDOUT}"))
     fail("standard output does not match ${STDOUT}")
   endif()

@@ -140,3 +140,13 @@ TEST_CASE("failed samples are counted, and the first is named with its reason") 
   CHECK(failures_text(samples) ==
         "3 of 4 samples failed and are left out; the first, grains 250, dense, seed 2: a third");
 }
+
+TEST_CASE("what a specimen is off by: bias and scatter where the packing changes, else the bias") {
+  TradeRow row;
+  row.shear_modulus = Deviation{.bias = -0.03, .scatter = 0.04};
+  CHECK(error_of(row) == relative(0.05, 1e-15));
+  row.varied = Varied::boundary;
+  CHECK(error_of(row) == relative(0.05, 1e-15));
+  row.varied = Varied::compression;
+  CHECK(error_of(row) == 0.03);
+}

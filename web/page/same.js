@@ -80,7 +80,7 @@ const sameInference = {
   cpp(known) {
     return ["#include <cstdio>", "#include <span>", "", "#include <granum/inverse/inference.hpp>", "", "int main() {", "  using namespace granum;",
       cppState({ ...known, anisotropy: 0 }, [known.pressure, known.pressure]),
-      `  const inverse::Measurement measured{.quantity = inverse::Quantity::${measurable[known.quantity].cpp},`,
+      `  const inverse::Observation measured{.quantity = inverse::Quantity::${measurable[known.quantity].cpp},`,
       `                                      .value = {${literal(known.value)}, ${literal(known.error)} * ${literal(known.value)}},`, "                                      .state = state};",
       `  const inverse::InferenceAnswer found = inverse::infer(std::span(&measured, 1), {.grain_density = ${literal(known.density)}});`,
       "  if (!found.together)", "    return 1; // no contact number explains it", "  const Measured z = found.together->packing(state).mechanical_coordination_number;",

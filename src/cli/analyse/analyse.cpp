@@ -6,8 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+#include <granum/io/imported_packing.hpp>
+#include <granum/io/vtk/paraview.hpp>
 
-#include "analyse_paraview.hpp"
 #include "analyse_stress.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
@@ -17,6 +18,36 @@
 namespace granum::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Frames for ParaView: grains and contacts of each, and a file that names them all by their times.
+class ParaviewFrames {
+ public:
+  ParaviewFrames(fs::path folder, io::Existing existing) : folder_(std::move(folder)), existing_(existing) {}
+
+  void add(const io::ImportedPacking& packing, std::size_t number) {
+    const double time = packing.time.value_or(static_cast<double>(packing.step));
+    grains_.push_back({time, "grains-" + std::to_string(number) + ".vtu"});
+    write(grains_.back().file, io::grains_vtu(packing.assembly, packing.id, packing.time));
+    contacts_.push_back({time, "contacts-" + std::to_string(number) + ".vtp"});
+    write(contacts_.back().file, io::contacts_vtp(packing.assembly, packing.id));
+  }
+  void finish() const {
+    write("grains.pvd", io::pvd(grains_));
+    write("contacts.pvd", io::pvd(contacts_));
+  }
+
+ private:
+  void write(const std::string& name, const std::string& text) const {
+    io::write_file(folder_ / name, text, existing_);
+  }
+
+  std::filesystem::path folder_;
+  io::Existing existing_;
+  std::vector<io::SeriesEntry> grains_;
+  std::vector<io::SeriesEntry> contacts_;
+};
 
 /// Frames of one answer, all of which is in memory until it is written.
 constexpr std::size_t most_frames = 10'000;

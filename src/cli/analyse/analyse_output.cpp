@@ -10,7 +10,6 @@
 
 #include "analyse_fields.hpp"
 #include "analyse_page.hpp"
-#include "analyse_series.hpp"
 #include "cli/frame/frame.hpp"
 
 namespace granum::cli {

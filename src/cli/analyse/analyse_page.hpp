@@ -20,4 +20,13 @@ namespace granum::cli {
 /// directions of its contacts, forces and chains, and all of `table` folded away.
 [[nodiscard]] std::string analyse_page(const AnalyseAnswer& answer, const std::string& table);
 
+struct SeriesPicture {
+  plot::Chart chart;
+  std::string caption;
+};
+
+/// G and K over p with both axes logarithmic, then z*, C_n and e over p; one series of points for each of the
+/// answer's. None unless the mean stress varies by a tenth.
+[[nodiscard]] std::vector<SeriesPicture> series_pictures(const AnalyseAnswer& answer);
+
 } // namespace granum::cli

@@ -45,8 +45,8 @@ ExitCode run(FitQuestion question) {
                                    .weights = question.weights == "absolute" ? hardin::Weights::absolute
                                                                              : hardin::Weights::relative};
   const hardin::FitReport report = fitted(question, rows, options);
-  const ExitCode code = deliver(question.output, within_width(fit_table(question, report)), fit_json(question, report),
-                                report.fit().validity);
+  const ExitCode code = deliver(question.output, within_width(fit_table(question, report)),
+                                fit_json(question, report), report.fit().validity);
   if (!question.picture.empty())
     io::write_file(question.picture, plot::svg(fit_chart(question, report.fit(), rows)),
                    question.output.force ? io::Existing::replace : io::Existing::keep);

@@ -58,7 +58,7 @@ void append_line(std::string& text, std::string_view line) {
     return;
   }
   text += line.substr(0, last);
-  append_wrapped(text, last, line.substr(last), last);
+  append_wrapped(text, last, line.substr(last), line.substr(last).starts_with("- ") ? last + 2 : last);
 }
 
 std::string called(const CLI::Option& option) {

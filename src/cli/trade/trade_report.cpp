@@ -74,14 +74,6 @@ constexpr const char* panel_title(Varied varied) {
   return "Walls";
 }
 
-/// Root mean square error of one specimen: bias and scatter; of settings that leave the packing as it is,
-/// the bias alone.
-double error_of(const TradeRow& row) {
-  const studies::Deviation& d = *row.shear_modulus;
-  return row.varied == Varied::grains || row.varied == Varied::boundary ? std::hypot(d.bias, d.scatter)
-                                                                        : std::abs(d.bias);
-}
-
 /// What has an error that its setting makes, beside those of the reference.
 bool is_drawn(const TradeRow& row) {
   const bool other_boundary = row.varied == Varied::boundary && row.boundary == Boundary::periodic;

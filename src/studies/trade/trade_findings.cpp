@@ -182,6 +182,12 @@ std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples) {
   return rows;
 }
 
+double error_of(const TradeRow& row) {
+  const Deviation& d = *row.shear_modulus;
+  return row.varied == Varied::grains || row.varied == Varied::boundary ? std::hypot(d.bias, d.scatter)
+                                                                        : std::abs(d.bias);
+}
+
 std::string failures_text(const std::vector<TradeSample>& samples) {
   const auto failed = [](const TradeSample& sample) { return !sample.failure.empty(); };
   const auto first = std::find_if(samples.begin(), samples.end(), failed);

@@ -42,6 +42,11 @@ struct TradeRow {
 /// Samples that failed do not count.
 [[nodiscard]] std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples);
 
+/// Root mean square error of one specimen: bias and scatter; of settings that leave the packing as it is,
+/// the bias alone.
+/// Assumes   a row with a deviation of G
+[[nodiscard]] double error_of(const TradeRow& row);
+
 /// How many samples failed, the first of them, and why; empty where none did.
 [[nodiscard]] std::string failures_text(const std::vector<TradeSample>& samples);
 
