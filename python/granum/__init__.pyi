@@ -49,6 +49,7 @@ __all__ = [
     "Moduli",
     "ModulusErrors",
     "Network",
+    "NormalLaw",
     "NotConverged",
     "Packing",
     "PackingAnswer",
@@ -75,6 +76,7 @@ __all__ = [
     "cement_in_surface_layer",
     "compress",
     "cone",
+    "contact_law",
     "contact_prior",
     "digby",
     "engineering_moduli",
@@ -981,7 +983,7 @@ def cement_in_surface_layer(
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
 def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> NormalLaw: ...
 def contact_law(
-    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **numbers: float
+    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **kwargs: float
 ) -> NormalLaw: ...
 def contact_prior(
     *,

@@ -194,7 +194,7 @@ poisson_ratio : float
     nu_g of it, -1 < nu_g <= 0.5 [1].
 radius : float, optional
     R > 0 of each grain [m], of laws that depend on it.
-**numbers : float
+**kwargs : float
     What the law is made of, each in SI [unit]:
 )" + known +
        law_result + notes("", "contact::law_of", "contact/laws.hpp"))

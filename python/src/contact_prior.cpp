@@ -18,7 +18,7 @@ using effective::ContactPrior;
 
 /// Law, radius, void ratio, pressure and contact means, in this order.
 effective::State grains_at_rest(const Arguments& a) {
-  const auto& law = a[0].cast<const contact::PowerLaw&>();
+  const auto& law = a[0].cast<const contact::NormalLaw&>();
   const double pressure = number_of("pressure", a[3]);
   effective::State state{.law = law,
                          .tangential_ratio = contact::mindlin_stiffness_ratio(law.grain().poisson_ratio),
@@ -37,7 +37,7 @@ const std::vector<Keyword> grains_keywords{
 constexpr const char* grains_parameters = R"(
 Parameters
 ----------
-law : PowerLaw
+law : NormalLaw
     Normal contact of two grains.
 radius : float
     R > 0 of a grain [m].
