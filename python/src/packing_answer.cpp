@@ -84,8 +84,7 @@ struct RangeView {
 py::object packing_answer(const Arguments& a) {
   const StateArguments arguments(a, StateArguments::CoordinationNumber::optional);
   const std::size_t more = state_keyword_count;
-  const auto preparation =
-      a.given(more) ? effective::preparation_of(a[more].cast<std::string>()) : effective::Preparation{};
+  const auto preparation = a.given(more) ? effective::preparation_of(a.text(more)) : effective::Preparation{};
   const bool has_density = a.given(more + 1);
   std::vector<Argument> columns(arguments.columns().begin(), arguments.columns().end());
   columns.push_back({"grain_density", 0.0});

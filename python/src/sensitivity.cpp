@@ -56,7 +56,7 @@ struct ExponentRow {
 py::object exponents(const Arguments& a) {
   const StateArguments arguments(a);
   const effective::Rung& rung = closed_form_of(a[state_keyword_count]);
-  const effective::Modulus modulus = modulus_of(a[state_keyword_count + 1]);
+  const effective::Modulus modulus = modulus_of(a.text(state_keyword_count + 1));
   return py::cast(
       answer_rows(arguments.columns(), arguments.strict(), ExponentRow{}, [&](const double* x, Notes&) {
         const auto found = effective::exponents(rung, arguments.inputs(x), modulus);
@@ -101,7 +101,7 @@ struct GradientRow {
 py::object gradient(const Arguments& a) {
   const StateArguments arguments(a);
   const effective::Rung& rung = closed_form_of(a[state_keyword_count]);
-  const effective::Modulus modulus = modulus_of(a[state_keyword_count + 1]);
+  const effective::Modulus modulus = modulus_of(a.text(state_keyword_count + 1));
   return py::cast(
       answer_rows(arguments.columns(), arguments.strict(), GradientRow{}, [&](const double* x, Notes&) {
         const effective::CalibratedGradient found = effective::gradient(rung, arguments.inputs(x), modulus);
@@ -135,9 +135,10 @@ grain_poisson_ratio_mindlin, which takes k_t/k_n along.)");
 
 // ---- uncertainty
 
-effective::Deviations deviations_of(const py::handle& value) {
+effective::Deviations deviations_of(const Arguments& a) {
   effective::Deviations out;
-  for (const auto& [name, deviation] : value.cast<std::map<std::string, double>>()) {
+  for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
+           state_keyword_count + 2, "a dict of inputs and their standard deviations")) {
     const auto* known = std::find_if(std::begin(inputs), std::end(inputs),
                                      [name = name](const auto& input) { return name == input.first; });
     if (known == std::end(inputs)) {
@@ -165,13 +166,13 @@ effective::Model model_of(const effective::Rung& rung) {
 py::object uncertainty(const Arguments& a) {
   effective::RungInputs packing = StateArguments(a).one_packing("uncertainty");
   const effective::Rung& rung = closed_form_of(a[state_keyword_count]);
-  const effective::Modulus modulus = modulus_of(a[state_keyword_count + 1]);
-  const effective::Deviations deviations = deviations_of(a[state_keyword_count + 2]);
+  const effective::Modulus modulus = modulus_of(a.text(state_keyword_count + 1));
+  const effective::Deviations deviations = deviations_of(a);
   effective::Sampling sampling;
   if (a.given(state_keyword_count + 3))
-    sampling.draws = a[state_keyword_count + 3].cast<std::size_t>();
+    sampling.draws = a.as<std::size_t>(state_keyword_count + 3, "a whole number, 0 or more");
   if (a.given(state_keyword_count + 4))
-    sampling.seed = a[state_keyword_count + 4].cast<std::uint64_t>();
+    sampling.seed = a.as<std::uint64_t>(state_keyword_count + 4, "a whole number, 0 or more");
   const py::gil_scoped_release unlocked;
   effective::Uncertainty out;
   if (rung.needs_coordination) {
