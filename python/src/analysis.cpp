@@ -281,9 +281,10 @@ packing::StiffnessFrom stiffness_from(const std::string& name) {
   throw InvalidArgument("stiffness_from is one of overlap, force, ratio, not " + name);
 }
 
-studies::MaterialsByType materials_by_type(const py::handle& value) {
+studies::MaterialsByType materials_by_type(const Arguments& a) {
   studies::MaterialsByType out;
-  for (const auto& [type, material] : value.cast<std::map<long, std::pair<double, double>>>())
+  for (const auto& [type, material] : a.as<std::map<long, std::pair<double, double>>>(
+           materials_at, "a dict of types and their (shear modulus, Poisson's ratio)"))
     out[type] = {material.first, material.second};
   return out;
 }
@@ -301,20 +302,20 @@ analysis::Given given_of(const Arguments& a, const Packing& packing) {
     if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
       throw py::type_error("law says what the grains are made of: leave out grain_shear_modulus, "
                            "grain_poisson_ratio and materials");
-    const auto& law = a[law_at].cast<const contact::NormalLaw&>();
+    const auto& law = a.as<const contact::NormalLaw&>(law_at, "a contact law");
     given.law_family = family_of(law);
     given.grain_shear_modulus = law.grain().shear_modulus;
     given.grain_poisson_ratio = law.grain().poisson_ratio;
   }
   if (a.given(materials_at))
-    given.materials = studies::materials_of(packing, materials_by_type(a[materials_at]));
+    given.materials = studies::materials_of(packing, materials_by_type(a));
   if (a.given(stiffness_from_at))
-    given.stiffness_from = stiffness_from(a[stiffness_from_at].cast<std::string>());
+    given.stiffness_from = stiffness_from(a.text(stiffness_from_at));
   return given;
 }
 
 py::object measure(const Arguments& a) {
-  const SharedPacking packing = a[packing_at].cast<SharedPacking>();
+  const SharedPacking packing = a.as<SharedPacking>(packing_at, "a Packing");
   const analysis::Given given = given_of(a, *packing);
   analysis::Wanted wanted = analysis::everything();
   wanted.network->stop_requested = stop_on_signal();

@@ -77,8 +77,8 @@ py::array_t<double> array_to_write(const py::handle& value, const std::vector<py
 class Batch {
  public:
   explicit Batch(const Arguments& a)
-      : law_(a[0].cast<const contact::NormalLaw&>()),
-        contacts_(a.given(6) ? a[6].cast<sizes::ContactMeans>() : sizes::ContactMeans{}),
+      : law_(a.as<const contact::NormalLaw&>(0, "a contact law")),
+        contacts_(a.given(6) ? a.as<sizes::ContactMeans>(6, "ContactMeans") : sizes::ContactMeans{}),
         tangential_ratio_(a.given(5) ? number_of("tangential_ratio", a[5])
                                      : contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio)),
         radius_(number_of("radius", a[1])), pressure_("pressure", a[4]),
@@ -180,8 +180,9 @@ void bind_batch(py::module_& module) {
                    {"strict", "False"},
                    {"out", "None"}},
                   [](const Arguments& a) {
+                    const bool strict = a.flag(7);
                     Moduli moduli = Batch(a).run();
-                    if (!moduli.errors.empty() && (a.flag(7) || moduli.shape.empty()))
+                    if (!moduli.errors.empty() && (strict || moduli.shape.empty()))
                       throw InvalidArgument(moduli.errors.begin()->second);
                     return py::cast(std::move(moduli));
                   },

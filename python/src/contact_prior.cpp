@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "docstrings.hpp"
 #include "keywords.hpp"
+#include "rows.hpp"
 
 namespace granum::python {
 
@@ -18,7 +19,7 @@ using effective::ContactPrior;
 
 /// Law, radius, void ratio, pressure and contact means, in this order.
 effective::State grains_at_rest(const Arguments& a) {
-  const auto& law = a[0].cast<const contact::NormalLaw&>();
+  const auto& law = a.as<const contact::NormalLaw&>(0, "a contact law");
   const double pressure = number_of("pressure", a[3]);
   effective::State state{.law = law,
                          .tangential_ratio = contact::mindlin_stiffness_ratio(law.grain().poisson_ratio),
@@ -27,8 +28,18 @@ effective::State grains_at_rest(const Arguments& a) {
                          .stress_v = pressure,
                          .stress_h = pressure};
   if (a.given(4))
-    state.contacts = a[4].cast<sizes::ContactMeans>();
+    state.contacts = a.as<sizes::ContactMeans>(4, "ContactMeans");
   return state;
+}
+
+template <class Ask>
+auto with_typed_names(const Ask& ask) {
+  try {
+    return ask();
+  } catch (const InvalidArgument& error) {
+    const Argument typed[] = {{"pressure", 0.0, "stress_v"}, {"to_pressure", 0.0, "pressure"}};
+    throw as_typed(error, typed);
+  }
 }
 
 const std::vector<Keyword> grains_keywords{
@@ -55,16 +66,18 @@ std::vector<Keyword> and_keywords(std::vector<Keyword> all, std::initializer_lis
 }
 
 py::object contact_prior(const Arguments& a) {
-  const auto preparation =
-      a.given(5) ? effective::preparation_of(a[5].cast<std::string>()) : effective::Preparation{};
-  return py::cast(effective::contact_prior(grains_at_rest(a), preparation));
+  const auto preparation = a.given(5) ? effective::preparation_of(a.text(5)) : effective::Preparation{};
+  const effective::State grains = grains_at_rest(a);
+  return py::cast(with_typed_names([&] { return effective::contact_prior(grains, preparation); }));
 }
 
 py::object carried_contacts(const Arguments& a) {
   const ContactCounts counts{.mechanical_coordination_number =
                                  number_of("mechanical_coordination_number", a[5]),
                              .rattler_fraction = number_of("rattler_fraction", a[6])};
-  return py::cast(effective::carried_contacts(grains_at_rest(a), counts, number_of("to_pressure", a[7])));
+  const effective::State grains = grains_at_rest(a);
+  const double to_pressure = number_of("to_pressure", a[7]);
+  return py::cast(with_typed_names([&] { return effective::carried_contacts(grains, counts, to_pressure); }));
 }
 
 } // namespace

@@ -89,10 +89,10 @@ struct Answer {
 };
 
 py::object infer(const Arguments& a) {
-  const auto& law = a[Given::law].cast<const contact::NormalLaw&>();
+  const auto& law = a.as<const contact::NormalLaw&>(Given::law, "a contact law");
   effective::State state{.law = law};
   if (a.given(Given::contact_means))
-    state.contacts = a[Given::contact_means].cast<sizes::ContactMeans>();
+    state.contacts = a.as<sizes::ContactMeans>(Given::contact_means, "ContactMeans");
   inverse::InferenceOptions options;
   if (a.given(Given::grain_density))
     options.grain_density = number_of("grain_density", a[Given::grain_density]);
@@ -101,7 +101,7 @@ py::object infer(const Arguments& a) {
   if (a.given(Given::rattlers))
     options.rattler_fraction = number_of("rattler_fraction", a[Given::rattlers]);
   if (a.given(Given::growth))
-    options.growth = inverse::growth_rule_of(a[Given::growth].cast<std::string>());
+    options.growth = inverse::growth_rule_of(a.text(Given::growth));
   const MeasuredColumns measured = columns_of(a, law);
   const Columns columns(measured.arguments);
   std::vector<inverse::Observation> measurements;
@@ -118,10 +118,17 @@ py::object infer(const Arguments& a) {
   });
   if (measurements.empty())
     throw InvalidArgument("nothing is measured: give G, G_hh, K, V_s, V_s_hh, V_p or V_p_h");
-  const py::gil_scoped_release unlocked;
-  InferenceAnswer found = inverse::infer(measurements, options);
-  const py::gil_scoped_acquire locked;
-  return py::cast(Answer{std::move(found), measurements.front().state});
+  Answer answer{.found = {}, .first = measurements.front().state};
+  try {
+    const py::gil_scoped_release unlocked;
+    answer.found = inverse::infer(measurements, options);
+  } catch (const InvalidArgument& error) {
+    std::vector<Argument> typed = measured.arguments;
+    if (a.given(Given::pressure))
+      typed.push_back({"pressure", 0.0, "stress"}); // the mean of all three
+    throw as_typed(error, typed);
+  }
+  return py::cast(std::move(answer));
 }
 
 /// What follows of an answer: `together`, or the reason why there is nothing.
@@ -146,7 +153,8 @@ py::object predict(const Answer& answer, const std::string& quantity, const py::
   const inverse::Quantity asked = inverse::quantity_of(quantity);
   const inverse::AskedPacking which = inverse::asked_packing_of(specimen);
   PyObject* const stresses[] = {pressure.ptr(), vertical.ptr(), horizontal.ptr()};
-  const Arguments arguments(stresses);
+  static const KeywordFunction function{"predict", {{"pressure"}, {"stress_v"}, {"stress_h"}}, nullptr, ""};
+  const Arguments arguments(function, stresses);
   const bool own_void_ratio = given_void_ratio.is_none();
   const Argument columns[] = {
       stress_argument(arguments, 0, 1, 2, true), stress_argument(arguments, 0, 1, 2, false),

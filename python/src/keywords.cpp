@@ -53,7 +53,7 @@ py::object call(const Record& record, PyObject* const* arguments, Py_ssize_t pos
     if (values[k] == nullptr && keywords[k].shown_default == nullptr)
       throw py::type_error(std::string(record.function.name) + "() needs the keyword argument '" +
                            keywords[k].name + "'");
-  return record.function.call(Arguments(std::span(values.data(), keywords.size())));
+  return record.function.call(Arguments(record.function, std::span(values.data(), keywords.size())));
 }
 
 extern "C" PyObject* call_record(PyObject* self, PyObject* const* arguments, Py_ssize_t positional,
@@ -80,6 +80,11 @@ std::string signature(const KeywordFunction& function) {
 }
 
 } // namespace
+
+void Arguments::refuse(std::size_t k, const char* expected) const {
+  throw py::type_error(std::string(function_.name) + "(): " + function_.keywords[k].name + " must be " +
+                       expected + ", not " + Py_TYPE(values_[k])->tp_name);
+}
 
 void define(py::module_& module, KeywordFunction function) {
   static auto& records = *new std::deque<Record>;

@@ -16,21 +16,39 @@ namespace granum::python {
 
 namespace py = pybind11;
 
+struct KeywordFunction;
+
 /// The objects of a call in the order of the function's keywords; null where one was left out.
 class Arguments {
  public:
-  Arguments(std::span<PyObject* const> values) : values_(values) {} // NOLINT: meant to convert
+  Arguments(const KeywordFunction& function, std::span<PyObject* const> values)
+      : function_(function), values_(values) {}
 
   [[nodiscard]] bool given(std::size_t k) const { return values_[k] != nullptr && values_[k] != Py_None; }
   /// None was given.
   [[nodiscard]] bool is_none(std::size_t k) const { return values_[k] == Py_None; }
   [[nodiscard]] py::handle operator[](std::size_t k) const { return values_[k]; }
-  /// True if it was given and is true.
-  [[nodiscard]] bool flag(std::size_t k) const {
-    return values_[k] != nullptr && py::handle(values_[k]).cast<bool>();
+  /// What was given, as a value of the library.
+  /// \param    expected   in words, "a PowerLaw"
+  /// \throws   TypeError that names the keyword, for an object of another kind or None
+  template <class Value>
+  [[nodiscard]] Value as(std::size_t k, const char* expected) const {
+    if (values_[k] == Py_None)
+      refuse(k, expected);
+    try {
+      return py::handle(values_[k]).cast<Value>();
+    } catch (const py::cast_error&) {
+      refuse(k, expected);
+    }
   }
+  [[nodiscard]] std::string text(std::size_t k) const { return as<std::string>(k, "a string"); }
+  /// True if it was given and is true.
+  [[nodiscard]] bool flag(std::size_t k) const { return given(k) && as<bool>(k, "True or False"); }
 
  private:
+  [[noreturn]] void refuse(std::size_t k, const char* expected) const;
+
+  const KeywordFunction& function_;
   std::span<PyObject* const> values_;
 };
 

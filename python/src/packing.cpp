@@ -260,7 +260,7 @@ py::object packing_from(const Arguments& a) {
   if (a.given(cell_at))
     arrays.cell = cell_of(a[cell_at]);
   if (a.given(periodic_at))
-    arrays.periodic = a[periodic_at].cast<std::array<bool, 3>>();
+    arrays.periodic = a.as<std::array<bool, 3>>(periodic_at, "three of True or False");
   if (a.given(contacts_at)) {
     take_contacts(a, given);
     arrays.contacts = io::ContactArrays{

@@ -61,7 +61,7 @@ QuestionArguments::QuestionArguments(const Arguments& a)
     : state_(a, StateArguments::CoordinationNumber::optional), has_density_(a.given(density_at)),
       columns_(state_.columns().begin(), state_.columns().end()) {
   if (a.given(preparation_at))
-    preparation_ = effective::preparation_of(a[preparation_at].cast<std::string>());
+    preparation_ = effective::preparation_of(a.text(preparation_at));
   columns_.push_back({"grain_density", 0.0});
   if (has_density_)
     columns_.back().value = a[density_at];
@@ -70,7 +70,8 @@ QuestionArguments::QuestionArguments(const Arguments& a)
     columns_.back().value = a[saturation_at];
   if (!a.given(uncertainty_at))
     return;
-  for (const auto& [name, deviation] : a[uncertainty_at].cast<std::map<std::string, double>>()) {
+  for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
+           uncertainty_at, "a dict of inputs and their standard deviations")) {
     const bool known = std::any_of(std::begin(inputs_in_order), std::end(inputs_in_order),
                                    [&](std::string_view input) { return input == name; });
     if (!known)

@@ -5,6 +5,14 @@
 
 namespace granum::python {
 
+InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument> arguments) {
+  if (const auto& refused = error.refused())
+    for (const Argument& argument : arguments)
+      if (argument.in_library != nullptr && refused->name == argument.in_library)
+        return {argument.name, refused->value, refused->unit, refused->range};
+  return error;
+}
+
 Columns::Columns(std::span<const Argument> arguments) {
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     if (const double* number = std::get_if<double>(&arguments[k].value)) {

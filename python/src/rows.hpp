@@ -26,7 +26,11 @@ namespace granum::python {
 struct Argument {
   const char* name;
   std::variant<py::handle, double> value;
+  const char* in_library = nullptr; ///< what the library calls it, where that is something else
 };
+
+/// The error with the name of the argument that was typed.
+[[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument> arguments);
 
 /// Numbers, one to an argument, of every element of a call.
 class Columns {
@@ -118,7 +122,11 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
   Rows<Row> out;
   Notes notes;
   if (columns.is_scalar()) {
-    out.rows.push_back(answer(columns.numbers(), notes));
+    try {
+      out.rows.push_back(answer(columns.numbers(), notes));
+    } catch (const InvalidArgument& error) {
+      throw as_typed(error, arguments);
+    }
     out.notes = notes.take();
     return out;
   }
@@ -130,9 +138,10 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
     try {
       out.rows[row] = answer(numbers, notes);
     } catch (const InvalidArgument& error) {
+      const InvalidArgument typed = as_typed(error, arguments);
       if (strict)
-        throw;
-      out.errors.emplace(row, error.what());
+        throw typed;
+      out.errors.emplace(row, typed.what());
     }
   });
   out.notes = notes.take();

@@ -38,7 +38,7 @@ struct ExponentRow {
 py::object exponents(const Arguments& a) {
   const StateArguments arguments(a);
   const effective::Rung& rung = closed_form_of(a[state_keyword_count]);
-  const effective::Modulus modulus = modulus_of(a[state_keyword_count + 1]);
+  const effective::Modulus modulus = modulus_of(a.text(state_keyword_count + 1));
   return py::cast(
       answer_rows(arguments.columns(), arguments.strict(), ExponentRow{}, [&](const double* x, Notes&) {
         const auto found = effective::exponents(rung, arguments.state(x), modulus);

@@ -36,7 +36,7 @@ Argument stress_argument(const Arguments& a, std::size_t pressure, std::size_t s
   if (a.given(pressure)) {
     if (a.given(stress_v) || a.given(stress_h))
       throw py::type_error("pressure sets both stresses: leave out stress_v and stress_h");
-    return {"pressure", a[pressure]};
+    return {"pressure", a[pressure], vertical ? "stress_v" : "stress_h"};
   }
   const char* const name = vertical ? "stress_v" : "stress_h";
   const std::size_t at = vertical ? stress_v : stress_h;
@@ -93,8 +93,8 @@ strict : bool
 )";
 
 StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordination_number)
-    : law_(&a[law_at].cast<const contact::NormalLaw&>()),
-      contacts_(a.given(contact_means_at) ? a[contact_means_at].cast<sizes::ContactMeans>()
+    : law_(&a.as<const contact::NormalLaw&>(law_at, "a contact law")),
+      contacts_(a.given(contact_means_at) ? a.as<sizes::ContactMeans>(contact_means_at, "ContactMeans")
                                           : sizes::ContactMeans{}),
       knows_coordination_number_(coordination_number == CoordinationNumber::needed ||
                                  a.given(coordination_number_at)),
@@ -153,12 +153,11 @@ effective::State StateArguments::state(const double* x) const {
   return packing.state;
 }
 
-effective::Modulus modulus_of(const py::handle& name) {
+effective::Modulus modulus_of(const std::string& text) {
   using enum effective::Modulus;
   static constexpr std::pair<const char*, effective::Modulus> all[] = {
       {"K", K},     {"G_hh", G_hh}, {"G_vh", G_vh}, {"E_v", E_v}, {"E_h", E_h},
       {"C11", C11}, {"C33", C33},   {"C12", C12},   {"C13", C13}};
-  const std::string text = name.cast<std::string>();
   for (const auto& [known, modulus] : all)
     if (text == known)
       return modulus;

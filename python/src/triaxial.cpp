@@ -63,7 +63,7 @@ triaxial::Density density_of(const std::string& name) {
 }
 
 triaxial::SpecimenRecipe recipe_of(const Arguments& a) {
-  const auto& law = a[recipe_keyword::law].cast<const contact::NormalLaw&>();
+  const auto& law = a.as<const contact::NormalLaw&>(recipe_keyword::law, "a contact law");
   dem::Material material{
       .law = law, .friction_coefficient = number_of("friction_coefficient", a[recipe_keyword::friction])};
   material.tangential_ratio = a.given(recipe_keyword::tangential_ratio)
@@ -74,13 +74,13 @@ triaxial::SpecimenRecipe recipe_of(const Arguments& a) {
   triaxial::SpecimenRecipe recipe{.material = material,
                                   .radius = number_of("radius", a[recipe_keyword::radius])};
   if (a.given(recipe_keyword::grains))
-    recipe.grains = a[recipe_keyword::grains].cast<std::size_t>();
+    recipe.grains = a.as<std::size_t>(recipe_keyword::grains, "a whole number, 0 or more");
   if (a.given(recipe_keyword::seed))
-    recipe.seed = a[recipe_keyword::seed].cast<std::uint64_t>();
+    recipe.seed = a.as<std::uint64_t>(recipe_keyword::seed, "a whole number, 0 or more");
   if (a.given(recipe_keyword::first_pressure))
     recipe.first_pressure = number_of("first_pressure", a[recipe_keyword::first_pressure]);
   if (a.given(recipe_keyword::sizes))
-    recipe.sizes = a[recipe_keyword::sizes].cast<sizes::Distribution>();
+    recipe.sizes = a.as<sizes::Distribution>(recipe_keyword::sizes, "a Distribution");
   if (a.given(recipe_keyword::wall_friction))
     recipe.wall_friction = number_of("wall_friction", a[recipe_keyword::wall_friction]);
   return recipe;
@@ -88,7 +88,7 @@ triaxial::SpecimenRecipe recipe_of(const Arguments& a) {
 
 py::object specimen(const Arguments& a) {
   const triaxial::SpecimenRecipe recipe = recipe_of(a);
-  const triaxial::Density kind = density_of(a[recipe_keyword::kind].cast<std::string>());
+  const triaxial::Density kind = density_of(a.text(recipe_keyword::kind));
   const StopRequest stop = stop_on_signal();
   Specimen out{.state = {}, .material = recipe.material};
   {
@@ -168,7 +168,7 @@ void bind_compression(py::module_& module) {
          {"compress",
           {{"specimen"}, {"pressures"}},
           [](const Arguments& a) {
-            return py::cast(Compression(a[0].cast<const Specimen&>(), list_of("pressures", a[1])));
+            return py::cast(Compression(a.as<const Specimen&>(0, "a Specimen"), list_of("pressures", a[1])));
           },
           std::string() +
               R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
@@ -214,8 +214,8 @@ triaxial::ShearMode mode_of(const std::string& name) {
 }
 
 py::object probe(const Arguments& a) {
-  const Specimen& specimen = a[0].cast<const Specimen&>();
-  const triaxial::ShearMode mode = mode_of(a[1].cast<std::string>());
+  const Specimen& specimen = a.as<const Specimen&>(0, "a Specimen");
+  const triaxial::ShearMode mode = mode_of(a.text(1));
   triaxial::ProbeOptions options;
   if (a.given(2))
     options.amplitude = number_of("amplitude", a[2]);
@@ -325,7 +325,7 @@ enum : std::size_t { path = 1, mean_stress, eta_step, strain_step, largest_strai
 } // namespace shear_keyword
 
 py::object shear(const Arguments& a) {
-  triaxial::ShearOptions options{.path = path_of(a[shear_keyword::path].cast<std::string>()),
+  triaxial::ShearOptions options{.path = path_of(a.text(shear_keyword::path)),
                                  .mean_stress = number_of("mean_stress", a[shear_keyword::mean_stress])};
   const std::pair<std::size_t, double*> numbers[] = {{shear_keyword::eta_step, &options.eta_step},
                                                      {shear_keyword::strain_step, &options.strain_step},
@@ -336,7 +336,7 @@ py::object shear(const Arguments& a) {
     if (a.given(numbers[k].first))
       *numbers[k].second = number_of(names[k], a[numbers[k].first]);
   options.stop_requested = stop_on_signal();
-  return py::cast(std::make_unique<Shearing>(a[0].cast<const Specimen&>(), options));
+  return py::cast(std::make_unique<Shearing>(a.as<const Specimen&>(0, "a Specimen"), options));
 }
 
 void bind_shear(py::module_& module) {

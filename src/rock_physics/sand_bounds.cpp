@@ -51,7 +51,7 @@ Moduli mixed(const Moduli& packing, const Moduli& solid, const Shares& f, const 
 }
 
 void require_porosity(double porosity, double critical) {
-  require_positive("porosity of the packing", critical);
+  require_open("critical_porosity", critical, 0, 1);
   if (porosity >= 0 && porosity <= critical)
     return;
   throw InvalidArgument(
@@ -64,8 +64,8 @@ void require_porosity(double porosity, double critical) {
 enum class Surrounding { packing, mineral };
 
 IsotropicEstimate sand(const SpherePacking& packing, double porosity, Surrounding which) {
-  IsotropicEstimate end = hertz_mindlin(packing);
   require_porosity(porosity, packing.porosity);
+  IsotropicEstimate end = hertz_mindlin(packing);
   if (porosity == packing.porosity)
     return end;
   const Moduli loose{end.bulk_modulus, end.shear_modulus}, solid = mineral(packing);

@@ -17,7 +17,7 @@ ends() {
   shift
   timeout 60 "$program" "$@" >answer 2>said
   code=$?
-  [[ $code == "$expected" ]] || fail "exit code $code, expected $expected: ${*:0:300}: $(head -c 300 said)"
+  [[ $code == "$expected" ]] || fail "exit code $code, expected $expected: $(printf "%.90s " "$@"): $(head -c 300 said)"
 }
 parts_left() { find . -name '*.granum.part' -type f | grep -q .; }
 
@@ -55,13 +55,13 @@ ends 3 "${state[@]}" --out /dev/fd/99
 # Pipes by name: one that is read, one that nobody reads, one whose reader leaves.
 mkfifo pipe
 for force in "" --force; do
-  (exec cat pipe >got) &
+  (exec timeout 60 cat pipe >got) &
   reader=$!
   ends 0 "${state[@]}" --out pipe $force
   wait "$reader"
   cmp -s got expected || fail "a pipe got something else, with '$force'"
   ends 3 "${state[@]}" --out pipe $force
-  (exec head -c 1 pipe >got) &
+  (exec timeout 60 head -c 1 pipe >got) &
   reader=$!
   ends 3 sweep --void-ratio 0.6 --from 10kPa --to 20kPa --points 20000 --out pipe $force
   wait "$reader"

@@ -151,7 +151,7 @@ granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]
 # rows of a table: each kind of slip once, with its first row and how many there are
 set(slips "2 of 4 states have a likely mistake, see notes; line 3: --void-ratio 60: is it per cent, 60%")
 granum_cli_test("people: of the rows of a table, counted" EXIT 0 STDERR "${slips}" ARGS sweep --table sweep_slips.csv
-  STDOUT "\nB,60,100,[^\n]*,\"?--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*was 50 kPa meant[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
+  STDOUT "\nB,60,100,[^\n]*,\"?'--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*was 50 kPa meant[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
 granum_cli_test("people: of another kind beside it" EXIT 0 STDERR "1 of 4 states have a likely mistake, see notes; line 4: --pressure 50 Pa"
   JSON "states/1/notes/0=^--void-ratio 60: is it" ARGS sweep --table sweep_slips.csv --json)
 granum_cli_test("people: of a table in the JSON" EXIT 0 STDERR "${slips}" JSON "warnings=2 of 4 states have a likely mistake"
