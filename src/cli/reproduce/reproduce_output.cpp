@@ -20,9 +20,9 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
-                                 "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
-                                 "verdicts.csv", "manifest.json", "report.html", "figures"};
+constexpr const char* written_names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
+                                         "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
+                                         "verdicts.csv", "manifest.json", "report.html", "figures"};
 
 ordered_json number(const std::optional<double>& value) { return value ? ordered_json(*value) : nullptr; }
 
@@ -78,7 +78,7 @@ ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies
 
 } // namespace
 
-std::span<const char* const> result_names() { return names; }
+std::span<const char* const> result_names() { return written_names; }
 
 ordered_json manifest_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                          const RunFigures& figures) {
