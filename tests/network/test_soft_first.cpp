@@ -16,7 +16,7 @@ using namespace granum::network;
 
 namespace {
 
-const Workers alone;
+const Workers one_worker;
 
 /// The numbers of the assembly's grains that each contact joins.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> joined(const Backbone& backbone) {
@@ -37,10 +37,10 @@ TEST_CASE("with the grains of soft motions first the factor loses no pivot") {
     Backbone backbone = load_bearing_network(a, {});
     const FactorRule rule = factor_rules(backbone).front();
     REQUIRE(judges(rule.soft_pivots));
-    const IncompleteFactor<6> plain(backbone, alone, rule);
+    const IncompleteFactor<6> plain(backbone, one_worker, rule);
     CHECK_FALSE(plain.lost_grains().empty()); // or nothing is tested
     const auto pairs = joined(backbone);
-    const IncompleteFactor<6> factor = factor_with_soft_first<6>(a, {}, rule, alone, backbone);
+    const IncompleteFactor<6> factor = factor_with_soft_first<6>(a, {}, rule, one_worker, backbone);
     CHECK(factor.lost_grains().empty());
     CHECK(joined(backbone) == pairs);
   }
@@ -58,7 +58,7 @@ TEST_CASE("a stop ends the search for a numbering after a factor") {
     };
     Backbone backbone = load_bearing_network(a, options);
     const FactorRule rule = factor_rules(backbone).front();
-    return !factor_with_soft_first<6>(a, options, rule, alone, backbone).lost_grains().empty();
+    return !factor_with_soft_first<6>(a, options, rule, one_worker, backbone).lost_grains().empty();
   };
   CHECK_FALSE(lost_when(false));
   CHECK(asked > 0); // or nothing is tested

@@ -19,9 +19,9 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
-                                 "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
-                                 "verdicts.csv", "manifest.json", "report.html", "figures"};
+constexpr const char* written_names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
+                                         "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
+                                         "verdicts.csv", "manifest.json", "report.html", "figures"};
 
 ordered_json table_json(const std::vector<studies::TableRow>& rows) {
   return members_of_all(studies::cell_columns(), studies::cell_rows(rows));
@@ -56,7 +56,7 @@ ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies
 
 } // namespace
 
-std::span<const char* const> result_names() { return names; }
+std::span<const char* const> result_names() { return written_names; }
 
 ordered_json manifest_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                          const studies::RunTime& time) {

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using studies::Compression;
 
-constexpr const char* figures = "figures";
+constexpr const char* figures_folder = "figures";
 
 std::optional<double> number_at(const ordered_json& json, const char* key) {
   return io::number_of(value_at(json, key));
@@ -124,7 +124,7 @@ std::vector<Compression> compressions_of(const studies::Scene& scene, const orde
 
 StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) {
   studies::CompressionStory story =
-      studies::compression_story(scene, compressions_of(scene, manifest), figures);
+      studies::compression_story(scene, compressions_of(scene, manifest), figures_folder);
   const std::string body =
       story.first_screen + story.why +
       plot::html_section(

@@ -43,10 +43,10 @@ std::vector<GrainRow> rows_of_grains(const LammpsArrays& arrays, double length) 
 }
 
 LocalFrame frame_in_memory(const LammpsLocals& given) {
-  const std::size_t width = given.columns.size();
-  if (width == 0 || given.values.size() % width != 0)
+  const std::size_t row_length = given.columns.size();
+  if (row_length == 0 || given.values.size() % row_length != 0)
     throw InvalidArgument("contacts: " + std::to_string(given.values.size()) + " values in rows of " +
-                          std::to_string(width));
+                          std::to_string(row_length));
   LocalFrame frame;
   frame.layout =
       contact_layout(given.columns, given.map, TextSource::of_text(contacts_name, std::string_view()));
@@ -54,7 +54,7 @@ LocalFrame frame_in_memory(const LammpsLocals& given) {
                    .computes = column_groups(given.columns, "c_"),
                    .numbers = {given.values.begin(), given.values.end()},
                    .lines = {}};
-  for (std::size_t row = 0; row < given.values.size() / width; ++row)
+  for (std::size_t row = 0; row < given.values.size() / row_length; ++row)
     frame.unnamed.lines.push_back(row + 1);
   return frame;
 }

@@ -39,14 +39,15 @@ Block<6> stored(const Matrix6& m) {
 
 /// Generalised inverse of a pivot; `size` is the diagonal that it had before the elimination.
 Block<6> pivot_inverse(const Block<6>& pivot, const std::array<double, 6>& size) {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Vector6 scale;
+  using SixNumbers = Eigen::Matrix<double, 6, 1>;
+  SixNumbers scale;
   for (int r = 0; r < 6; ++r)
     scale[r] = size[static_cast<std::size_t>(r)] > 0 ? 1 / std::sqrt(size[static_cast<std::size_t>(r)]) : 0;
   const Matrix6 m = dense(pivot);
   const Matrix6 scaled = scale.asDiagonal() * ((m + m.transpose()) / 2) * scale.asDiagonal();
   const elastic::EigenSystem eigen = elastic::eigen_system(scaled);
-  const Vector6 inverse = eigen.values.unaryExpr([](double v) { return v > free_direction ? 1 / v : 0.0; });
+  const SixNumbers inverse =
+      eigen.values.unaryExpr([](double v) { return v > free_direction ? 1 / v : 0.0; });
   const Matrix6 turned = scale.asDiagonal() * eigen.vectors;
   return stored(turned * inverse.asDiagonal() * turned.transpose());
 }
