@@ -28,11 +28,20 @@ constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poi
                      *of_fabric = "fabric_anisotropy";
 
 /// Uncertain inputs in the order in which the program adds them up: sums have the same bits.
-constexpr const char* inputs_in_order[] = {
-    of_modulus,     of_ratio,      "radius",   "tangential_ratio",  "void_ratio",
-    "coordination_number",         "mechanical_coordination_number", "rattler_fraction",
-    of_fabric,      "pressure",    "stress_v", "stress_h",          "grain_density",
-    "saturation"};
+constexpr const char* inputs_in_order[] = {of_modulus,
+                                           of_ratio,
+                                           "radius",
+                                           "tangential_ratio",
+                                           "void_ratio",
+                                           "coordination_number",
+                                           "mechanical_coordination_number",
+                                           "rattler_fraction",
+                                           of_fabric,
+                                           "pressure",
+                                           "stress_v",
+                                           "stress_h",
+                                           "grain_density",
+                                           "saturation"};
 
 } // namespace
 

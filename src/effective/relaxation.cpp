@@ -245,7 +245,9 @@ RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value,
 
 namespace kernel {
 
-double calibrated_exponent(const State& s) { return std::min(local_exponent(s), largest_calibrated_exponent); }
+double calibrated_exponent(const State& s) {
+  return std::min(local_exponent(s), largest_calibrated_exponent);
+}
 
 } // namespace kernel
 

@@ -160,7 +160,8 @@ TEST_CASE("answer: an uncertain input adds what it moves the answer by, in quadr
   q.state.mechanical_coordination_number = 5.2;
   q.rattler_fraction = 0.03;
   const Range exact = estimate::answer(q)[Field::shear_modulus];
-  const Spread modulus{.input = "grain modulus", .less = with_grain(q, 0.8 * 26e9), .more = with_grain(q, 1.25 * 26e9)};
+  const Spread modulus{
+      .input = "grain modulus", .less = with_grain(q, 0.8 * 26e9), .more = with_grain(q, 1.25 * 26e9)};
   const Answer a = estimate::answer(q, std::span(&modulus, 1));
   // G ~ G_g^(2/3) at given contacts
   const double rung = std::log(exact.high / exact.value), grain = 2.0 / 3 * std::log(1.25);

@@ -53,10 +53,11 @@ inline effective::State any_state() {
 }
 
 inline std::ostream& describe(std::ostream& out, const effective::State& s) {
-  return out << "alpha " << short_text(s.law.power_law()->alpha()) << ", k_t/k_n " << exact_text(s.tangential_ratio)
-             << ", R " << exact_text(s.radius) << ", e " << exact_text(s.void_ratio) << ", C_n "
-             << exact_text(*s.coordination_number) << ", a " << exact_text(s.fabric_anisotropy)
-             << ", stress_v " << exact_text(s.stress_v) << ", stress_h " << exact_text(s.stress_h);
+  return out << "alpha " << short_text(s.law.power_law()->alpha()) << ", k_t/k_n "
+             << exact_text(s.tangential_ratio) << ", R " << exact_text(s.radius) << ", e "
+             << exact_text(s.void_ratio) << ", C_n " << exact_text(*s.coordination_number) << ", a "
+             << exact_text(s.fabric_anisotropy) << ", stress_v " << exact_text(s.stress_v) << ", stress_h "
+             << exact_text(s.stress_h);
 }
 
 } // namespace granum::test

@@ -58,8 +58,8 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
             double preparation, double mechanical_coordination_number, double grain_density,
             double saturation) {
   estimate::Question question{
-      .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
-                        anisotropy, stress_v, stress_h),
+      .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
+                        void_ratio, anisotropy, stress_v, stress_h),
       .preparation = preparation_of(preparation),
       .grain_density = grain_density,
       .saturation = saturation};
@@ -87,8 +87,9 @@ GRANUM_EXPORT(ladder)
 void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double coordination_number, double mechanical_coordination_number) {
-  effective::State packing = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
-                                      void_ratio, anisotropy, stress_v, stress_h);
+  effective::State packing =
+      state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
+               anisotropy, stress_v, stress_h);
   packing.coordination_number = coordination_number;
   packing.mechanical_coordination_number = mechanical_coordination_number;
   for (const effective::Rung& rung : effective::closed_forms()) {

@@ -82,9 +82,10 @@ void relaxation(double mechanical_coordination_number, double tangential_ratio, 
 /// K, G_hh, G_vh, s and error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the
 /// mean contact force. A mechanical coordination number that is not a number is not given.
 GRANUM_EXPORT(closed_forms)
-void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
-                  double second_number, double void_ratio, double coordination_number, double anisotropy,
-                  double stress_v, double stress_h, double mechanical_coordination_number) {
+void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius,
+                  double first_number, double second_number, double void_ratio, double coordination_number,
+                  double anisotropy, double stress_v, double stress_h,
+                  double mechanical_coordination_number) {
   const effective::State packing{
       .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}),
       .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),

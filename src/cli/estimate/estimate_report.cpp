@@ -193,8 +193,7 @@ std::string bounds_table(const State& state, const Bounds& bounds) {
                 }));
   text += "\n  exponents of stress in G_vh\n";
   for (const Label& e : exponents)
-    text +=
-        row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }));
+    text += row(e.label, cells([&e](const ordered_json& one) { return exponent_text(one[e.key]); }));
   return text + relaxation_text(state);
 }
 

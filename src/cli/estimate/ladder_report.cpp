@@ -52,8 +52,9 @@ std::string answer_text(const RungAssessment& rung) {
 std::string rung_line(const RungAssessment& rung) {
   const auto error = rung.largest_error();
   const std::string value = rung.stiffness ? pretty(rung.stiffness->G_vh(), Dimension::pressure) : "-";
-  return fmt::format("  {}  {:<47} {:>10} {:>7} {:>7}\n     {}\n", *rung.rung->number, rung.rung->title, value,
-                     error ? percent_text(*error) : "-", pretty(rung.rung->typical_time, Dimension::time),
+  return fmt::format("  {}  {:<47} {:>10} {:>7} {:>7}\n     {}\n", *rung.rung->number, rung.rung->title,
+                     value, error ? percent_text(*error) : "-",
+                     pretty(rung.rung->typical_time, Dimension::time),
                      rung.verdict == RungVerdict::chosen ? "chosen: " + rung.reason : rung.reason);
 }
 

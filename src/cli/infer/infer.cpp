@@ -136,8 +136,9 @@ ExitCode run(const InferOptions& o) {
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(answer.validity);
   const bool csv = !o.output.out.empty() && !o.output.json;
-  const ExitCode code = deliver(o.output, csv ? infer_csv(question, answer) : within_width(infer_table(question, answer)),
-                                infer_json(question, answer), validity);
+  const ExitCode code =
+      deliver(o.output, csv ? infer_csv(question, answer) : within_width(infer_table(question, answer)),
+              infer_json(question, answer), validity);
   if (!answer.together) {
     say("error", "nothing measured can be explained by contacts between these grains");
     return code == ExitCode::ok ? ExitCode::fell_short : code;

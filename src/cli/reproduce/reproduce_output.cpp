@@ -122,7 +122,8 @@ std::string report_of(const studies::Experiment& experiment, const std::vector<s
   out += studies::verdicts_table(verdicts);
   return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {}\n",
                            experiment.specimens.size(), experiment.scene.study.grains,
-                           frozen_states(experiment), time.seconds, threads_text(studies::thread_count(experiment.scene)));
+                           frozen_states(experiment), time.seconds,
+                           threads_text(studies::thread_count(experiment.scene)));
 }
 
 } // namespace granum::cli

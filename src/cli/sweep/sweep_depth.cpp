@@ -120,9 +120,11 @@ constexpr ShownDepth shown_columns[] = {
      [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.h; }); }},
     {6, "p'", "kPa",
      [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.mean(); }); }},
-    {13, "G (low-high)", "MPa", [](const DepthState& at) { return field_cell(at, Field::shear_modulus, 1e6); }},
+    {13, "G (low-high)", "MPa",
+     [](const DepthState& at) { return field_cell(at, Field::shear_modulus, 1e6); }},
     {14, "V_s", "m/s", [](const DepthState& at) { return field_cell(at, Field::shear_wave_speed, 1); }},
-    {17, "V_p", "m/s", [](const DepthState& at) { return field_cell(at, Field::compression_wave_speed, 1); }}};
+    {17, "V_p", "m/s",
+     [](const DepthState& at) { return field_cell(at, Field::compression_wave_speed, 1); }}};
 
 template <class Text>
 std::string line_of(const Text& text) {

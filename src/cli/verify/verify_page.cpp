@@ -9,8 +9,8 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/page.hpp>
 
-#include "cli/frame/json_members.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/frame/json_members.hpp"
 
 namespace granum::cli {
 
