@@ -46,7 +46,6 @@ void add_state(FrameFields& to) {
   io::add_part(to, packing_fields(), [](const FrameAnswer& f) {
     return f.measured.packing.counts.grains > 0 ? &f.measured.packing : nullptr;
   });
-  io::add_part(to, grain_count_fields(), of_grains(&Measurement::counts), "counts/");
   for (const io::Column<Counts>& field : contact_count_fields())
     to.push_back({field.heading, "counts/" + field.key,
                   [of = field.of](const FrameAnswer& f) {
@@ -56,6 +55,7 @@ void add_state(FrameFields& to) {
                     return f.measured.contacts_known ? of(counts) : io::Value(nullptr);
                   },
                   field.shown});
+  io::add_part(to, grain_count_fields(), of_grains(&Measurement::counts), "counts/");
 }
 
 void add_forces(FrameFields& to) {
