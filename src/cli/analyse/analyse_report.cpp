@@ -82,7 +82,7 @@ std::string moduli_text(const FrameAnswer& frame) {
 
 /// A matrix, each column as wide as its longest number; what the solver leaves of a zero is shown as one.
 std::string matrix_text(const NamedMatrix& named) {
-  constexpr double nothing = 1e-7, MPa = 1e6;
+  constexpr double nothing = 1e-7;
   const elastic::Matrix6& matrix = named.matrix->stiffness.matrix;
   const double least = nothing * matrix.cwiseAbs().maxCoeff();
   std::string text = fmt::format("{:<10}", named.name);
