@@ -49,14 +49,14 @@ bool run(const std::string& folder, const char* pictures) {
   for (const Measured& m : beads.measured)
     std::printf(" %6.2f", m.pressure / 1e6);
   std::printf("\n");
-  const Foretold grown = foretell(glass, beads.measured, Growth::packings);
+  const Foretold grown = foretell(glass, beads.measured, GrowthRule::packings);
   print(grown, "beads, z* growing as own packings'");
-  print(foretell(glass, beads.measured, Growth::fixed), "beads, z* fixed");
+  print(foretell(glass, beads.measured, GrowthRule::fixed), "beads, z* fixed");
   for (const double n : {least_porosity, most_porosity})
-    print(foretell(glass, beads.measured, Growth::packings, n),
+    print(foretell(glass, beads.measured, GrowthRule::packings, n),
           n < porosity ? "beads, growing, porosity 0.36" : "beads, growing, porosity 0.40");
-  print(foretell(quartz, sand.measured, Growth::packings), "sand, z* growing as own packings'");
-  print(foretell(quartz, sand.measured, Growth::fixed), "sand, z* fixed");
+  print(foretell(quartz, sand.measured, GrowthRule::packings), "sand, z* growing as own packings'");
+  print(foretell(quartz, sand.measured, GrowthRule::fixed), "sand, z* fixed");
   print_sands();
   if (pictures != nullptr)
     write_pictures(pictures, beads, sand);
