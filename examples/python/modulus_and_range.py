@@ -27,9 +27,7 @@ assert estimate.relative_error is not None
 for z, modulus, error in zip(depth, estimate.G_vh, estimate.relative_error.G_vh):
     print(f"{z:4.0f} m: G_vh = {modulus / 1e6:5.1f} MPa +- {100 * error:.1f} %")
 
-uncertain = granum.uncertainty(
-    rung=3,
-    modulus="G_vh",
+uncertain = granum.packing_answer(
     law=grain,
     radius=0.5e-3,
     void_ratio=void_ratio,
@@ -37,6 +35,7 @@ uncertain = granum.uncertainty(
     rattler_fraction=rattlers,
     stress_v=stress_v[1],
     stress_h=0.5 * stress_v[1],
-    deviations={"void_ratio": 0.03, "coordination_number": 0.3, "mechanical_coordination_number": 0.3},
+    uncertainty={"void_ratio": 0.03, "coordination_number": 0.3, "rattler_fraction": 0.01},
 )
-print(f"with uncertain e, C_n and z*: {uncertain.value / 1e6:.1f} +- {uncertain.deviation / 1e6:.1f} MPa")
+G = uncertain.shear_modulus
+print(f"with uncertain e, C_n and rattlers: {G.value / 1e6:.1f}, from {G.low / 1e6:.1f} to {G.high / 1e6:.1f} MPa")

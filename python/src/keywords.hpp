@@ -29,7 +29,7 @@ class Arguments {
   [[nodiscard]] bool is_none(std::size_t k) const { return values_[k] == Py_None; }
   [[nodiscard]] py::handle operator[](std::size_t k) const { return values_[k]; }
   /// What was given, as a value of the library.
-  /// \param    expected   in words, "a PowerLaw"
+  /// \param    expected   in words, "a contact law"
   /// \throws   TypeError that names the keyword, for an object of another kind or None
   template <class Value>
   [[nodiscard]] Value as(std::size_t k, const char* expected) const {

@@ -10,7 +10,6 @@ LAW = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
 STATE = dict(law=LAW, radius=0.5e-3, void_ratio=0.6, coordination_number=5.7, pressure=1e5)
 PRIOR = dict(law=LAW, radius=0.5e-3, void_ratio=0.6, pressure=1e5)
 INFER = {**PRIOR, "V_s": 300.0, "relative_error": 0.02, "grain_density": 2650.0}
-GRADIENT = {**STATE, "rung": 0, "modulus": "G_vh"}
 BATCH = dict(law=LAW, radius=0.5e-3, porosity=0.375, coordination_number=5.7, pressure=1e5)
 SPHERE = dict(shear_modulus=30e9, poisson_ratio=0.15, porosity=0.36, coordination_number=8.0, pressure=1e6)
 SAND = {**SPHERE, "critical_porosity": 0.36, "porosity": 0.3}
@@ -23,45 +22,40 @@ def packing():
 
 # function, good arguments, those that are to be objects of another kind, and what must be named
 KINDS = [
-    (granum.uniform_strain, STATE, {"law": "PowerLaw", "contact_means": "ContactMeans", "strict": "True"}),
+    (granum.uniform_strain, STATE, {"law": "contact law", "contact_means": "ContactMeans", "strict": "True"}),
     (
         granum.relaxed,
         {**STATE, "rattler_fraction": 0.02},
-        {"law": "PowerLaw", "contact_means": "ContactMeans"},
+        {"law": "contact law", "contact_means": "ContactMeans"},
     ),
     (
         granum.packing_answer,
         PRIOR,
-        {"law": "PowerLaw", "contact_means": "ContactMeans", "preparation": "string"},
+        {"law": "contact law", "contact_means": "ContactMeans", "preparation": "string", "uncertainty": "dict"},
     ),
     (
         granum.contact_prior,
         PRIOR,
-        {"law": "PowerLaw", "contact_means": "ContactMeans", "preparation": "string"},
+        {"law": "contact law", "contact_means": "ContactMeans", "preparation": "string"},
     ),
-    (granum.infer, INFER, {"law": "PowerLaw", "contact_means": "ContactMeans"}),
+    (granum.infer, INFER, {"law": "contact law", "contact_means": "ContactMeans"}),
     (
         granum.uniform_strain_moduli,
         BATCH,
-        {"law": "PowerLaw", "contact_means": "ContactMeans", "strict": "True"},
-    ),
-    (
-        granum.uncertainty,
-        {**GRADIENT, "deviations": {}},
-        {"law": "PowerLaw", "modulus": "string", "deviations": "dict", "draws": "whole", "seed": "whole"},
+        {"law": "contact law", "contact_means": "ContactMeans", "strict": "True"},
     ),
     (granum.hertz_mindlin, SPHERE, {"strict": "True"}),
     (
         granum.specimen,
         SPECIMEN,
-        {"law": "PowerLaw", "kind": "string", "grains": "whole", "seed": "whole", "sizes": "Distribution"},
+        {"law": "contact law", "kind": "string", "grains": "whole", "seed": "whole", "sizes": "Distribution"},
     ),
     (
         granum.measure,
         {"packing": None},
         {
             "packing": "Packing",
-            "law": "PowerLaw",
+            "law": "contact law",
             "materials": "dict",
             "stiffness_from": "string",
             "network": "True",

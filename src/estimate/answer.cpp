@@ -58,7 +58,7 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   at(all, Field::poisson_ratio) = stiff ? c.nu_vh() : 0.5; // the limit of vanishing shear stiffness
   at(all, Field::horizontal_shear_modulus) = c.G_hh();
   at(all, Field::horizontal_young_modulus) = stiff ? c.E_h() : 0;
-  at(all, Field::coordination_number) = counts.coordination_number();
+  at(all, Field::coordination_number) = q.state.coordination_number.value_or(counts.coordination_number());
   at(all, Field::mechanical_coordination_number) = counts.mechanical_coordination_number;
   at(all, Field::rattler_fraction) = counts.rattler_fraction;
   if (q.grain_density)
@@ -68,9 +68,10 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   return all;
 }
 
+/// A C_n that is told stays as it was told, whatever z* makes of it.
 effective::State with(const effective::State& state, const ContactCounts& counts) {
   effective::State known = state;
-  known.coordination_number = counts.coordination_number();
+  known.coordination_number = state.coordination_number.value_or(counts.coordination_number());
   known.mechanical_coordination_number = counts.mechanical_coordination_number;
   return known;
 }

@@ -12,9 +12,9 @@ granum_cli_test("infer: there and back" EXIT 0 JSON
     "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
 granum_cli_test("infer: table" EXIT 0
-  STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted +z\\* +G \\[MPa\\] +K \\[MPa\\] +V_s \\[m/s\\] +V_p \\[m/s\\]\n  p = 34\\.47 MPa, e = 0\\.5[0-9]* "
+  STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted at p = 34\\.47 MPa, e = 0\\.5[0-9]*\n  z\\* [^\n]*\n  G +[0-9.]+ .Pa [^\n]*\n  K +[0-9.]+ .Pa [^\n]*\n  V_s +[0-9.]+ m/s [^\n]*\n  V_p +[0-9.]+ m/s "
   ARGS ${beads} --vs 587m/s+-1% --predict-pressure 34.47MPa)
-granum_cli_test("infer: directions are told apart under unequal stresses" EXIT 0 STDOUT "G \\[MPa\\] +G_hh \\[MPa\\] +K"
+granum_cli_test("infer: directions are told apart under unequal stresses" EXIT 0 STDOUT "\n  G +[^\n]*\n  G_hh +[^\n]*\n  K "
   ARGS ${beads} --vs 587m/s+-1% --predict-stress-ratio 0.5)
 granum_cli_test("infer: an absolute error" EXIT 0 JSON "measurements/0/standard_error=^5(\\.0)?$" ARGS ${beads} --vs 587m/s±5m/s --json)
 granum_cli_test("infer: an error for all" EXIT 0 JSON "measurements/0/standard_error=^11\\.74$"
@@ -35,7 +35,7 @@ granum_cli_test("infer: exact where that is said" EXIT 0 JSON "error_shares/rung
 granum_cli_test("infer: a sand by its name, below water" EXIT 0 JSON "inputs/grain_shear_modulus=^44000000000"
   STDERR "z\\* = 4\\.[0-9]* is more than packings of spheres of void ratio 0.76[0-9]* have"
   ARGS infer --sand toyoura --relative-density 60% --pressure 98kPa --vs 240m/s --saturation 100% --json)
-granum_cli_test("infer: no compression wave is told of wet pores" EXIT 0 STDOUT "K \\[MPa\\] +V_s \\[m/s\\]\n"
+granum_cli_test("infer: no compression wave is told of wet pores" EXIT 0 STDOUT "\n  K +[^\n]*\n  V_s +[^\n]*\n\n"
   ARGS ${beads} --vs 530m/s --saturation 100%)
 granum_cli_test("infer: table of measurements" EXIT 0 JSON "degrees_of_freedom=^7$"
   STDERR "measurements contradict each other"
@@ -44,7 +44,7 @@ granum_cli_test("infer: table of measurements" EXIT 0 JSON "degrees_of_freedom=^
 granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\^2 of the measurements"
   STDERR "^granum: error: the measurements contradict each other: [^\n]*the worst is V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer than the rest says\n$"
   ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
-granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- +0 % +none"
+granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 0 % .*z\\* none"
   STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: nothing measured can be explained"
   ARGS ${beads} --vs 1587m/s)
 granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"

@@ -120,7 +120,7 @@ granum_new_user("American spelling" "analyze dump.lammps" 2 "did you mean analys
 granum_new_user("help as a command" "help estimate" 0 "Usage: granum estimate")
 granum_new_user("a stiffness" "calculate ${at}" 2 "did you mean estimate")
 granum_new_user("the version" "--verison" 2 "did you mean --version")
-granum_new_user("depths with their units apart" "sweep --void-ratio 0.6 --depth 1 m .. 2 m --points 2" 0 "\n    2 32\\.48 ")
+granum_new_user("depths with their units apart" "sweep --void-ratio 0.6 --depth 1 m .. 2 m --points 2" 0 "\n +2 32\\.4[89] ")
 granum_new_user("the water table" "sweep --void-ratio 0.6 --depth 1m..2m --gwt 2m" 2 "--gwt; did you mean --water-table")
 granum_new_user("a profile" "profile --depth 0m..30m" 2 "did you mean sweep")
 granum_new_user("DEM" "simulate" 2 "did you mean verify")

@@ -126,6 +126,18 @@ TEST_CASE("answer: whatever is told narrows the range") {
   CHECK(estimate::answer(counted)[Field::rattler_fraction].value == 0.03);
 }
 
+TEST_CASE("answer: a C_n and a z* that are told stay as told, even where no rattlers fit between them") {
+  for (const double z : {5.0, 6.1, 7.3}) {
+    Question q = beads();
+    q.state.coordination_number = 6.1;
+    q.state.mechanical_coordination_number = z;
+    const Answer a = estimate::answer(q);
+    CHECK(a[Field::coordination_number].value == 6.1);
+    CHECK(a[Field::mechanical_coordination_number].value == z);
+    CHECK(a[Field::shear_modulus].value == effective::relaxed(q.state, z).stiffness.G_vh());
+  }
+}
+
 TEST_CASE("answer: rattlers of equal grains tell z*, those of unequal ones do not") {
   Question few = beads(), many = beads();
   few.rattler_fraction = 0.02;

@@ -77,19 +77,19 @@ std::string head_text(const InferCase& question) {
 }
 
 std::string measurement_lines(const InferCase& question, const InferenceAnswer& answer) {
-  std::string text = fmt::format("\n{:<30} {:>6} {:>21} {:>14} {:>11} {:>8}\n", "measured", "", "",
-                                 "z* alone", "together", "off by");
+  std::string text = "\nmeasured\n";
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
     const inverse::Observation& m = question.measurements[k];
     const QuantityRow& row = inverse::row_of(m.quantity);
     const auto& z = answer.alone[k].mechanical_coordination_number;
-    text += fmt::format("  {:<28} {:>6} {:>11} +-{:>7} {:>14}", place(m.state), row.key,
-                        pretty(m.value.value, dimension_of(row)), percent(m.value),
-                        z ? with_error(*z, 3) : "none");
+    text += fmt::format("  {:<6} {:>11} +- {:<7} at {}\n", row.key, pretty(m.value.value, dimension_of(row)),
+                        percent(m.value), place(m.state));
+    text += fmt::format("         alone: z* {}", z ? with_error(*z, 3) : "none");
     if (answer.together) {
       const inverse::FittedObservation& fitted = answer.together->measurements()[k];
-      text += fmt::format(" {:>11} {:>+6.1f} s.e.", pretty(fitted.value.value, dimension_of(row)),
-                          std::round(10 * fitted.deviation) / 10 + 0.0); // no -0.0
+      text +=
+          fmt::format("; together: {}, off by {:+.1f} s.e.", pretty(fitted.value.value, dimension_of(row)),
+                      std::round(10 * fitted.deviation) / 10 + 0.0); // no -0.0
     }
     text += "\n";
   }
@@ -129,19 +129,18 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
 }
 
 std::string prediction_lines(const InferCase& question, const Inference& fit) {
-  const std::vector<const QuantityRow*> rows = told_apart(question);
-  std::string text = fmt::format("\n{:<30} {:>5}", "predicted", "z*");
-  for (const QuantityRow* row : rows)
-    text += fmt::format(" {:>15}", fmt::format("{} [{}]", row->key, row->speed ? "m/s" : "MPa"));
-  text += "\n";
+  std::string text;
   for (const auto& [state, specimen] : question.predicted) {
+    text += fmt::format("\npredicted at {}\n", place(state));
+    const auto line = [&text](const char* key, const std::string& value, const Measured& number) {
+      text += fmt::format("  {:<6} {:>11} +- {}\n", key, value, percent(number));
+    };
     const Measured z = fit.packing(state, specimen).mechanical_coordination_number;
-    text += fmt::format("  {:<28} {:>5}", place(state), short_text(z.value, 3));
-    for (const QuantityRow* row : rows) {
+    line("z*", short_text(z.value, 3), z);
+    for (const QuantityRow* row : told_apart(question)) {
       const Measured value = fit.predict(row->quantity, state, specimen);
-      text += fmt::format(" {:>6} +-{:>7}", short_text(value.value / (row->speed ? 1 : 1e6)), percent(value));
+      line(row->key, pretty(value.value, dimension_of(*row)), value);
     }
-    text += "\n";
   }
   return text;
 }

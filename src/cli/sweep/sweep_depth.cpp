@@ -80,10 +80,10 @@ std::string brief(double number, int digits) {
                                              : fmt::format("{:.0f}", number);
 }
 
-/// To the right of its column, with a blank in front where it fills it.
-std::string cell(const std::string& text, int width) {
+/// To the right of its column, with a blank in front where it fills a column that is not the first.
+std::string cell(const std::string& text, int width, bool first) {
   const std::string filled = fmt::format("{:>{}}", text, width);
-  return filled.starts_with(' ') ? filled : " " + filled;
+  return first || filled.starts_with(' ') ? filled : " " + filled;
 }
 
 /// "85.1 (36-133)".
@@ -109,7 +109,7 @@ std::string field_cell(const DepthState& at, Field field, double unit) {
 }
 
 constexpr ShownDepth shown_columns[] = {
-    {6, "depth", "m", [](const DepthState& at) { return brief(at.point.depth, 4); }},
+    {5, "depth", "m", [](const DepthState& at) { return brief(at.point.depth, 4); }},
     {6, "s_v", "kPa",
      [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.total.v; }); }},
     {6, "u", "kPa",
@@ -120,7 +120,7 @@ constexpr ShownDepth shown_columns[] = {
      [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.h; }); }},
     {6, "p'", "kPa",
      [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.mean(); }); }},
-    {13, "G (low-high)", "MPa",
+    {14, "G (low-high)", "MPa",
      [](const DepthState& at) { return field_cell(at, Field::shear_modulus, 1e6); }},
     {14, "V_s", "m/s", [](const DepthState& at) { return field_cell(at, Field::shear_wave_speed, 1); }},
     {17, "V_p", "m/s",
@@ -130,7 +130,7 @@ template <class Text>
 std::string line_of(const Text& text) {
   std::string line;
   for (const ShownDepth& column : shown_columns)
-    line += cell(text(column), column.width);
+    line += cell(text(column), column.width, line.empty());
   return line + "\n";
 }
 
