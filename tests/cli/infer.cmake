@@ -11,15 +11,21 @@ granum_cli_test("infer: there and back" EXIT 0 JSON
     "predictions/0/G/value=^12294630[12]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
     "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
-granum_cli_test("infer: table" EXIT 0
+granum_cli_test("infer: table" EXIT 0 STDERR "prediction at p = 34\\.47 MPa"
   STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted at p = 34\\.47 MPa, e = 0\\.5[0-9]*\n  z\\* [^\n]*\n  G +[0-9.]+ .Pa [^\n]*\n  K +[0-9.]+ .Pa [^\n]*\n  V_s +[0-9.]+ m/s [^\n]*\n  V_p +[0-9.]+ m/s "
   ARGS ${beads} --vs 587m/s+-1% --predict-pressure 34.47MPa)
+granum_cli_test("infer: a prediction outside of what is calibrated is doubted, and strictly refused" EXIT 4
+  STDOUT "predicted at p = 1 GPa" STDERR "prediction at p = 1 GPa"
+  ARGS ${beads} --vs 587m/s --predict-pressure 1GPa --strict)
+granum_cli_test("infer: no prediction where no pores are left" EXIT 2
+  STDERR "--predict-pressure.*-0\\.[0-9]"
+  ARGS ${beads} --vs 587m/s --predict-pressure 10000GPa)
 granum_cli_test("infer: directions are told apart under unequal stresses" EXIT 0 STDOUT "\n  G +[^\n]*\n  G_hh +[^\n]*\n  K "
   ARGS ${beads} --vs 587m/s+-1% --predict-stress-ratio 0.5)
 granum_cli_test("infer: an absolute error" EXIT 0 JSON "measurements/0/standard_error=^5(\\.0)?$" ARGS ${beads} --vs 587m/s±5m/s --json)
 granum_cli_test("infer: an error for all" EXIT 0 JSON "measurements/0/standard_error=^11\\.74$"
   ARGS ${beads} --vs 587m/s --measurement-error 2% --json)
-granum_cli_test("infer: fixed contacts keep the void ratio" EXIT 0 JSON "predictions/0/void_ratio=^0\\.61(3$|2999999|3000000)"
+granum_cli_test("infer: fixed contacts keep the void ratio" EXIT 0 STDERR "prediction at" JSON "predictions/0/void_ratio=^0\\.61(3$|2999999|3000000)"
   ARGS ${beads} --vs 587m/s --predict-pressure 30MPa --growth fixed --json)
 granum_cli_test("infer: another packing, prepared alike" EXIT 0 JSON "predictions/0/mechanical_coordination_number/value=^5\\.[23]"
   ARGS ${beads} --vs 587m/s --predict-void-ratio 0.65 --json)

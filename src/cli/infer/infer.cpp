@@ -130,11 +130,11 @@ ExitCode run(const InferOptions& o) {
   InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
-  if (answer.together)
-    fill_in_void_ratios(question, *answer.together);
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(answer.validity);
+  if (answer.together)
+    validity.merge(complete_predictions(question, *answer.together));
   const bool csv = !o.output.out.empty() && !o.output.json;
   const ExitCode code =
       deliver(o.output, csv ? infer_csv(question, answer) : within_width(infer_table(question, answer)),

@@ -71,8 +71,11 @@ struct InferCase {
 /// Whether the quantity can be told: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
-/// The void ratio of the measured packing at the stresses to predict for, where no other is asked for.
-void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit);
+/// Fills in the void ratio of the measured packing at the stresses to predict for, where no other is asked for.
+/// \return   what makes the predictions doubtful, as the answer to each state has it
+/// \throws   InvalidArgument where growing contacts would leave no pores, and as estimate::answer()
+/// Checked by tests/cli/infer.cmake
+[[nodiscard]] Validity complete_predictions(InferCase& question, const inverse::Inference& fit);
 
 [[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
 [[nodiscard]] std::string infer_csv(const InferCase& question, const inverse::InferenceAnswer& answer);

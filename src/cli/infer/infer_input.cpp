@@ -7,6 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/elastic/saturation.hpp>
+#include <granum/estimate/answer.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "cli/options/likely_mistakes.hpp"
@@ -291,10 +292,30 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
   return {value, relative_error * std::abs(value)};
 }
 
-void fill_in_void_ratios(InferCase& question, const inverse::Inference& fit) {
-  for (auto& [state, specimen] : question.predicted)
-    if (specimen == inverse::AskedPacking::same)
-      state.void_ratio = fit.void_ratio_at(state.mean_stress());
+Validity complete_predictions(InferCase& question, const inverse::Inference& fit) {
+  const State& measured = question.measurements.front().state;
+  Validity doubts;
+  for (auto& [state, specimen] : question.predicted) {
+    const bool same = specimen == inverse::AskedPacking::same;
+    const double p = state.mean_stress();
+    const std::string place = fmt::format("prediction at p = {}: ", pretty(p, Dimension::pressure));
+    if (same)
+      state.void_ratio = fit.void_ratio_at(p);
+    if (!(state.void_ratio > 0))
+      throw InvalidArgument(
+          fmt::format("--predict-pressure = {}: by then the packing would be denser than its "
+                      "grains (void ratio {}); --growth fixed keeps its void ratio",
+                      pretty(p, Dimension::pressure), short_text(state.void_ratio)));
+    if (same && p == measured.mean_stress())
+      continue; // the measurements' own doubts are stated with them
+    estimate::Question asked{.state = state};
+    asked.state.mechanical_coordination_number =
+        fit.packing(state, specimen).mechanical_coordination_number.value;
+    const Validity there = estimate::answer(asked).validity();
+    for (const std::string& note : there.notes)
+      doubts.add(place + note);
+  }
+  return doubts;
 }
 
 InferCase infer_case(const InferOptions& given) {
