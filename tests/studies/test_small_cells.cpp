@@ -27,7 +27,7 @@ packing::Assembly two_grains() {
                         .radius = {0.47e-3, 0.45e-3},
                         .contacts = {}};
   out.cell(0, 1) = 0.03e-3;
-  out.contacts = studies::overlapping_pairs(out, {true, true, true}).value();
+  out.contacts = studies::overlapping_pairs(out, {true, true, true});
   for (packing::Contact& c : out.contacts) {
     const auto law =
         contact::PowerLaw::sphere(quartz, contact::pair_radius(out.radius[c.i], out.radius[c.j]));
@@ -114,7 +114,7 @@ io::ImportedPacking through_overlaps(const packing::Assembly& a, bool vectors) {
 packing::Assembly upright() {
   packing::Assembly out = two_grains();
   out.cell(0, 1) = 0;
-  out.contacts = studies::overlapping_pairs(out, {true, true, true}).value();
+  out.contacts = studies::overlapping_pairs(out, {true, true, true});
   for (packing::Contact& c : out.contacts)
     c.normal_force = contact::PowerLaw::sphere(quartz, contact::pair_radius(out.radius[0], out.radius[1]))
                          .force(c.overlap);
@@ -184,7 +184,7 @@ TEST_CASE("small cells: what is measured of the files is what the replica has") 
 TEST_CASE("small cells: equal images are taken one after the other, and rows beyond them repeat") {
   packing::Assembly own = upright();
   own.position[1] = own.position[0] + Vec3{0.5e-3, 0.51e-3, 0.49e-3}; // all eight lengths are equal
-  own.contacts = studies::overlapping_pairs(own, {true, true, true}).value();
+  own.contacts = studies::overlapping_pairs(own, {true, true, true});
   REQUIRE(own.contacts.size() == 8);
   for (packing::Contact& c : own.contacts)
     c.normal_force = 0.01;

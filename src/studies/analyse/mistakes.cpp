@@ -86,16 +86,14 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
   const double deep = clear * median(std::move(overlaps));
   if (!(deep > 2 * packing.rounding.length)) // positions of few digits do not tell
     return;
-  const auto found = overlapping_pairs(assembly, packing.periodic);
-  if (!found)
-    return;
+  const std::vector<Contact> found = overlapping_pairs(assembly, packing.periodic);
   const auto listed = [&](const Contact& pair) {
     return std::binary_search(
         assembly.contacts.begin(), assembly.contacts.end(), pair,
         [](const Contact& a, const Contact& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
   };
   std::size_t there = 0, missing = 0;
-  for (const Contact& pair : *found)
+  for (const Contact& pair : found)
     if (pair.overlap > deep)
       ++(listed(pair) ? there : missing);
   if (static_cast<double>(missing) <= share * static_cast<double>(there + missing))

@@ -16,6 +16,9 @@ namespace {
 using packing::Assembly;
 using packing::Contact;
 
+/// The image of a grain that is the grain.
+constexpr std::uint32_t itself = dem::image_count / 2;
+
 /// Finds overlapping spheres of one assembly.
 class OverlapSearch {
  public:
@@ -34,26 +37,57 @@ class OverlapSearch {
     }
   }
 
-  [[nodiscard]] std::optional<std::vector<Contact>> run() && {
+  [[nodiscard]] std::vector<Contact> run() && {
+    if (place_.empty())
+      return {};
     const double cutoff = 2 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
     const Vec3 widths = packing::cell_widths(assembly_.cell);
     if (open_ || 2 * cutoff <= std::min({widths.x, widths.y, widths.z})) {
       for (const dem::Pair& pair :
            neighbour_pairs(assembly_.cell, place_, cutoff, open_ ? dem::Images::none : dem::Images::periodic))
         look_at(pair.i, pair.j, pair.image);
-      return std::move(found_);
+    } else {
+      search_among_copies(cutoff);
     }
-    if (place_.size() > most_of_a_narrow_cell)
-      return std::nullopt;
-    for (std::uint32_t i = 0; i < place_.size(); ++i)
-      for (std::uint32_t j = i + 1; j < place_.size(); ++j)
-        for (std::uint32_t image = 0; image < dem::image_count; ++image)
-          look_at(i, j, image);
     return std::move(found_);
   }
 
  private:
-  static constexpr std::size_t most_of_a_narrow_cell = 20'000;
+  /// In a narrow cell a pair meets through several images: grains and those of their images that are within the
+  /// cutoff of any grain are searched like the grains of a box without faces.
+  void search_among_copies(double cutoff) {
+    const auto count = static_cast<std::uint32_t>(place_.size());
+    Vec3 low = place_.front(), high = low;
+    for (const Vec3& x : place_) {
+      low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+      high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    }
+    const double margin = 1.5 * cutoff;
+    const Vec3 edge{margin, margin, margin}, size = high - low + 2 * edge;
+    std::vector<Vec3> all(place_.size());
+    std::transform(place_.begin(), place_.end(), all.begin(), [&](const Vec3& x) { return x - low + edge; });
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> copies; // grain and image
+    for (std::uint32_t image = 0; image < dem::image_count; ++image)
+      for (std::uint32_t g = 0; allowed_[image] && image != itself && g < count; ++g) {
+        const Vec3 x = all[g] + shifts_[image];
+        if (x.x < 0 || x.y < 0 || x.z < 0 || x.x >= size.x || x.y >= size.y || x.z >= size.z)
+          continue;
+        all.push_back(x);
+        copies.emplace_back(g, image);
+      }
+    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> met; // i, j and image
+    for (const dem::Pair& pair :
+         neighbour_pairs(Mat3::diagonal(size.x, size.y, size.z), all, cutoff, dem::Images::none)) {
+      if (pair.i >= count)
+        continue;
+      const auto [j, image] = pair.j < count ? std::pair{pair.j, itself} : copies[pair.j - count];
+      if (pair.i < j) // each pair of images is met from both of its grains
+        met.emplace_back(pair.i, j, image);
+    }
+    std::sort(met.begin(), met.end());
+    for (const auto& [i, j, image] : met)
+      look_at(i, j, image);
+  }
 
   void look_at(std::uint32_t i, std::uint32_t j, std::uint32_t image) {
     if (!allowed_[image])
@@ -86,11 +120,8 @@ void set_forces(Assembly& assembly, const analysis::Given& given) {
 
 } // namespace
 
-std::optional<std::vector<Contact>> overlapping_pairs(const Assembly& assembly,
-                                                      const std::array<bool, 3>& periodic) {
+std::vector<Contact> overlapping_pairs(const Assembly& assembly, const std::array<bool, 3>& periodic) {
   require_valid(assembly);
-  if (assembly.grain_count() == 0)
-    return std::vector<Contact>{};
   return OverlapSearch(assembly, periodic).run();
 }
 
@@ -99,9 +130,9 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   if (!packing.has(Finding::contacts_unknown))
     return packing;
   auto found = overlapping_pairs(packing.assembly, packing.periodic);
-  if (!found || found->empty())
+  if (found.empty())
     return packing;
-  packing.assembly.contacts = std::move(*found);
+  packing.assembly.contacts = std::move(found);
   packing.notes.push_back(
       {Finding::contacts_from_overlaps, std::to_string(packing.assembly.contacts.size()) +
                                             " pairs of spheres overlap: they are taken for the contacts"});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
@@ -15,10 +14,10 @@ namespace granum::studies {
 /// All pairs of overlapping spheres as contacts without forces, sorted by (i, j); in cells narrower than two
 /// diameters a pair may stand there through several images.
 /// \param    periodic  which pairs of faces a pair may reach through
-/// \return   nothing for more than 20,000 grains in so narrow a cell: their number grows as the square
 /// \throws   InvalidArgument for an assembly that require_valid rejects
-[[nodiscard]] std::optional<std::vector<packing::Contact>>
-overlapping_pairs(const packing::Assembly& assembly, const std::array<bool, 3>& periodic);
+/// Cost      O(N)
+[[nodiscard]] std::vector<packing::Contact> overlapping_pairs(const packing::Assembly& assembly,
+                                                              const std::array<bool, 3>& periodic);
 
 /// A packing of grains alone with the contacts of overlapping spheres, and notes on them; any other as it is.
 /// Normal forces are those of the given law and material, where there is one; tangential ones depend on the
