@@ -12,7 +12,8 @@
 /// What granum estimate is asked, as keywords of Python.
 namespace granum::python {
 
-/// Keywords of a question in the order in which QuestionArguments reads them, and those of one function behind.
+/// Keywords of a question in the order in which QuestionArguments reads them, and those of one function
+/// behind.
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
 /// How many they are: where those of a function begin.
 inline constexpr std::size_t question_keyword_count = state_keyword_count + 4;

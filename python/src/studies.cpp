@@ -125,8 +125,8 @@ Study verify(const Settings& settings, const py::object& progress) {
 
 // ---- tables
 
-/// What rows have in columns, by `name_of` a column: texts as a list, numbers as an array, NaN for nothing; those with an
-/// error have it in an array of its own.
+/// What rows have in columns, by `name_of` a column: texts as a list, numbers as an array, NaN for nothing;
+/// those with an error have it in an array of its own.
 template <class Row, class NameOf>
 void put_columns(py::dict& out, const io::Columns<Row>& columns, const std::vector<const Row*>& rows,
                  const NameOf& name_of) {

@@ -30,8 +30,8 @@ AxialMoments<Dual> moments_of(double a, const Dual& root, double exponent) {
   return direction_moments(Dual(a), root, Dual(1 / root), c2, to_exponent, rule_for(c2 * c2));
 }
 
-/// Means of k_n^(+1 or -1) over those at the reference force, for a law whose b is not the same at every force.
-/// Not inlined beside the closed one, which would take 1.06 of its time.
+/// Means of k_n^(+1 or -1) over those at the reference force, for a law whose b is not the same at every
+/// force. Not inlined beside the closed one, which would take 1.06 of its time.
 [[gnu::noinline]] AxialMoments<Dual> moments_of(double a, const Dual& root,
                                                 const StiffnessRatio<Dual>& weight) {
   const double c2 = root.value();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formulas for laws whose b changes with the force, at laws whose b does not: there closed forms say the same.
+// The formulas for laws whose b changes with the force, at laws whose b does not: there closed forms say
+// the same.
 #include "effective/kernels.hpp"
 
 #include <cmath>

@@ -44,8 +44,8 @@ void add_answer(const effective::RungName name, const effective::State& packing,
 
 } // namespace
 
-/// alpha, the stiffness exponent at the largest overlap, k_t/k_n; then overlap, force, k_n and contact radius at
-/// `points` equal steps of the overlap. Not a number for what the power family alone has.
+/// alpha, the stiffness exponent at the largest overlap, k_t/k_n; then overlap, force, k_n and contact radius
+/// at `points` equal steps of the overlap. Not a number for what the power family alone has.
 GRANUM_EXPORT(contact_curve)
 void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius,
                    double first_number, double second_number, double largest_overlap, double points) {

@@ -32,9 +32,9 @@ struct KinematicForceField {
 /// Assumes   all contacts of the fabric carry force: C_n and a are those of this very state, so that a strain
 ///           that opens some of them contradicts it. That bounds the stress ratio: at k_t = k_n hardly,
 ///           at k_t = 0 and a = 0 for spheres to stress_v/stress_h in about (2/5, 4).
-/// \throws   InvalidArgument as require_valid, for a law of another kind, if C_n = 0, or if the strains of all-compressed directions
-///           (ratio strain_v/strain_h within [1e-4, 1e4]) cannot give the stress ratio; the text names the
-///           range that they can
+/// \throws   InvalidArgument as require_valid, for a law of another kind, if C_n = 0, or if the strains of
+///           all-compressed directions (ratio strain_v/strain_h within [1e-4, 1e4]) cannot give the stress
+///           ratio; the text names the range that they can
 /// Accuracy  relative 1e-12 for the strains.  Checked by tests/effective/test_kinematic_field.cpp
 [[nodiscard]] KinematicForceField kinematic_force_field(const State& state);
 

@@ -33,8 +33,8 @@ struct Model {
 [[nodiscard]] Estimate uniform_field(const State& state, const Model& model);
 
 /// Exponents of a modulus of uniform_field(state, model). Contacts of one stiffness, that of the mean force,
-/// stiffen with the mean stress alone: every modulus goes as p^b, b = contact_exponent(state), and stress_v and
-/// stress_h share b as stress_v and 2 stress_h share 3 p.
+/// stiffen with the mean stress alone: every modulus goes as p^b, b = contact_exponent(state), and stress_v
+/// and stress_h share b as stress_v and 2 stress_h share 3 p.
 /// \throws   InvalidArgument as uniform_strain_exponents
 /// Accuracy  1e-12 absolute.  Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] StressExponents uniform_field_exponents(const State& state, const Model& model, Modulus which);

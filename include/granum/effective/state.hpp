@@ -64,8 +64,8 @@ Validity require_valid(const State& state);
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);
 
-/// b = d ln k_n/d ln f of the state's law at the mean contact force, which is b at any force for laws of one b;
-/// without contacts that at no force.
+/// b = d ln k_n/d ln f of the state's law at the mean contact force, which is b at any force for laws of one
+/// b; without contacts that at no force.
 /// \throws   InvalidArgument as require_valid
 /// Accuracy  that of the law.  Checked by tests/effective/test_kernels.cpp
 [[nodiscard]] double contact_exponent(const State& state);

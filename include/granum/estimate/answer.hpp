@@ -85,8 +85,9 @@ class Answer {
 /// rung 3, and one deviation of each uncertain input. Of z* alone, C_n follows with the rattlers of
 /// effective::contact_prior; of C_n alone z* does; of rattlers alone z* does, within the prior's range.
 /// The range of a stiffness begins at 0 where z* may be at the isostatic point.
-/// m, n and s are those of G_vh = C44 at this void ratio. Where nothing is known of the contacts they grow with
-/// the mean stress as the prior has them, and s is the slope of this answer along p'; known contacts stay.
+/// m, n and s are those of G_vh = C44 at this void ratio. Where nothing is known of the contacts they grow
+/// with the mean stress as the prior has them, and s is the slope of this answer along p'; known contacts
+/// stay.
 /// Assumes   as relaxed, contact_prior and saturated; air in the pores of a saturation below 1 makes them
 ///           nearly as soft as dry ones.
 /// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,

@@ -3,8 +3,8 @@
 
 #include "analyse.hpp"
 
-/// What is found of a frame, part by part, as lists of columns, from which JSON, the tables of CSV, the screen and
-/// the page are written.
+/// What is found of a frame, part by part, as lists of columns, from which JSON, the tables of CSV, the
+/// screen and the page are written.
 namespace granum::cli {
 
 /// The components of a vector as a value of a column.
@@ -40,8 +40,8 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 [[nodiscard]] const io::Columns<RungSeries>& sum_fields();
 [[nodiscard]] const io::Columns<RungSeries>& separate_fields();
 
-/// All that a frame has, of which these are parts: a frame of the JSON, a row of frames.csv, and a line of the table of
-/// frames on the screen.
+/// All that a frame has, of which these are parts: a frame of the JSON, a row of frames.csv, and a line of
+/// the table of frames on the screen.
 /// \param    like   has the rungs and the matrices that are asked for
 [[nodiscard]] io::Columns<FrameAnswer> frame_fields(const FrameAnswer& like);
 

@@ -255,7 +255,7 @@ std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
 /// Every rung, and why one says nothing.
 std::string rungs_table(const std::vector<RungResult>& rungs) {
   io::Columns<RungResult> fields = rung_fields();
-  fields.front().shown = io::ShownColumn{.heading = "", .width = 1};
+  fields.front().shown = io::ShownColumn{.heading = "note", .width = 1};
   std::rotate(fields.begin(), fields.begin() + 1, fields.end());
   return io::page_table(fields, rungs);
 }

@@ -46,7 +46,8 @@ void append_entry(std::string& text, const std::string& name, const std::string&
   append_wrapped(text, meaning_column, meaning, meaning_column);
 }
 
-/// A line that fits: one that has columns goes on below its last one that leaves room, others below their first word.
+/// A line that fits: one that has columns goes on below its last one that leaves room, others below their
+/// first word.
 void append_line(std::string& text, std::string_view line) {
   constexpr std::size_t room = 24;
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());

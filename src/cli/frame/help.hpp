@@ -63,8 +63,8 @@ struct CommandGroup {
 /// All of it, in lines of 80 columns.
 [[nodiscard]] std::string help_text(const CLI::App& command);
 
-/// A text for a terminal: lines longer than 80 characters go on in the next one, below their last column. Words that
-/// are longer stay whole. Checked by tests/cli/check_width.cmake
+/// A text for a terminal: lines longer than 80 characters go on in the next one, below their last column.
+/// Words that are longer stay whole. Checked by tests/cli/check_width.cmake
 [[nodiscard]] std::string within_width(std::string_view text);
 
 } // namespace granum::cli

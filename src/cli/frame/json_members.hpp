@@ -62,7 +62,8 @@ template <class Row>
   return at.is_number() ? io::Value(at.get<double>()) : io::Value(at.get<std::string>());
 }
 
-/// The table of a page again from the objects that members_of_all made: columns that JSON does not have are not there.
+/// The table of a page again from the objects that members_of_all made: columns that JSON does not have are
+/// not there.
 template <class Row>
 [[nodiscard]] std::string page_table_of(const io::Columns<Row>& columns, const nlohmann::ordered_json& rows) {
   io::Columns<nlohmann::ordered_json> read;

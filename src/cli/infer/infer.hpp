@@ -71,7 +71,8 @@ struct InferCase {
 /// Whether the quantity can be told: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
-/// Fills in the void ratio of the measured packing at the stresses to predict for, where no other is asked for.
+/// Fills in the void ratio of the measured packing at the stresses to predict for, where no other is asked
+/// for.
 /// \return   what makes the predictions doubtful, as the answer to each state has it
 /// \throws   InvalidArgument where growing contacts would leave no pores, and as estimate::answer()
 /// Checked by tests/cli/infer.cmake

@@ -62,8 +62,8 @@ struct LawNumber {
 /// All of them in the order of the table, with its values.
 [[nodiscard]] std::vector<LawNumber> law_numbers();
 
-/// Defaults: grains of Table 1 of [Chung2014]; contact laws have those of the table of laws. Numbers without a
-/// default are never used unless given.
+/// Defaults: grains of Table 1 of [Chung2014]; contact laws have those of the table of laws. Numbers without
+/// a default are never used unless given.
 struct PackingOptions {
   contact::Shape contact = contact::Shape::sphere;
   const CLI::Option* contact_option = nullptr;

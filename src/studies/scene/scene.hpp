@@ -15,7 +15,8 @@
 
 /// What `granum verify`, `reproduce`, `trade`, `plan` and `export` work on. The defaults are the paper's
 /// grains (Table 1) with the two lengths that the paper does not print: the cone's slope and the punch radius
-/// that agree with its Table 5 (contact/laws.hpp). What each value means, its range and which commands take it: scene_keys.hpp.
+/// that agree with its Table 5 (contact/laws.hpp). What each value means, its range and which commands take
+/// it: scene_keys.hpp.
 ///                                                                                              [Chung2014]
 namespace granum::studies {
 
@@ -104,8 +105,8 @@ void require_periodic_cell(const Scene& scene);
 /// Accuracy  a factor of two: for judging whether a scene can be run, before it is.
 [[nodiscard]] double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure);
 
-/// b = d ln k_n/d ln f of a shape's contacts: of a law whose b changes with the force, at the mean force of such
-/// a packing half-way between the lowest and the highest pressure of the scene, on a logarithmic scale.
+/// b = d ln k_n/d ln f of a shape's contacts: of a law whose b changes with the force, at the mean force of
+/// such a packing half-way between the lowest and the highest pressure of the scene, on a logarithmic scale.
 [[nodiscard]] double contact_exponent(const Scene& scene, contact::Shape shape);
 
 /// Between these a packing can be compressed. Below, rounding of positions is felt in the forces: dense

@@ -10,8 +10,8 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/io/csv/value.hpp>
 
-/// A result as one list of columns: CSV, JSON, a table on a screen, a list on a screen and a table of a page are
-/// prints of it. What is new in a result is one more entry.
+/// A result as one list of columns: CSV, JSON, a table on a screen, a list on a screen and a table of a page
+/// are prints of it. What is new in a result is one more entry.
 /// Checked by tests/io/csv/test_columns.cpp
 namespace granum::io {
 
@@ -23,8 +23,8 @@ struct Column {
   std::optional<ShownColumn> shown;    ///< nothing: neither on a screen nor in a page
   bool has_error = false;              ///< Measured: CSV has a second column, heading_error
 
-  /// \param    get   a member, or a function of a row: a number, a count, a truth, a text, a Measured, numbers,
-  ///                 or an optional one of these
+  /// \param    get   a member, or a function of a row: a number, a count, a truth, a text, a Measured,
+  ///                 numbers, or an optional one of these
   template <class Get>
   Column(std::string heading_, std::string key_, Get get, std::optional<ShownColumn> shown_ = {})
       : heading(std::move(heading_)), key(std::move(key_)),
@@ -35,7 +35,8 @@ struct Column {
 template <class Row>
 using Columns = std::vector<Column<Row>>;
 
-/// A result of one row, each value at its key. JSON: members(items, Only{}); screen: list_text(items, Only{}).
+/// A result of one row, each value at its key. JSON: members(items, Only{}); screen: list_text(items,
+/// Only{}).
 struct Only {};
 using Items = Columns<Only>;
 template <class T>

@@ -20,8 +20,8 @@
 /// Checked by tests/io/csv/test_columns.cpp
 namespace granum::io {
 
-/// What a row has in a column. The first two: nothing, an empty cell; JSON leaves the first out and has the second
-/// as null.
+/// What a row has in a column. The first two: nothing, an empty cell; JSON leaves the first out and has the
+/// second as null.
 using Value =
     std::variant<std::monostate, std::nullptr_t, double, std::uint64_t, std::int64_t, bool, std::string,
                  Measured, std::vector<double>, std::vector<std::string>, std::vector<std::vector<double>>>;
@@ -95,8 +95,8 @@ inline constexpr const char* page_sign = " \u00b1 ";
 
 /// A value as text in the unit and with the digits that are shown; what is shown for nothing.
 [[nodiscard]] std::string shown_text(const ShownColumn& column, const Value& value, const char* sign);
-/// A heading or a value in its column. A value that fills its column has a blank in front, so that it never runs
-/// into the one before.
+/// A heading or a value in its column. A value that fills its column has a blank in front, so that it never
+/// runs into the one before.
 [[nodiscard]] std::string heading_text(const ShownColumn& column);
 [[nodiscard]] std::string cell_text(const ShownColumn& column, const Value& value);
 /// A line of a list: label, value, meaning. Errors have two significant digits.
