@@ -92,7 +92,7 @@ std::string matrix_text(const NamedMatrix& named) {
     text += fmt::format("\n{:>10}", voigt_names[row]);
     for (int column = 0; column < 6; ++column)
       text +=
-          fmt::format(" {:>10.4g}", std::abs(matrix(row, column)) < least ? 0 : matrix(row, column) / MPa);
+          fmt::format(" {:>10.4g}", std::abs(matrix(row, column)) < least ? 0 : matrix(row, column) / 1e6);
   }
   const elastic::SymmetryDistances& distance = named.matrix->symmetry;
   return text +
