@@ -160,8 +160,8 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
 /// Compresses to a pressure [Pa] and measures: pressure, e, C_n, z*, x_0, mean overlap over the mean
 /// diameter; K, G and the affine G of the network, G by uniform strain and relaxed (closed forms); s of the
 /// network over all pressures so far, and its error; K by uniform strain and relaxed; G of the network on the
-/// line of s at the first pressure and at this one; s of rung 3 at the contacts that were counted; 1 where the
-/// specimen came to rest.
+/// line of s at the first pressure and at this one; s of rung 3 at the contacts that were counted; 1 where
+/// the specimen came to rest.
 GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   Experiment& e = experiment();
   Clock clock;

@@ -64,8 +64,8 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
   }
 }
 
-/// The numbers of a law whose contact is as stiff as that of spheres at a force [N]: its last number is sought, the
-/// one before stays.
+/// The numbers of a law whose contact is as stiff as that of spheres at a force [N]: its last number is
+/// sought, the one before stays.
 /// \throws   Error where the law has no number of its own to seek
 GRANUM_EXPORT(law_as_stiff)
 void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, double radius,
