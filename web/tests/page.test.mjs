@@ -21,14 +21,14 @@ before(async () => {
 after(() => browser?.close());
 
 /// The page, ready. Whatever it says to the console or asks of the network is held against it.
-async function opened(options = {}, hash = "") {
+async function opened(options = {}, hash = "", file = pageFile) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
   const page = await context.newPage();
   page.complaints = [];
   page.on("console", (message) => page.complaints.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => page.complaints.push(`error: ${error.message}`));
   page.on("request", (request) => /^(file|blob|data):/.test(request.url()) || page.complaints.push(`request: ${request.url()}`));
-  await page.goto(pathToFileURL(pageFile).href + hash);
+  await page.goto(pathToFileURL(file).href + hash);
   await page.waitForSelector("html[data-ready=yes]");
   return page;
 }
@@ -132,6 +132,20 @@ test("a measurement says how many contacts there are, and what follows elsewhere
   assert.deepEqual(page.complaints, []);
   await page.context().close();
   await other.context().close();
+});
+
+test("the page in German says its own words, and the same numbers", async () => {
+  const page = await opened({}, "", pageFile.replace(/html$/, "de.html")), english = await opened();
+  assert.equal(await page.getAttribute("html", "lang"), "de");
+  const numbers = (all) => all.map((text) => text.match(/\d+\.\d+/g)?.join(" "));
+  const said = await findings(page), theirs = await findings(english);
+  assert.deepEqual(numbers(said), numbers(theirs));
+  said.forEach((text, k) => assert.notEqual(text, theirs[k]));
+  assert.doesNotMatch(await page.innerText("main"), /undefined|\$|\{/);
+  assert.equal(await page.getAttribute("footer a", "href"), "granum.html");
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+  await english.context().close();
 });
 
 test("hostile addresses do no harm", async () => {
