@@ -109,7 +109,7 @@ function chart(what) {
     if (![y, y1].every((at) => inside([x0, at]))) continue;
     const below = X(x1) + 8 + 8 * text.length > width - right;
     parts.push(`<path class="triangle"${colour ? ` style="stroke:${colour}"` : ""} d="M${X(x0).toFixed(1)} ${Y(y).toFixed(1)}H${X(x1).toFixed(1)}V${Y(y1).toFixed(1)}Z"/>` +
-      `<text class="label" x="${below ? X(x1) : X(x1) + 8}" y="${below ? Y(y) + 18 : (Y(y) + Y(y1)) / 2 + 5}"${below ? ' text-anchor="end"' : ""}>${escapeText(text)}</text>`);
+      `<text class="label slope" x="${below ? X(x1) : X(x1) + 8}" y="${below ? Y(y) + 18 : (Y(y) + Y(y1)) / 2 + 5}"${below ? ' text-anchor="end"' : ""}>${escapeText(text)}</text>`);
   }
   if (what.note) parts.push(`<text class="tick" x="${width - right - 8}" y="${height - bottom - 10}" text-anchor="end">${escapeText(what.note)}</text>`);
   if (what.mark && inside(what.mark))
@@ -147,7 +147,7 @@ function rose(density, title, finding, bars = []) {
     `<text class="label" x="${centre + 12}" y="18">v</text><text class="label" x="${size - 20}" y="${centre - 8}">h</text></svg>`;
 }
 
-const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor"];
+const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
 
 /// The picture with its title above, its legend below and its paper, as a file of its own: colours resolved, so that it looks the same
 /// elsewhere.
