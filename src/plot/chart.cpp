@@ -267,7 +267,15 @@ class Picture {
         for (auto& attribute : svg_colour(*triangle.colour))
           look.push_back(std::move(attribute));
       look.emplace_back("d", "M" + pair(place(c[0])) + "L" + pair(place(c[1])) + "L" + pair(place(c[2])));
+      // On paper of its own, so that the frame does not strike it through.
+      constexpr double rise = 12, paper_height = 16;
       svg += svg_element("path", look) +
+             svg_element("rect", {{"class", "paper"},
+                                  {"x", svg_number(texts[k].x - 1)},
+                                  {"y", svg_number(texts[k].y - rise)},
+                                  {"width", svg_number(text_width(triangle.text) + 2)},
+                                  {"height", svg_number(paper_height)},
+                                  {"fill", "white"}}) +
              svg_text("slope", {{"x", svg_number(texts[k].x)}, {"y", svg_number(texts[k].y)}},
                       svg_escaped(triangle.text));
     }

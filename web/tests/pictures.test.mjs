@@ -91,6 +91,8 @@ function faults() {
         if (Math.min(p.right, q.right) - Math.max(p.left, q.left) > least && Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top) > least)
           out.push(`"${texts[a].text.textContent}" lies upon "${texts[b].text.textContent}"`);
       }
+    for (const slope of svg.querySelectorAll("text.slope"))
+      if (!slope.previousElementSibling?.matches("rect.paper")) out.push(`"${slope.textContent}" is struck through by what is behind it`);
     for (const group of svg.querySelectorAll("g.series")) {
       const ratio = contrast(getComputedStyle(group).color, ground);
       if (ratio < 4.5) out.push(`a series has a contrast of ${ratio.toFixed(1)}`);
@@ -138,6 +140,11 @@ for (const [name] of commands)
     assert.ok(files.length > 0, "nothing was drawn");
     await check(...files);
   });
+
+test("lines of a fit are told apart by their dashes", () => {
+  const dashes = fs.readFileSync(made("fit", ".svg")[0], "utf8").match(/stroke-dasharray="[^"]*"/g);
+  assert.ok(new Set(dashes).size >= 2, dashes.join(", "));
+});
 
 test("the picture of the ladder", async () => {
   await check(path.join(root, "validation/ladder/ladder.svg"));

@@ -144,9 +144,10 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
       .y = {.title = question.modulus_column + "/f(e) [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
       .series = {data, line(fmt::format("law, s = {:.3f} +- {:.2g}", s, fit.exponent_sum.standard_error), s,
                             0, plot::Tone::full)}};
+  std::size_t dashes = 1;
   for (const auto& [name, alpha] : contact_shapes)
     chart.series.push_back(line(fmt::format("1/(1+alpha) = {:.3f}, {}", 1 / (1 + alpha), name),
-                                1 / (1 + alpha), 2, plot::Tone::grey));
+                                1 / (1 + alpha), dashes++, plot::Tone::grey));
   return chart;
 }
 

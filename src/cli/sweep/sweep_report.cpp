@@ -240,6 +240,8 @@ ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const s
   if (!o.picture.empty())
     io::write_file(o.picture, plot::svg(picture),
                    o.output.force ? io::Existing::replace : io::Existing::keep);
+  if (!o.output.out.empty()) // the screen would be empty
+    print(fmt::format("written: {}{}\n", o.output.out, o.picture.empty() ? "" : ", " + o.picture));
   return code;
 }
 
