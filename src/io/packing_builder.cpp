@@ -222,9 +222,10 @@ void PackingBuilder::compare_forces() {
   const bool gravity = 2 * off > left.size(); // weight, or another force on all
   if (off > 0 && !gravity)
     note(Finding::unbalanced_rows,
-         "the forces of " + many(off,
-                                 "grains (fx fy fz) are not the sums of their contacts': rows of contacts "
-                                 "are missing"));
+         "the forces of " +
+             many(off,
+                  "grains (fx fy fz) are not the sums of their contacts': rows of contacts, or of walls, "
+                  "are missing"));
 }
 
 void PackingBuilder::bound_grains() {

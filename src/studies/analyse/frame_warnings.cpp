@@ -151,7 +151,8 @@ void judge_moments(const analysis::Measurement& measured, std::vector<std::strin
   if (!measured.forces || !measured.forces->unbalance)
     return;
   const packing::Unbalance& left = *measured.forces->unbalance;
-  if (measured.moments.empty() || left.moment_ratio <= std::max(least, times_force * left.force_ratio))
+  if (!measured.moments.starts_with("contacts bear") ||
+      left.moment_ratio <= std::max(least, times_force * left.force_ratio))
     return;
   out.push_back(
       "forces balance to " + percent(left.force_ratio) + " but moments to " + percent(left.moment_ratio) +

@@ -71,6 +71,18 @@ std::optional<WindowChoice> interior_window(const io::ImportedPacking& packing) 
     choice.low[k] = low + layer;
     choice.high[k] = high - layer;
   }
+  const auto inside = [&](const packing::Contact& c) {
+    const Vec3 middle = assembly.position[c.i] + 0.5 * c.branch;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      if (choice.low[k] && (middle[axis] < *choice.low[k] || middle[axis] > *choice.high[k]))
+        return false;
+    }
+    return true;
+  };
+  constexpr std::ptrdiff_t enough = 100; // contacts for a fabric and for z*
+  if (std::count_if(assembly.contacts.begin(), assembly.contacts.end(), inside) < enough)
+    return std::nullopt;
   return choice;
 }
 
