@@ -73,6 +73,13 @@ void set_column(Mat3& m, int k, const Vec3& v) {
     m(row, k) = v[row];
 }
 
+/// Whether an edge of a box along the axes, or of LAMMPS' tilted ones, ends before it begins: no order of edges
+/// mends bounds that stand the wrong way round.
+bool is_upside_down(const Mat3& cell) {
+  const bool triangular = cell(1, 0) == 0 && cell(2, 0) == 0 && cell(2, 1) == 0;
+  return triangular && (cell(0, 0) < 0 || cell(1, 1) < 0 || cell(2, 2) < 0);
+}
+
 /// Shortens periodic edges by others until none leans by more than half of another: a cell of the same
 /// lattice, in which the images nearest to one another are next to one another.
 /// \return   whether anything was to be done
@@ -107,7 +114,7 @@ void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& give
                               std::size_t line) {
   Mat3 cell = given;
   std::array<bool, 3> periodic = given_periodic;
-  if (determinant(cell) < 0) {
+  if (determinant(cell) < 0 && !is_upside_down(cell)) {
     set_column(cell, 0, column(given, 1));
     set_column(cell, 1, column(given, 0));
     std::swap(periodic[0], periodic[1]);

@@ -163,7 +163,8 @@ TEST_CASE(
 TEST_CASE("overlaps: one boulder among small grains meets those that it overlaps, in cells of any width") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(0, 1);
-  packing::Assembly a{.cell = Mat3::diagonal(0.9, 1, 1.1), .position = {{0.5, 0.5, 0.5}}, .radius = {0.3}};
+  packing::Assembly a{
+      .cell = Mat3::diagonal(0.9, 1, 1.1), .position = {{0.5, 0.5, 0.5}}, .radius = {0.3}, .contacts = {}};
   for (int k = 0; k < 2000; ++k) {
     a.position.push_back({0.9 * place(random), place(random), 1.1 * place(random)});
     a.radius.push_back(0.005);
@@ -182,7 +183,8 @@ TEST_CASE("overlaps: one boulder among small grains meets those that it overlaps
 TEST_CASE("overlaps: a grain that reaches its own image, and a grain twice at one place, are named") {
   io::ImportedPacking one;
   one.id = {1};
-  one.assembly = {.cell = Mat3::diagonal(1, 1, 1), .position = {{0, 0, 0}}, .radius = {0.5 * (1 + 1e-7)}};
+  one.assembly = {
+      .cell = Mat3::diagonal(1, 1, 1), .position = {{0, 0, 0}}, .radius = {0.5 * (1 + 1e-7)}, .contacts = {}};
   one.notes.push_back({Finding::contacts_unknown, ""});
   const io::ImportedPacking lattice = studies::with_overlap_contacts(one, {.grain_shear_modulus = 30e9});
   CHECK(lattice.has(Finding::own_image));

@@ -210,7 +210,7 @@ ContactTable read_contact_csv(TextSource source) {
   table.normal = columns.vectors({"nx", "ny", "nz"}, Dimension::dimensionless);
   const bool by_ids = columns.has("id1") && columns.has("id2");
   if (table.normal.empty() && !by_ids)
-    throw FileError(columns.name(), 0, "expected columns nx, ny, nz, or id1, id2 of grains in another table");
+    throw FileError(columns.name(), 0, "expected columns nx, ny, nz");
   for (std::size_t k = 0; table.normal.empty() && k < columns.table().row_count(); ++k)
     table.line.push_back(columns.table().line(k));
   for (std::size_t k = 0; k < table.normal.size(); ++k) {

@@ -294,10 +294,10 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
       const Vec3 f = normal ? normal->vector(k) : Vec3{};
       const double* size = sizes ? &sizes->values[k] : nullptr;
       if (!(a || b) || !add_wall(builder, a ? *a : *b, a ? to : from, a ? f : -f, size, pair.line))
-        builder.fail_contact(
-            pair.line, "the contact ends neither at the centre of a sphere nor at a wall across an axis that "
-                       "the grain reaches; facets, and pairs through periodic faces, need "
-                       "share/yade/granum_export.py");
+        builder.fail_contact(pair.line,
+                             "the contact ends at no centre of a sphere, nor at a wall across an axis "
+                             "that the grain reaches; facets, and pairs through periodic faces, need "
+                             "share/yade/granum_export.py");
       continue;
     }
     pair.a = *a;

@@ -98,7 +98,7 @@ TEST_CASE("CSV: each field that is wrong is refused with path and line") {
   CHECK(grain("1,1,2", "2,1,2") == "g:3: the grain 2 stands on line 2 too");
   CHECK(grain("2,2,0.5\n2", "2,2,0\n2") == "g:2: expected a positive radius of grain 1, found 0");
   CHECK(row("# units: SI", "# units: cgs").starts_with("c:1: expected '# units: SI', found 'cgs'"));
-  CHECK(row("nx,ny,nz", "a,b,c") == "c: expected columns nx, ny, nz");
+  CHECK(row("nx,ny,nz", "nx,b,c").find("ny") != std::string::npos); // all three of a normal, or none
   CHECK(row("nx,ny", "nx,b").starts_with("c:2: expected a column 'ny'"));
   CHECK(row("id1,id2", "one,two") == "c: expected columns id1 and id2 to join contacts with grains");
   CHECK(row("id1,id2", "id1,two").starts_with("c:2: expected a column 'id2'"));
