@@ -66,57 +66,12 @@ double DigitWatch::rounding() const {
 
 double DigitWatch::relative_rounding() const { return few() ? 0.5 * std::pow(10, 1 - most()) : 0; }
 
-namespace {
-
-void set_column(Mat3& m, int k, const Vec3& v) {
-  for (int row = 0; row < 3; ++row)
-    m(row, k) = v[row];
-}
-
-/// Whether an edge of a box along the axes, or of LAMMPS' tilted ones, ends before it begins: no order of edges
-/// mends bounds that stand the wrong way round.
-bool is_upside_down(const Mat3& cell) {
-  const bool triangular = cell(1, 0) == 0 && cell(2, 0) == 0 && cell(2, 1) == 0;
-  return triangular && (cell(0, 0) < 0 || cell(1, 1) < 0 || cell(2, 2) < 0);
-}
-
-/// Shortens periodic edges by others until none leans by more than half of another: a cell of the same
-/// lattice, in which the images nearest to one another are next to one another.
-/// \return   whether anything was to be done
-bool reduce(Mat3& cell, const std::array<bool, 3>& periodic) {
-  constexpr double half = 0.5 + 1e-3; // as far as codes let boxes lean, and rounding
-  constexpr int most = 200;
-  bool reduced = false, again = true;
-  for (int turn = 0; again && turn < most; ++turn) {
-    again = false;
-    for (int k = 0; k < 3; ++k)
-      for (int other = 0; other < 3; ++other) {
-        if (k == other || !periodic[static_cast<std::size_t>(k)] ||
-            !periodic[static_cast<std::size_t>(other)])
-          continue;
-        const Vec3 edge = column(cell, k), along = column(cell, other);
-        const double lean = dot(edge, along) / dot(along, along);
-        if (!(std::abs(lean) > half) || !std::isfinite(lean))
-          continue;
-        const Vec3 shorter = edge - std::round(lean) * along;
-        if (!(norm(shorter) < norm(edge)))
-          continue;
-        set_column(cell, k, shorter);
-        reduced = again = true;
-      }
-  }
-  return reduced;
-}
-
-} // namespace
-
 void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& given_periodic,
                               std::size_t line) {
   Mat3 cell = given;
   std::array<bool, 3> periodic = given_periodic;
   if (determinant(cell) < 0 && !is_upside_down(cell)) {
-    set_column(cell, 0, column(given, 1));
-    set_column(cell, 1, column(given, 0));
+    swap_edges(cell);
     std::swap(periodic[0], periodic[1]);
     note(Finding::cell_turned, "the edges of the cell are left-handed: the first two were swapped");
   }
@@ -128,7 +83,7 @@ void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& give
   if (!usable)
     throw FileError(grain_file_, line,
                     "expected a box of positive volume, found " + short_text(volume) + " m^3");
-  if (reduce(cell, periodic))
+  if (reduce_cell(cell, periodic))
     note(Finding::cell_turned,
          "the cell leans by more than half an edge: another cell of the same lattice stands for it");
   packing_.assembly.cell = cell;

@@ -19,7 +19,8 @@ struct Response {
   std::vector<Strain> contact_forces; ///< under the six unit strains, without the prestress term
 };
 
-/// Contacts inside of bodies cost nothing in any case. Walls count without prestress; their contacts come behind the others.
+/// Contacts inside of bodies cost nothing in any case.
+/// Walls count without prestress, and their contacts come behind the others.
 Response response(const packing::Assembly& a, bool prestress);
 
 /// The closed sum over contacts, uniform strain, no spin. [Walton1987]

@@ -231,7 +231,7 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
   return builder;
 }
 
-/// A contact with a wall across an axis: the line ends at the wall's centre, which lies anywhere in its plane.
+/// A contact with a wall across an axis: the line ends at the wall's centre, anywhere in its plane.
 /// \param    force   on the wall; its direction tells the axis, else the plane that the grain reaches
 /// \return   whether there is such a wall
 bool add_wall(PackingBuilder& builder, std::uint32_t grain, const Vec3& centre, const Vec3& force,

@@ -69,8 +69,8 @@ class OverlapSearch {
     }
   }
 
-  /// In a narrow cell a pair meets through several images: grains and those of their images that can reach any
-  /// grain are searched like the grains of a box without faces.
+  /// In a narrow cell a pair meets through several images: grains and those of their images that can reach
+  /// any grain are searched like the grains of a box without faces.
   void search_among_copies(double largest) {
     const auto count = static_cast<std::uint32_t>(place_.size());
     Vec3 low = place_.front(), high = low;
