@@ -7,6 +7,51 @@
 
 namespace granum::io {
 
+namespace {
+
+void set_column(Mat3& m, int k, const Vec3& v) {
+  for (int row = 0; row < 3; ++row)
+    m(row, k) = v[row];
+}
+
+} // namespace
+
+bool is_upside_down(const Mat3& cell) {
+  const bool triangular = cell(1, 0) == 0 && cell(2, 0) == 0 && cell(2, 1) == 0;
+  return triangular && (cell(0, 0) < 0 || cell(1, 1) < 0 || cell(2, 2) < 0);
+}
+
+bool reduce_cell(Mat3& cell, const std::array<bool, 3>& periodic) {
+  constexpr double half = 0.5 + 1e-3; // as far as codes let boxes lean, and rounding
+  constexpr int most = 200;
+  bool reduced = false, again = true;
+  for (int turn = 0; again && turn < most; ++turn) {
+    again = false;
+    for (int k = 0; k < 3; ++k)
+      for (int other = 0; other < 3; ++other) {
+        if (k == other || !periodic[static_cast<std::size_t>(k)] ||
+            !periodic[static_cast<std::size_t>(other)])
+          continue;
+        const Vec3 edge = column(cell, k), along = column(cell, other);
+        const double lean = dot(edge, along) / dot(along, along);
+        if (!(std::abs(lean) > half) || !std::isfinite(lean))
+          continue;
+        const Vec3 shorter = edge - std::round(lean) * along;
+        if (!(norm(shorter) < norm(edge)))
+          continue;
+        set_column(cell, k, shorter);
+        reduced = again = true;
+      }
+  }
+  return reduced;
+}
+
+void swap_edges(Mat3& cell) {
+  const Vec3 first = column(cell, 0);
+  set_column(cell, 0, column(cell, 1));
+  set_column(cell, 1, first);
+}
+
 PeriodicCell::PeriodicCell(const Mat3& edges, const std::array<bool, 3>& periodic)
     : edges_(edges), inverse_(inverse_of(edges)), periodic_(periodic) {
   safe_length_ = std::numeric_limits<double>::infinity();

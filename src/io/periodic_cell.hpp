@@ -8,6 +8,18 @@
 
 namespace granum::io {
 
+/// Whether an edge of a box along the axes, or of LAMMPS' tilted ones, ends before it begins: no order of
+/// edges mends bounds that stand the wrong way round.
+[[nodiscard]] bool is_upside_down(const Mat3& cell);
+
+/// Shortens periodic edges by others until none leans by more than half of another: a cell of the same
+/// lattice, in which the images nearest to one another are next to one another.
+/// \return   whether anything was to be done
+bool reduce_cell(Mat3& cell, const std::array<bool, 3>& periodic);
+
+/// The first two edges in each other's place: a right-handed cell of a left-handed one.
+void swap_edges(Mat3& cell);
+
 /// A cell of which some pairs of faces are periodic.
 class PeriodicCell {
  public:

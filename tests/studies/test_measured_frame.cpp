@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/measured_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -304,4 +305,77 @@ TEST_CASE("frame: options that cannot be are refused") {
   CHECK_THROWS_AS((void)measure_frame(packing, {.friction_coefficient = -0.1}), InvalidArgument);
   CHECK_THROWS_AS((void)measure_frame(packing, {.tangential_ratio = -0.1}), InvalidArgument);
   CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
+}
+
+namespace {
+
+const analysis::ClosedForm& relaxed_form(const analysis::Measurement& m) {
+  return *std::find_if(m.closed_forms.begin(), m.closed_forms.end(), [](const analysis::ClosedForm& form) {
+    return form.rung->name == effective::RungName::relaxed;
+  });
+}
+
+/// Two grains of a periodic chain along x, on which the contacts leave no force, but moments.
+io::ImportedPacking turned_chain() {
+  io::ImportedPacking p;
+  p.id = {1, 2};
+  p.assembly = {.cell = Mat3::diagonal(2, 2, 2),
+                .position = {{0.5, 1, 1}, {1.5, 1, 1}},
+                .radius = {0.5001, 0.5001},
+                .contacts = {{.i = 0,
+                              .j = 1,
+                              .branch = {-1, 0, 0},
+                              .overlap = 2e-4,
+                              .normal_force = 1,
+                              .tangential_force = {0, -0.2, 0}},
+                             {.i = 0,
+                              .j = 1,
+                              .branch = {1, 0, 0},
+                              .overlap = 2e-4,
+                              .normal_force = 1,
+                              .tangential_force = {0, 0.2, 0}}}};
+  return p;
+}
+
+} // namespace
+
+TEST_CASE("frame: moments that are left are named, and rung 3 is withheld; packings without them are not") {
+  const MeasuredFrame frame = measure_frame(turned_chain(), known);
+  REQUIRE((frame.packing.forces && frame.packing.forces->unbalance));
+  CHECK(frame.packing.forces->unbalance->force_ratio < 1e-15);
+  CHECK(frame.packing.forces->unbalance->moment_ratio > 0.3);
+  CHECK_FALSE(frame.packing.moments.empty());
+  CHECK(has_note(frame.warnings, "--rolling-stiffness"));
+  const analysis::Measurement sound = measure_frame(through_dump(specimen()), known).packing;
+  CHECK(sound.moments.empty());
+  CHECK(relaxed_form(sound).answer);
+}
+
+TEST_CASE("frame: contacts that resist rolling make the network stiffer, and have no rung 3") {
+  const analysis::Measurement sound = measure_frame(through_dump(specimen()), known).packing;
+  analysis::Given rolling = known;
+  rolling.rolling = packing::TurningSpring{.value = 0.2, .of = packing::TurningSpring::Of::normal};
+  const MeasuredFrame frame = measure_frame(through_dump(specimen()), rolling);
+  CHECK_FALSE(has_note(frame.warnings, "--rolling-stiffness")); // it is known
+  CHECK_FALSE(relaxed_form(frame.packing).answer);
+  CHECK_FALSE(relaxed_form(frame.packing).refusal.empty());
+  CHECK(frame.packing.network->isotropic_relaxed().shear_modulus() >
+        sound.network->isotropic_relaxed().shear_modulus());
+  CHECK(frame.packing.network->isotropic_affine().shear_modulus() ==
+        relative(sound.network->isotropic_affine().shear_modulus(), 1e-12));
+}
+
+TEST_CASE("frame: bodies count in place of grains") {
+  io::ImportedPacking p = through_dump(specimen());
+  const packing::Contact joined = p.assembly.contacts.front();
+  std::uint32_t bodies = 0;
+  for (std::uint32_t g = 0; g < p.assembly.grain_count(); ++g)
+    p.assembly.body.push_back(g == joined.j ? p.assembly.body[joined.i] : bodies++);
+  const analysis::Measurement m = measure_frame(p, known).packing;
+  CHECK(m.counts.grains == p.assembly.grain_count());
+  CHECK(m.counts.bodies == bodies);
+  CHECK(m.counts.coordination_number ==
+        relative(2.0 * (static_cast<double>(p.assembly.contacts.size()) - 1) / bodies, 1e-14));
+  CHECK_FALSE(relaxed_form(m).answer);
+  CHECK(m.network->response.converged());
 }

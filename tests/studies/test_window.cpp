@@ -111,3 +111,29 @@ TEST_CASE("window: what lies beyond the grains, or has no width, is refused") {
   refused(0, 1.5, 0, "width of the window along x");
   refused(3, 3.5, 2, "holds no grain that bears load");
 }
+
+TEST_CASE("window: the interior that is chosen lies two to three grains from walls, and is whole along "
+          "periodic axes") {
+  io::ImportedPacking packing;
+  packing.periodic = {true, true, false};
+  packing.assembly.cell = Mat3::diagonal(6, 6, 20);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      for (int k = 0; k < 10; ++k) {
+        packing.assembly.position.push_back({0.5 + i, 0.5 + j, 0.5 + k});
+        packing.assembly.radius.push_back(0.5);
+      }
+  const auto count = static_cast<std::uint32_t>(packing.assembly.grain_count());
+  for (std::uint32_t g = 0; g + 1 < count; ++g)
+    if (g % 10 != 9)
+      packing.assembly.contacts.push_back({.i = g, .j = g + 1, .branch = {0, 0, 1}, .normal_force = 1});
+  const auto chosen = studies::interior_window(packing);
+  REQUIRE(chosen);
+  CHECK_FALSE(chosen->low[0]);
+  CHECK(*chosen->low[2] == relative(2.5, 1e-12));
+  CHECK(*chosen->high[2] == relative(7.5, 1e-12));
+  packing.periodic = {true, true, true};
+  CHECK_FALSE(studies::interior_window(packing));
+  packing.periodic = {false, true, false}; // 6 - 4 diameters are no interior
+  CHECK_FALSE(studies::interior_window(packing));
+}

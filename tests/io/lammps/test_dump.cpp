@@ -300,7 +300,7 @@ TEST_CASE("LAMMPS: each field of the contacts that is wrong is refused with path
   const auto contact = [](const std::string& from, const std::string& to) {
     return refused(atoms, with(contacts, from, to));
   };
-  CHECK(contact("c_pl[2]", "c_pl[7]").starts_with("c:9: the columns have no known layout"));
+  CHECK(contact("c_pl[2]", "c_pl[7]").starts_with("c:10: the columns hold no ids"));
   CHECK(contact("1 1 2 1 1", "1 1 4 1 1") == "c:10: the grain 4 is not among the 3 grains (ids 1 to 3)");
   CHECK(contact("1 1 2 1 1", "1 1 -2 1 1").starts_with("c:10: the grain -2 is not among"));
   CHECK(contact("1 1 2 1 1", "1 x 2 1 1") == "c:10: expected a finite number as id of grain 1, found 'x'");
