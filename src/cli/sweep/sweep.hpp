@@ -111,7 +111,9 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 class SweepOutput {
  public:
   /// \param    headings   of the cells that lead each row
-  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings);
+  /// \param    manner     of the table that the states come from
+  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
+              io::CsvManner manner = {});
 
   /// Headings of what follows the leading cells: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;
@@ -129,6 +131,7 @@ class SweepOutput {
   Rungs rungs_;
   io::Columns<estimate::Answer> columns_;
   std::vector<std::string> headings_;
+  io::CsvManner manner_;
   std::string rows_;
   nlohmann::ordered_json states_ = nlohmann::ordered_json::array();
 };
