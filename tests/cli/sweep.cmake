@@ -83,7 +83,7 @@ granum_cli_test("sweep: all columns of a table" EXIT 0 STDOUT ",rattlers_high,C_
 
 # Headings and numbers as people write them: a byte order mark, CRLF, semicolons, decimal commas, units in brackets.
 set(people sweep --table sweep_people.csv)
-granum_cli_test("sweep: a table of a spreadsheet" EXIT 0 STDOUT "\nA,0\\.65,100,50,,,dense,,1[0-9.]+,[^\n]*\nB,0\\.7,1\\.5e2,75,5\\.2,,,,"
+granum_cli_test("sweep: a table of a spreadsheet" EXIT 0 STDOUT "\nA;0,65;100;50;;;dense;;1[0-9,]+;[^\n]*\nB;0,7;1,5e2;75;5,2;;;;"
   STDERR "1 of 5 states lie outside [^\n]*line 4: contacts of unequal grains" ARGS ${people})
 granum_cli_test("sweep: rung 3 and preparation of rows" EXIT 0 STDERR "1 of 5" JSON "states/3/rung3/G_hv=^[1-9]" "states/0/rung3/G_hv=^[1-9]"
   "states/0/answer/preparation=^dense$" "states/1/answer/preparation=^unknown$" "states/1/answer/mechanical_coordination_number/low=^5\\.2"
@@ -120,7 +120,7 @@ granum_sweep_refuses("log spacing from zero" "--from = 0 has no logarithm; use -
 granum_sweep_refuses("log spacing in eta" "--spacing log goes with --path iso"
   ${packing} --path txc --from 1kPa --eta 0.5 --spacing log)
 granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} --from -1kPa --to 1kPa)
-granum_sweep_refuses("one point" "--points: Value 1 not in range" ${packing} --from 1kPa --to 2kPa --points 1)
+granum_sweep_refuses("one point" "--points: 1 is not in the range 2 to 1000000" ${packing} --from 1kPa --to 2kPa --points 1)
 granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
 granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"

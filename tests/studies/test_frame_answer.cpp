@@ -26,7 +26,7 @@ std::vector<FrameAnswer> states(double s) {
     frame.measured.packing.stress->symmetric = Mat3::diagonal(p, p, p);
     const double G = 100e6 * std::pow(p / 100e3, s);
     frame.rungs = {
-        {.name = network_name, .title = "network", .moduli = Moduli{.K = 2 * G, .G = G, .G_vh = G}}};
+        {.name = network_name(), .title = "network", .moduli = Moduli{.K = 2 * G, .G = G, .G_vh = G}}};
     frames.push_back(frame);
   }
   return frames;

@@ -89,7 +89,7 @@ void add_rungs(FrameFields& to, const std::vector<RungResult>& rungs) {
     for (io::Column<RungResult>& field : fields) {
       const bool relaxed = rungs[k].name == studies::relaxed_name();
       field.shown.reset();
-      if (field.heading == "G" && (relaxed || rungs[k].name == network_name))
+      if (field.heading == "G" && (relaxed || rungs[k].name == network_name()))
         field.shown = ShownColumn{
             .heading = relaxed ? "G rung 3" : "G network", .width = 10, .unit = 1e6, .absent = "-"};
       if (!field.heading.empty())

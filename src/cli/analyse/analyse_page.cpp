@@ -45,17 +45,18 @@ plot::Series isotropic_circle() {
       .tone = plot::Tone::grey};
 }
 
-/// "rung0" to "rung4" as numbers; nothing for what is no rung.
-std::optional<int> rung_number(const RungResult& rung) {
-  if (rung.name.size() != 5 || !rung.name.starts_with("rung"))
-    return std::nullopt;
-  return rung.name.back() - '0';
+/// On the ladder; nothing for what is not on it.
+std::optional<int> rung_number(const RungResult& result) {
+  for (const effective::Rung& rung : effective::rungs())
+    if (result.name == rung.column)
+      return rung.number;
+  return std::nullopt;
 }
 
 std::string megapascal(double pascal) { return short_text(pascal / 1e6, 3) + " MPa"; }
 
 std::string stiffness_sentence(const FrameAnswer& frame) {
-  if (const RungResult* network = find_rung(frame, network_name))
+  if (const RungResult* network = find_rung(frame, network_name()))
     return "The network of contacts in this packing has a shear modulus G of " +
            megapascal(network->moduli->G) + " and a bulk modulus K of " + megapascal(network->moduli->K) +
            ".";
@@ -85,8 +86,9 @@ std::string contacts_sentence(const FrameAnswer& frame) {
 }
 
 std::string rungs_sentence(const FrameAnswer& frame) {
-  const RungResult *relaxed = find_rung(frame, "rung3"), *uniform = find_rung(frame, "rung0"),
-                   *network = find_rung(frame, network_name);
+  const RungResult *relaxed = find_rung(frame, studies::relaxed_name()),
+                   *uniform = find_rung(frame, effective::rung(effective::RungName::isotropic).column),
+                   *network = find_rung(frame, network_name());
   if (relaxed == nullptr)
     return "The closed forms lack what they need; the table below says what.";
   std::string text = "The closed form with relaxation, rung 3, gives G = " + megapascal(relaxed->moduli->G);
@@ -102,7 +104,7 @@ std::string rungs_sentence(const FrameAnswer& frame) {
 
 /// The rung whose G the pictures show: the network, else rung 3.
 const RungSeries* shown_rung(const StateSeries& series) {
-  for (const std::string& name : {std::string(network_name), studies::relaxed_name()})
+  for (const std::string& name : {network_name(), studies::relaxed_name()})
     for (const RungSeries& rung : series.rungs)
       if (rung.name == name && rung.fit.states > 0)
         return &rung;
@@ -170,8 +172,8 @@ plot::Chart modulus_chart(const AnalyseAnswer& answer, const char* name, double 
       if (!of_rung.x.empty())
         out.series.push_back(std::move(of_rung));
     };
-    add(shown->name, plot::Tone::full, shown->name == network_name ? "network" : "rung 3");
-    if (shown->name == network_name)
+    add(shown->name, plot::Tone::full, shown->name == network_name() ? "network" : "rung 3");
+    if (shown->name == network_name())
       add(studies::relaxed_name(), plot::Tone::hollow, "rung 3");
     if (!with_law || !shown->fit.sum || out.series.empty())
       continue;
@@ -417,7 +419,7 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
                        .colour = plot::Colour::closed_form};
   for (const RungResult& rung : frame.rungs) {
     const std::optional<int> at = rung_number(rung);
-    if (!at || !rung.moduli || rung.name == network_name)
+    if (!at || !rung.moduli || rung.name == network_name())
       continue;
     plot::Series& forms =
         rung.name == effective::rung(effective::RungName::relaxed).column ? relaxed : strained;
@@ -433,7 +435,7 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
       chart.series.push_back(std::move(*forms));
   }
   chart.finding = "G of rungs 0 to 3:" + answers;
-  if (const RungResult* network = find_rung(frame, network_name)) {
+  if (const RungResult* network = find_rung(frame, network_name())) {
     const double G = network->moduli->G;
     chart.series.push_back({.name = "this network, rung 4",
                             .mark = plot::Mark::line,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <granum/inverse/inference.hpp>
+#include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,7 @@ struct MeasuredOption {
   const char* option;                 ///< "--shear-wave-speed,--vs"
   std::array<const char*, 2> columns; ///< names of the column, besides the unit
   const char* help;
+  const char* synonyms = "";
   [[nodiscard]] Dimension dimension() const;
 };
 [[nodiscard]] std::span<const MeasuredOption> measured_options();
@@ -57,6 +59,7 @@ struct InferCase {
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
   std::vector<std::string> assumptions; ///< what was not given, one sentence each
+  io::CsvManner manner = {};            ///< of the table of measurements
 };
 
 /// \throws   InvalidArgument or FileError for options and tables that cannot be understood

@@ -110,6 +110,7 @@ PackingOptions read_table(const InferOptions& o, InferCase& question) {
     if (!text.empty())
       throw InvalidArgument("measurements stand in --table, or in options: give one of the two");
   const io::CsvTable table = io::read_csv(o.table);
+  question.manner = table.manner();
   PackingRows rows(table, o.packing);
   const std::vector<MeasuredColumn> columns = measured_columns(table, rows);
   std::optional<PackingOptions> first;

@@ -254,6 +254,7 @@ ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer
 
 std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) {
   io::CsvContent csv;
+  csv.manner = question.manner;
   csv.notes = {{"program", fmt::format("granum {} infer", version())},
                {"inputs", json_text(question.packing, -1)},
                {"signs", "compression positive; z is the vertical axis v"}};

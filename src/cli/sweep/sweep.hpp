@@ -111,7 +111,9 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 class SweepOutput {
  public:
   /// \param    headings   of the cells that lead each row
-  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings);
+  /// \param    manner     of the table that the states come from
+  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
+              io::CsvManner manner = {});
 
   /// Headings of what follows the leading cells: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;
@@ -129,6 +131,7 @@ class SweepOutput {
   Rungs rungs_;
   io::Columns<estimate::Answer> columns_;
   std::vector<std::string> headings_;
+  io::CsvManner manner_;
   std::string rows_;
   nlohmann::ordered_json states_ = nlohmann::ordered_json::array();
 };
@@ -138,10 +141,6 @@ class SweepOutput {
 [[nodiscard]] ExitCode deliver_sweep(const SweepOptions& options, const std::string& screen,
                                      const std::string& csv, const nlohmann::ordered_json& json,
                                      const Validity& validity, const std::vector<plot::Chart>& picture);
-
-/// \throws   InvalidArgument if the picture's name does not end in .svg; FileError if a file exists and
-///           --force is not given: before any work is done
-void require_free(const OutputOptions& output, const std::string& picture);
 
 /// The assumptions of the answers, and that contacts grow or stay.
 [[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,

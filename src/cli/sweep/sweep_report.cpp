@@ -156,9 +156,10 @@ ExitCode Tally::conclude(ExitCode code) const {
   return code == ExitCode::ok && failed_ > 0 ? ExitCode::fell_short : code;
 }
 
-SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings)
+SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
+                         io::CsvManner manner)
     : options_(options), rungs_(std::move(rungs)), columns_(answer_columns(options.all_columns)),
-      headings_(std::move(headings)) {}
+      headings_(std::move(headings)), manner_(manner) {}
 
 std::vector<std::string> SweepOutput::result_headings() const {
   std::vector<std::string> all;
@@ -193,12 +194,14 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
       cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
   cells.emplace_back(joined(remarks_of(state)));
   cells.emplace_back(state.error);
-  rows_ += io::csv_line(cells);
+  rows_ += io::csv_line(cells, manner_);
 }
 
 std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>& remarks) const {
-  io::CsvContent csv{
-      .notes = {{"program", fmt::format("granum {} sweep", version())}}, .headings = headings_, .rows = {}};
+  io::CsvContent csv{.notes = {{"program", fmt::format("granum {} sweep", version())}},
+                     .headings = headings_,
+                     .rows = {},
+                     .manner = manner_};
   csv.notes.insert(csv.notes.end(), notes.begin(), notes.end());
   csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
                                   "sigma_v, sigma_h and p are effective stresses");
@@ -222,14 +225,6 @@ ordered_json SweepOutput::json(const ordered_json& head, const std::vector<std::
   json["states"] = states_;
   json["notes"] = remarks;
   return json;
-}
-
-void require_free(const OutputOptions& output, const std::string& picture) {
-  if (!picture.empty() && std::filesystem::path(picture).extension() != ".svg")
-    throw InvalidArgument("--picture = '" + picture + "' must end in .svg");
-  for (const std::string& file : {output.out, picture})
-    if (!output.force && !file.empty() && io::is_taken(file))
-      throw FileError(file, 0, "exists already and is kept; --force replaces it");
 }
 
 ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const std::string& csv,

@@ -26,7 +26,8 @@ class TableSweep {
  public:
   TableSweep(const SweepOptions& options, const Rungs& rungs)
       : options_(options), rungs_(rungs), table_(io::read_csv(options.table)),
-        reader_(table_, options.packing, options.answer), output_(options, rungs, table_.headings()) {
+        reader_(table_, options.packing, options.answer),
+        output_(options, rungs, table_.headings(), table_.manner()) {
     for (const std::string& heading : output_.result_headings())
       if (std::find(table_.headings().begin(), table_.headings().end(), heading) != table_.headings().end())
         throw FileError(options.table, 0, "has a column '" + heading + "' already, a name of the results");

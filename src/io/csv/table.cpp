@@ -70,6 +70,7 @@ class DecimalCommas {
     }
   }
 
+  [[nodiscard]] bool found() const { return found_; }
   /// \throws   FileError for a point that may be one between thousands, in a table with decimal commas
   void require_none_of_thousands(const std::string& name) const {
     if (found_ && line_ > 0)
@@ -199,13 +200,22 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string field_text(const CsvCell& cell) {
+/// Of a number as the library writes it.
+std::string with_decimal_sign(std::string number, CsvManner manner) {
+  std::replace(number.begin(), number.end(), '.', manner.decimal_sign);
+  return number;
+}
+
+std::string field_text(const CsvCell& cell, CsvManner manner) {
   if (const double* number = std::get_if<double>(&cell))
-    return std::isnan(*number) ? "" : exact_text(*number);
+    return std::isnan(*number) ? "" : with_decimal_sign(exact_text(*number), manner);
   std::string text = std::get<std::string>(cell);
+  if (manner.decimal_sign != '.' && parse_number(text))
+    return with_decimal_sign(std::move(text), manner);
   if (is_formula(text))
     text.insert(0, 1, '\'');
-  if (text.find_first_of(",\"\r\n") == std::string::npos && trimmed(text) == text && !text.starts_with('#'))
+  if (text.find_first_of(manner.separator == ';' ? ";,\"\r\n" : ",\"\r\n") == std::string::npos &&
+      trimmed(text) == text && !text.starts_with('#'))
     return text;
   std::string quoted = "\"";
   for (const char c : text)
@@ -244,6 +254,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
         points.take(rows_.back().fields[k], headings_[k], line);
   }
   points.require_none_of_thousands(name_);
+  manner_ = {.separator = decimal_commas ? ';' : ',', .decimal_sign = points.found() ? ',' : '.'};
   if (rows_.empty())
     throw FileError(name_, heading_line_, "there are no rows below the heading line");
 }
@@ -310,10 +321,10 @@ CsvTable read_csv(const std::filesystem::path& path) {
   return CsvTable(path.string(), text.str());
 }
 
-std::string csv_line(const std::vector<CsvCell>& cells) {
+std::string csv_line(const std::vector<CsvCell>& cells, CsvManner manner) {
   std::string line;
   for (std::size_t k = 0; k < cells.size(); ++k)
-    line += (k > 0 ? "," : "") + field_text(cells[k]);
+    line += (k > 0 ? std::string(1, manner.separator) : "") + field_text(cells[k], manner);
   return line + '\n';
 }
 
@@ -325,12 +336,12 @@ std::string csv_text(const CsvContent& content) {
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     text += line + '\n';
   }
-  text += csv_line({content.headings.begin(), content.headings.end()});
+  text += csv_line({content.headings.begin(), content.headings.end()}, {content.manner.separator});
   for (const auto& row : content.rows) {
     if (row.size() != content.headings.size())
       throw InvalidArgument("a CSV row has " + std::to_string(row.size()) + " cells for " +
                             std::to_string(content.headings.size()) + " headings");
-    text += csv_line(row);
+    text += csv_line(row, content.manner);
   }
   return text;
 }

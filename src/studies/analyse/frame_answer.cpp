@@ -44,7 +44,8 @@ void add_network(FrameAnswer& frame) {
   const network::Response& response = frame.measured.packing.network->response;
   frame.rungs.push_back(
       {.name = "affine", .title = "network, affine", .moduli = moduli_of(response.affine())});
-  RungResult result{.name = network_name, .title = "rung 4, network"};
+  RungResult result{.name = network_name(),
+                    .title = effective::label(effective::rung(effective::RungName::network)) + ", network"};
   if (response.converged())
     result.moduli = moduli_of(response.relaxed());
   else
@@ -53,7 +54,7 @@ void add_network(FrameAnswer& frame) {
 }
 
 void set_ratios(FrameAnswer& frame) {
-  const RungResult* network = find_rung(frame, network_name);
+  const RungResult* network = find_rung(frame, network_name());
   for (RungResult& rung : frame.rungs)
     if (network != nullptr && rung.moduli && rung.moduli->K > 0 && rung.moduli->G > 0) {
       rung.network_over_K = network->moduli->K / rung.moduli->K;
@@ -98,6 +99,7 @@ Moduli moduli_of(const elastic::VoigtStiffness& stiffness) {
   return moduli_of(elastic::transversely_isotropic_projection(stiffness));
 }
 
+std::string network_name() { return effective::rung(effective::RungName::network).column; }
 std::string relaxed_name() { return effective::rung(effective::RungName::relaxed).column; }
 
 FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOptions& options) {

@@ -52,7 +52,7 @@ struct RungResult {
 };
 
 /// What is measured: the frozen network, every grain in equilibrium.
-inline constexpr const char* network_name = "rung4";
+[[nodiscard]] std::string network_name();
 /// Rung 3 in the list of a frame's rungs.
 [[nodiscard]] std::string relaxed_name();
 

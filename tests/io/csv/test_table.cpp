@@ -130,6 +130,22 @@ TEST_CASE("numbers of tables with decimal commas are those of the same table wit
   CHECK(commas.numbers("p", Dimension::pressure) == points.numbers("p", Dimension::pressure));
 }
 
+TEST_CASE("a table is written in the manner of another one, and read back to the bit") {
+  const io::CsvTable commas("a.csv", "name;e\ndense;0,65\n"), points("b.csv", "name;e\ndense;0.65\n"),
+      usual("c.csv", "name,e\ndense,0.65\n");
+  CHECK(io::csv_line({commas.fields(0)[0], commas.fields(0)[1], 1.5, "a;b, 1.5"}, commas.manner()) ==
+        "dense;0,65;1,5;\"a;b, 1.5\"\n");
+  CHECK(io::csv_line({"0.65", 1.5}, points.manner()) == "0.65;1.5\n");
+  CHECK(io::csv_line({"0.65", 1.5}, usual.manner()) == "0.65,1.5\n");
+  const double value = 0.1234567890123456;
+  const std::string text = io::csv_text({.notes = {{"note", "1.5"}},
+                                         .headings = {"e", "p_kPa"},
+                                         .rows = {{value, 1e-7}},
+                                         .manner = commas.manner()});
+  CHECK(text.starts_with("# note: 1.5\ne;p_kPa\n"));
+  CHECK(io::CsvTable("d.csv", text).numbers("e", Dimension::dimensionless).front() == value);
+}
+
 TEST_CASE("commas that could be either are refused with path and line") {
   CHECK_THROWS_WITH_AS(
       io::CsvTable("a.csv", "# note\ne,x;p_kPa\n1;2\n"),

@@ -20,6 +20,12 @@
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
+/// How a table is written: what separates its fields, and the decimal sign of its numbers.
+struct CsvManner {
+  char separator = ',';
+  char decimal_sign = '.'; ///< a comma only where semicolons separate the fields
+};
+
 /// A table that was read. Every row has one field for each heading.
 class CsvTable {
  public:
@@ -38,6 +44,10 @@ class CsvTable {
   [[nodiscard]] std::size_t heading_line() const { return heading_line_; }
   /// Line of the file on which a row begins, from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return rows_.at(row).line; }
+
+  /// That of the file: a table that follows from it is written alike. The decimal sign is a comma where a
+  /// number has one.
+  [[nodiscard]] CsvManner manner() const { return manner_; }
 
   /// The fields of a row as they stand in the file, one for each heading; a decimal comma is a point.
   [[nodiscard]] const std::vector<std::string>& fields(std::size_t row) const { return rows_.at(row).fields; }
@@ -68,6 +78,7 @@ class CsvTable {
   std::size_t heading_line_ = 0;
   std::vector<std::string> headings_;
   std::vector<Row> rows_;
+  CsvManner manner_;
 };
 
 /// Reads a file whole.
@@ -84,10 +95,12 @@ struct CsvContent {
   std::vector<std::pair<std::string, std::string>> notes; ///< "# key: value" lines above the heading
   std::vector<std::string> headings;
   std::vector<std::vector<CsvCell>> rows;
+  CsvManner manner = {};
 };
 
-/// One line of a file, with its end.
-[[nodiscard]] std::string csv_line(const std::vector<CsvCell>& cells);
+/// One line of a file, with its end. A text that is a number, as a field of a table that was read, gets the
+/// decimal sign too.
+[[nodiscard]] std::string csv_line(const std::vector<CsvCell>& cells, CsvManner manner = {});
 
 /// The text of the file; CsvTable reads every finite number back to the same bits.
 /// \throws   InvalidArgument if a row has another number of cells than there are headings
