@@ -89,10 +89,8 @@ class PowerLaw {
   ///           a material out of range
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
-  /// The law with these numbers(), to the bit.
-  /// \param    numbers   1 <= alpha <= infinity, c > 0 [N m^-(1+1/alpha)]
-  /// \throws   InvalidArgument if one is out of range
-  /// Checked by tests/contact/test_laws.cpp
+  /// The law with these numbers(), 1 <= alpha <= infinity and c > 0, to the bit.
+  /// \throws   InvalidArgument if one is out of range.  Checked by tests/contact/test_laws.cpp
   [[nodiscard]] static PowerLaw of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers);
 
   /// The same profile of another solid: c goes as G/(1-nu).
@@ -130,8 +128,7 @@ class PowerLaw {
   /// A_alpha of one grain, from c [m^(1-alpha)]; infinite where alpha is too large for a double to hold it.
   /// Accuracy  relative alpha 1e-15.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double profile_constant() const;
-  /// Material of both grains.
-  [[nodiscard]] const GrainMaterial& grain() const { return grain_; }
+  [[nodiscard]] const GrainMaterial& grain() const { return grain_; } ///< material of both grains
 
   /// Normal force of the overlap.                                                          [Chung2014, Eq. 3]
   /// \param    overlap   d >= 0, full approach [m]
