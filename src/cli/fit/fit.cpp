@@ -38,15 +38,17 @@ hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::
 
 ExitCode run(FitQuestion question) {
   require_free(question);
+  const auto rows = read_rows(question);
   const hardin::VoidRatioFunction function = hardin::void_ratio_function(question.void_ratio_function);
-  const auto rows = read_rows(question, function);
   const hardin::FitOptions options{.atmospheric_pressure = question.atmospheric_pressure,
                                    .void_ratio_function = function,
                                    .weights = question.weights == "absolute" ? hardin::Weights::absolute
                                                                              : hardin::Weights::relative};
   const hardin::FitReport report = fitted(question, rows, options);
+  Validity validity = question.remarks;
+  validity.merge(report.fit().validity);
   const ExitCode code = deliver(question.output, within_width(fit_table(question, report)),
-                                fit_json(question, report), report.fit().validity);
+                                fit_json(question, report), validity);
   if (!question.picture.empty())
     io::write_file(question.picture, plot::svg(fit_chart(question, report.fit(), rows)),
                    question.output.force ? io::Existing::replace : io::Existing::keep);
@@ -74,9 +76,16 @@ void add_fit_law_options(CLI::App& command, FitQuestion& question) {
   std::vector<std::string> functions;
   for (const hardin::VoidRatioFunction function : hardin::all_void_ratio_functions())
     functions.emplace_back(hardin::name(function));
-  command.add_option("--void-ratio-function", question.void_ratio_function, "f(e)")
+  command
+      .add_option_function<std::string>(
+          "--void-ratio-function",
+          [&question](const std::string& text) {
+            question.void_ratio_function = text;
+            question.void_ratio_function_given = true;
+          },
+          "f(e)")
       ->transform(one_of(functions))
-      ->capture_default_str();
+      ->default_str(question.void_ratio_function);
   add_quantity(command, "--atmospheric-pressure", question.atmospheric_pressure, Dimension::pressure,
                "p_a, for which C holds");
   command.add_option("--weights", question.weights, "Equal errors of ln G (relative) or of G (absolute)")

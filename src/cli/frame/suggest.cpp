@@ -96,6 +96,14 @@ const std::vector<Symbol>& symbols() {
       {{"shape", "law", "model", "contactlaw", "contactmodel"}, {"--contact"}},
       {{"mineral", "material", "solid"}, {"--grain", "--material"}},
       {{"gwt", "waterlevel", "groundwater"}, {"--water-table"}},
+      {{"fines", "finescontent", "fc"}, {}, "fines are not modelled: the laws are of clean sands"},
+      {{"ocr", "overconsolidation", "age", "ageing"},
+       {},
+       "overconsolidation and age are not modelled; granum infer takes a measured speed of the ground"},
+      {{"cement", "cementation", "bond"},
+       {},
+       "cement is not modelled here; the library and Python have contact cement and stiff and soft sand, "
+       "rock_physics"},
       {{"pa", "patm", "pref", "referencepressure"}, {"--atmospheric-pressure"}},
       {{"o", "output", "outfile"}, {"--out"}},
       {{"f", "overwrite"}, {"--force"}},
@@ -202,6 +210,8 @@ Names near_scene_keys(const CLI::App& command, const std::string& name) {
 /// What an option was meant to be, as the end of a sentence; empty if nobody knows.
 std::string meant_option(const CLI::App& program, const CLI::App& command, const std::string& typed) {
   const Symbol* symbol = find_symbol(symbols(), bare(typed));
+  if (symbol != nullptr && symbol->options.empty())
+    return ": " + symbol->remark;
   if (symbol != nullptr)
     if (const Names known = those_of(command, symbol->options); !known.empty())
       return fmt::format("; did you mean {}?{}", fmt::join(known, " or "),

@@ -42,6 +42,7 @@ void add_size_options(CLI::App& command, PackingOptions& o) {
           "--sieve",
           [&o](const std::string& path) {
             set_sizes(o, sizes::Distribution::sieve(io::read_sieve_curve(path)));
+            o.graded = true;
           },
           "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius as well")
       ->type_name("FILE");
@@ -51,6 +52,7 @@ void add_size_options(CLI::App& command, PackingOptions& o) {
           [&o](const std::string& text) {
             set_sizes(o, sizes::Distribution::uniformity(
                              parse_quantity("--uniformity", text, Dimension::dimensionless)));
+            o.graded = true;
           },
           "C_u = d60/d10 of grains that are lognormal by mass")
       ->type_name("NUMBER");

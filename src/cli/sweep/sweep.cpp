@@ -80,6 +80,7 @@ void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth,
 void add_sweep_options(CLI::App& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   add_answer_options(command, o.answer);
+  add_strain_option(command, o.answer);
   CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
                            ->delimiter(',')
                            ->transform(one_of(names_of(effective::closed_forms(), &Rung::key)))
@@ -102,6 +103,8 @@ void add_sweep_options(CLI::App& command, SweepOptions& o) {
           "every rung of a table")
       ->transform(one_of({"usual", "all"}))
       ->default_str("usual");
+  command.add_flag("--laws", o.law_columns,
+                   "Published laws of sands too: a column each, lines in the picture of a path");
   add_output_options(command, o.output);
   add_picture_options(command, o, depth, table);
 }
@@ -112,12 +115,13 @@ void group_sweep_options(CLI::App& command) {
   in_group(command, "Ground",
            {"--depth", "--unit-weight", "--saturated-unit-weight", "--water-table", "--k0", "--surcharge",
             "--water-unit-weight"});
-  in_group(command, "Table and columns", {"--table", "--columns", "--rungs"});
+  in_group(command, "Table and columns", {"--table", "--columns", "--laws", "--rungs"});
   in_group(command, output_group, {"--picture", "--picture-of"});
 }
 
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
+  o.answer.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
   apply_presets(o.packing, o.answer);

@@ -19,19 +19,22 @@ namespace {
 /// The separator of the fields that stands outside of quotes in the first record.
 /// \throws   FileError if commas and semicolons do
 char separator_in(std::string_view text, const std::string& name, std::size_t line) {
-  bool comma = false, semicolon = false, quoted = false;
+  bool comma = false, semicolon = false, tab = false, quoted = false;
   for (const char c : text) {
     if (c == '\n' && !quoted)
       break;
     quoted = quoted != (c == '"');
     comma = comma || (c == ',' && !quoted);
     semicolon = semicolon || (c == ';' && !quoted);
+    tab = tab || (c == '\t' && !quoted);
   }
   if (comma && semicolon)
     throw FileError(
         name, line,
         "commas and semicolons stand between the headings: put quotes around a heading that holds "
         "one of them");
+  if (tab && !comma && !semicolon)
+    return '\t'; // as cells that are copied from a spreadsheet
   return semicolon ? ';' : ',';
 }
 
@@ -222,7 +225,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   if (!cursor.seek_record())
     throw FileError(name_, 0, "is empty; expected a heading line such as G_MPa,sigma_v_kPa,sigma_h_kPa,e");
   heading_line_ = cursor.line();
-  const bool decimal_commas = cursor.find_separator() == ';';
+  const bool decimal_commas = cursor.find_separator() != ',';
   headings_ = cursor.record();
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
