@@ -10,7 +10,7 @@ set(golden_E "^5642891196\\.535(7[1-9]|80)")
 granum_cli_test("estimate: golden numbers" EXIT 0 JSON "uniform_strain/K=${golden_K}" "uniform_stress/K=${golden_K}"
   "uniform_strain/G_vh=${golden_G}" "uniform_strain/G_hh=${golden_G}" "uniform_strain/C44=${golden_G}"
   "uniform_strain/C66=${golden_G}" "uniform_strain/E_v=${golden_E}" "uniform_strain/E_h=${golden_E}"
-  ARGS estimate ${golden})
+  STDERR "so many contacts, 5\\.6 at most" ARGS estimate ${golden})
 
 # k_n = 2 G a/(1-nu) of a flat punch at every stress: K = C_n k_n/(6 pi R (1+e)), G = C_n (k_n+1.5 k_t)/(10 pi R (1+e)).
 foreach(pressure 0Pa 100kPa)
@@ -45,7 +45,7 @@ foreach(case "cone --slope 0.4=0\\.(5$|50000000000000|4999999999999)" "sphere=0\
 endforeach()
 string(REPLACE "--contact;sphere" "--contact;power-law;--alpha;2;--profile-constant;1000" parabola "${golden}")
 granum_cli_test("estimate: alpha = 2 and A = 1/(2R) is the sphere" EXIT 0 JSON "uniform_strain/K=${golden_K}"
-  ARGS estimate ${parabola})
+  STDERR "so many contacts" ARGS estimate ${parabola})
 
 # limits: numbers, never NaN
 set(moduli C11 C33 C12 C13 C44 C66 K G_hh G_vh E_v E_h)

@@ -41,8 +41,8 @@ void add_uncertainty_option(CLI::App& command, std::vector<std::string>& setting
 void apply_presets(PackingOptions& packing, AnswerOptions& options);
 
 /// What the grains are, as far as the options say or imply: a name, a relative density, limits of the void
-/// ratio, a sieve curve or C_u of a soil, a shear strain and the ground imply a sand; glass, steel, numbers of
-/// contacts and their shape imply spheres; nothing where neither is implied.
+/// ratio, a sieve curve or C_u of a soil, a shear strain and the ground imply a sand; glass, steel, numbers
+/// of contacts and their shape imply spheres; nothing where neither is implied.
 [[nodiscard]] std::optional<estimate::GrainShape> told_shape(const PackingOptions& packing,
                                                              const AnswerOptions& options);
 

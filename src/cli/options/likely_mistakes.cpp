@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kilo = 1e3, mega = 1e6, milli = 1e-3;
 
-/// Sands with shells or mica reach 2; no packing of grains is denser than 0.1, and only wide gradings are denser
-/// than 0.4, where porosities lie.
+/// Sands with shells or mica reach 2; no packing of grains is denser than 0.1, and only wide gradings are
+/// denser than 0.4, where porosities lie.
 void judge_void_ratio(const PackingOptions& o, const effective::State& state, Validity& validity) {
   constexpr double loosest = 3, densest = 0.1, least_per_cent = 10;
   const double e = state.void_ratio;

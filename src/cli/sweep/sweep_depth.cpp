@@ -138,7 +138,7 @@ std::string table_of(const GroundCase& ground, const std::vector<DepthState>& st
                      const std::vector<std::string>& remarks) {
   const AnswerCase& last = *states.back().state.answer;
   std::string text =
-      fmt::format("Small-strain stiffness of level ground of void ratio {}: {}\n\n",
+      fmt::format("Stiffness of level ground, void ratio {}: {}\n\n",
                   short_text(last.question.state.void_ratio), title_of(last.question.grain_shape));
   text += ground_text(ground);
   text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
