@@ -131,8 +131,8 @@ TransverselyIsotropic scaled(const TransverselyIsotropic& c, double bulk, double
 /// A factor that takes a modulus down by its standard error, which may be larger than the modulus.
 double less(double relative_error) { return std::max(0.0, 1 - relative_error); }
 
-/// Sphere packings of these void ratios were calibrated; beyond, the weight of what is measured on sands grows
-/// to 1 within a twentieth.
+/// Sphere packings of these void ratios were calibrated; beyond, the weight of what is measured on sands
+/// grows to 1 within a twentieth.
 constexpr double densest_spheres = 0.50, loosest_spheres = 0.75, fading = 0.05;
 
 /// By how much a stiffness reaches from spheres to sands where nothing is known of the contacts: 1 within the

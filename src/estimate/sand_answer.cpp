@@ -55,8 +55,8 @@ effective::State spheres_of(const Question& q) {
   return state;
 }
 
-/// Contacts that rung 3 needs for this Poisson's ratio, and how stiff they must be over those of the model for
-/// this G.
+/// Contacts that rung 3 needs for this Poisson's ratio, and how stiff they must be over those of the model
+/// for this G.
 void infer_contacts(Values& all, const Question& q, double G, double nu) {
   const effective::State state = spheres_of(q);
   const auto stiffness = [&](double z) {

@@ -3,8 +3,8 @@
 //     sands <table.csv>
 // Columns: sand (a number or name), C_u, p_kPa, e, G_MPa; D50_mm, e_min and e_max where they are known.
 // Prints, for each law and each form of the pooled one, bias, root mean square of log10 and the share of
-// tests within factors, each sand with the same weight; then the pooled law by sand, forecasts from one test to
-// another of one sand, and by how much they miss. Exit code 0 unless the table cannot be read.
+// tests within factors, each sand with the same weight; then the pooled law by sand, forecasts from one test
+// to another of one sand, and by how much they miss. Exit code 0 unless the table cannot be read.
 #include <cmath>
 #include <cstdio>
 #include <exception>

@@ -102,7 +102,8 @@ class Answer {
 /// deviations there. z* and the softness of contacts are inferred: those at which rung 3 has this ratio and
 /// this G; neither is known by itself, and no other contact number is stated.
 /// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,
-///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and x_0 are all given, and if the moduli are beyond what a double holds
+///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and
+///           x_0 are all given, and if the moduli are beyond what a double holds
 /// Accuracy  of the middle as relaxed at its z*; of s where contacts grow 1e-7. No number is NaN, and each
 ///           lies in its range. Checked by tests/estimate/test_answer.cpp, tests/attack
 [[nodiscard]] Answer answer(const Question& question, std::span<const Spread> spreads = {});

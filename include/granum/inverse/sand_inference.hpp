@@ -9,8 +9,8 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
-/// Forecasts for a sand of which something is measured: its level, and as far as measurements tell them how it
-/// grows with stress and its Poisson's ratio. Every forecast is an answer of estimate::answer.
+/// Forecasts for a sand of which something is measured: its level, and as far as measurements tell them how
+/// it grows with stress and its Poisson's ratio. Every forecast is an answer of estimate::answer.
 /// Checked by tests/inverse/test_sand_inference.cpp, validation/sands
 namespace granum::inverse {
 
@@ -69,8 +69,9 @@ class SandInference {
 /// of measured sands with their deviations as measurements of their own.
 /// Assumes   dry or drained sand; values of one ground, whose scatter from test to test is 5 % of G
 /// \param    sand   what is known of it besides its states; its own state is not used
-/// \throws   InvalidArgument without measurements, for values not positive, for a speed without the density of
-///           the grains, for a compression wave or K in wet pores, and for SandGrowth::fitted at one stress
+/// \throws   InvalidArgument without measurements, for values not positive, for a speed without the density
+///           of the grains, for a compression wave or K in wet pores, and for SandGrowth::fitted at one
+///           stress
 /// Accuracy  a modulus of the pooled law gives level 1 back to 1e-9.
 [[nodiscard]] SandInference infer_sand(std::span<const Observation> measurements,
                                        const estimate::Question& sand,

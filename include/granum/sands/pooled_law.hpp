@@ -47,8 +47,8 @@ struct GrowthExponent {
   double value = 0;
   double deviation = 0;
 };
-/// From 50 kPa on 0.40 C_u^0.18 with C_u = 1.5 where it is not known, or that of the sand's own tests, +- 0.05;
-/// below 50 kPa 0.50 +- 0.07, as sands soften faster there.
+/// From 50 kPa on 0.40 C_u^0.18 with C_u = 1.5 where it is not known, or that of the sand's own tests, +-
+/// 0.05; below 50 kPa 0.50 +- 0.07, as sands soften faster there.
 /// \param    mean_stress   p >= 0 [Pa]
 /// Accuracy  of 33 sands: mean residual 0.001, s.d. 0.053. Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] GrowthExponent growth_exponent(const Sand& sand, double mean_stress);
@@ -57,9 +57,10 @@ struct GrowthExponent {
 /// \param    mean_stress   p >= 0 [Pa]
 [[nodiscard]] double growth_factor(const Sand& sand, double mean_stress);
 
-/// Variance of ln G of a forecast from one mean stress to another of one sand, 0.05^2 of how a sand keeps to one
-/// law, and s's deviation times the ln of the ratio, part by part below and above 50 kPa; the measurement's own
-/// error comes to it. Of pairs of tests at one void ratio the root mean square miss is 0.9 to 1.3 of it.
+/// Variance of ln G of a forecast from one mean stress to another of one sand, 0.05^2 of how a sand keeps to
+/// one law, and s's deviation times the ln of the ratio, part by part below and above 50 kPa; the
+/// measurement's own error comes to it. Of pairs of tests at one void ratio the root mean square miss is 0.9
+/// to 1.3 of it.
 /// [validation/sands]
 [[nodiscard]] double forecast_variance(const Sand& sand, double from, double to);
 
@@ -78,8 +79,8 @@ struct GrowthExponent {
 /// What of a sand lies outside of the tests, in words; the values hold with a wider range.
 [[nodiscard]] Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress);
 
-/// Poisson's ratio of dry or drained sand at small strain: 0.20 - 0.05 log10(p/100 kPa) +- 0.06 from 10 kPa to
-/// 10 MPa, held at its ends beyond, within [0.08, 0.35]; 0.05 more and +- 0.08 for C_u above 3.
+/// Poisson's ratio of dry or drained sand at small strain: 0.20 - 0.05 log10(p/100 kPa) +- 0.06 from 10 kPa
+/// to 10 MPa, held at its ends beyond, within [0.08, 0.35]; 0.05 more and +- 0.08 for C_u above 3.
 /// Young's modulus hardly depends on it, V_p by some 10 %, the bulk modulus by a factor of 1.5.
 /// [Domenico1977; own readings of laboratory signals]
 struct PoissonRatio {

@@ -16,8 +16,8 @@ struct StrainedSand {
   Sand sand = {};
 };
 
-/// A published law of clean sand. Its constants are those that public codes carry; nobody checked them against
-/// the printed pages.
+/// A published law of clean sand. Its constants are those that public codes carry; nobody checked them
+/// against the printed pages.
 struct StrainLaw {
   const char* key;
   const char* source; ///< entry of validation/references.bib
@@ -40,7 +40,8 @@ struct StrainAnswer {
 ///           Checked by tests/sands/test_strain.cpp
 [[nodiscard]] StrainAnswer strained(const StrainedSand& sand);
 
-/// Damping ratio of a sand whose G is a share `ratio` of that at small strain, 0.333 (0.586 r^2 - 1.547 r + 1).
+/// Damping ratio of a sand whose G is a share `ratio` of that at small strain, 0.333 (0.586 r^2 - 1.547 r +
+/// 1).
 /// [IshibashiZhang1993]
 [[nodiscard]] double damping_ratio(double ratio);
 

@@ -15,9 +15,9 @@
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
 /// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
 /// decimal comma; so do tabs where no commas
-/// and semicolons stand between the headings. A text that a spreadsheet would take for a formula, as it begins with = + - or @ and is no
-/// number, is written behind an apostrophe, which is dropped again when it is read. A byte order mark, lines
-/// that begin with '#' and blank lines are skipped.
+/// and semicolons stand between the headings. A text that a spreadsheet would take for a formula, as it
+/// begins with = + - or @ and is no number, is written behind an apostrophe, which is dropped again when it
+/// is read. A byte order mark, lines that begin with '#' and blank lines are skipped.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
