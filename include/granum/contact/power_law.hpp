@@ -118,6 +118,7 @@ class PowerLaw {
   /// That b is the same at every force.
   [[nodiscard]] std::optional<double> constant_exponent() const { return stiffness_exponent(); }
   [[nodiscard]] double exponent_at_force(double /*force*/) const { return stiffness_exponent(); }
+  [[nodiscard]] static double exponent_slope_at_force(double /*force*/) { return 0; }
   /// 1 + 1/alpha: the exponent of f ~ d^(1+1/alpha).
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
@@ -167,6 +168,8 @@ class PowerLaw {
 
   /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
   [[nodiscard]] Kernel kernel() const;
+  /// This law: it is one of the power family.
+  [[nodiscard]] const PowerLaw* power_law() const { return this; }
   /// alpha and c: laws of the same ones have the same forces.
   [[nodiscard]] std::array<double, 2> numbers() const { return {alpha_, coefficient_}; }
   /// "PowerLaw(alpha=2, coefficient=...)": kind and numbers, for people who compare two.
