@@ -18,7 +18,7 @@ namespace {
 
 /// h(X) of the class, calibrated by validation/rough_contact. The expansion for small X begins with 4/3, and
 /// s0 takes in what follows it.
-constexpr double s0 = 1.316691, c = 0.834816, n = 1.090333;
+constexpr double s0 = 1.316734, c = 0.834395, n = 1.090329;
 constexpr double of_rough = 2 * std::numbers::pi / 3;
 
 /// s at the onset of a contact, and beyond which roughness is below rounding.

@@ -34,9 +34,9 @@ Exact hertz_stiffness(const Exact& f) {
 /// k_n as the class writes it, in 50 digits.
 Exact stiffness(const Exact& f) {
   const Exact k = hertz_stiffness(f), X = Exact(u0) * k / f;
-  const Exact q = pow(Exact(0.834816) * X, Exact(1.090333));
+  const Exact q = pow(Exact(0.834395) * X, Exact(1.090329));
   const Exact two_thirds_pi = 8 * atan(Exact(1)) / 3;
-  const Exact h = 1 + X * (Exact(1.316691) + two_thirds_pi * q) / (1 + q);
+  const Exact h = 1 + X * (Exact(1.316734) + two_thirds_pi * q) / (1 + q);
   return 1 / (Exact(u0) / f + 1 / (k * sqrt(h)));
 }
 
