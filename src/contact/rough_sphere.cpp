@@ -85,8 +85,7 @@ class Curve {
   static Sums at(double s, const Sums& from, double start) {
     static const std::vector<QuadratureNode> rule = gauss_legendre(12);
     const double half = std::log(s / start) / 2;
-    Sums sums{.length = from.length + 3 * half,
-              .energy = from.energy + power_3_2(s) - power_3_2(start)};
+    Sums sums{.length = from.length + 3 * half, .energy = from.energy + power_3_2(s) - power_3_2(start)};
     for (const auto& [x, weight] : rule) {
       const double here = start * std::exp(half * (1 + x));
       const double part = weight * half * 1.5 * here * shape(1 / here).m;
@@ -106,7 +105,8 @@ class Curve {
   }
 
   void fill_cells() {
-    cells_.reserve(static_cast<std::size_t>(RoughSphereKernel::octaves) * RoughSphereKernel::cells_per_octave);
+    cells_.reserve(static_cast<std::size_t>(RoughSphereKernel::octaves) *
+                   RoughSphereKernel::cells_per_octave);
     double s = std::ldexp(1.0, first_octave);
     Node left = node(s);
     for (int octave = 0; octave < RoughSphereKernel::octaves; ++octave)
@@ -184,7 +184,8 @@ bool RoughSphere::is_smooth(double force) const {
 
 double RoughSphere::smoothness_at_overlap(double overlap) const {
   const double y = overlap / roughness_;
-  const double guess = y < 0x1p31 ? std::cbrt(RoughSphereKernel{1, 1, curve().cells()}(y).force) : std::sqrt(y / 1.5);
+  const double guess =
+      y < 0x1p31 ? std::cbrt(RoughSphereKernel{1, 1, curve().cells()}(y).force) : std::sqrt(y / 1.5);
   return curve().s_of_length(y - 1, guess * guess);
 }
 
@@ -228,8 +229,9 @@ double RoughSphere::exponent_at_force(double force) const {
   require_non_negative("force", force, "N");
   if (is_smooth())
     return smooth_.stiffness_exponent();
-  return force < RoughSphereKernel::onset * transition_force_ ? 0
-                                                              : rough_stiffness(roughness_number(force)).exponent;
+  return force < RoughSphereKernel::onset * transition_force_
+             ? 0
+             : rough_stiffness(roughness_number(force)).exponent;
 }
 
 double RoughSphere::exponent_slope_at_force(double force) const {
@@ -255,7 +257,8 @@ double RoughSphere::energy(double overlap) const {
 
 RoughSphere::Kernel RoughSphere::kernel() const {
   // c = 2 G sqrt(2R)/(3(1-nu)).
-  const double per_modulus = 1.5 * smooth_.coefficient() * (1 - grain().poisson_ratio) / grain().shear_modulus;
+  const double per_modulus =
+      1.5 * smooth_.coefficient() * (1 - grain().poisson_ratio) / grain().shear_modulus;
   const double radius = per_modulus * per_modulus / 2;
   if (is_smooth() || roughness_ < 0x1p-30 * radius)
     return SphereKernel{smooth_.coefficient()};

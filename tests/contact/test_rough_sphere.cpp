@@ -63,10 +63,12 @@ TEST_CASE("rough spheres: k_n is the formula to four units in the last place, b 
   each_force(law, [&](double f) {
     const Exact k = stiffness(f);
     worst = std::max(worst, static_cast<double>(abs(law.stiffness_at_force(f) - k) / k));
-    worst_exponent = std::max(worst_exponent, std::abs(law.exponent_at_force(f) - static_cast<double>(exponent(f))));
+    worst_exponent =
+        std::max(worst_exponent, std::abs(law.exponent_at_force(f) - static_cast<double>(exponent(f))));
     const Exact step("1e-8");
     const Exact slope = (exponent(f * exp(step)) - exponent(f * exp(-step))) / (2 * step);
-    worst_slope = std::max(worst_slope, std::abs(law.exponent_slope_at_force(f) - static_cast<double>(slope)));
+    worst_slope =
+        std::max(worst_slope, std::abs(law.exponent_slope_at_force(f) - static_cast<double>(slope)));
   });
   CHECK(worst < 4 * epsilon);
   CHECK(worst_exponent < 1e-14);
@@ -160,7 +162,8 @@ TEST_CASE("rough spheres: pairs of unequal grains are those of their pair radius
   for (const auto& [i, j] : {std::pair(1.0, 1.0), {0.5, 2.0}, {3.0, 0.7}}) {
     const RoughSphere expected(quartz, pair_radius(i * R, j * R), u0);
     CHECK(of_sizes(law, i, j).force(d) == relative(expected.force(d), 1e-13));
-    CHECK(of_sizes(std::get<RoughSphereKernel>(law.kernel()), i, j)(d).force == relative(expected.force(d), 1e-9));
+    CHECK(of_sizes(std::get<RoughSphereKernel>(law.kernel()), i, j)(d).force ==
+          relative(expected.force(d), 1e-9));
   }
   CHECK(law.of(quartz, 2 * R).roughness() == u0);
 }

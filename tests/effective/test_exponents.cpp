@@ -144,7 +144,8 @@ TEST_CASE("exponents: of rough spheres they are local, and derivatives of every 
                 return std::log(effective::modulus(effective::answer(rung, moved).stiffness, which));
               };
               const double h = 2e-3;
-              return (8 * (log_modulus(h) - log_modulus(-h)) - (log_modulus(2 * h) - log_modulus(-2 * h))) / (12 * h);
+              return (8 * (log_modulus(h) - log_modulus(-h)) - (log_modulus(2 * h) - log_modulus(-2 * h))) /
+                     (12 * h);
             };
             CHECK(std::abs(e.stress_v - quotient(&State::stress_v)) < 1e-8);
             CHECK(std::abs(e.stress_h - quotient(&State::stress_h)) < 1e-8);

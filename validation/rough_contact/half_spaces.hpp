@@ -101,7 +101,7 @@ class HalfSpaces {
       const Eigen::VectorXd step = solver.solve(missing);
       const double largest = step.cwiseAbs().maxCoeff();
       log_pressure_ += step.cwiseMin(3); // pressures that fall do no harm
-      if (largest < 1e-8) { // Newton's next error is its square
+      if (largest < 1e-8) {              // Newton's next error is its square
         const Eigen::VectorXd p = log_pressure_.array().exp().matrix();
         const Eigen::VectorXd share = solver.solve(Eigen::VectorXd::Ones(v_.size()));
         const double force = std::numbers::pi * weight_.dot(p);

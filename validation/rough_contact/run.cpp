@@ -135,7 +135,8 @@ int main(int argc, char** argv) {
   at_most("solved again, against the record", solved, 1e-9);
   at_most("on twice as fine panels", refined, 1e-9);
   claim(falls && b_falls, "Phi falls with X and b rises with it, in the record", 0, 0);
-  claim(least > 1.0 / 3 && most < 1, "b of the record stays between 1/3 and 1: least above 1/3", least - 1.0 / 3, 0);
+  claim(least > 1.0 / 3 && most < 1, "b of the record stays between 1/3 and 1: least above 1/3",
+        least - 1.0 / 3, 0);
   // Limits: Phi = 1 - X/3 and Phi = 1/(X + sqrt(3/(2 pi X))), each with an error of the next order.
   const double smooth = (1 / stiffness_over_hertz(3e-4, fineness) - 1) / 3e-4;
   at_most("little roughness: (1/Phi - 1)/X at X = 3e-4 from 1/3", std::abs(3 * smooth - 1), 1e-3);

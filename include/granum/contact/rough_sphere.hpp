@@ -48,12 +48,12 @@ struct RoughSphereKernel {
 };
 
 /// Two equal elastic spheres with rough surfaces. Between the two half spaces lies an interface that bears
-/// the pressure p_0 exp(-gap/u0), as nominally flat rough surfaces do [Persson2007] [Lorenz2009], and is as
+/// the pressure p_0 exp(-gap/u0), as nominally flat rough surfaces do [Persson2007] [Akarapu2011], and is as
 /// stiff as p/u0. The stiffness of both together depends on one number, X = u0 k_H/f, with k_H that of smooth
 /// spheres:
 ///   1/k_n = u0/f + 1/(k_H sqrt(h)),   h = 1 + X (s0 + (2 pi/3) q)/(1 + q),   q = (c X)^n.
 /// Both limits are exact to leading order (docs/theory.md); s0, c and n are calibrated on solutions of the
-/// elastic problem, which k_n is within 1.4e-4 of for X from 0.003 to 100 (validation/rough_contact). b falls
+/// elastic problem, which k_n is within 1.3e-4 of for X from 0.003 to 100 (validation/rough_contact). b falls
 /// from 1, where X is large and roughness decides, to 1/3, where X is small and the spheres are as smooth.
 ///
 /// A contact begins at the force 2^-27 f_1, f_1 that where X = 1; below, the force is proportional to the
