@@ -258,9 +258,10 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
   judge_exponents(out, exponents(scene, whole));
   std::vector<SpecimenResult>
       of_one_exponent; // h depends on b: that of a law whose b changes has no one curve
-  std::copy_if(
-      specimens.begin(), specimens.end(), std::back_inserter(of_one_exponent),
-      [&](const SpecimenResult& specimen) { return law(scene, specimen.contact).constant_exponent().has_value(); });
+  std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(of_one_exponent),
+               [&](const SpecimenResult& specimen) {
+                 return law(scene, specimen.contact).constant_exponent().has_value();
+               });
   if (const std::optional<RelaxationCurve> curve = relaxation_curve(of_one_exponent))
     out.push_back(
         {"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
