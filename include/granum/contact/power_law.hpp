@@ -83,13 +83,10 @@ class PowerLaw {
   [[nodiscard]] static PowerLaw flat(const GrainMaterial& grain, double punch_radius);
   /// Any finite alpha: c = 2 G/(1-nu) alpha/(alpha+1) (g/A)^(1/alpha), g = Gamma((alpha+1)/2)/(2 sqrt(pi)
   /// Gamma(alpha/2+1)), which tends to the flat punch of radius A^(-1/alpha).        [Galin1946; Sneddon1965]
-  /// Below 1 the profile is a cusp, of infinite slope at its tip: no solid has it, but b = 1/(1 + alpha) goes
-  /// from 1/2 to 1, as contacts of sands are found to stiffen. Closed forms and networks of given forces hold;
-  /// simulations refuse it, for the overlap at no force is no longer small.
+  /// Below 1 the profile is a cusp, b from 1/2 to 1: for closed forms and networks of given forces alone.
   /// \param    alpha              0 < alpha < infinity
   /// \param    profile_constant   A_alpha > 0 of one grain [m^(1-alpha)]
-  /// \throws   InvalidArgument for alpha <= 0, infinite alpha (use flat), a constant that is not positive or
-  ///           whose power is beyond a double, or a material out of range
+  /// \throws   InvalidArgument for alpha <= 0, infinite alpha (use flat), a constant or its power out of range
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
 
@@ -171,7 +168,6 @@ class PowerLaw {
 
   /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
   [[nodiscard]] Kernel kernel() const;
-  /// This law: it is one of the power family.
   [[nodiscard]] const PowerLaw* power_law() const { return this; }
   /// alpha and c: laws of the same ones have the same forces.
   [[nodiscard]] std::array<double, 2> numbers() const { return {alpha_, coefficient_}; }
