@@ -101,8 +101,10 @@ TEST_CASE("probe and network agree on every shear modulus, and G_hv = G_vh") {
       if (law.rough_sphere() != nullptr) { // where a contact begins does not matter
         packing::Assembly bearing = dem::contact_network(frozen.state(), recipe.material);
         const std::size_t all = bearing.contacts.size();
-        const double mean = contact_stress(bearing).mean() * bearing.volume() / 1e-3 / static_cast<double>(all) * 3;
-        std::erase_if(bearing.contacts, [&](const packing::Contact& c) { return c.normal_force < 1e-3 * mean; });
+        const double mean =
+            contact_stress(bearing).mean() * bearing.volume() / 1e-3 / static_cast<double>(all) * 3;
+        std::erase_if(bearing.contacts,
+                      [&](const packing::Contact& c) { return c.normal_force < 1e-3 * mean; });
         CHECK(bearing.contacts.size() < all);
         CHECK(network::linear_response(bearing).relaxed().matrix(5, 5) == relative(relaxed(5, 5), 1e-3));
       }

@@ -46,25 +46,17 @@ inline std::vector<double> panel_ends(double X, double fineness) {
 /// The pressure of one approach, and how force and stiffness follow.
 class HalfSpaces {
  public:
-  HalfSpaces(double X, double fineness) : ends_(panel_ends(X, fineness)) {
-    const auto rule = granum::gauss_legendre(order);
-    for (int k = 0; k < order; ++k) {
-      double product = 1;
-      for (int other = 0; other < order; ++other)
-        if (other != k)
-          product *= rule[k].abscissa - rule[other].abscissa;
-      barycentric_.push_back(1 / product);
+  HalfSpaces(double X, double fineness) {
+    const std::vector<double> ends = panel_ends(X, fineness);
+    ends_ = Eigen::Map<const Eigen::VectorXd>(ends.data(), static_cast<Eigen::Index>(ends.size()));
+    fill_rule();
+    v_.resize(panels() * order);
+    weight_.resize(panels() * order);
+    for (Eigen::Index panel = 0; panel < panels(); ++panel) {
+      const double half = (ends_[panel + 1] - ends_[panel]) / 2;
+      v_.segment(panel * order, order) = ends_[panel] + half * (1 + node_.array());
+      weight_.segment(panel * order, order) = half * gauss_;
     }
-    rule_ = rule;
-    const auto panels = static_cast<Eigen::Index>(ends_.size() - 1);
-    v_.resize(panels * order);
-    weight_.resize(panels * order);
-    for (Eigen::Index panel = 0; panel < panels; ++panel)
-      for (int k = 0; k < order; ++k) {
-        const double half = (ends_[panel + 1] - ends_[panel]) / 2;
-        v_[panel * order + k] = ends_[panel] + half * (1 + rule_[k].abscissa);
-        weight_[panel * order + k] = half * rule_[k].weight;
-      }
     sinking_ = sinking_of_integral() * integral_of_pressure();
     // About Hertz': p_m sqrt(1 - v/a^2), and a fall beyond.
     const double edge = 1 / (4 * X), middle = 1.5 * std::pow(X, -1.5) / (std::numbers::pi * edge);
@@ -116,34 +108,52 @@ class HalfSpaces {
   [[nodiscard]] Eigen::Index size() const { return v_.size(); }
 
  private:
+  [[nodiscard]] Eigen::Index panels() const { return ends_.size() - 1; }
+
+  /// Gauss' rule, and the weights of the polynomial through values at its nodes.
+  void fill_rule() {
+    node_.resize(order);
+    gauss_.resize(order);
+    barycentric_.resize(order);
+    Eigen::Index k = 0;
+    for (const auto& [x, weight] : granum::gauss_legendre(order)) {
+      node_[k] = x;
+      gauss_[k++] = weight;
+    }
+    for (k = 0; k < order; ++k) {
+      double product = 1;
+      for (Eigen::Index other = 0; other < order; ++other)
+        if (other != k)
+          product *= node_[k] - node_[other];
+      barycentric_[k] = 1 / product;
+    }
+  }
+
   /// Adds weight times the value at v of each of the panel's polynomials.
   template <class Row>
   void add_values(Row row, Eigen::Index panel, double v, double weight) const {
     const double x = 2 * (v - ends_[panel]) / (ends_[panel + 1] - ends_[panel]) - 1;
-    double sum = 0, part[order];
-    for (int k = 0; k < order; ++k) {
-      const double distance = x - rule_[k].abscissa;
-      if (distance == 0) {
+    const Eigen::ArrayXd distance = x - node_.array();
+    for (Eigen::Index k = 0; k < order; ++k)
+      if (distance[k] == 0) {
         row[panel * order + k] += weight;
         return;
       }
-      sum += part[k] = barycentric_[k] / distance;
-    }
-    for (int k = 0; k < order; ++k)
-      row[panel * order + k] += weight * part[k] / sum;
+    const Eigen::ArrayXd part = barycentric_.array() / distance;
+    row.segment(panel * order, order) += (weight / part.sum() * part).matrix().transpose();
   }
 
   [[nodiscard]] Eigen::MatrixXd integral_of_pressure() const {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(v_.size(), v_.size());
     for (Eigen::Index i = 0; i < v_.size(); ++i)
-      for (std::size_t panel = 0; panel + 1 < ends_.size(); ++panel) {
+      for (Eigen::Index panel = 0; panel < panels(); ++panel) {
         if (ends_[panel + 1] <= v_[i])
           continue;
         const double from = std::sqrt(std::max(0.0, ends_[panel] - v_[i])),
                      to = std::sqrt(ends_[panel + 1] - v_[i]);
-        for (const auto& [x, w] : rule_) {
-          const double t = from + (to - from) / 2 * (1 + x);
-          add_values(matrix.row(i), static_cast<Eigen::Index>(panel), v_[i] + t * t, (to - from) / 2 * w);
+        for (Eigen::Index k = 0; k < order; ++k) {
+          const double t = from + (to - from) / 2 * (1 + node_[k]);
+          add_values(matrix.row(i), panel, v_[i] + t * t, (to - from) / 2 * gauss_[k]);
         }
       }
     return matrix;
@@ -154,20 +164,17 @@ class HalfSpaces {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(v_.size(), v_.size());
     const auto angle = [](double share) { return std::asin(std::sqrt(std::min(1.0, share))); };
     for (Eigen::Index i = 0; i < v_.size(); ++i)
-      for (std::size_t panel = 0; panel + 1 < ends_.size() && ends_[panel] < v_[i]; ++panel) {
+      for (Eigen::Index panel = 0; panel < panels() && ends_[panel] < v_[i]; ++panel) {
         const double from = angle(ends_[panel] / v_[i]), to = angle(ends_[panel + 1] / v_[i]);
         for (const auto& [x, w] : fine) {
           const double sine = std::sin(from + (to - from) / 2 * (1 + x));
-          add_values(matrix.row(i), static_cast<Eigen::Index>(panel), v_[i] * sine * sine,
-                     4 / std::numbers::pi * (to - from) / 2 * w);
+          add_values(matrix.row(i), panel, v_[i] * sine * sine, 4 / std::numbers::pi * (to - from) / 2 * w);
         }
       }
     return matrix;
   }
 
-  std::vector<double> ends_;
-  std::vector<granum::QuadratureNode> rule_;
-  std::vector<double> barycentric_;
+  Eigen::VectorXd ends_, node_, gauss_, barycentric_;
   Eigen::VectorXd v_, weight_, log_pressure_;
   Eigen::MatrixXd sinking_;
 };
