@@ -160,7 +160,7 @@ granum_estimate_refuses("punch of a cone" "--punch-radius goes with --contact fl
 granum_estimate_refuses("alpha of a flat" "--alpha goes with --contact power-law" ${state} --contact flat --alpha 2)
 granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --contact power-law"
   ${state} --profile-constant 180)
-granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law}" ${state} --contact egg)
+granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law,rough}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
 granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
 granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state}
