@@ -159,7 +159,7 @@ TEST_CASE("relaxation: the standard error") {
 TEST_CASE("relaxation: refuses what no packing has") {
   CHECK_THROWS_AS((void)relaxation(-1, 0.9, 0.3), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, -0.1, 0.3), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(5, 0.9, 0.6), InvalidArgument);
+  CHECK_THROWS_AS((void)relaxation(5, 0.9, 1.1), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, 0.9, -0.1), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(NAN, 0.9, 0.3), InvalidArgument);
 }

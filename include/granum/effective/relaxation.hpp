@@ -46,7 +46,7 @@ struct Relaxation {
 [[nodiscard]] double scatter_share_of_preparation();
 
 /// The largest b that the factors are calibrated with.
-inline constexpr double largest_calibrated_exponent = 0.5;
+inline constexpr double largest_calibrated_exponent = 1;
 
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
