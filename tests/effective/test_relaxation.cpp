@@ -184,6 +184,20 @@ TEST_CASE("relaxed: an isotropic packing takes the two factors") {
     }
 }
 
+TEST_CASE("relaxed: counted forces take the place of expected ones") {
+  State s = state_of(2, 0, 0.15, 1e5, 1e5);
+  const effective::RelaxedEstimate expected = relaxed(s, 5.2);
+  s.forces = effective::CountedForces{.strain_share = 0.9, .scatter = 0.3};
+  const effective::RelaxedEstimate counted = relaxed(s, 5.2);
+  CHECK(counted.relative_error.G_vh < expected.relative_error.G_vh);
+  s.forces->strain_share = 0.45;
+  CHECK(relaxed(s, 5.2).stiffness.G_vh() == relative(0.5 * counted.stiffness.G_vh(), 1e-14));
+  s.forces->scatter = 0.6; // soft contacts yield
+  CHECK(relaxed(s, 5.2).stiffness.G_vh() < 0.5 * counted.stiffness.G_vh());
+  s.forces->strain_share = 0;
+  CHECK_THROWS_AS((void)relaxed(s, 5.2), InvalidArgument);
+}
+
 TEST_CASE("relaxed: an anisotropic packing is the uniform-strain one through two congruences") {
   for (const double alpha : {1.0, 2.0, infinity})
     for (const double a : {-0.2, 0.0, 0.2})
