@@ -198,16 +198,18 @@ ContactPrior contact_prior(const State& state, const Preparation& preparation) {
   const double overlap = (loosest.overlap + densest.overlap) / 2;
   const double rigid = kernel::rigid_void_ratio(state.void_ratio, overlap, kernel::contact_coefficients);
   const Beyond beyond = beyond_spheres(rigid);
+  const double scatter =
+      preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter;
   ContactPrior prior{
       .loosest = loosest.counts,
       .middle = with_rattlers(
           (loosest.counts.mechanical_coordination_number + densest.counts.mechanical_coordination_number) / 2,
           overlap),
       .densest = densest.counts,
-      .coordination_error = std::hypot(
-          preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter,
-          std::min(error_slope_loose * beyond.loose, largest_error_loose) +
-              std::min(error_slope_dense * beyond.dense, largest_error_dense)),
+      .coordination_error =
+          std::hypot(scatter, std::min(error_slope_loose * beyond.loose, largest_error_loose) +
+                                  std::min(error_slope_dense * beyond.dense, largest_error_dense)),
+      .packing_scatter = scatter,
       .rattler_error = unequal(state) ? unequal_rattler_error : kernel::rattler_scatter,
       .relative_overlap = overlap,
       .validity = {}};

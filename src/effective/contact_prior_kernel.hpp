@@ -82,9 +82,9 @@ inline double root_of_way(double overlap_before, double overlap) {
   return std::sqrt(std::abs(std::sqrt(overlap) - std::sqrt(overlap_before)));
 }
 
-/// Contacts of the densest line less those of the packing, both rigid, after the overlap has changed: its root
-/// falls as the root of the overlap grows, faster where the packing is nearly as dense as it can be. Above the
-/// line (missing < 0) it stays.
+/// Contacts of the densest line less those of the packing, both rigid, after the overlap has changed: its
+/// root falls as the root of the overlap grows, faster where the packing is nearly as dense as it can be.
+/// Above the line (missing < 0) it stays.
 template <class T>
 T missing_contacts(const T& missing, const T& rigid_void_ratio, double overlap_before, double overlap,
                    const ContactCoefficients<T>& c) {

@@ -90,8 +90,7 @@ TEST_CASE("numbered work is done in its order") {
 
 TEST_CASE("no jobs are no work") { CHECK_NOTHROW(side_by_side(std::vector<Job>{}, 2)); }
 
-/// Of 200,000, as many as a study of 900 seeds has in hundreds of sizes; to look at all of them for each would take
-/// minutes.
+/// Of 200,000, as a study of 900 seeds has in many sizes; to look at all of them for each would take minutes.
 TEST_CASE("of many jobs each is found at once") {
   Recorded recorded;
   constexpr std::size_t many = 200000;
