@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -325,7 +326,10 @@ inline std::map<std::string, double> cells_of_last_row(const std::string& csv) {
         rows.back().push_back(field);
     }
   std::map<std::string, double> cells;
-  for (std::size_t k = 0; rows.size() > 1 && k < rows.back().size(); ++k)
+  if (rows.size() < 2)
+    return cells;
+  // Notes come last and may hold commas of their own.
+  for (std::size_t k = 0; k < std::min(rows.front().size(), rows.back().size()); ++k)
     if (!rows.back()[k].empty())
       cells[rows.front()[k]] = std::strtod(rows.back()[k].c_str(), nullptr);
   return cells;
