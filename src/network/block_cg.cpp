@@ -26,6 +26,10 @@ constexpr double dependent = 1e-13;
 constexpr double indefinite = 1e-8;
 // Forces below this part of the terms that cancel in them are rounding noise: a lattice has W = 0.
 constexpr double noise = 1e-13;
+// Residuals are measured against at least this part of those terms. In a lattice whose places were rounded
+// W is what that left, 1e-10 of them, and the tolerance would ask for less than the rounding of one force.
+// What is left of the work is r^T H^-1 r, where r is 1e-13 of the terms at the tolerance 1e-10.
+constexpr double least_load = 1e-3;
 // The recursive residual drifts from the true one; starting again from the true one mends it.
 constexpr int restarts = 5;
 // Loose networks have modes without any stiffness, and others with 1e-13 of it. No load is on the former, but
@@ -73,8 +77,12 @@ class Relaxation {
       : backbone_(backbone), preconditioner_(preconditioner), options_(options), workers_(workers),
         load_(affine_forces<Dof>(backbone)), q_(load_.size()), w_(load_.size()), p_(load_.size()),
         s_(load_.size()) {
-    silence_noise();
+    const PerCase terms = affine_force_scale(backbone);
+    silence_noise(terms);
     size_ = norms(load_);
+    for (std::size_t c = 0; c < size_.size(); ++c)
+      if (size_[c] > 0)
+        size_[c] = std::max(size_[c], least_load * terms[c]);
   }
 
   Solution run() {
@@ -112,8 +120,8 @@ class Relaxation {
   }
 
   /// Load cases whose forces cancel on every grain are solved by q = 0.
-  void silence_noise() {
-    const PerCase size = norms(load_), terms = affine_force_scale(backbone_);
+  void silence_noise(const PerCase& terms) {
+    const PerCase size = norms(load_);
     for (std::size_t c = 0; c < size.size(); ++c)
       if (size[c] <= noise * terms[c])
         for (Rows<Dof>& grain : load_)
@@ -219,7 +227,7 @@ class Relaxation {
   Field<Dof> load_, q_, w_, p_, s_;
   Field<Dof> best_; ///< q of the least residual near rounding
   double best_residual_ = near_rounding;
-  PerCase size_{}; ///< of load_
+  PerCase size_{}; ///< of load_, against which residuals are measured
   double hold_ = 0;
   bool ran_away_ = false; ///< in the last iterations
 };

@@ -34,7 +34,48 @@ void check_exact(const samples::Lattice& kind, const Matrix6& closed_form) {
   CHECK(twin::distance(response.relaxed().matrix, closed_form) < 1e-13);
 }
 
+/// Grains overlap at places that are rounded, and k_n is taken of these: forces cancel to rounding over
+/// overlap.
+packing::Assembly pressed_lattice(const samples::Lattice& kind, int repeats, double overlap, double ratio) {
+  packing::Assembly a =
+      samples::lattice({(1 - overlap) * kind.edges, kind.sites}, {.radius = radius, .repeats = repeats});
+  for (packing::Contact& c : a.contacts) {
+    c.normal_stiffness = kn * std::sqrt(c.overlap / (2 * radius * overlap));
+    c.tangential_stiffness = ratio * c.normal_stiffness;
+  }
+  return a;
+}
+
+/// Of a contact's stiffness: places of the size of the cell are rounded, and overlaps are their differences.
+double rounding(int repeats, double overlap) { return 1e-13 + 2e-15 * repeats / overlap; }
+
+Matrix6 cubic_of(const samples::Lattice& kind, double k_t, double half_branch) {
+  if (kind.sites.size() == 1)
+    return cubic(kn / (2 * half_branch), 0, k_t / (4 * half_branch));
+  const double r2 = std::sqrt(2);
+  return cubic((kn + k_t) / (r2 * half_branch), (kn - k_t) / (2 * r2 * half_branch),
+               (kn + k_t) / (2 * r2 * half_branch));
+}
+
 } // namespace
+
+TEST_CASE("lattices of any size are solved at overlaps from 1e-6 to 1e-1, with and without friction") {
+  for (const samples::Lattice* kind : {&samples::simple_cubic, &samples::face_centred})
+    for (const int repeats : {3, 5})
+      for (const double overlap : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+        for (const double ratio : {0.8, 0.0}) {
+          CAPTURE(kind->sites.size());
+          CAPTURE(repeats);
+          CAPTURE(overlap);
+          CAPTURE(ratio);
+          const auto response = network::linear_response(pressed_lattice(*kind, repeats, overlap, ratio));
+          CHECK(response.converged());
+          CHECK(response.report().iterations <= 60);
+          CHECK(
+              twin::distance(response.relaxed().matrix, cubic_of(*kind, ratio * kn, radius * (1 - overlap))) <
+              rounding(repeats, overlap));
+        }
+}
 
 TEST_CASE("Bravais lattices: closed form = sum over contacts = network") { // [DuffyMindlin1957]
   const double r2 = std::sqrt(2), r3 = std::sqrt(3);

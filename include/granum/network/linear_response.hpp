@@ -23,9 +23,8 @@ struct ResponseOptions {
   /// networks without tangential stiffness: the arms of forces do not turn, and grains that two frictional
   /// contacts hold come out unstable. force_terms has both.
   bool prestress = false;
-  bool force_terms = false; ///< Response::force_terms is worked out; not for assemblies between walls
-  double tolerance =
-      1e-10; ///< in (0, 1): residual force over affine force, for the worst of the six load cases
+  bool force_terms = false;        ///< Response::force_terms is worked out; not for assemblies between walls
+  double tolerance = 1e-10;        ///< in (0, 1): Report::residual at most
   int iteration_limit = 20000;     ///< >= 1
   std::size_t threads = 1;         ///< >= 1, that of the caller among them; same bits for any number
   StopRequest stop_requested = {}; ///< asked before every iteration
@@ -60,7 +59,9 @@ class [[nodiscard]] Response {
     std::size_t wall_contacts = 0;
     int unknowns_per_grain = 0; ///< 6, or 3 where no contact has tangential stiffness and spins do not matter
     int iterations = 0;         ///< of all factors that were tried
-    double residual = 0;        ///< residual force over affine force, worst load case, recomputed at the end
+    /// Residual force over affine force, worst load case, recomputed at the end. Where affine forces cancel
+    /// on every grain, as in a lattice, over 1e-3 of the contact forces that cancel.
+    double residual = 0;
     double symmetry_residual = 0;    ///< largest |C_ab - C_ba| over largest |C_ab|, before C was symmetrised
     std::size_t factor_nonzeros = 0; ///< numbers held by the preconditioner
     std::size_t mended_pivots =
