@@ -359,7 +359,7 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   };
   std::vector<std::uint32_t> order(entries_.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {}, pair);
+  std::stable_sort(order.begin(), order.end(), [&](auto k, auto l) { return pair(k) < pair(l); });
   packing_.assembly.contacts.reserve(entries_.size());
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end =
@@ -368,8 +368,10 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
     begin = end;
   }
   entries_ = {};
-  std::ranges::stable_sort(packing_.assembly.wall_contacts, {},
-                           [](const packing::Contact& c) { return std::pair(c.i, c.j); });
+  auto& walls = packing_.assembly.wall_contacts;
+  std::stable_sort(walls.begin(), walls.end(), [](const packing::Contact& c, const packing::Contact& d) {
+    return std::pair(c.i, c.j) < std::pair(d.i, d.j);
+  });
   note_counts();
   packing_.step = step;
   packing_.time = time;

@@ -24,8 +24,8 @@ namespace {
 using Attributes = std::map<std::string, std::string, std::less<>>;
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -54,7 +54,7 @@ double number_at(const char* bytes, bool big_endian) {
   char own[sizeof(Number)];
   std::memcpy(own, bytes, sizeof own);
   if (big_endian == (std::endian::native == std::endian::little))
-    std::ranges::reverse(own);
+    std::reverse(std::begin(own), std::end(own));
   Number number;
   std::memcpy(&number, own, sizeof number);
   return static_cast<double>(number);
@@ -339,7 +339,8 @@ std::string VtkDocument::bytes(const Array& array, const std::string& what) cons
 void VtkDocument::read_packed(const Array& array, const std::string& what, std::size_t count,
                               VtkNumbers& out) const {
   const std::string name = value_of(array.attributes, "type");
-  const auto* type = std::ranges::find_if(number_types, [&](const NumberType& t) { return t.name == name; });
+  const auto* type = std::find_if(std::begin(number_types), std::end(number_types),
+                                  [&](const NumberType& t) { return t.name == name; });
   if (type == std::end(number_types))
     fail(array.line,
          "expected numbers Float64, Float32, Int64 and so on in " + what + ", found " + shown(name));

@@ -152,7 +152,8 @@ class ContactLines {
 
   void note_missing(PackingBuilder& builder) const {
     const auto known = [](double stiffness) { return stiffness != 0; };
-    if (!normal_stiffness_ || std::ranges::none_of(normal_stiffness_->values, known))
+    if (!normal_stiffness_ ||
+        std::none_of(normal_stiffness_->values.begin(), normal_stiffness_->values.end(), known))
       builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
     builder.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
     if (!normal_) {
