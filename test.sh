@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# All tests, from nothing: sets the machine up, then formatting, the unit tests under the sanitizers, the libraries
-# by clang with libc++, every test of the release build with warnings as errors, and the page in a browser, where the
+# All tests, from nothing: sets the machine up, then formatting, the unit tests by clang with libc++ under the
+# sanitizers, every test of the release build with warnings as errors, and the page in a browser, where the
 # system offers what that needs. Each step runs even where an earlier one failed; exit code 1 if any did.
 set -uo pipefail
 export PATH # bash supplies one where the environment has none; cmake needs to see it
@@ -26,7 +26,6 @@ step() {
 
 step formatting scripts/format.sh --check
 step sanitizers cmake --workflow --preset sanitize
-step clang cmake --workflow --preset clang-libraries
 step tests cmake --workflow --preset ci
 if scripts/setup.sh web; then
   step page web/test.sh
@@ -36,7 +35,7 @@ else
 fi
 
 printf '\n===== summary\n'
-for name in formatting sanitizers clang tests page; do
+for name in formatting sanitizers tests page; do
   printf '%-10s  %s\n' "$name" "${verdict[$name]}"
   # ctest's own words: what failed, and how many
   sed -n '/% tests passed/p; /The following tests FAILED/,/^Errors/{/^\t/p}' "build/test-$name.log"

@@ -17,6 +17,15 @@ else()
   target_compile_options(granum_warnings INTERFACE -w)
 endif()
 
+# What the standard library checks of its own use, asked for in each one's words; libc++ has changed them twice.
+if(GRANUM_STANDARD_LIBRARY_CHECKS)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS _LIBCPP_ENABLE_ASSERTIONS=1
+    _LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
+    add_compile_definitions(_LIBCPP_DEBUG=0)
+  endif()
+endif()
+
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
 # every machine computes the same bits. The engine's sweep names its own (src/core/vector/level.hpp).
 function(granum_compile_settings target)
@@ -113,6 +122,8 @@ function(granum_tests module)
   if(GRANUM_PRECOMPILED_HEADERS)
     target_precompile_headers(test_${module} REUSE_FROM ${headers})
   endif()
+  # clang takes a local name for one that hides a neighbour's, where several sources are compiled in one go.
+  target_link_libraries(test_${module} PRIVATE granum_test_warnings)
   # Several in one go, in modules where no two sources give one name two meanings.
   if(NOT module MATCHES "^(core|dem|effective|elastic|fabric|io|rock_physics|stress|triaxial)$")
     granum_unity_build(test_${module} 4)

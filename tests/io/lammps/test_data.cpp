@@ -95,10 +95,11 @@ TEST_CASE("LAMMPS data: what is written is read back with all bits") {
 TEST_CASE("LAMMPS data: what LAMMPS could not read is not written") {
   packing::Assembly assembly = read_lammps_data(data_source("lammps_chain.data")).assembly;
   CHECK(lammps_data(assembly, 1.5).find("\n3 1 0.001 1.5 ") != std::string::npos);
-  CHECK_THROWS_WITH_AS(lammps_data(assembly, 0), "density = 0 kg/m^3 is outside (0, inf)", InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)lammps_data(assembly, 0), "density = 0 kg/m^3 is outside (0, inf)",
+                       InvalidArgument);
   const std::vector<long> two{1, 2}, from_zero{0, 1, 2};
-  CHECK_THROWS_WITH_AS(lammps_data(assembly, 1, two), "id has 2 numbers for 3 grains", InvalidArgument);
-  CHECK_THROWS_AS(lammps_data(assembly, 1, from_zero), InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)lammps_data(assembly, 1, two), "id has 2 numbers for 3 grains", InvalidArgument);
+  CHECK_THROWS_AS((void)lammps_data(assembly, 1, from_zero), InvalidArgument);
   assembly.cell(1, 0) = 1e-4;
-  CHECK_THROWS_AS(lammps_data(assembly, 1), InvalidArgument);
+  CHECK_THROWS_AS((void)lammps_data(assembly, 1), InvalidArgument);
 }
