@@ -120,9 +120,11 @@ from ._granum import (
 )
 from ._lammps import from_lammps
 from ._plots import _attach
+from ._results import Record, _attach as _attach_results
 from ._studies import verify
 from ._yade import from_yade
 
 _attach()
+_attach_results()
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

@@ -57,6 +57,7 @@ __all__ = [
     "PlaneWaves",
     "ProbeResult",
     "Range",
+    "Record",
     "RoseBin",
     "Rung",
     "RungAssessment",
@@ -142,7 +143,17 @@ _Path = Union[str, PathLike[str]]
 _RungName = Union[int, str]
 _Modulus = Literal["K", "G_hh", "G_vh", "E_v", "E_h", "C11", "C33", "C12", "C13"]
 
-class AnisotropyEstimate:
+class _Result:
+    def to_dict(self) -> dict[str, Any]: ...
+    def to_columns(self) -> dict[str, NDArray[Any]]: ...
+    def __eq__(self, other: object) -> bool: ...
+
+class Record(_Result):
+    def __init__(self, kind: str, values: dict[str, Any]) -> None: ...
+    def __getattr__(self, name: str) -> Any: ...
+    def __setattr__(self, name: str, value: Any) -> None: ...
+
+class AnisotropyEstimate(_Result):
     @property
     def F33(self) -> float: ...
     @property
@@ -154,7 +165,7 @@ class AnisotropyEstimate:
     @property
     def standard_error(self) -> float: ...
 
-class CarriedContacts:
+class CarriedContacts(_Result):
     @property
     def coordination_error(self) -> float: ...
     @property
@@ -168,7 +179,7 @@ class Compression:
     def __iter__(self) -> Iterator[State]: ...
     def __next__(self) -> State: ...
 
-class ContactCounts:
+class ContactCounts(_Result):
     @property
     def coordination_number(self) -> float: ...
     @property
@@ -196,7 +207,7 @@ class ContactMeans:
     def pair_radius(self) -> float: ...
     def with_reference(self, scale: float) -> ContactMeans: ...
 
-class ContactPrior:
+class ContactPrior(_Result):
     @property
     def coordination_error(self) -> float: ...
     @property
@@ -212,7 +223,7 @@ class ContactPrior:
     @property
     def relative_overlap(self) -> float: ...
 
-class ContactStress:
+class ContactStress(_Result):
     @property
     def asymmetry(self) -> float: ...
     @property
@@ -222,7 +233,7 @@ class ContactStress:
     @property
     def tensor(self) -> NDArray[np.float64]: ...
 
-class Contacts:
+class Contacts(_Result):
     def __len__(self) -> int: ...
     @property
     def branch(self) -> NDArray[np.float64]: ...
@@ -243,7 +254,7 @@ class Contacts:
     @property
     def tangential_stiffness(self) -> NDArray[np.float64]: ...
 
-class Counts:
+class Counts(_Result):
     @property
     def contacts(self) -> int: ...
     @property
@@ -291,7 +302,7 @@ class Distribution:
     @property
     def text(self) -> str: ...
 
-class EngineeringModuli:
+class EngineeringModuli(_Result):
     @property
     def C44(self) -> float: ...
     @property
@@ -307,7 +318,7 @@ class EngineeringModuli:
     @property
     def bulk_modulus(self) -> float: ...
 
-class Estimate:
+class Estimate(_Result):
     @property
     def C11(self) -> _Numbers: ...
     @property
@@ -347,7 +358,7 @@ class Estimate:
     @property
     def stiffness(self) -> NDArray[np.float64]: ...
 
-class Exponents:
+class Exponents(_Result):
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -361,7 +372,7 @@ class Exponents:
     @property
     def sum(self) -> _Numbers: ...
 
-class Fabric:
+class Fabric(_Result):
     @property
     def anisotropy(self) -> float: ...
     @property
@@ -378,7 +389,7 @@ class Fabric:
     def tensor(self) -> NDArray[np.float64]: ...
     def plot(self, ax: Any = ...) -> Any: ...
 
-class FabricMeasures:
+class FabricMeasures(_Result):
     @property
     def F11(self) -> float: ...
     @property
@@ -392,7 +403,7 @@ class FabricMeasures:
     @property
     def notes(self) -> list[str]: ...
 
-class Forces:
+class Forces(_Result):
     @property
     def Z_2(self) -> float: ...
     @property
@@ -418,7 +429,7 @@ class Frames:
     @property
     def skipped(self) -> int: ...
 
-class Gradation:
+class Gradation(_Result):
     @property
     def d10(self) -> float: ...
     @property
@@ -428,7 +439,7 @@ class Gradation:
     @property
     def uniformity(self) -> float: ...
 
-class Inference:
+class Inference(_Result):
     @property
     def alone(self) -> list[Optional[Measured]]: ...
     @property
@@ -482,7 +493,7 @@ class Isotropic:
     @property
     def young_modulus(self) -> float: ...
 
-class IsotropicAverages:
+class IsotropicAverages(_Result):
     @property
     def hill(self) -> Isotropic: ...
     @property
@@ -490,7 +501,7 @@ class IsotropicAverages:
     @property
     def voigt(self) -> Isotropic: ...
 
-class IsotropicModuli:
+class IsotropicModuli(_Result):
     @property
     def bulk_modulus(self) -> _Numbers: ...
     @property
@@ -502,7 +513,7 @@ class IsotropicModuli:
     @property
     def shear_modulus(self) -> _Numbers: ...
 
-class Ladder:
+class Ladder(_Result):
     @property
     def advice(self) -> list[str]: ...
     @property
@@ -519,7 +530,7 @@ class Ladder:
     def tolerance_met(self) -> bool: ...
     def plot(self, ax: Any = ...) -> Any: ...
 
-class LawCheck:
+class LawCheck(_Result):
     @property
     def coefficient_ratio(self) -> float: ...
     @property
@@ -531,7 +542,7 @@ class LawCheck:
     @property
     def worst_misfit(self) -> float: ...
 
-class LikelihoodEstimate:
+class LikelihoodEstimate(_Result):
     @property
     def anisotropy(self) -> float: ...
     @property
@@ -545,13 +556,13 @@ class LikelihoodEstimate:
     @property
     def standard_error(self) -> float: ...
 
-class Measured:
+class Measured(_Result):
     @property
     def standard_error(self) -> float: ...
     @property
     def value(self) -> float: ...
 
-class MeasuredRows:
+class MeasuredRows(_Result):
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -563,7 +574,7 @@ class MeasuredRows:
     @property
     def value(self) -> _Numbers: ...
 
-class Measurement:
+class Measurement(_Result):
     @property
     def bulk_density(self) -> Optional[float]: ...
     @property
@@ -595,7 +606,7 @@ class Measurement:
     @property
     def warnings(self) -> list[str]: ...
 
-class Microstructure:
+class Microstructure(_Result):
     @property
     def coordination_number(self) -> float: ...
     @property
@@ -609,7 +620,7 @@ class Microstructure:
     @property
     def sliding_fraction(self) -> float: ...
 
-class Moduli:
+class Moduli(_Result):
     @property
     def bulk_modulus(self) -> _Numbers: ...
     @property
@@ -617,7 +628,7 @@ class Moduli:
     @property
     def shear_modulus(self) -> _Numbers: ...
 
-class ModulusErrors:
+class ModulusErrors(_Result):
     @property
     def G_hh(self) -> _Numbers: ...
     @property
@@ -625,7 +636,7 @@ class ModulusErrors:
     @property
     def bulk_modulus(self) -> _Numbers: ...
 
-class Network:
+class Network(_Result):
     @property
     def G_hh(self) -> float: ...
     @property
@@ -712,7 +723,7 @@ class Packing:
     def __deepcopy__(self, arg0: object) -> Packing: ...
     def plot(self, ax: Any = ..., *, across: int = ..., up: int = ...) -> Any: ...
 
-class PackingAnswer:
+class PackingAnswer(_Result):
     @property
     def bulk_density(self) -> Range: ...
     @property
@@ -756,7 +767,7 @@ class PackingAnswer:
     @property
     def shares(self) -> dict[str, _Numbers]: ...
 
-class PathPoint:
+class PathPoint(_Result):
     @property
     def axial_strain(self) -> float: ...
     @property
@@ -776,13 +787,13 @@ class PathPoint:
     @property
     def volumetric_strain(self) -> float: ...
 
-class PlaneWaves:
+class PlaneWaves(_Result):
     @property
     def polarisation(self) -> NDArray[np.float64]: ...
     @property
     def speed(self) -> NDArray[np.float64]: ...
 
-class ProbeResult:
+class ProbeResult(_Result):
     @property
     def amplitude(self) -> float: ...
     @property
@@ -796,7 +807,7 @@ class ProbeResult:
     @property
     def unbalanced_force_ratio(self) -> float: ...
 
-class Range:
+class Range(_Result):
     @property
     def high(self) -> _Numbers: ...
     @property
@@ -804,7 +815,7 @@ class Range:
     @property
     def value(self) -> _Numbers: ...
 
-class RoseBin:
+class RoseBin(_Result):
     @property
     def count(self) -> int: ...
     @property
@@ -818,7 +829,7 @@ class RoseBin:
     @property
     def low(self) -> float: ...
 
-class Rung:
+class Rung(_Result):
     @property
     def description(self) -> str: ...
     @property
@@ -834,7 +845,7 @@ class Rung:
     @property
     def typical_time(self) -> float: ...
 
-class RungAssessment:
+class RungAssessment(_Result):
     @property
     def error_source(self) -> str: ...
     @property
@@ -858,7 +869,7 @@ class Shearing:
     def __iter__(self) -> Iterator[PathPoint]: ...
     def __next__(self) -> PathPoint: ...
 
-class Sizes:
+class Sizes(_Result):
     @property
     def contacts(self) -> ContactMeans: ...
     @property
@@ -878,7 +889,7 @@ class Specimen:
     @property
     def void_ratio(self) -> float: ...
 
-class State:
+class State(_Result):
     @property
     def packing(self) -> Packing: ...
     @property
@@ -892,7 +903,7 @@ class State:
     @property
     def unbalanced_force_ratio(self) -> float: ...
 
-class Study:
+class Study(_Result):
     @property
     def exponents(self) -> dict[str, Any]: ...
     @property
@@ -903,7 +914,7 @@ class Study:
     def verdicts(self) -> list[Verdict]: ...
     def plot(self, ax: Any = ...) -> Any: ...
 
-class SymmetryDistances:
+class SymmetryDistances(_Result):
     @property
     def cubic(self) -> float: ...
     @property
@@ -913,7 +924,7 @@ class SymmetryDistances:
     @property
     def transversely_isotropic(self) -> float: ...
 
-class ThomsenParameters:
+class ThomsenParameters(_Result):
     @property
     def delta(self) -> float: ...
     @property
@@ -921,7 +932,7 @@ class ThomsenParameters:
     @property
     def gamma(self) -> float: ...
 
-class Verdict:
+class Verdict(_Result):
     @property
     def claim(self) -> str: ...
     @property

@@ -61,6 +61,18 @@ void add_of_power_law(py::class_<NormalLaw>& type, const char* name, Value (Powe
       name, [of](const NormalLaw& law) { return (power_law(law).*of)(); }, documentation);
 }
 
+/// Everything that a law follows from.
+py::tuple state_of(const NormalLaw& law) {
+  return py::make_tuple(law.kind(), law.grain().shear_modulus, law.grain().poisson_ratio,
+                        py::tuple(py::cast(law.numbers())));
+}
+
+NormalLaw from_state(const py::tuple& state) {
+  return NormalLaw::of_numbers(state[0].cast<std::size_t>(),
+                               {state[1].cast<double>(), state[2].cast<double>()},
+                               state[3].cast<std::vector<double>>());
+}
+
 void bind_normal_law(py::module_& module) {
   py::class_<NormalLaw> law(module, "NormalLaw",
                             R"(Normal contact of two equal elastic grains.
@@ -85,7 +97,11 @@ family f = c d^(1+1/alpha) has raises InvalidArgument for another law.)");
       .def(
           "times", [](const NormalLaw& l, double factor) { return NormalLaw(power_law(l).times(factor)); },
           py::arg("factor"), "The power law of another coefficient, c times a factor [1].")
-      .def("__repr__", &NormalLaw::text);
+      .def("__repr__", &NormalLaw::text)
+      .def(
+          "__eq__", [](const NormalLaw& a, const NormalLaw& b) { return a == b; }, py::is_operator())
+      .def("__hash__", [](const NormalLaw& l) { return py::hash(state_of(l)); })
+      .def(py::pickle(&state_of, &from_state));
   add_method(law, "force", std::mem_fn(&NormalLaw::force), "overlap",
              "Normal force [N] at an overlap >= 0 [m].");
   add_method(law, "overlap", std::mem_fn(&NormalLaw::overlap), "force", "Overlap [m] at a force >= 0 [N].");

@@ -2,6 +2,8 @@
 #include <granum/contact/laws.hpp>
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include <granum/core/error.hpp>
 
@@ -136,6 +138,23 @@ LawRow rough() {
   return row;
 }
 
+/// The law of a kind, if that is Law or one of those behind it in AnyLaw.
+template <class Law, class... Others>
+NormalLaw of_kind(std::size_t kind, const GrainMaterial& grain, std::span<const double> given,
+                  std::type_identity<std::variant<Law, Others...>> /*laws*/) {
+  if (kind == 0) {
+    decltype(std::declval<Law>().numbers()) numbers{};
+    if (given.size() != numbers.size())
+      throw InvalidArgument("a contact law of this kind has " + std::to_string(numbers.size()) +
+                            " numbers, not " + std::to_string(given.size()));
+    std::copy(given.begin(), given.end(), numbers.begin());
+    return Law::of_numbers(grain, numbers);
+  }
+  if constexpr (sizeof...(Others) > 0)
+    return of_kind(kind - 1, grain, given, std::type_identity<std::variant<Others...>>{});
+  throw InvalidArgument("no contact law is of this kind");
+}
+
 void require_known(const LawNumbers& numbers) {
   for (const auto& [key, value] : numbers) {
     const auto has_key = [&key = key](const LawRow& row) {
@@ -148,6 +167,11 @@ void require_known(const LawNumbers& numbers) {
 }
 
 } // namespace
+
+NormalLaw NormalLaw::of_numbers(std::size_t kind, const GrainMaterial& grain,
+                                std::span<const double> numbers) {
+  return of_kind(kind, grain, numbers, std::type_identity<AnyLaw>{});
+}
 
 std::string LawParameter::si_unit() const { return unit.empty() ? std::string(si_symbol(dimension)) : unit; }
 

@@ -119,6 +119,13 @@ PowerLaw PowerLaw::of_pair_radius(double ratio) const {
   return depends_on_size() ? times(std::sqrt(ratio)) : *this;
 }
 
+PowerLaw PowerLaw::of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers) {
+  static_cast<void>(checked(grain));
+  if (!(numbers[0] > 0))
+    throw InvalidArgument("alpha", numbers[0], "", "(0, inf]");
+  return {grain, numbers[0], require_positive("coefficient", numbers[1])};
+}
+
 PowerLaw PowerLaw::times(double factor) const {
   return {grain_, alpha_, coefficient_ * require_positive("factor", factor)};
 }

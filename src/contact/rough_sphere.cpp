@@ -162,6 +162,13 @@ RoughSphere::RoughSphere(const PowerLaw& smooth, double roughness)
       // k_H = f/u0: with f = c d^(3/2) and k_H = 3/2 f/d that is d = 3/2 u0.
       transition_force_(smooth.coefficient() * power_3_2(1.5 * roughness)) {}
 
+RoughSphere RoughSphere::of_numbers(const GrainMaterial& grain, const std::array<double, 3>& numbers) {
+  if (numbers[0] != 2)
+    throw InvalidArgument("alpha of a rough sphere", numbers[0], "", "2");
+  return {PowerLaw::of_numbers(grain, {numbers[0], numbers[1]}),
+          require_non_negative("roughness", numbers[2], "m")};
+}
+
 RoughSphere RoughSphere::of_grain(const GrainMaterial& grain) const {
   return {smooth_.of_grain(grain), roughness_};
 }

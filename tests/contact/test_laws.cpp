@@ -133,6 +133,10 @@ TEST_CASE("laws: other grains, other sizes, and whether a size matters") {
     CHECK(stiffer != law);
     CHECK(stiffer == law_of(row.shape, {.shear_modulus = 60e9, .poisson_ratio = 0.15}, radius));
     CHECK(stiffer.numbers() != law.numbers());
+    CHECK(NormalLaw::of_numbers(law.kind(), law.grain(), law.numbers()) == law);
+    CHECK_THROWS_AS((void)NormalLaw::of_numbers(law.kind(), law.grain(), {}), InvalidArgument);
+    CHECK_THROWS_AS((void)NormalLaw::of_numbers(std::variant_size_v<AnyLaw>, grain, law.numbers()),
+                    InvalidArgument);
     CHECK(stiffer.text() != law.text());
     CHECK_FALSE(law.text().empty());
   });

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -38,6 +40,7 @@ concept ContactLaw = std::equality_comparable<Law> &&
   { law.kernel() } -> std::same_as<typename Law::Kernel>;
   { law.power_law() } -> std::same_as<const PowerLaw*>; // null where it is none
   { *law.numbers().begin() } -> std::convertible_to<double>;
+  { Law::of_numbers(grain, law.numbers()) } -> std::same_as<Law>; // the same law, to the bit
   { law.text() } -> std::same_as<std::string>;
 };
 
@@ -153,6 +156,12 @@ class NormalLaw {
       return std::vector<double>(all.begin(), all.end());
     });
   }
+  /// Which of the laws it is, for of_numbers(): a place in AnyLaw.
+  [[nodiscard]] std::size_t kind() const { return law_.index(); }
+  /// The law of this kind, grain and numbers(), to the bit: out of a file, or of another process.
+  /// \throws   InvalidArgument for another kind, as many numbers as it has not, or one that is out of range
+  [[nodiscard]] static NormalLaw of_numbers(std::size_t kind, const GrainMaterial& grain,
+                                            std::span<const double> numbers);
   /// Kind and numbers, for people who compare two.
   [[nodiscard]] std::string text() const {
     return visit([](const auto& law) { return law.text(); });

@@ -92,6 +92,11 @@ class PowerLaw {
   ///           whose power is beyond a double, or a material out of range
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
+  /// The law with these numbers(), to the bit.
+  /// \param    numbers   0 < alpha <= infinity, c > 0 [N m^-(1+1/alpha)]
+  /// \throws   InvalidArgument if one is out of range
+  /// Checked by tests/contact/test_laws.cpp
+  [[nodiscard]] static PowerLaw of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers);
 
   /// The same profile of another solid: c goes as G/(1-nu).
   /// \throws   InvalidArgument if grain is out of range

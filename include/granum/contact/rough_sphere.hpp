@@ -138,6 +138,10 @@ class RoughSphere {
   [[nodiscard]] std::array<double, 3> numbers() const {
     return {smooth_.alpha(), smooth_.coefficient(), roughness_};
   }
+  /// The law with these numbers(), to the bit.
+  /// \throws   InvalidArgument if one is out of range
+  /// Checked by tests/contact/test_laws.cpp
+  [[nodiscard]] static RoughSphere of_numbers(const GrainMaterial& grain, const std::array<double, 3>& numbers);
   /// "RoughSphere(...)": kind and numbers, for people who compare two.
   [[nodiscard]] std::string text() const;
 

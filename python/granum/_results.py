@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all results have in common: they show their numbers, compare, and go into dictionaries, tables and pickles.
+
+A result is an instance of a class of the compiled module that has properties; _attach gives these classes the
+functions below, where they have none of their own. Checked by python/tests/test_results.py
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _granum
+from ._errors import InvalidArgument, NotConverged
+
+_WIDTH = 100  # of a line of repr
+_ALIVE = ("Compression", "Frames", "Shearing", "Specimen")  # they move or read on: no value to compare or to keep
+_INPUTS = ("ContactMeans", "Distribution", "Isotropic", "NormalLaw", "Packing")  # what users make
+_classes = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
+_results = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
+
+
+def _names(result):
+    """The names of its numbers, in the order of their documentation."""
+    if isinstance(result, Record):
+        return list(vars(result)["_values"])
+    types = [type_ for type_ in type(result).__mro__ if type_ in _classes]
+    return [name for type_ in types for name, value in vars(type_).items() if isinstance(value, property)]
+
+
+def _value(result, name):
+    """A number of a result; None where it was asked for in vain."""
+    try:
+        return getattr(result, name)
+    except (InvalidArgument, NotConverged):
+        return None
+
+
+def _is_result(value):
+    return isinstance(value, Record) or type(value) in _results
+
+
+def _plain(value):
+    """A value as dictionaries hold it: numbers, texts, arrays of their own memory, and of results dictionaries."""
+    if _is_result(value):
+        return to_dict(value)
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if isinstance(value, (list, tuple)):
+        return type(value)(_plain(item) for item in value)
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return value
+
+
+def to_dict(self):
+    """Everything that the result holds, as a dictionary of its own.
+
+    Returns
+    -------
+    dict
+        By name: numbers, texts, copies of arrays, lists, and dictionaries of the results within. None stands for
+        what does not exist.
+    """
+    return {name: _plain(_value(self, name)) for name in _names(self)}
+
+
+def _flat(values, prefix=""):
+    """Pairs of a name and a number or array of numbers; names of results within are joined by underscores.
+
+    The value of a range or of a measured number has the name of that range alone.
+    """
+    for name, value in values.items():
+        if isinstance(value, dict):
+            yield from _flat(value, f"{prefix}{name}_")
+        elif isinstance(value, (bool, int, float, np.ndarray)):
+            yield prefix[:-1] if prefix and name == "value" else prefix + name, np.asarray(value)
+
+
+def to_columns(self):
+    """The numbers of the result as columns of one length, which pandas.DataFrame takes as they are.
+
+    One row is an element of the arrays that were asked; a result without a shape is one row. A tensor is a column
+    a component: stiffness_11, stiffness_12. Lists and texts are left out, and arrays of another length.
+
+    Returns
+    -------
+    dict
+        Of arrays (N,), by name.
+    """
+    values = to_dict(self)
+    shape = tuple(values.pop("shape", ()) or ())
+    values.pop("errors", None)
+    rows = int(np.prod(shape))
+    columns = {}
+    for name, array in _flat(values):
+        if array.shape[: len(shape)] != shape:
+            array = np.broadcast_to(array, shape + array.shape) if array.ndim == 0 else None
+        elif not shape and (array.ndim != 2 or array.shape not in ((3, 3), (6, 6))):
+            array = array if array.ndim == 0 else None
+        if array is None:
+            continue
+        table = array.reshape((rows,) + array.shape[len(shape) :])
+        for at in np.ndindex(*table.shape[1:]):
+            place = "".join(str(k + 1) for k in at)
+            columns[f"{name}_{place}" if place else name] = table[(slice(None), *at)].copy()
+    return columns
+
+
+def _short(value):
+    """A value in a few letters."""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, np.ndarray):
+        return f"<{value.dtype} {value.shape}>"
+    if isinstance(value, (list, tuple)):
+        if len(value) <= 3 and all(isinstance(item, (int, float)) for item in value):
+            return "(" + ", ".join(_short(item) for item in value) + ")"
+        return f"<{len(value)} of them>" if value else "none"
+    if isinstance(value, dict):
+        return f"<{len(value)} of them>" if value else "none"
+    if _is_result(value):
+        return f"{_kind(value)}(...)"
+    return repr(value)
+
+
+def _kind(result):
+    return vars(result)["_kind"] if isinstance(result, Record) else type(result).__name__
+
+
+def _repr(self):
+    names = _names(self)
+    if not names:
+        return f"<{_kind(self)}>"
+    lines, line = [], _kind(self) + "("
+    for k, name in enumerate(names):
+        text = f"{name}={_short(_value(self, name))}" + (")" if k + 1 == len(names) else ", ")
+        if len(line) + len(text.rstrip()) > _WIDTH:
+            lines.append(line.rstrip())
+            line = "    "
+        line += text
+    return "\n".join([*lines, line])
+
+
+def _same(a, b):
+    """Equal, arrays element by element; NaN equals NaN."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_same(a[key], b[key]) for key in a)
+    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+        return len(a) == len(b) and all(map(_same, a, b))
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        a, b = np.asarray(a), np.asarray(b)
+        return np.array_equal(a, b, equal_nan=a.dtype.kind == "f" and b.dtype.kind == "f")
+    return bool(a == b) or (isinstance(a, float) and isinstance(b, float) and a != a and b != b)
+
+
+def _equal(self, other):
+    if not _is_result(other) or _kind(self) != _kind(other):
+        return NotImplemented
+    return self is other or _same(to_dict(self), to_dict(other))
+
+
+def _recorded(value):
+    """A value as a pickle holds it: results within are records too."""
+    if type(value) in _results:
+        return Record(_kind(value), {name: _recorded(_value(value, name)) for name in _names(value)})
+    if isinstance(value, (list, tuple)):
+        return type(value)(_recorded(item) for item in value)
+    if isinstance(value, dict):
+        return {key: _recorded(item) for key, item in value.items()}
+    if type(value).__name__ in _ALIVE:
+        return None
+    return value.copy() if isinstance(value, np.ndarray) else value
+
+
+def _made_again(name, values):
+    """What users make, by the numbers that make it."""
+    make = _granum.isotropic if name == "Isotropic" else getattr(_granum, name)
+    return make(**values)
+
+
+# The numbers that make each of them again; an isotropic solid comes back within rounding.
+_MADE_OF = {
+    "ContactMeans": ("branch", "branch_square", "pair_radius", "grain_volume"),
+    "Distribution": ("text",),
+    "Isotropic": ("bulk_modulus", "shear_modulus"),
+}
+
+
+def _reduce_input(self):
+    name = type(self).__name__
+    return _made_again, (name, {number: getattr(self, number) for number in _MADE_OF[name]})
+
+
+def _reduce(self):
+    record = _recorded(self)
+    return Record, (vars(record)["_kind"], vars(record)["_values"])
+
+
+class Record:
+    """A result that comes out of a pickle, or of a copy: the same names and numbers, without methods.
+
+    Made by pickle and copy alone. A record equals the result that it was made of.
+    """
+
+    def __init__(self, kind: str, values: dict) -> None:
+        vars(self).update(_kind=kind, _values=values)
+
+    def __getattr__(self, name):
+        try:
+            return vars(self)["_values"][name]
+        except KeyError:
+            raise AttributeError(f"the record of {vars(self).get('_kind', 'a result')} has no {name}") from None
+
+    def __setattr__(self, name, value):
+        raise AttributeError("a result cannot be changed")
+
+    def __reduce__(self):
+        return Record, (vars(self)["_kind"], vars(self)["_values"])
+
+    def __dir__(self):
+        return [*super().__dir__(), *vars(self)["_values"]]
+
+    __repr__ = _repr
+    __eq__ = _equal
+    __hash__ = None  # type: ignore[assignment]
+    to_dict = to_dict
+    to_columns = to_columns
+
+
+def _attach():
+    """Gives the classes of the compiled module what they have not of their own."""
+    for type_ in _classes:
+        own = vars(type_)
+        if type_.__repr__ is object.__repr__:
+            type_.__repr__ = _repr
+        if type_.__name__ in _MADE_OF:
+            type_.__reduce__ = _reduce_input
+        if type_ not in _results:
+            continue
+        type_.to_dict, type_.to_columns = to_dict, to_columns
+        if type_.__eq__ is object.__eq__:
+            type_.__eq__, type_.__hash__ = _equal, None
+        if "__getstate__" not in own:
+            type_.__reduce__ = _reduce

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results and laws are values: they show their numbers, compare, and go into pickles, dictionaries and tables."""
+
+import copy
+import pickle
+
+import granum
+import numpy as np
+import pytest
+
+LAWS = {
+    "sphere": lambda g: granum.sphere(shear_modulus=g, poisson_ratio=0.15, radius=5e-4),
+    "cone": lambda g: granum.cone(shear_modulus=g, poisson_ratio=0.15, slope=0.4),
+    "flat": lambda g: granum.flat_punch(shear_modulus=g, poisson_ratio=0.15, punch_radius=1e-6),
+    "general": lambda g: granum.power_law(shear_modulus=g, poisson_ratio=0.15, alpha=1.5, profile_constant=180),
+    "times": lambda g: granum.sphere(shear_modulus=g, poisson_ratio=0.15, radius=5e-4).times(1.7),
+}
+
+
+@pytest.mark.parametrize("make", LAWS.values(), ids=LAWS)
+def test_laws_are_values(make):
+    law = make(30e9)
+    for other in (pickle.loads(pickle.dumps(law)), copy.copy(law), copy.deepcopy(law)):
+        assert other == law and hash(other) == hash(law) and repr(other) == repr(law)
+        assert other.stiffness_at_force(1e-3) == law.stiffness_at_force(1e-3)
+    assert make(31e9) != law and law != 1
+    assert len({law, make(30e9), make(31e9)}) == 2
+
+
+INPUTS = {
+    "means": lambda: granum.ContactMeans(branch=1.1, branch_square=1.3, pair_radius=0.9, grain_volume=1.2),
+    "sizes": lambda: granum.Distribution("lognormal:0.35"),
+}
+
+
+@pytest.mark.parametrize("make", INPUTS.values(), ids=INPUTS)
+def test_what_users_make_comes_back_as_it_was(make):
+    made = make()
+    for other in (pickle.loads(pickle.dumps(made)), copy.deepcopy(made)):
+        assert type(other) is type(made) and other == made
+    solid = granum.isotropic(bulk_modulus=3e9, shear_modulus=2e9)
+    assert pickle.loads(pickle.dumps(solid)).young_modulus == pytest.approx(solid.young_modulus, rel=1e-15)
+
+
+def results(packing, sphere):
+    pressure = np.geomspace(1e4, 1e6, 5)
+    measured = granum.measure(packing, law=sphere)
+    keywords = dict(radius=5e-4, void_ratio=0.6, coordination_number=5.0)
+    yield granum.uniform_strain(law=sphere, pressure=1e5, **keywords)
+    yield granum.uniform_strain(law=sphere, pressure=pressure, **keywords)
+    yield granum.relaxed(law=sphere, pressure=pressure, rattler_fraction=0.02, **keywords)
+    yield granum.packing_answer(law=sphere, pressure=pressure, radius=5e-4, void_ratio=0.6)
+    yield granum.estimate(law=sphere, pressure=1e5, radius=5e-4, void_ratio=0.6, tolerance=0.1)
+    yield granum.contact_prior(law=sphere, radius=5e-4, void_ratio=0.6, pressure=1e5)
+    yield measured
+    yield packing.contacts
+    yield from (measured.counts, measured.fabric, measured.forces, measured.stress, measured.network, measured.sizes)
+
+
+def test_every_class_shows_its_numbers():
+    classes = [c for c in vars(granum).values() if isinstance(c, type) and not issubclass(c, BaseException)]
+    assert len(classes) > 45
+    assert [c.__name__ for c in classes if c.__repr__ is object.__repr__] == []
+
+
+def test_results_come_back_out_of_a_pickle_with_every_number(packing, sphere):
+    for result in results(packing, sphere):
+        record = pickle.loads(pickle.dumps(result))
+        assert isinstance(record, granum.Record)
+        assert record == result and result == record, type(result)
+        assert pickle.loads(pickle.dumps(record)) == record
+        assert copy.deepcopy(result) == result
+        kind = type(result).__name__
+        assert kind in repr(result) and kind in repr(record)
+        names = list(result.to_dict())
+        assert names and list(record.to_dict()) == names
+        with pytest.raises(AttributeError):
+            record.no_such_name
+        with pytest.raises(AttributeError):
+            record.shape = (2,)
+
+
+def test_results_of_other_numbers_differ(sphere):
+    def at(pressure):
+        return granum.uniform_strain(
+            law=sphere, radius=5e-4, void_ratio=0.6, coordination_number=5.0, pressure=pressure
+        )
+
+    assert at(1e5) == at(1e5) and at(1e5) != at(1.001e5)
+    assert at([1e5, 2e5]) == at([1e5, 2e5]) and at([1e5, 2e5]) != at([1e5, 3e5])
+    assert at(1e5) != at([1e5]) and at(1e5) != 3
+
+
+def test_dictionaries_hold_copies(packing, sphere):
+    measured = granum.measure(packing, law=sphere)
+    values = measured.to_dict()
+    assert values["counts"]["grains"] == measured.counts.grains
+    assert values["void_ratio"] == measured.void_ratio
+    stiffness = values["network"]["relaxed"]
+    stiffness[0, 0] = 0  # of its own memory
+    assert measured.network.relaxed[0, 0] > 0
+
+
+def test_columns_are_a_table(sphere):
+    pressure = np.geomspace(1e4, 1e6, 6).reshape(2, 3)
+    answer = granum.packing_answer(law=sphere, pressure=pressure, radius=5e-4, void_ratio=0.6)
+    columns = answer.to_columns()
+    assert {column.shape for column in columns.values()} == {(6,)}
+    assert np.array_equal(columns["shear_modulus"], answer.shear_modulus.value.ravel())
+    assert np.array_equal(columns["shear_modulus_low"], answer.shear_modulus.low.ravel())
+    found = granum.uniform_strain(
+        law=sphere, radius=5e-4, void_ratio=0.6, coordination_number=5.0, pressure=pressure
+    )
+    columns = found.to_columns()
+    assert np.array_equal(columns["stiffness_44"], found.G_vh.ravel())
+    assert np.array_equal(columns["G_vh"], found.G_vh.ravel())
+    one = granum.symmetry_distances(found.stiffness[0, 0]).to_columns()
+    assert {column.shape for column in one.values()} == {(1,)}
