@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/quadrature.hpp>
 
