@@ -303,7 +303,8 @@ class Measuring {
   /// The assembly with k_n and k_t of its contacts by the law.
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
-    const bool by_forces = rounded_ > rough && forces_known_;
+    // Where the overlap of rough grains begins is a convention of their law; what a contact bears is not.
+    const bool by_forces = forces_known_ && (rounded_ > rough || out_.law->rough_sphere() != nullptr);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (!given_.materials.empty())

@@ -108,6 +108,7 @@ class Curve {
   void fill_cells() {
     cells_.reserve(static_cast<std::size_t>(RoughSphereKernel::octaves) *
                    RoughSphereKernel::cells_per_octave);
+    cells_.push_back({0, RoughSphereKernel::onset});
     double s = std::ldexp(1.0, first_octave);
     Node left = node(s);
     for (int octave = 0; octave < RoughSphereKernel::octaves; ++octave)

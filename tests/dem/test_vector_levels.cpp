@@ -22,7 +22,7 @@ constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0
 
 struct Scene {
   std::string name;
-  contact::PowerLaw law;
+  contact::NormalLaw law;
   double friction;
   bool walls;
 };
@@ -34,7 +34,9 @@ std::vector<Scene> scenes() {
           {"frictionless spheres", sphere, 0, false},
           {"cones", contact::PowerLaw::cone(grain, 0.01), 0.2, false},
           {"flat punches", contact::PowerLaw::flat(grain, 1e-6), 0.2, false},
-          {"alpha = 1.4", contact::PowerLaw::general(grain, 1.4, 20), 0.2, false}};
+          {"alpha = 1.4", contact::PowerLaw::general(grain, 1.4, 20), 0.2, false},
+          {"rough spheres", contact::RoughSphere(grain, radius, 2e-8), 0.2, false},
+          {"rough spheres between walls", contact::RoughSphere(grain, radius, 2e-8), 0.2, true}};
 }
 
 struct Run {

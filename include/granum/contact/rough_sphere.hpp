@@ -13,36 +13,53 @@
 namespace granum::contact {
 
 /// The kernel of rough spheres: force and stiffness over f_1 and f_1/u0, as functions of y = d/u0 alone,
-/// tabulated once. From y = 1 on each octave has 128 cells with a polynomial of degree 5 each, of the same
-/// value, slope and curvature as the law at both ends; before, the force is proportional to y.
+/// tabulated once. Below y = 1 the force is proportional to y: that is the first cell. From there each octave has 128
+/// cells with a polynomial of degree 5 each, of the same value, slope and curvature as the law at both ends.
 /// Accuracy  force 1e-9, stiffness 1e-7, for y < 2^31.  Checked by tests/contact/test_rough_sphere.cpp
 struct RoughSphereKernel {
   static constexpr int octaves = 31;
   static constexpr int cells_per_octave = 128;
   /// f_1 of the onset: 2^-27.
   static constexpr double onset = 0x1p-27;
-  using Cell = std::array<double, 6>;
+  /// Coefficients of the powers of y less that at the cell's left end; the last two are not used.
+  struct alignas(64) Cell : std::array<double, 8> {};
+
+  /// Where y >= 0 lies.
+  struct Place {
+    std::int64_t cell;
+    double beyond; ///< its left end
+  };
+  [[nodiscard, gnu::always_inline]] static Place place_of(double y) noexcept {
+    constexpr int dropped = 45; // bits of the mantissa, of which 7 tell the cell
+    constexpr auto before = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(1.0) >> dropped) - 1;
+    constexpr std::int64_t last = octaves * cells_per_octave;
+    const std::uint64_t kept = std::bit_cast<std::uint64_t>(y) >> dropped;
+    const std::int64_t cell = static_cast<std::int64_t>(kept) - before;
+    const double end = std::bit_cast<double>(kept << dropped);
+    return {.cell = cell < 0 ? 0 : (cell < last ? cell : last), .beyond = y - (y < 1 ? 0.0 : end)};
+  }
+  /// Force over f_1 and its derivative by y of a cell's coefficients.
+  [[nodiscard, gnu::always_inline]] static double force_in(double c0, double c1, double c2, double c3,
+                                                           double c4, double c5, double x) noexcept {
+    return c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
+  }
+  [[nodiscard, gnu::always_inline]] static double slope_in(double c1, double c2, double c3, double c4,
+                                                           double c5, double x) noexcept {
+    return c1 + x * (2 * c2 + x * (3 * c3 + x * (4 * c4 + x * (5 * c5))));
+  }
 
   double transition_force; ///< f_1 [N]
   double per_roughness;    ///< 1/u0 [1/m]
   const Cell* cells;       ///< those of the law, the same ones for all numbers
 
-  [[gnu::always_inline]] NormalResponse operator()(double overlap) const noexcept {
-    constexpr int dropped = 45; // bits of the mantissa, of which 7 tell the cell
-    constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(1.0) >> dropped;
-    constexpr std::uint64_t last = octaves * cells_per_octave - 1;
-    const double y = overlap * per_roughness;
-    const auto bits = std::bit_cast<std::uint64_t>(y);
-    const std::uint64_t cell = (bits >> dropped) - first; // beyond all of them where y < 1
-    const double* const c = cells[cell < last ? cell : last].data();
-    const double x = y - std::bit_cast<double>(bits >> dropped << dropped);
-    const double force = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-    const double slope = c[1] + x * (2 * c[2] + x * (3 * c[3] + x * (4 * c[4] + x * (5 * c[5]))));
-    return {transition_force * (y < 1 ? onset * y : force),
-            transition_force * per_roughness * (y < 1 ? onset : slope)};
+  NormalResponse operator()(double overlap) const noexcept {
+    const Place place = place_of(overlap * per_roughness);
+    const Cell& c = cells[place.cell];
+    return {transition_force * force_in(c[0], c[1], c[2], c[3], c[4], c[5], place.beyond),
+            transition_force * per_roughness * slope_in(c[1], c[2], c[3], c[4], c[5], place.beyond)};
   }
   /// The kernel of a pair whose pair_radius is so many times that of this kernel's pair; f_1 goes as its root.
-  [[nodiscard, gnu::always_inline]] RoughSphereKernel of_pair_radius(double ratio) const noexcept {
+  [[nodiscard]] RoughSphereKernel of_pair_radius(double ratio) const noexcept {
     return {transition_force * std::sqrt(ratio), per_roughness, cells};
   }
 };
