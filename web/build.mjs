@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One HTML file of the page's parts:  node build.mjs <granum.wasm> <page.html>
+// One HTML file of the page's parts, for each language one:  node build.mjs <granum.wasm> <page.html>
 // The module is packed by gzip and written in base64: pages from a disk may not fetch files.
 import fs from "node:fs";
 import path from "node:path";
@@ -13,8 +13,20 @@ if (!out) {
 }
 const here = path.join(path.dirname(fileURLToPath(import.meta.url)), "page");
 const part = (name) => fs.readFileSync(path.join(here, name), "utf8");
-const texts = JSON.parse(part("texts.json"));
-const scripts = ["module.js", "chart.js", "address.js", "lesson.js", "packing_view.js", "shear.js", "experiment.js", "same.js", "calculator.js", "calculator_view.js", "main.js"];
+/// A language a file of page/texts; English is the page itself, another language stands beside it.
+const languages = Object.fromEntries(fs.readdirSync(path.join(here, "texts")).sort().map((file) => {
+  const name = path.basename(file, ".json"), texts = JSON.parse(part(path.join("texts", file)));
+  return [name, { texts, file: name === "en" ? path.basename(out) : path.basename(out).replace(/\.html$/, `.${name}.html`) }];
+}));
+const english = languages.en.texts;
+/// Names of a text and of all within, so that no language lacks one.
+const namesWithin = (text) => (typeof text === "object" ? Object.entries(text).flatMap(([name, inner]) => [name, ...namesWithin(inner).map((more) => `${name}.${more}`)]) : []);
+for (const [name, { texts }] of Object.entries(languages)) {
+  const wrong = namesWithin(english).filter((key) => !namesWithin(texts).includes(key)).concat(namesWithin(texts).filter((key) => !namesWithin(english).includes(key)));
+  if (wrong.length) throw new Error(`texts of ${name} and of en differ in ${wrong.join(", ")}`);
+}
+const scripts = ["module.js", "formula.js", "chart.js", "address.js", "lesson.js", "packing_view.js", "shear.js", "runs.js", "experiment.js", "sheet.js", "hero.js",
+  "same.js", "calculator.js", "calculator_view.js", "main.js"];
 
 /// Rows of the table of colours that all pictures have: name, on white paper, on dark.
 const table = fs.readFileSync(path.join(here, "../../include/granum/plot/palette.hpp"), "utf8");
@@ -25,15 +37,19 @@ const names = rows.slice(0, -1).map(([name]) => name).join(" ");
 
 const parts = {
   style: `${colourRules(1)}\n@media (prefers-color-scheme: dark) { ${colourRules(2)} }\n${part("style.css")}`,
-  texts: JSON.stringify(texts).replaceAll("</", "<\\/"),
   wasm: zlib.gzipSync(fs.readFileSync(wasm), { level: 9 }).toString("base64"),
   worker: part("module.js") + part("worker.js"),
   scripts: scripts.map(part).join("\n").replace("<!--colours-->", names),
 };
-for (const [name, text] of Object.entries(parts))
-  if (/<\/script/i.test(text)) throw new Error(`${name} would end its place in the page early`);
-const page = part("page.html").replace(/<!--(\w+)-->/g, (_, name) => parts[name]);
 fs.mkdirSync(path.dirname(out), { recursive: true });
-fs.writeFileSync(`${out}.part`, page);
-fs.renameSync(`${out}.part`, out);
-console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);
+for (const [lang, { texts, file }] of Object.entries(languages)) {
+  const others = Object.fromEntries(Object.entries(languages).map(([name, one]) => [name, { file: one.file, title: one.texts.language }]));
+  const all = { ...parts, lang, skip: texts.skip, partsLabel: texts.partsLabel, texts: JSON.stringify({ ...texts, languages: others }).replaceAll("</", "<\\/") };
+  for (const [name, text] of Object.entries(all))
+    if (/<\/script/i.test(text)) throw new Error(`${name} would end its place in the page early`);
+  const page = part("page.html").replace(/<!--(\w+)-->/g, (_, name) => all[name]);
+  const written = path.join(path.dirname(out), file);
+  fs.writeFileSync(`${written}.part`, page);
+  fs.renameSync(`${written}.part`, written);
+  console.log(`${written}: ${(page.length / 1e6).toFixed(2)} MB`);
+}

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings live in the address: whoever opens it sees the same sliders.
+// Settings live in the address: whoever opens it sees the same sliders.  #step=3&... begins at a step; ?only=step3 shows
+// it alone, as in the frame of another page.
 "use strict";
 
 const address = {
   values: new URLSearchParams(location.hash.slice(1)),
+  only: new URLSearchParams(location.search).get("only") ?? "",
   number(key, otherwise, min, max) {
     const text = this.values.get(key);
     const value = Number(text);
@@ -15,12 +17,27 @@ const address = {
   },
   put(key, value) {
     this.values.set(key, value);
-    history.replaceState(null, "", `#${this.values}`);
+    this.write(`#${this.values}`);
+  },
+  write(hash) {
+    try {
+      history.replaceState(null, "", hash);
+    } catch {
+      // a frame without an address of its own
+    }
+  },
+  /// The address of this page with the values whose key begins with `start`, and with more.
+  link(more = {}, start = "") {
+    const chosen = new URLSearchParams(more);
+    for (const [key, value] of this.values) if (key.startsWith(start) && !(key in more) && key !== "step") chosen.set(key, value);
+    return `${location.href.split("#")[0]}#${chosen}`;
   },
 };
+// Another address in the same tab is another setting; a place of this page is not.
+addEventListener("hashchange", () => document.getElementById(location.hash.slice(1)) ?? location.reload());
 
-/// A line of text with {names} filled in.
-const filled = (text, values) => text.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+/// A line of text with {names} filled in; a name without a value is a brace of a formula and stays.
+const filled = (text, values) => text.replace(/\{(\w+)\}/g, (all, name) => values[name] ?? all);
 
 /// An element with attributes and children.
 function element(tag, attributes = {}, ...children) {
@@ -31,4 +48,33 @@ function element(tag, attributes = {}, ...children) {
   }
   made.append(...children);
   return made;
+}
+
+/// A slider with its name before it and its value, with the unit, behind.
+function slider({ id, name, min, max, step, value, unit, said = (number) => written(number), change }) {
+  const withUnit = (number) => `${said(number)}${unit ? ` ${unit}` : ""}`;
+  const shown = element("output", { for: id, "aria-live": "off" }, withUnit(value));
+  const input = element("input", { type: "range", id, min, max, step, value, "aria-valuetext": withUnit(value), oninput: () => {
+    const number = Number(input.value);
+    shown.textContent = withUnit(number);
+    input.setAttribute("aria-valuetext", withUnit(number));
+    change(number);
+  } });
+  return element("div", { class: "control" }, element("label", { for: id }, name), shown, input);
+}
+
+/// A button that copies a text; where a page may not, it stands in the field that opens.
+function copyButton(words, textOf) {
+  const button = element("button", { onclick: async () => {
+    const text = textOf();
+    try {
+      await navigator.clipboard.writeText(text);
+      button.textContent = words.copied;
+    } catch {
+      const field = element("input", { readonly: true, value: text, "aria-label": words.copy });
+      button.after(field);
+      field.select();
+    }
+  } }, words.copy);
+  return button;
 }

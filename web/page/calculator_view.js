@@ -6,8 +6,7 @@
 function savedPicture(texts, name, drawn) {
   const picture = element("div", { class: "picture" });
   picture.innerHTML = drawn;
-  return element("div", { class: "saved" }, picture,
-    element("button", { onclick: () => saveFile(`granum-${name}.svg`, standalone(picture.querySelector("svg")), "image/svg+xml") }, texts.save));
+  return element("div", { class: "saved" }, picture, saveButton(texts, picture, name));
 }
 
 function tableOf(label, headings, rows) {
@@ -22,11 +21,11 @@ function ladderChart(words, ladder, answer) {
   const rungs = ladder.map((rung, k) => ({ ...rung, x: k, low: rung.value * (1 - (rung.error || 0)), high: rung.value * (1 + (rung.error || 0)) }));
   const isClosed = (rung) => Number.isFinite(rung.error);
   const part = (all) => ({ points: all.map((rung) => [rung.x, rung.value / MPa]), ranges: all.map((rung) => [rung.low / MPa, rung.high / MPa]), line: false, dots: true });
-  const tops = [...rungs.map((rung) => rung.high), row.high];
+  const tops = [...rungs.map((rung) => rung.high), row.high].filter(Number.isFinite);
   return chart({
     title: words.ladder, finding: filled(words.ladderFinding, { rungs: rungs.map((rung) => `${rung.label} ${written(rung.value / MPa)}`).join(", "), value: written(row.value / MPa), low: written(row.low / MPa), high: written(row.high / MPa) }),
     x: { label: words.rung, min: -0.6, max: rungs.length + 0.6, names: [...rungs.map((rung) => [rung.x, rung.label]), [rungs.length, words.answer]] },
-    y: { label: words.rows[0], min: 0, max: (1.1 * Math.max(...tops)) / MPa },
+    y: { label: words.rows[0], min: 0, max: (1.1 * Math.max(MPa, ...tops)) / MPa },
     series: [
       { label: words.bounds, colour: colours.uniform_strain, ...part(rungs.filter((rung) => !isClosed(rung))) },
       { label: words.relaxed, colour: colours.closed_form, ...part(rungs.filter(isClosed)) },
@@ -42,7 +41,7 @@ function inferenceChart(granum, texts, known, found) {
   const points = spread(low, high, 25).map((p) => [p, inferenceOf(granum, { ...known, otherPressure: p }).there[known.quantity]]);
   const line = (of) => points.map(([p, there]) => [p / kPa, of(there) / unit]);
   const there = found.there[known.quantity];
-  const heights = points.flatMap(([, at]) => [at.value - at.error, at.value + at.error]).concat(known.value * (1 - known.error), known.value * (1 + known.error)).map((y) => y / unit);
+  const heights = points.flatMap(([, at]) => [at.value - at.error, at.value + at.error]).concat(known.value * (1 - known.error), known.value * (1 + known.error)).map((y) => y / unit).filter((y) => y > 0);
   return chart({
     title: words.inference, finding: filled(words.inferenceFinding, { quantity: words.measured[known.quantity], value: written(there.value / unit), error: written(there.error / unit, 2), p: written(known.otherPressure / kPa) }),
     x: { label: texts.axis.pressure, min: low / kPa, max: high / kPa, log: true },
@@ -111,12 +110,21 @@ function inferenceParts(granum, texts, known) {
     savedPicture(texts, "inference", inferenceChart(granum, texts, known, found))), ...remarks(words, found.notes)];
 }
 
+/// What an inference asks for of the fields above it.
+const sharedByBoth = ["voidRatio", "pressure", "grainModulus", "poissonRatio", "radius", "density"];
+
 function addCalculator(granum, texts) {
   const words = texts.calculator;
   const known = {};
   const answer = element("div", { id: "answer" }), inference = element("div", { id: "inference" });
   const same = samePart(words, "c", sameAnswer), sameInferred = samePart(words, "i", sameInference);
   const filledWith = (place, parts, lines) => {
+    const own = parts === inferenceParts ? [...sharedByBoth, ...Object.keys(inferenceInputs)] : Object.keys(calculatorInputs).filter((key) => key !== "z");
+    const empty = own.filter((key) => !Number.isFinite(known[key]));
+    if (empty.length) {
+      place.replaceChildren(element("p", { class: "finding", role: "status" }, filled(words.empty, { names: empty.map((key) => words[key]).join(", ") })));
+      return;
+    }
     try {
       place.replaceChildren(...parts(granum, texts, known));
       lines.show(known);
@@ -157,5 +165,5 @@ function addCalculator(granum, texts) {
   const measuredFields = Object.entries(inferenceInputs).map(([key, range]) => field(key, range));
   document.getElementById("calculator").append(element("p", {}, words.text), element("div", { class: "form" }, ...fields, preparation), answer, same.place,
     element("h3", {}, words.inference), element("p", {}, words.inferenceText), element("div", { class: "form" }, quantity, ...measuredFields), inference, sameInferred.place);
-  show();
+  drawnToSize(show);
 }

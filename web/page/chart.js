@@ -42,13 +42,23 @@ function ticks(axis) {
   return out;
 }
 
-/// {title, finding, x: {label, min, max, log}, y: {...}, series: [{label, colour, points: [[x, y]], ranges: [[low, high]], line, dots, dash, faint}],
-///  mark: [x, y], triangle: {x0, x1, y, slope, text}}
-/// An axis may have names at places in the place of round numbers: {names: [[value, text]]}.
-/// `finding` is what a reader sees in it, for those who cannot.
+/// Letters below the line: C_n.
+const svgWords = (text) => escapeText(text).replace(/_(\w+)/g, '<tspan dy="4" font-size="80%">$1</tspan><tspan dy="-4">\u200b</tspan>');
+
+const isNarrow = matchMedia("(max-width: 760px)");
+/// Draws now, and again where a turned screen asks for another size.
+function drawnToSize(draw) {
+  draw();
+  isNarrow.addEventListener("change", draw);
+}
+
+/// {title, finding, x: {label, min, max, log}, y: {...}, series: [{label, colour, points: [[x, y]], ranges: [[low, high]], line, dots, hollow, dash,
+///  faint, name}], bands: [{label, colour, points: outline}], mark: [x, y], triangles: [{x0, x1, y, slope, text, colour}], note}
+/// An axis may have names at places in the place of round numbers: {names: [[value, text]]}. A series may have a name at its end.
+/// `finding` is what a reader sees in it, for those who cannot; a note stands in the corner at the bottom right.
 function chart(what) {
   // On a narrow screen the same letters in a smaller picture, so that they can be read.
-  const narrow = matchMedia("(max-width: 760px)").matches;
+  const narrow = isNarrow.matches;
   const width = narrow ? 430 : 640, height = narrow ? 320 : 400, left = 72, right = 18, top = 16, bottom = 52;
   const place = (axis, value, from, to) => {
     const at = axis.log ? Math.log(value / axis.min) / Math.log(axis.max / axis.min) : (value - axis.min) / (axis.max - axis.min);
@@ -56,6 +66,7 @@ function chart(what) {
   };
   const X = (x) => place(what.x, x, left, width - right);
   const Y = (y) => place(what.y, y, height - bottom, top);
+  // Neither what is beyond the axes nor what is no number is drawn.
   const inside = ([x, y]) => x >= what.x.min * 0.9999 && x <= what.x.max * 1.0001 && y >= what.y.min * 0.9999 && y <= what.y.max * 1.0001;
   const parts = [];
   const named = new Map(what.x.names);
@@ -71,8 +82,12 @@ function chart(what) {
   for (const value of ticks(what.y))
     parts.push(`<line class="grid" x1="${left}" x2="${width - right}" y1="${Y(value)}" y2="${Y(value)}"/>` +
       `<text class="tick" x="${left - 8}" y="${Y(value) + 5}" text-anchor="end">${written(value)}</text>`);
-  if (!what.x.names) parts.push(`<text class="label" x="${(left + width - right) / 2}" y="${height - 8}" text-anchor="middle">${escapeText(what.x.label)}</text>`);
-  parts.push(`<text class="label" transform="translate(16 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${escapeText(what.y.label)}</text>`);
+  if (!what.x.names) parts.push(`<text class="label" x="${(left + width - right) / 2}" y="${height - 8}" text-anchor="middle">${svgWords(what.x.label)}</text>`);
+  parts.push(`<text class="label" transform="translate(16 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${svgWords(what.y.label)}</text>`);
+  // A picture within cuts off what is beyond the axes.
+  for (const band of what.bands ?? [])
+    parts.push(`<svg x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"><polygon fill="${band.colour}" fill-opacity="0.16" stroke="none" ` +
+      `points="${band.points.map(([x, y]) => `${(X(x) - left).toFixed(1)},${(Y(y) - top).toFixed(1)}`).join(" ")}"/></svg>`);
   what.series.forEach((series) => {
     const { colour } = series;
     const points = series.points.filter(inside);
@@ -80,29 +95,41 @@ function chart(what) {
       parts.push(`<polyline fill="none" stroke="${colour}" stroke-width="${series.faint ? 1.5 : 2.5}" opacity="${series.faint ? 0.5 : 1}"` +
         `${series.dash ? ' stroke-dasharray="7 5"' : ""} points="${points.map(([x, y]) => `${X(x).toFixed(1)},${Y(y).toFixed(1)}`).join(" ")}"/>`);
     series.ranges?.forEach(([low, high], k) => {
+      if (![low, high, ...series.points[k]].every(Number.isFinite)) return;
       const x = X(series.points[k][0]), [foot, head] = [low, high].map((y) => Y(Math.min(what.y.max, Math.max(what.y.min, y))));
       parts.push(`<path class="bar" fill="none" stroke="${colour}" stroke-width="2" d="M${x - 6} ${head}h12M${x} ${head}V${foot}M${x - 6} ${foot}h12"/>`);
     });
     if (series.dots)
-      for (const [x, y] of points) parts.push(`<circle cx="${X(x).toFixed(1)}" cy="${Y(y).toFixed(1)}" r="4.5" fill="${colour}"><title>${escapeText(series.label)}: ${written(x)}, ${written(y)}</title></circle>`);
+      for (const [x, y] of points) parts.push(`<circle cx="${X(x).toFixed(1)}" cy="${Y(y).toFixed(1)}" r="4.5" ${series.hollow ? `class="hollow" stroke="${colour}"` : `fill="${colour}"`}><title>${escapeText(series.label ?? series.name)}: ${written(x)}, ${written(y)}</title></circle>`);
+    if (series.name && points.length)
+      parts.push(`<text class="name" x="${X(points.at(-1)[0]) + 7}" y="${Y(points.at(-1)[1]) + 5}">${escapeText(series.name)}</text>`);
   });
-  if (what.triangle) {
-    const { x0, x1, y, slope, text } = what.triangle;
+  for (const { x0, x1, y, slope, text, colour } of what.triangles ?? []) {
     const y1 = y * (x1 / x0) ** slope;
-    parts.push(`<path class="triangle" d="M${X(x0)} ${Y(y)}H${X(x1)}V${Y(y1)}Z"/><text class="label" x="${X(x1) + 8}" y="${(Y(y) + Y(y1)) / 2 + 5}">${escapeText(text)}</text>`);
+    if (![y, y1].every((at) => inside([x0, at]))) continue;
+    const below = X(x1) + 8 + 8 * text.length > width - right;
+    parts.push(`<path class="triangle"${colour ? ` style="stroke:${colour}"` : ""} d="M${X(x0).toFixed(1)} ${Y(y).toFixed(1)}H${X(x1).toFixed(1)}V${Y(y1).toFixed(1)}Z"/>` +
+      `<text class="label" x="${below ? X(x1) : X(x1) + 8}" y="${below ? Y(y) + 18 : (Y(y) + Y(y1)) / 2 + 5}"${below ? ' text-anchor="end"' : ""}>${escapeText(text)}</text>`);
   }
+  if (what.note) parts.push(`<text class="tick" x="${width - right - 8}" y="${height - bottom - 10}" text-anchor="end">${escapeText(what.note)}</text>`);
   if (what.mark && inside(what.mark))
     parts.push(`<circle class="mark" cx="${X(what.mark[0])}" cy="${Y(what.mark[1])}" r="7"/>`);
-  const listed = what.series.filter((series) => series.label);
-  const legend = listed.length < 2 ? "" : `<ul class="legend">${listed.map((series) =>
-    `<li><span class="swatch${series.dash ? " dashed" : ""}${series.dots && series.line === false ? " dot" : ""}" style="--colour:${series.colour}"></span>${escapeText(series.label)}</li>`).join("")}</ul>`;
   return `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${escapeText(what.finding)}"><title>${escapeText(what.title)}</title>` +
-    `<rect class="frame" x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"/>${parts.join("")}</svg>${legend}`;
+    `<rect class="frame" x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"/>${parts.join("")}</svg>${legendOf(what)}`;
 }
 
-/// E(gamma) of contact normals around the vertical, as far from the centre as there are many; the circle has none preferred.
-function rose(density, title, finding) {
-  const size = 400, centre = size / 2, unit = 105;
+/// Nothing where there is one thing alone to be told.
+function legendOf({ series, bands = [] }) {
+  const listed = [...series, ...bands.map((band) => ({ ...band, band: true }))].filter(({ label }) => label);
+  const kind = (one) => (one.band ? " band" : one.dots && one.line === false ? (one.hollow ? " dot hollow" : " dot") : one.dash ? " dashed" : "");
+  return listed.length < 2 ? "" : `<ul class="legend">${listed.map((one) =>
+    `<li><span class="swatch${kind(one)}" style="--colour:${one.colour}"></span>${escapeText(one.label)}</li>`).join("")}</ul>`;
+}
+
+/// E(gamma; a) of contact normals around the vertical, as far from the centre as there are many; the circle has none preferred. With
+/// bars of a histogram of equal steps from 0 to 90 degrees, where they were counted.
+function rose(density, title, finding, bars = []) {
+  const size = 400, centre = size / 2, unit = Math.min(105, 170 / Math.max(...density, ...bars));
   const at = (angle, r) => `${(centre + unit * r * Math.sin(angle)).toFixed(1)},${(centre - unit * r * Math.cos(angle)).toFixed(1)}`;
   const quarter = density.length - 1;
   const outline = [];
@@ -110,26 +137,55 @@ function rose(density, title, finding) {
     const folded = k % (2 * quarter) <= quarter ? k % (2 * quarter) : 2 * quarter - (k % (2 * quarter));
     outline.push(at((k / quarter) * (Math.PI / 2), density[folded]));
   }
-  return `<svg viewBox="0 0 ${size} ${size}" role="img" aria-label="${escapeText(finding)}"><title>${escapeText(title)}</title>` +
+  const step = Math.PI / 2 / bars.length;
+  const wedges = bars.flatMap((r, k) => [k, 2 * bars.length - 1 - k, 2 * bars.length + k, 4 * bars.length - 1 - k].map((place) =>
+    `<polygon fill="${colours.measured}" fill-opacity="0.45" stroke="${colours.measured}" points="${centre},${centre} ${at(place * step, r)} ${at((place + 1) * step, r)}"/>`));
+  return `<svg viewBox="0 0 ${size} ${size}" role="img" aria-label="${escapeText(finding)}"><title>${escapeText(title)}</title>${wedges.join("")}` +
     `<circle class="grid" fill="none" cx="${centre}" cy="${centre}" r="${unit}"/><line class="grid" x1="${centre}" x2="${centre}" y1="10" y2="${size - 10}"/>` +
     `<line class="grid" x1="10" x2="${size - 10}" y1="${centre}" y2="${centre}"/>` +
-    `<polygon points="${outline.join(" ")}" fill="${colours.closed_form}" fill-opacity="0.25" stroke="${colours.closed_form}" stroke-width="2.5"/>` +
-    `<text class="label" x="${centre + 8}" y="22">v</text><text class="label" x="${size - 20}" y="${centre - 8}">h</text></svg>`;
+    `<polygon points="${outline.join(" ")}" fill="${colours.closed_form}" fill-opacity="${bars.length ? 0 : 0.25}" stroke="${colours.closed_form}" stroke-width="2.5"/>` +
+    `<text class="label" x="${centre + 12}" y="18">v</text><text class="label" x="${size - 20}" y="${centre - 8}">h</text></svg>`;
 }
 
-/// The picture as a file of its own: colours resolved, so that it looks the same elsewhere.
-function standalone(svg) {
-  const copy = svg.cloneNode(true);
+const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor"];
+
+/// The picture with its title above, its legend below and its paper, as a file of its own: colours resolved, so that it looks the same
+/// elsewhere.
+function standalone(picture, title) {
+  const svg = picture.querySelector("svg"), copy = svg.cloneNode(true);
   const originals = [svg, ...svg.querySelectorAll("*")];
   [copy, ...copy.querySelectorAll("*")].forEach((element, k) => {
     const style = getComputedStyle(originals[k]);
-    for (const key of ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor"])
-      if (element.tagName !== "title") element.setAttribute(key, style.getPropertyValue(key));
+    for (const key of styleKeys) if (element.tagName !== "title") element.setAttribute(key, style.getPropertyValue(key));
     element.removeAttribute("class");
+    element.removeAttribute("style");
   });
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  return new XMLSerializer().serializeToString(copy);
+  const page = getComputedStyle(document.documentElement), ink = page.getPropertyValue("--ink").trim(), paper = page.getPropertyValue("--paper").trim();
+  const { width, height } = svg.viewBox.baseVal, above = 40, line = 24;
+  const word = (x, y, text, size = 15) => `<text x="${x}" y="${y}" fill="${ink}" font-size="${size}">${escapeText(text)}</text>`;
+  let x = 20, row = 0;
+  const legend = [...picture.querySelectorAll(".legend li")].map((item) => {
+    const is = (name) => item.firstElementChild.classList.contains(name), colour = getComputedStyle(item.firstElementChild).getPropertyValue("border-top-color");
+    const wide = 44 + 8 * item.textContent.length;
+    if (x + wide > width && x > 20) [x, row] = [20, row + 1];
+    const y = above + height + 12 + line * row;
+    const mark = is("band") ? `<rect x="${x}" y="${y - 6}" width="28" height="12" fill="${colour}" fill-opacity="0.3"/>`
+      : is("dot") ? `<circle cx="${x + 14}" cy="${y}" r="5" fill="${is("hollow") ? paper : colour}" stroke="${colour}" stroke-width="2"/>`
+        : `<line x1="${x}" x2="${x + 28}" y1="${y}" y2="${y}" stroke="${colour}" stroke-width="3"${is("dashed") ? ' stroke-dasharray="7 5"' : ""}/>`;
+    const drawn = mark + word(x + 36, y + 5, item.textContent);
+    x += wide + 12;
+    return drawn;
+  });
+  const all = above + height + (legend.length ? line * (row + 1) + 6 : 0);
+  const inner = new XMLSerializer().serializeToString(copy).replace(/^<svg/, `<svg x="0" y="${above}" width="${width}" height="${height}"`);
+  const finding = svg.getAttribute("aria-label");
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${all}" width="${width}" height="${all}" font-family="sans-serif" role="img" aria-label="${escapeText(finding)}">` +
+    `<title>${escapeText(title)}</title><desc>${escapeText(finding)}</desc><rect width="${width}" height="${all}" fill="${paper}"/>${word(20, 26, title, Math.min(17, (1.7 * width) / title.length))}${inner}${legend.join("")}</svg>`;
 }
+
+/// A button that saves what the place shows.
+const saveButton = (texts, picture, name) => element("button", { onclick: () =>
+  saveFile(`granum-${name}.svg`, standalone(picture, picture.querySelector("svg title").textContent), "image/svg+xml") }, texts.save);
 
 function saveFile(name, text, type) {
   const link = document.createElement("a");

@@ -2,9 +2,9 @@
 // The live experiment: a worker makes and compresses a packing, the page shows it and what was measured.
 "use strict";
 
-const experimentPressures = [10, 13, 17, 22, 28, 36, 46, 60, 77, 100].map((p) => p * 1e3);
-const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overlap", "bulk", "network", "affine", "uniformStrain", "relaxed",
-  "s", "sError", "atRest"];
+/// Dense and loose of the paper's three shapes.
+const paperSix = ["cone", "sphere", "flat"].flatMap((shape) => [false, true].map((loose) => ({ shape, loose })));
+const paperSixGrains = 300;
 
 class ExperimentPanel {
   constructor(granum, texts) {
@@ -12,11 +12,17 @@ class ExperimentPanel {
     this.compiled = granum.compiled;
     this.texts = texts;
     this.words = texts.experiment;
-    this.states = [];
+    this.version = granum.call("version").notes[0];
+    this.runs = []; // the last one is made or was made
+    this.queue = []; // setups that come next
+    this.modulus = "G";
     this.worker = null;
     this.phase = "none"; // compression, compressed, shear
     this.build();
-    this.drawStates();
+    drawnToSize(() => this.drawStates());
+  }
+  get run() {
+    return this.runs.at(-1);
   }
 
   build() {
@@ -36,29 +42,45 @@ class ExperimentPanel {
     const sizes = select("xsizes", w.sizes, [["0", w.equal], ["0.2", w.narrow], ["0.35", w.wide]], "0");
     const grains = number("xgrains", w.grains, 200, 2000, 600);
     const seed = number("xseed", w.seed, 1, 999999, 1);
-    this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0] };
+    const guess = element("input", { id: "xguess", type: "number", min: 0, max: 1, step: "any" });
+    this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0], guess };
     this.buttons = {};
     const button = (name, text, act, more = {}) => (this.buttons[name] = element("button", { id: `x${name}`, onclick: act, ...more }, text));
     const bar = element("div", {},
       button("start", w.start, () => this.start("run"), { class: "first" }),
+      button("six", w.six, () => this.startSix()),
       button("step", w.step, () => this.step()),
       button("shear", w.shear, () => this.shear("run"), { disabled: true }),
       button("pause", w.pause, () => this.pause(), { disabled: true }),
       button("stop", w.stop, () => this.end(w.stopped), { disabled: true }),
-      button("csv", w.csv, () => saveFile("granum-experiment.csv", this.csv(), "text/csv"), { disabled: true }));
+      button("csv", w.csv, () => {
+        const { name, text } = runsFile(this.version, this.runs);
+        saveFile(name, text, "text/csv");
+      }, { disabled: true }),
+      button("clear", w.clear, () => this.clear(), { disabled: true }));
     this.status = element("p", { role: "status", id: "xstatus" }, w.idle);
     this.canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": w.view });
     this.picture = element("div", { class: "picture", id: "xchart" });
     this.table = element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": w.chart });
-    const slice = element("input", { type: "range", min: 0.1, max: 1.1, step: 0.05, value: 1.1, oninput: () => this.viewed({ slice: Number(slice.value) }) });
-    const show = element("fieldset", {}, element("legend", {}, w.show), ...[[false, w.grainsView], [true, w.forcesView]].map(([forces, text]) =>
-      element("label", {}, element("input", { type: "radio", name: "xshow", checked: !forces, onchange: () => this.viewed({ forces }) }), ` ${text}`)));
-    const save = element("button", { onclick: () => saveFile("granum-experiment.svg", standalone(this.picture.querySelector("svg")), "image/svg+xml") }, this.texts.save);
-    document.getElementById("experiment").append(element("p", {}, w.text),
-      element("div", { class: "form" }, shape[1], density[1], sizes[1], grains[1], seed[1]), bar, this.status,
+    this.compared = element("div");
+    this.rose = element("div", { class: "picture", id: "xrose", hidden: true });
+    const slice = element("input", { type: "range", min: 0.1, max: 1.1, step: 0.05, value: 1.1, "aria-valuetext": w.whole, oninput: () => {
+      this.viewed({ slice: Number(slice.value) });
+      slice.setAttribute("aria-valuetext", slice.value > 1 ? w.whole : `${Math.round(100 * slice.value)} %`);
+    } });
+    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", said: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
+    const choice = (name, legend, options, change) => element("fieldset", {}, element("legend", {}, legend), ...options.map(([value, text], k) =>
+      element("label", {}, element("input", { type: "radio", name, checked: k === 0, onchange: () => change(value) }), ` ${text}`)));
+    const show = choice("xshow", w.show, [[false, w.grainsView], [true, w.forcesView]], (forces) => this.viewed({ forces }));
+    const modulus = choice("xmodulus", w.modulus, [["G", "G"], ["K", "K"]], (name) => {
+      this.modulus = name;
+      this.drawStates();
+    });
+    document.getElementById("experiment").append(...w.text.split("\n").map((part) => element("p", {}, ...worded(part))),
+      element("div", { class: "form" }, shape[1], density[1], sizes[1], grains[1], seed[1], element("label", { class: "guess" }, ...worded(w.guess), guess)), bar, this.status,
       element("div", { class: "panes" },
-        element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice)),
-        element("div", {}, this.picture, save)),
+        element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice), exaggerated, this.rose),
+        element("div", {}, modulus, this.picture, saveButton(this.texts, this.picture, "experiment"), this.compared)),
       this.table, (this.curves = new ShearCurves(this.texts)).place);
     try {
       this.view = new PackingView(this.canvas);
@@ -72,18 +94,33 @@ class ExperimentPanel {
     if (this.view) Object.assign(this.view, change).ask();
   }
 
+  /// The number in a field, or nothing where it is not one of those that may be; the reader hears which.
+  asked(input) {
+    const value = Number(input.value), right = input.checkValidity() && (input.value !== "" || input === this.inputs.guess);
+    input.toggleAttribute("aria-invalid", !right);
+    if (right) return input.value === "" ? NaN : value;
+    this.status.textContent = filled(this.words.outside, { name: input.closest("label").firstChild.textContent, value: input.value, min: written(Number(input.min)), max: written(Number(input.max), 6) });
+    input.focus();
+    return undefined;
+  }
   start(mode) {
-    this.end("");
-    const bounded = (input) => Math.min(input.max, Math.max(input.min, Math.round(Number(input.value)) || input.min));
-    const setup = {
-      grain: { ...defaultGrain, shape: this.inputs.shape.value }, loose: this.inputs.density.value === "loose",
-      sigma: Number(this.inputs.sizes.value), grains: bounded(this.inputs.grains), seed: bounded(this.inputs.seed),
-    };
-    this.states = [];
+    const grains = this.asked(this.inputs.grains), seed = this.asked(this.inputs.seed), guess = this.asked(this.inputs.guess);
+    if ([grains, seed, guess].includes(undefined)) return;
+    this.queue = [];
+    this.make({ grain: { ...defaultGrain, shape: this.inputs.shape.value }, loose: this.inputs.density.value === "loose", sigma: Number(this.inputs.sizes.value), grains, seed }, mode, guess);
+  }
+  startSix() {
+    const seed = this.asked(this.inputs.seed);
+    if (seed === undefined) return;
+    this.queue = paperSix.map(({ shape, loose }) => ({ grain: { ...defaultGrain, shape }, loose, sigma: 0, grains: paperSixGrains, seed }));
+    this.make(this.queue.shift(), "run", NaN);
+  }
+  make(setup, mode, guess) {
+    this.leave();
+    this.runs = this.runs.filter((run) => run.done);
+    this.runs.push({ setup, guess, states: [], contactExponent: this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent });
     this.notAtRest = "";
-    this.setup = setup;
-    this.viewed({ shape: shapeColourName(setup.grain.shape) });
-    this.contactExponent = this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent;
+    this.viewed({ shape: shapeColourName(setup.grain.shape), reference: null });
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
@@ -91,8 +128,17 @@ class ExperimentPanel {
     this.enter("compression", mode, this.words.preparing);
     this.drawStates();
   }
+  clear() {
+    this.end("");
+    this.runs = [];
+    this.curves.clear();
+    this.status.textContent = this.words.idle;
+    this.enable();
+    this.drawStates();
+  }
   /// The specimen stays with the worker after its compression, to be sheared once.
   shear(mode) {
+    this.viewed({ reference: this.view?.data });
     this.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
     this.curves.begin();
     this.enter("shear", mode, this.words.shearing);
@@ -123,74 +169,86 @@ class ExperimentPanel {
   pause() {
     this.send(this.paused ? "run" : "pause");
   }
-  end(text) {
+  leave() {
     this.worker?.terminate();
     this.worker = null;
     this.showPaused(false);
+  }
+  end(text) {
+    this.leave();
+    this.queue = [];
     this.enter("none", "", text || this.status.textContent);
   }
   enable() {
     const runs = this.phase === "compression" || this.phase === "shear";
     this.buttons.pause.disabled = this.buttons.stop.disabled = !runs;
     this.buttons.shear.disabled = this.phase !== "compressed";
-    this.buttons.csv.disabled = this.states.length === 0;
+    this.buttons.csv.disabled = this.buttons.clear.disabled = !this.run?.states.length;
   }
 
   hear(data) {
     if (data.view && this.view) this.view.show(data.view);
-    if (data.what === "compressing") this.status.textContent = filled(this.words.compressing, { p: written(data.pressure / 1e3) });
+    if (data.what === "state" || data.what === "point") this.drawRose(data.view);
+    if (data.what === "compressing") {
+      this.viewed({ reference: this.run.states.length ? this.view?.data : null });
+      this.status.textContent = `${this.runs.length > 1 || this.queue.length ? `${nameOf(this.words, this.run)}: ` : ""}${filled(this.words.compressing, { p: written(data.pressure / 1e3) })}`;
+    }
     if (data.what === "failed") this.end(filled(this.words.failed, data));
     if (data.what === "state") this.hearState(data);
     if (data.what === "point") this.hearPoint(data);
   }
 
   hearState({ numbers, last }) {
-    const state = Object.fromEntries(stateNames.map((name, k) => [name, numbers[k]]));
-    this.states.push(state);
+    const run = this.run, state = Object.fromEntries(stateNames.map((name, k) => [name, numbers[k]]));
+    run.states.push(state);
     if (!state.atRest) this.notAtRest += ` ${filled(this.words.notAtRest, { p: written(state.pressure / 1e3) })}`;
-    this.drawStates();
+    run.done = last;
     this.enable();
     if (!last) {
+      this.drawStates();
       if (this.mode === "step") this.showPaused(true);
       return;
     }
-    const first = this.states[0];
+    run.image = this.snapshot();
+    this.drawStates();
+    if (this.queue.length) return this.make(this.queue.shift(), "run", NaN);
+    const first = run.states[0];
     this.showPaused(false);
-    this.enter("compressed", "", filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(this.contactExponent), z0: written(first.z), z1: written(state.z) }) + this.notAtRest);
+    this.enter("compressed", "", filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(run.contactExponent), z0: written(first.z), z1: written(state.z),
+      from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
+  }
+  /// The specimen as it is seen now, in small.
+  snapshot() {
+    if (!this.view) return undefined;
+    this.view.draw();
+    const small = element("canvas", { width: 160, height: 160 });
+    small.getContext("2d").drawImage(this.canvas, 0, 0, 160, 160);
+    return small.toDataURL("image/png");
+  }
+  drawRose(view) {
+    this.rose.hidden = !view?.rose.length;
+    if (this.rose.hidden) return;
+    const [anisotropy, ...bars] = view.rose, words = this.words;
+    this.rose.innerHTML = `<div class="rose">${rose(this.granum.fabricCurve(anisotropy, 45), words.rose, filled(words.roseFinding, { a: anisotropy.toFixed(2) }), bars)}</div>` +
+      `<p>${escapeText(filled(words.roseFinding, { a: anisotropy.toFixed(2) }))}</p>`;
   }
 
   hearPoint({ point, paused }) {
     this.curves.add(point);
     if (point.event === 2) this.end(this.words.unstable);
-    else if (point.event === 1) this.end(this.curves.said(this.setup.grain.frictionAngle));
+    else if (point.event === 1) this.end(this.curves.said(this.run.setup.grain.frictionAngle));
     else if (paused) this.showPaused(true);
   }
 
   drawStates() {
-    const legend = this.texts.legend, axis = this.texts.axis;
-    const all = this.states.flatMap((s) => [s.network, s.uniformStrain, s.relaxed]).filter(Number.isFinite).map((G) => G / 1e6);
-    const line = (key) => this.states.map((s) => [s.pressure / 1e3, s[key] / 1e6]);
-    this.picture.innerHTML = chart({
-      title: this.words.chart, finding: filled(this.words.finding, { count: this.states.length }),
-      x: { label: axis.pressure, min: 9, max: 110, log: true },
-      y: { label: axis.G, min: all.length ? 0.8 * Math.min(...all) : 10, max: all.length ? 1.3 * Math.max(...all) : 500, log: true },
-      series: [
-        { label: legend.uniformStrain, colour: colours.uniform_strain, points: line("uniformStrain") },
-        { label: legend.relaxed, colour: colours.closed_form, points: line("relaxed") },
-        { label: legend.network, colour: colours.measured, points: line("network"), line: false, dots: true },
-        { label: legend.contact, colour: colours.grey, dash: true, points: this.states.map((s) => [s.pressure / 1e3, (this.states[0].network / 1e6) * (s.pressure / this.states[0].pressure) ** this.contactExponent]) },
-      ],
-    });
+    this.picture.innerHTML = runsChart(this.granum, this.texts, this.runs, this.modulus);
+    const done = this.runs.some((run) => run.done);
+    this.compared.replaceChildren(...(done ? [runsTable(this.texts, this.runs), runsGallery(this.texts, this.runs)] : []));
     const cell = (value) => element("td", {}, written(value, 4));
     this.table.replaceChildren(element("table", {},
-      element("thead", {}, element("tr", {}, ...this.words.columns.map((name) => element("th", { scope: "col" }, name)))),
-      element("tbody", {}, ...this.states.map((s) => element("tr", {},
-        ...[s.pressure / 1e3, s.voidRatio, s.contacts, s.z, 100 * s.rattlers, s.network / 1e6, s.uniformStrain / 1e6, s.relaxed / 1e6].map(cell))))));
-  }
-
-  csv() {
-    const names = ["p_Pa", "e", "C_n", "z_star", "rattler_fraction", "mean_overlap_over_d", "K_network_Pa", "G_network_Pa", "G_affine_Pa", "G_uniform_strain_Pa", "G_relaxed_Pa"];
-    return [names.join(","), ...this.states.map((s) => stateNames.slice(0, names.length).map((name) => s[name]).join(","))].join("\n") + "\n";
+      element("thead", {}, element("tr", {}, ...this.words.columns.map((name) => element("th", { scope: "col" }, ...worded(name))))),
+      element("tbody", { id: "xstates" }, ...(this.run?.states ?? []).map((s) => element("tr", {},
+        ...[s.pressure / 1e3, s.voidRatio, s.contacts, s.z, 100 * s.rattlers, s.network / 1e6, s.bulk / 1e6, s.uniformStrain / 1e6, s.relaxed / 1e6].map(cell))))));
   }
 }
 

@@ -17,7 +17,8 @@ async function start() {
   const texts = JSON.parse(document.getElementById("texts").textContent);
   document.title = texts.title;
   document.getElementById("title").textContent = texts.title;
-  document.getElementById("intro").textContent = texts.intro;
+  document.getElementById("question").append(...worded(texts.question));
+  document.getElementById("intro").append(...worded(texts.intro));
   for (const [part, title] of Object.entries(texts.parts)) {
     document.getElementById(`${part}-title`).textContent = title;
     document.getElementById("parts").append(element("a", { href: `#${part}`, onclick: (event) => {
@@ -25,21 +26,43 @@ async function start() {
       document.getElementById(part).scrollIntoView();
     } }, title));
   }
+  document.getElementById("tools").append(copyButton(texts.link, () => address.link()), element("button", { id: "reset", onclick: () => {
+    address.write(location.href.split("#")[0]);
+    location.reload();
+  } }, texts.reset));
   const compiled = await unpacked(document.getElementById("wasm").textContent);
   const granum = await Granum.create(compiled);
-  document.getElementById("footer").textContent = filled(texts.footer, { version: granum.call("version").notes[0] });
+  for (const law of contactLaws) law.plural = texts.shapes[law.name] ?? law.plural;
+  document.getElementById("footer").append(filled(texts.footer, { version: granum.call("version").notes[0] }),
+    ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).flatMap(([name, { file, title }]) => [" ", element("a", { href: file, lang: name }, title)]));
   addLesson(granum, texts);
   addCalculator(granum, texts);
-  addExperiment(granum, texts);
+  const panel = addExperiment(granum, texts);
   addTeachersNotes(texts);
+  addSheet(granum, texts, panel);
+  showPlace();
   document.documentElement.dataset.ready = "yes";
+  if (!address.only) addHero(granum, texts);
+}
+
+/// The step that the address names: alone, or first on the screen.
+function showPlace() {
+  const alone = address.only && document.getElementById(address.only);
+  const parts = [...document.querySelectorAll(".step, main > section")];
+  if (alone && parts.includes(alone)) {
+    document.body.classList.add("only");
+    for (const part of parts) part.hidden = !(part === alone || part.contains(alone));
+  }
+  const step = document.getElementById(`step${address.values.get("step")}`);
+  if (step?.classList.contains("step")) step.scrollIntoView();
 }
 
 function addTeachersNotes(texts) {
   const section = document.getElementById("notes");
-  section.append(element("p", {}, texts.notes.text));
+  section.append(...texts.notes.text.split("\n").map((part) => element("p", {}, ...worded(part))),
+    element("h3", {}, texts.notes.planTitle), element("ol", {}, ...texts.notes.plan.map((part) => element("li", {}, ...worded(part)))));
   for (const [question, answer] of texts.notes.questions)
-    section.append(element("details", {}, element("summary", {}, question), element("p", {}, answer)));
+    section.append(element("details", {}, element("summary", {}, ...worded(question)), element("p", {}, ...worded(answer))));
 }
 
 start().catch((error) => {

@@ -61,7 +61,7 @@ class PackingView {
     if (!this.gl) throw new Error("WebGL2 is not available");
     this.spheres = this.program(sphereShaders, [["grain", 4], ["rattler", 1]]);
     this.bars = this.program(barShaders, [["from", 3], ["to", 3], ["force", 1]]);
-    Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, shape: "sphere", data: null, waiting: false });
+    Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, shape: "sphere", data: null, waiting: false, reference: null, exaggeration: 1 });
     this.listen();
   }
 
@@ -111,8 +111,24 @@ class PackingView {
       this.zoom = Math.max(0.5, Math.min(6, this.zoom * factor));
       this.ask();
     };
-    canvas.addEventListener("pointermove", (event) => event.buttons && turned(event.movementX * 0.01, event.movementY * 0.01));
-    canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+    // One finger turns sideways and lets the page scroll; two pinch.
+    const fingers = new Map();
+    const apart = () => {
+      const [a, b] = [...fingers.values()];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      canvas.setPointerCapture(event.pointerId);
+    });
+    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => fingers.delete(event.pointerId));
+    canvas.addEventListener("pointermove", (event) => {
+      if (!fingers.has(event.pointerId)) return;
+      const was = fingers.get(event.pointerId), now = { x: event.clientX, y: event.clientY }, before = fingers.size === 2 ? apart() : 0;
+      fingers.set(event.pointerId, now);
+      if (before) zoomed(apart() / before);
+      else turned((now.x - was.x) * 0.01, (now.y - was.y) * 0.01);
+    });
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       zoomed(Math.exp(-event.deltaY * 0.001));
@@ -150,8 +166,9 @@ class PackingView {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (!data || data.grains.length === 0) return;
     gl.enable(gl.DEPTH_TEST);
-    const middle = Array.from(data.edge, (edge) => edge / 2);
-    const reach = 0.5 * Math.hypot(...data.edge) + 1;
+    const { edge, grains } = this.seen();
+    const middle = Array.from(edge, (length) => length / 2);
+    const reach = 0.5 * Math.hypot(...edge) + 1;
     const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw), cp = Math.cos(this.pitch), sp = Math.sin(this.pitch);
     // Axis 3 of the packing points up. Columns of the rotation, one after the other.
     const turn = [cy, sp * sy, cp * sy, -sy, sp * cy, cp * cy, 0, cp, -sp];
@@ -163,19 +180,46 @@ class PackingView {
       gl.uniformMatrix3fv(part.uniform("turn"), false, turn);
       gl.uniform3fv(part.uniform("middle"), middle);
       gl.uniform2f(part.uniform("scale"), scale * (canvas.height < canvas.width ? canvas.height / canvas.width : 1), scale * (canvas.width < canvas.height ? canvas.width / canvas.height : 1));
-      gl.uniform1f(part.uniform("cut"), this.slice * data.edge[1]);
+      gl.uniform1f(part.uniform("cut"), this.slice * edge[1]);
       gl.uniform1f(part.uniform("deep"), reach);
     };
     common(this.spheres);
     gl.uniform1f(this.spheres.uniform("shrink"), this.forces ? 0.22 : 1);
     gl.uniform3fv(this.spheres.uniform("colour"), this.colour(this.forces ? "--soft" : `--${this.shape}`));
     gl.uniform3fv(this.spheres.uniform("paleColour"), pale);
-    this.instances(this.spheres, data.grains);
+    this.instances(this.spheres, grains);
+    common(this.bars);
+    gl.uniform1f(this.bars.uniform("cut"), Infinity);
+    gl.uniform3fv(this.bars.uniform("colour"), this.colour("--soft"));
+    gl.uniform3fv(this.bars.uniform("paleColour"), this.colour("--soft"));
+    this.instances(this.bars, this.box(edge));
     if (!this.forces) return;
     common(this.bars);
     gl.uniform3fv(this.bars.uniform("colour"), this.colour("--force"));
     gl.uniform3fv(this.bars.uniform("paleColour"), pale);
     this.instances(this.bars, data.contacts);
+  }
+
+  /// Grains and cell, or how they would be had they moved that many times as far since the reference.
+  seen() {
+    const { data, reference, exaggeration } = this;
+    if (exaggeration === 1 || !reference || this.forces || reference.grains.length !== data.grains.length) return data;
+    const edge = data.edge.map((length, axis) => reference.edge[axis] + exaggeration * (length - reference.edge[axis]));
+    const grains = data.grains.slice();
+    for (let k = 0; k < grains.length; k += 5)
+      for (let axis = 0; axis < 3; ++axis) {
+        const before = reference.grains[k + axis] / reference.edge[axis];
+        const moved = data.grains[k + axis] / data.edge[axis] - before;
+        grains[k + axis] = (before + exaggeration * (moved - Math.round(moved))) * edge[axis];
+      }
+    return { edge, grains };
+  }
+  /// The twelve edges of the cell, as bars.
+  box(edge) {
+    const rows = [], corner = (bits) => [0, 1, 2].map((axis) => (bits & (1 << axis) ? edge[axis] : 0));
+    for (let bits = 0; bits < 8; ++bits)
+      for (let axis = 0; axis < 3; ++axis) if (!(bits & (1 << axis))) rows.push(...corner(bits), ...corner(bits | (1 << axis)), 0.15);
+    return new Float32Array(rows);
   }
 
   /// A colour of the style sheet, "#rrggbb", from 0 to 1.

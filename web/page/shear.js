@@ -11,14 +11,14 @@ class ShearCurves {
     this.points = [];
     const part = (name) => {
       const picture = element("div", { class: "picture", id: `x${name}` });
-      const save = element("button", { onclick: () => saveFile(`granum-${name}.svg`, standalone(picture.querySelector("svg")), "image/svg+xml") }, texts.save);
-      return [picture, element("div", {}, picture, save)];
+      return [picture, element("div", {}, picture, saveButton(texts, picture, name))];
     };
     const [stress, stressPane] = part("deviator"), [volume, volumePane] = part("volume");
     this.pictures = { stress, volume };
     this.save = element("button", { id: "xshearcsv", disabled: true, onclick: () => saveFile("granum-shear.csv", this.csv(), "text/csv") }, this.words.csv);
     this.place = element("div", { id: "xshearpart", hidden: true }, element("h3", {}, this.words.title), element("p", {}, this.words.text),
       element("div", { class: "panes even" }, stressPane, volumePane), this.save);
+    drawnToSize(() => this.place.hidden || this.draw());
   }
 
   begin() {

@@ -9,6 +9,7 @@ const view = (granum) => {
     grains: granum.floats(e.view_grains(), 5 * grains),
     contacts: granum.floats(e.view_contacts(), 7 * contacts),
     edge: granum.floats(e.view_edge(), 3),
+    rose: granum.floats(e.view_rose(), e.view_rose_count()),
   };
 };
 
@@ -38,7 +39,7 @@ function shearOn() {
   strain = point.axialStrain;
   const pausing = mode === "step" && strain >= until;
   if (pausing) mode = "pause";
-  postMessage({ what: "point", point, paused: pausing && work !== null });
+  postMessage({ what: "point", point, paused: pausing && work !== null, view: view(granum) });
 }
 
 const guarded = (act) => async (...args) => {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's experiment: one specimen, made and then compressed from pressure to pressure, measured at rest.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -9,6 +11,9 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
 #include <granum/core/straight_line.hpp>
+#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <granum/fabric/rose.hpp>
 
 #include "experiment.hpp"
 #include "studies/verify/exponent_scatter.hpp"
@@ -22,7 +27,27 @@ using web::View;
 
 std::unique_ptr<Experiment> running;
 
+/// The directions of the contacts that press.
+void look_at_fabric(const packing::Assembly& packing, View& view) {
+  constexpr std::size_t bins = 18, fewest = 20;
+  std::vector<Vec3> normals;
+  for (const packing::Contact& contact : packing.contacts)
+    if (contact.normal_force > 0)
+      normals.push_back(packing::normal(contact));
+  view.rose.clear();
+  if (normals.size() < fewest)
+    return;
+  const double a = std::clamp(fabric::estimate_anisotropy(normals).anisotropy, -1.0, 1.0);
+  view.rose.push_back(static_cast<float>(a));
+  std::vector<std::size_t> counts;
+  for (const fabric::RoseBin& bin : fabric::rose(normals, a, bins))
+    counts.push_back(bin.count);
+  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, a))
+    view.rose.push_back(static_cast<float>(bin.density / fabric::density(0, 0)));
+}
+
 void look_at(const packing::Assembly& packing, double unit, View& view) {
+  look_at_fabric(packing, view);
   const packing::MechanicalCoordination bearing =
       packing::mechanical_coordination(packing, packing::ContactKind::frictional);
   view.grains.clear();
@@ -50,25 +75,34 @@ void look_at(const packing::Assembly& packing, double unit, View& view) {
     view.edge[axis] = static_cast<float>(packing.cell(axis, axis) / unit);
 }
 
+/// ln G against ln p; nothing before the second pressure.
+std::optional<StraightLine> line_of(const Experiment& e, const std::vector<double>& ln_modulus) {
+  if (e.ln_pressure.size() < 2)
+    return std::nullopt;
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < e.ln_pressure.size(); ++k)
+    points.push_back({e.ln_pressure[k], ln_modulus[k]});
+  return straight_line(points);
+}
+
 /// s of the network and its error; not numbers before the second pressure. One path does not know how much
 /// specimens differ, which is more than its own error where the specimen is loose: that was measured between
 /// 10 and 100 kPa, with equal grains and the friction that the page begins with.
-Measured exponent(const Experiment& e) {
-  if (e.ln_pressure.size() < 2)
+Measured exponent(const Experiment& e, const std::optional<StraightLine>& line) {
+  if (!line)
     return {effective::State::unset, effective::State::unset};
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < e.ln_pressure.size(); ++k)
-    points.push_back({e.ln_pressure[k], e.ln_network[k]});
-  const Measured slope = straight_line(points).slope;
   const studies::TableValue s = *studies::mean_over_seeds(
-      {{slope.value, slope.standard_error}},
+      {{line->slope.value, line->slope.standard_error}},
       studies::exponent_scatter(e.contact, e.density, studies::ExponentRoute::network, e.recipe.grains));
   return {s.value, *s.standard_error};
 }
 
-double shear_modulus(const analysis::Measurement& found, effective::RungName name) {
+/// G and K of a closed form; not numbers where it has none.
+std::array<double, 2> closed_form(const analysis::Measurement& found, effective::RungName name) {
   const std::optional<effective::RungAnswer> answer = found.closed_form(name);
-  return answer ? answer->stiffness.G_vh() : effective::State::unset;
+  if (!answer)
+    return {effective::State::unset, effective::State::unset};
+  return {answer->stiffness.G_vh(), answer->stiffness.bulk_modulus()};
 }
 
 } // namespace
@@ -125,7 +159,9 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
 
 /// Compresses to a pressure [Pa] and measures: pressure, e, C_n, z*, x_0, mean overlap over the mean
 /// diameter; K, G and the affine G of the network, G by uniform strain and relaxed (closed forms); s of the
-/// network over all pressures so far, and its error; 1 where the specimen came to rest.
+/// network over all pressures so far, and its error; K by uniform strain and relaxed; G of the network on the
+/// line of s at the first pressure and at this one; s of rung 3 at the contacts that were counted; 1 where
+/// the specimen came to rest.
 GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   Experiment& e = experiment();
   Clock clock;
@@ -148,9 +184,16 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   double overlap = 0;
   for (const packing::Contact& contact : packing.contacts)
     overlap += contact.overlap / static_cast<double>(packing.contacts.size());
+  const auto [uniform_shear, uniform_bulk] = closed_form(found, effective::RungName::isotropic);
+  const auto [relaxed_shear, relaxed_bulk] = closed_form(found, effective::RungName::relaxed);
   e.ln_pressure.push_back(std::log(pressure));
   e.ln_network.push_back(std::log(relaxed.shear_modulus()));
-  const Measured s = exponent(e);
+  e.ln_relaxed.push_back(std::log(relaxed_shear));
+  constexpr double none = effective::State::unset;
+  const std::optional<StraightLine> line = line_of(e, e.ln_network);
+  const std::optional<StraightLine> rung =
+      std::isnan(relaxed_shear) ? std::nullopt : line_of(e, e.ln_relaxed);
+  const Measured s = exponent(e, line);
   web::numbers() = {pressure,
                     found.void_ratio,
                     found.counts.coordination_number,
@@ -160,11 +203,25 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
                     relaxed.bulk_modulus(),
                     relaxed.shear_modulus(),
                     network.isotropic_affine().shear_modulus(),
-                    shear_modulus(found, effective::RungName::isotropic),
-                    shear_modulus(found, effective::RungName::relaxed),
+                    uniform_shear,
+                    relaxed_shear,
                     s.value,
                     s.standard_error,
+                    uniform_bulk,
+                    relaxed_bulk,
+                    line ? std::exp((*line)(e.ln_pressure.front())) : none,
+                    line ? std::exp((*line)(e.ln_pressure.back())) : none,
+                    rung ? rung->slope.value : none,
                     report.converged() ? 1.0 : 0.0};
+}
+
+/// The standard deviation of s of the network between specimens of a kind.
+GRANUM_EXPORT(exponent_scatter) void exponent_scatter(double shape, double loose, double grains) {
+  web::numbers() = {
+      studies::exponent_scatter(web::shape_of(shape),
+                                loose != 0 ? triaxial::Density::loose : triaxial::Density::dense,
+                                studies::ExponentRoute::network, static_cast<std::size_t>(grains))
+          .deviation};
 }
 
 GRANUM_EXPORT(view_grains) const float* view_grains() { return experiment().view.grains.data(); }
@@ -174,3 +231,5 @@ GRANUM_EXPORT(view_contact_count) std::size_t view_contact_count() {
   return experiment().view.contacts.size() / 7;
 }
 GRANUM_EXPORT(view_edge) const float* view_edge() { return experiment().view.edge; }
+GRANUM_EXPORT(view_rose) const float* view_rose() { return experiment().view.rose.data(); }
+GRANUM_EXPORT(view_rose_count) std::size_t view_rose_count() { return experiment().view.rose.size(); }

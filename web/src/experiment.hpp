@@ -26,6 +26,9 @@ struct View {
   std::vector<float> grains;   ///< x, y, z, radius, 1 for a rattler; lengths over the mean radius
   std::vector<float> contacts; ///< x, y, z of one centre, x, y, z of the other, force over the mean force
   float edge[3]{};             ///< of the cell
+  /// a, then a histogram of the angle of contact normals to the vertical in equal steps from 0 to 90 degrees,
+  /// over that of no preferred direction; empty below 20 contacts
+  std::vector<float> rose;
 };
 
 struct Experiment {
@@ -35,7 +38,7 @@ struct Experiment {
   dem::Specimen state;
   double pressure = 0; ///< that it was compressed to last; 0 before [Pa]
   View view;
-  std::vector<double> ln_pressure, ln_network;
+  std::vector<double> ln_pressure, ln_network, ln_relaxed;
   std::optional<triaxial::ShearTest> shear; ///< once it has begun
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <granum/core/error.hpp>
 #include <granum/core/straight_line.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
@@ -62,6 +63,41 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
                            power != nullptr ? power->contact_radius(overlap) : none});
   }
 }
+
+/// The numbers of a law whose contact is as stiff as that of spheres at a force [N]: its last number is
+/// sought, the one before stays.
+/// \throws   Error where the law has no number of its own to seek
+GRANUM_EXPORT(law_as_stiff)
+void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, double radius,
+                  double first_number, double second_number, double force) {
+  const contact::LawRow& law = contact::row_of(web::shape_of(shape));
+  if (law.parameters.empty())
+    throw Error("this law has no number of its own");
+  const bool two = law.parameters.size() > 1;
+  const auto stiffness = [&](double number) {
+    return web::law_of({shape, shear_modulus, poisson_ratio, radius, two ? first_number : number, number})
+        .stiffness_at_force(force);
+  };
+  const double wanted =
+      contact::NormalLaw(
+          contact::PowerLaw::sphere({.shear_modulus = shear_modulus, .poisson_ratio = poisson_ratio}, radius))
+          .stiffness_at_force(force);
+  const double start = two ? second_number : first_number;
+  double low = std::log(start * 1e-3), high = std::log(start * 1e3);
+  const bool grows = stiffness(std::exp(high)) > stiffness(std::exp(low));
+  if ((stiffness(std::exp(low)) - wanted) * (stiffness(std::exp(high)) - wanted) > 0)
+    throw Error("no number of this law is as stiff");
+  constexpr int halvings = 60;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (low + high) / 2;
+    ((stiffness(std::exp(middle)) > wanted) == grows ? high : low) = middle;
+  }
+  const double found = std::exp((low + high) / 2);
+  web::numbers() = two ? std::vector{first_number, found} : std::vector{found};
+}
+
+/// The exponents s of G ~ p^s that laboratories measure on sands, from uniform to widely graded ones.
+GRANUM_EXPORT(sand_exponents) void sand_exponents() { web::numbers() = {0.4, 0.6}; }
 
 /// E(gamma; a) over E(gamma; 0) at `points` equal steps of gamma from 0 to 90 degrees.
 GRANUM_EXPORT(fabric_curve) void fabric_curve(double anisotropy, double points) {

@@ -6,7 +6,7 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { execFileSync } from "node:child_process";
-import { answerOf, found, grain, granumJson, inferenceOf, ladderOf, program, root, sameAnswer, sameInference, shearPoint, startModule } from "./native.mjs";
+import { answerOf, found, grain, granumJson, inferenceOf, ladderOf, program, root, sameAnswer, sameInference, shearPoint, startModule, texts } from "./native.mjs";
 
 const close = (a, b, relative, what) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${what}: ${a} is not ${b}`);
 
@@ -194,6 +194,78 @@ for (const density of ["dense", "loose"])
       fs.rmSync(out, { recursive: true });
     }
   });
+
+test("what the texts say of specimens and of steps is what the module says", async () => {
+  const granum = await startModule();
+  const said = JSON.stringify(texts), [dense, loose] = await Promise.all([experiment(false, 1), experiment(true, 1)]);
+  const [z, G] = [3, 7].map((column) => [dense, loose].map(({ rows }) => rows[0][column]));
+  const [, zDense, zLoose] = said.match(/z\^\*\$ of ([\d.]+) and ([\d.]+)/).map(Number);
+  assert.ok(Math.abs(z[0] - zDense) < 0.05 && Math.abs(z[1] - zLoose) < 0.05, `z* ${z}`);
+  assert.ok(/factor of about four at 10 kPa/.test(said) && G[0] / G[1] > 3.5 && G[0] / G[1] < 4.5, `factor ${G[0] / G[1]}`);
+  assert.ok(Math.abs(dense.rows[0][1] - loose.rows[0][1]) < 0.01, "nearly the same e");
+  const sDense = Number(said.match(/Dense spheres give ([\d.]+) here/)[1]);
+  assert.ok(Math.abs(dense.s - sDense) < 2 * dense.error, `s ${dense.s}`);
+  // Step 6 and the experiment: the same e and rattlers, contacts foretold or counted.
+  const [step] = fs.readFileSync(`${root}/web/page/lesson.js`, "utf8").match(/voidRatio: 0\.568, mechanicalCoordinationNumber: at\.z10, rattlerFraction: 0\.06/);
+  assert.ok(step);
+  assert.ok(Math.abs(loose.rows[0][1] - 0.568) < 0.005 && Math.abs(loose.rows[0][4] - 0.06) < 0.02, "the specimen is not that of step 6");
+  const foretold = granum.carriedPath(grain, { voidRatio: 0.568, mechanicalCoordinationNumber: z[1], rattlerFraction: 0.06, pressure: 1e4 }, 1e5, 12).slope.relaxed;
+  assert.ok(Math.abs(foretold - loose.s) < 2 * loose.error, `step 6 says ${foretold}, the experiment ${loose.s} +- ${loose.error}`);
+  // Its line goes through the middle of the points, and its slope is s.
+  for (const { rows, s } of [dense, loose]) {
+    const [first, last] = [rows[0], rows.at(-1)];
+    close(Math.log(last[16] / last[15]) / Math.log(last[0] / first[0]), s, 1e-9, "slope of the line");
+    assert.ok(Math.abs(Math.log(last[16] / last[7])) < 0.1 && Math.abs(Math.log(last[15] / first[7])) < 0.1);
+  }
+  // Shapes are as stiff as spheres at the force that the first step names.
+  const force = Number(texts.steps[0].text.match(/at ([\d.]+) N/)[1]);
+  const stiffnessAt = (shape, numbers) => {
+    const { points } = granum.contactCurve({ ...grain, shape, numbers }, 2e-6, 4000);
+    const k = points.findIndex((point) => point.force >= force);
+    return points[k].stiffness;
+  };
+  const wanted = stiffnessAt("sphere", {});
+  for (const [shape, place, key] of [["cone", 0, "cone_slope"], ["flat", 2, "punch_radius"]]) {
+    const [number] = granum.call("law_as_stiff", place, grain.shearModulus, grain.poissonRatio, grain.radius, shape === "cone" ? 0.4 : 5.7e-6, NaN, force).numbers;
+    close(stiffnessAt(shape, { [key]: number }), wanted, 2e-3, shape);
+  }
+});
+
+test("what the texts say of specimens and of steps is what the module says", async () => {
+  const granum = await startModule();
+  const said = JSON.stringify(texts), [dense, loose] = await Promise.all([experiment(false, 1), experiment(true, 1)]);
+  const [z, G] = [3, 7].map((column) => [dense, loose].map(({ rows }) => rows[0][column]));
+  const [, zDense, zLoose] = said.match(/z\^\*\$ of ([\d.]+) and ([\d.]+)/).map(Number);
+  assert.ok(Math.abs(z[0] - zDense) < 0.05 && Math.abs(z[1] - zLoose) < 0.05, `z* ${z}`);
+  assert.ok(/factor of about four at 10 kPa/.test(said) && G[0] / G[1] > 3.5 && G[0] / G[1] < 4.5, `factor ${G[0] / G[1]}`);
+  assert.ok(Math.abs(dense.rows[0][1] - loose.rows[0][1]) < 0.01, "nearly the same e");
+  const sDense = Number(said.match(/Dense spheres give ([\d.]+) here/)[1]);
+  assert.ok(Math.abs(dense.s - sDense) < 2 * dense.error, `s ${dense.s}`);
+  // Step 6 and the experiment: the same e and rattlers, contacts foretold or counted.
+  const [step] = fs.readFileSync(`${root}/web/page/lesson.js`, "utf8").match(/voidRatio: 0\.568, mechanicalCoordinationNumber: at\.z10, rattlerFraction: 0\.06/);
+  assert.ok(step);
+  assert.ok(Math.abs(loose.rows[0][1] - 0.568) < 0.005 && Math.abs(loose.rows[0][4] - 0.06) < 0.02, "the specimen is not that of step 6");
+  const foretold = granum.carriedPath(grain, { voidRatio: 0.568, mechanicalCoordinationNumber: z[1], rattlerFraction: 0.06, pressure: 1e4 }, 1e5, 12).slope.relaxed;
+  assert.ok(Math.abs(foretold - loose.s) < 2 * loose.error, `step 6 says ${foretold}, the experiment ${loose.s} +- ${loose.error}`);
+  // Its line goes through the middle of the points, and its slope is s.
+  for (const { rows, s } of [dense, loose]) {
+    const [first, last] = [rows[0], rows.at(-1)];
+    close(Math.log(last[16] / last[15]) / Math.log(last[0] / first[0]), s, 1e-9, "slope of the line");
+    assert.ok(Math.abs(Math.log(last[16] / last[7])) < 0.1 && Math.abs(Math.log(last[15] / first[7])) < 0.1);
+  }
+  // Shapes are as stiff as spheres at the force that the first step names.
+  const force = Number(texts.steps[0].text.match(/at ([\d.]+) N/)[1]);
+  const stiffnessAt = (shape, numbers) => {
+    const { points } = granum.contactCurve({ ...grain, shape, numbers }, 2e-6, 4000);
+    const k = points.findIndex((point) => point.force >= force);
+    return points[k].stiffness;
+  };
+  const wanted = stiffnessAt("sphere", {});
+  for (const [shape, place, key] of [["cone", 0, "cone_slope"], ["flat", 2, "punch_radius"]]) {
+    const [number] = granum.call("law_as_stiff", place, grain.shearModulus, grain.poissonRatio, grain.radius, shape === "cone" ? 0.4 : 5.7e-6, NaN, force).numbers;
+    close(stiffnessAt(shape, { [key]: number }), wanted, 2e-3, shape);
+  }
+});
 
 /// The curve of triaxial compression after compression through all pressures: its points.
 async function sheared(loose, seed, largestStrain) {

@@ -3,6 +3,8 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -30,9 +32,9 @@ async function opened(options = {}, hash = "") {
   await page.waitForSelector("html[data-ready=yes]");
   return page;
 }
-const findings = (page) => page.$$eval(".finding", (all) => all.map((one) => one.textContent));
+const findings = (page) => page.$$eval(".step .finding", (all) => all.map((one) => one.textContent));
 
-test("one file of at most 1.5 MB", () => assert.ok(pageText.length <= 1.5e6, `${pageText.length} bytes`));
+test("one file of at most 1.3 MB", () => assert.ok(pageText.length <= 1.3e6, `${pageText.length} bytes`));
 
 test("six steps say what they find, and sliders change it by keyboard alone", async () => {
   const page = await opened();
@@ -139,6 +141,106 @@ test("hostile addresses do no harm", async () => {
   await page.context().close();
 });
 
+/// What a screen reader is told of each part: role, name, value, properties.
+async function heard(page) {
+  const session = await page.context().newCDPSession(page);
+  const { nodes } = await session.send("Accessibility.getFullAXTree");
+  return nodes.filter((node) => !node.ignored).map((node) => ({ role: node.role.value, name: node.name?.value ?? "",
+    ...Object.fromEntries((node.properties ?? []).map(({ name, value }) => [name, value.value])), said: node.value?.value }));
+}
+
+test("a screen reader hears names, values with units, and findings; hands, eyes and odd input are met", async () => {
+  const page = await opened();
+  const parts = await heard(page);
+  const sliders = parts.filter(({ role }) => role === "slider");
+  assert.equal(sliders.length, 9);
+  for (const { role, name } of parts.filter(({ role }) => ["slider", "button", "textbox", "spinbutton", "combobox", "radio", "link", "image", "img"].includes(role)))
+    assert.ok(name.trim(), `a ${role} without a name`);
+  for (const key of ["overlap", "contacts", "voidRatio", "pressure", "anisotropy", "z", "z10"]) assert.ok(sliders.some(({ name }) => name === texts.slider[key]), key);
+  const spoken = await page.$$eval("#steps input[type=range]", (all) => all.map((one) => one.getAttribute("aria-valuetext")));
+  assert.ok(spoken[0].endsWith("µm") && spoken[3].endsWith("kPa"), spoken.join(", "));
+  assert.equal(parts.filter(({ role, live }) => role === "status" && live === "polite").length, 7, "six findings and what the experiment says");
+  assert.ok((await page.locator("#step1 math").count()) > 3, "formulas are formulas");
+  assert.equal(await page.$eval("#experiment canvas", (canvas) => getComputedStyle(canvas).touchAction), "pan-y");
+
+  await page.locator('[id="4anisotropy"]').fill("0");
+  assert.match(await page.textContent("#step4 .finding"), /differ by 0 %/);
+  await page.check('input[name="3shape"][value=cone]');
+  await page.locator('[id="3pressure"]').fill("10");
+  assert.equal(await page.locator("#step3 .mark").count(), 1, "cones at 10 kPa have left the axis");
+
+  await page.fill("#xgrains", "5");
+  await page.click("#xstart");
+  assert.match(await page.textContent("#xstatus"), /grains = 5.*200.*2000/);
+  assert.ok(await page.isDisabled("#xpause"), "it began with another number than was asked for");
+  await page.fill("#xgrains", "200");
+
+  for (const [field, values] of [["#cz", ["0", "3", ""]], ["#cpressure", ["0", "", "100"]], ["#cvoidRatio", ["", "0.6"]]])
+    for (const value of values) {
+      await page.fill(field, value);
+      assert.equal(await page.evaluate(() => [...document.querySelectorAll("svg *")].filter((one) => [...one.attributes].some(({ value }) => /NaN|Infinity/.test(value))).length), 0, `${field} = ${value}`);
+      if (value === "" && field !== "#cz") assert.match(await page.textContent("#answer"), /^Fill in: [^=]*$/);
+    }
+  assert.match(await page.textContent("#answer"), /shear modulus G/);
+
+  const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#step3 button", { hasText: texts.save }).click()]);
+  const saved = fs.readFileSync(await svg.path(), "utf8");
+  for (const what of [texts.steps[2].title, texts.shapes.cone, texts.shapes.sphere, "<rect width=", "<desc>"]) assert.ok(saved.includes(what), `${what} is not in the file`);
+  const viewBox = () => page.$eval("#step3 svg", (one) => one.getAttribute("viewBox"));
+  const before = await viewBox();
+  await page.setViewportSize({ width: 390, height: 800 });
+  await page.waitForFunction((old) => document.querySelector("#step3 svg").getAttribute("viewBox") !== old, before);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("print has values and what was chosen, and the sheet has its two pages", async () => {
+  const page = await opened({}, "#xgrains=400&3shape=cone");
+  const pages = async () => (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type \/Page\n/g).length;
+  await page.emulateMedia({ media: "print" });
+  const visible = (selector) => page.$$eval(selector, (all) => all.filter((one) => one.getClientRects().length > 0).length);
+  assert.equal(await visible("#steps output"), 7);
+  assert.equal(await visible("#step3 fieldset label"), 1, "the chosen shape alone");
+  assert.equal(await visible("#calculator input[type=number]"), 13);
+  assert.equal(await visible("canvas, button"), 0);
+  await page.emulateMedia({ media: null });
+  await page.evaluate(() => { window.print = () => {}; });
+  await page.click("#printsheet");
+  assert.match(await page.textContent("#sheet"), /400 grains, seed 1 .*10 pressures from 10 to 100 kPa/);
+  assert.equal(await pages(), 2);
+  await page.click("#printanswers");
+  assert.equal(await pages(), 1);
+  assert.equal(await page.locator("#sheet tbody tr").count(), 6);
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("a link opens one step, a new address is taken, reset forgets; a sandboxed frame shows a step alone", async () => {
+  const page = await opened({}, "#step=5&5z=6");
+  assert.ok(await page.$eval("#step5", (step) => Math.abs(step.getBoundingClientRect().top) < 200), "the step is not on the screen");
+  const said = await page.textContent("#step5 .finding");
+  await page.evaluate(() => { location.hash = "#step=5&5z=4.5"; });
+  await page.waitForFunction((old) => document.documentElement.dataset.ready && document.querySelector("#step5 .finding").textContent !== old, said);
+  await page.click("#reset");
+  await page.waitForFunction(() => document.documentElement.dataset.ready && document.querySelector('[id="5z"]').value === "5");
+  assert.doesNotMatch(page.url(), /#./);
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "granum-frame-"));
+  const file = path.join(folder, "frame.html");
+  fs.writeFileSync(file, `<!doctype html><iframe sandbox="allow-scripts" width="900" height="700" src="${pathToFileURL(pageFile).href}?only=step3#3pressure=200"></iframe>`);
+  await page.goto(pathToFileURL(file).href);
+  const frame = page.frameLocator("iframe");
+  await frame.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+  assert.equal(await frame.locator(".step:visible").count(), 1);
+  assert.equal(await frame.locator("section:visible").count(), 1);
+  const finding = await frame.locator("#step3 .finding").textContent();
+  assert.match(finding, /At 200 kPa/);
+  await frame.locator('[id="3pressure"]').press("ArrowRight");
+  assert.notEqual(await frame.locator("#step3 .finding").textContent(), finding);
+  fs.rmSync(folder, { recursive: true });
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
 for (const [name, options] of Object.entries({
   "wide and light": {},
   "wide and dark": { colorScheme: "dark" },
@@ -166,29 +268,38 @@ for (const [name, options] of Object.entries({
 
 test("an experiment runs to its end, is seen, and is kept", async () => {
   const page = await opened({}, "#xgrains=200&xdensity=dense");
-  const blank = await page.locator("canvas").screenshot();
+  const blank = await page.locator("#experiment canvas").screenshot();
+  await page.fill("#xguess", "0.41");
   await page.click("#xstart");
   await page.waitForFunction(() => document.getElementById("xpause").disabled, null, { timeout: 240000 });
   const said = await page.textContent("#xstatus");
   const s = Number(said.match(/s of the network is ([\d.]+)/)[1]);
   assert.ok(s > 0.3 && s < 0.5, said);
-  assert.equal(await page.locator("#experiment tbody tr").count(), 10);
+  assert.match(said, /0\.41/, "the guess beside what was measured");
+  assert.match(await page.textContent("#xruns tbody"), new RegExp(`0\\.41${s.toFixed(3)} ± 0\\.0\\d+0\\.333`));
+  assert.match(await page.textContent("#xchart svg"), /s fitted from 10 to 100 kPa/);
+  assert.equal(await page.locator(".gallery img").count(), 1);
+  assert.ok((await page.locator("#xrose polygon").count()) >= 13, "bars in four quarters and the curve");
+  assert.equal(await page.locator("#xstates tr").count(), 10);
   assert.equal(await page.locator("#xchart circle").count(), 10);
-  assert.equal(await page.locator("#xchart polyline").count(), 3, "uniform strain, relaxed, slope of the contact");
-  const grains = await page.locator("canvas").screenshot();
+  assert.equal(await page.locator("#xchart polyline").count(), 4, "uniform strain, relaxed, slope of the contact, fitted line");
+  const grains = await page.locator("#experiment canvas").screenshot();
   assert.ok(!blank.equals(grains), "no grains are drawn");
   await page.locator("input[name=xshow]").nth(1).check();
   await page.waitForTimeout(300);
-  const forces = await page.locator("canvas").screenshot();
+  const forces = await page.locator("#experiment canvas").screenshot();
   assert.ok(!forces.equals(grains), "no forces are drawn");
-  await page.locator("canvas").focus();
+  await page.locator("#experiment canvas").focus();
   await page.keyboard.press("ArrowLeft");
   await page.waitForTimeout(300);
-  assert.ok(!forces.equals(await page.locator("canvas").screenshot()), "the picture does not turn");
+  assert.ok(!forces.equals(await page.locator("#experiment canvas").screenshot()), "the picture does not turn");
   const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xcsv")]);
   const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
-  assert.equal(rows.length, 11);
-  assert.match(rows[0], /^p_Pa,e,C_n,z_star,/);
+  assert.equal(rows.length, 12);
+  assert.match(csv.suggestedFilename(), /^granum-[\d.]+-sphere-dense-200-seed1\.csv$/);
+  assert.match(rows[0], /^# granum [\d.]+$/);
+  assert.match(rows[1], /^p_Pa,e,C_n,z_star,.*,contact,preparation,lognormal_sigma,grains,seed$/);
+  assert.match(rows.at(-1), /,1,sphere,dense,0,200,1$/);
   const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#experiment button", { hasText: texts.save }).first().click()]);
   assert.match(fs.readFileSync(await svg.path(), "utf8"), /^<svg[^>]*xmlns=/);
   assert.deepEqual(page.complaints, []);
@@ -197,13 +308,13 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
 
 test("an experiment goes pressure by pressure, pauses and stops", async () => {
   const page = await opened({}, "#xgrains=200&xdensity=dense");
-  const rows = () => page.locator("#experiment tbody tr").count();
+  const rows = () => page.locator("#xstates tr").count();
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#experiment tbody tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
   await page.waitForTimeout(1500);
   assert.equal(await rows(), 1, "it went on by itself");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#experiment tbody tr").length === 2, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 2, null, { timeout: 120000 });
   await page.click("#xstop");
   assert.equal(await page.textContent("#xstatus"), texts.experiment.stopped);
   assert.equal(await rows(), 2);
@@ -247,7 +358,12 @@ test("after its compression a specimen is sheared step by step, to the end, and 
     assert.ok(Math.abs(y(drawn[k][1]) - q / 1e3) < 0.005 * Math.max(...drawn.map((point) => y(point[1]))), `${y(drawn[k][1])} kPa where the file has ${q} Pa`);
   }
   assert.deepEqual(page.complaints, []);
-  await page.click("#xstart");
+  await page.fill("#xseed", "2");
+  await page.click("#xstep");
   assert.ok(await page.isHidden("#xshearpart"), "a new specimen has no curve yet");
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  assert.equal(await page.locator("#xchart circle").count(), 11, "the first specimen stays beside the second");
+  await page.click("#xclear");
+  assert.equal(await page.locator("#xchart circle").count(), 0);
   await page.context().close();
 });
