@@ -59,7 +59,7 @@ void bind_counts(py::module_& module) {
             std::copy(c.mechanical.rattler.begin(), c.mechanical.rattler.end(), out.mutable_data());
             return out;
           },
-          "One flag for each grain.");
+          "One flag for each grain, or for each body where grains are parts of bodies.");
   using analysis::Microstructure;
   py::class_<Microstructure>(module, "Microstructure", "The contact network in numbers.")
       .def_readonly("coordination_number", &Microstructure::coordination_number, "C_n, all grains [1].")

@@ -49,6 +49,8 @@ void bind_contacts(py::module_& module) {
   show_contact(type, "tangential_force", &Contact::tangential_force, "Exerted by i on j [N], (N, 3).");
   show_contact(type, "normal_stiffness", &Contact::normal_stiffness, "k_n [N/m]; 0 where nobody knows it.");
   show_contact(type, "tangential_stiffness", &Contact::tangential_stiffness, "k_t [N/m].");
+  show_contact(type, "rolling_stiffness", &Contact::rolling_stiffness, "Moment over angle [N m].");
+  show_contact(type, "twisting_stiffness", &Contact::twisting_stiffness, "The same about the normal [N m].");
   show_contact(type, "sliding", &Contact::sliding, "At the Coulomb limit.");
 }
 
@@ -99,11 +101,11 @@ py::tuple state_of(const Packing& p) {
   const packing::Assembly& a = p.assembly;
   return py::make_tuple(sizeof(Contact), array_of(a.cell), bytes_of(a.position), bytes_of(a.radius),
                         bytes_of(a.contacts), bytes_of(a.wall_contacts), bytes_of(p.id), bytes_of(p.type),
-                        p.periodic, p.step, p.time, notes);
+                        p.periodic, p.step, p.time, notes, bytes_of(a.body));
 }
 
 SharedPacking from_state(const py::tuple& state) {
-  if (state.size() != 12 || state[0].cast<std::size_t>() != sizeof(Contact))
+  if (state.size() != 13 || state[0].cast<std::size_t>() != sizeof(Contact))
     throw py::value_error("these bytes are of another version of granum");
   auto out = std::make_shared<Packing>();
   packing::Assembly& a = out->assembly;
@@ -120,6 +122,7 @@ SharedPacking from_state(const py::tuple& state) {
   for (const auto& note : state[11])
     out->notes.push_back({static_cast<io::Finding>(note.cast<py::tuple>()[0].cast<int>()),
                           note.cast<py::tuple>()[1].cast<std::string>()});
+  a.body = elements_of<std::uint32_t>(state[12]);
   require_valid(a);
   return out;
 }
@@ -160,6 +163,14 @@ order of their ids, contacts in that of (i, j).)")
       .def_property_readonly(
           "type", [](const py::object& self) { return longs(self.cast<const Packing&>().type, self); },
           "Of each grain, where the files tell types; else empty.")
+      .def_property_readonly(
+          "body",
+          [](const py::object& self) {
+            const auto& body = self.cast<const Packing&>().assembly.body;
+            return view<std::uint32_t>({static_cast<py::ssize_t>(body.size())}, {sizeof(std::uint32_t)},
+                                       body.data(), self);
+          },
+          "Of each grain, the rigid body it is a part of, from 0; empty where each is its own.")
       .def_readonly("step", &Packing::step, "Time step of the files; 0 without.")
       .def_readonly("time", &Packing::time, "[s]; None where the files do not tell.")
       .def_property_readonly("notes", &notes_of, "What a user of its numbers should know, a sentence each.")
@@ -206,7 +217,9 @@ std::optional<Mat3> cell_of(const py::handle& value) {
 /// The arrays of a call, copied: as long as the packing is made of them.
 struct GivenArrays {
   std::vector<Vec3> position, branch, force, tangential_force;
-  std::vector<double> radius, overlap, normal_force, normal_stiffness, tangential_stiffness;
+  std::vector<double> radius, overlap, normal_force, normal_stiffness, tangential_stiffness,
+      rolling_stiffness, twisting_stiffness;
+  std::vector<long> body;
   std::vector<std::array<long, 2>> contacts;
   py::array_t<bool, py::array::c_style | py::array::forcecast> sliding{0};
 };
@@ -225,6 +238,9 @@ enum : std::size_t {
   normal_stiffness_at,
   tangential_stiffness_at,
   sliding_at,
+  rolling_stiffness_at,
+  twisting_stiffness_at,
+  body_at,
 };
 
 void take(const Arguments& a, std::size_t at, const char* name, std::vector<double>& to) {
@@ -245,6 +261,8 @@ void take_contacts(const Arguments& a, GivenArrays& to) {
   take(a, tangential_force_at, "tangential_force", to.tangential_force);
   take(a, normal_stiffness_at, "normal_stiffness", to.normal_stiffness);
   take(a, tangential_stiffness_at, "tangential_stiffness", to.tangential_stiffness);
+  take(a, rolling_stiffness_at, "rolling_stiffness", to.rolling_stiffness);
+  take(a, twisting_stiffness_at, "twisting_stiffness", to.twisting_stiffness);
   if (a.given(sliding_at))
     to.sliding = py::reinterpret_borrow<py::object>(a[sliding_at]);
 }
@@ -261,6 +279,10 @@ py::object packing_from(const Arguments& a) {
     arrays.cell = cell_of(a[cell_at]);
   if (a.given(periodic_at))
     arrays.periodic = a.as<std::array<bool, 3>>(periodic_at, "three of True or False");
+  if (a.given(body_at)) {
+    given.body = a.as<std::vector<long>>(body_at, "integers, one for each grain");
+    arrays.body = given.body;
+  }
   if (a.given(contacts_at)) {
     take_contacts(a, given);
     arrays.contacts = io::ContactArrays{
@@ -272,7 +294,9 @@ py::object packing_from(const Arguments& a) {
         .tangential_force = given.tangential_force,
         .normal_stiffness = given.normal_stiffness,
         .tangential_stiffness = given.tangential_stiffness,
-        .sliding = std::span(given.sliding.data(), static_cast<std::size_t>(given.sliding.size()))};
+        .sliding = std::span(given.sliding.data(), static_cast<std::size_t>(given.sliding.size())),
+        .rolling_stiffness = given.rolling_stiffness,
+        .twisting_stiffness = given.twisting_stiffness};
   }
   auto out = std::make_shared<Packing>();
   {
@@ -301,7 +325,10 @@ void bind_packing(py::module_& module) {
            {"tangential_force", "None"},
            {"normal_stiffness", "None"},
            {"tangential_stiffness", "None"},
-           {"sliding", "None"}},
+           {"sliding", "None"},
+           {"rolling_stiffness", "None"},
+           {"twisting_stiffness", "None"},
+           {"body", "None"}},
           &packing_from,
           std::string() + R"(A packing out of the arrays of any code, checked and sorted as one out of files.
 
@@ -334,6 +361,11 @@ normal_stiffness, tangential_stiffness : (M,) array_like, optional
     k_n and k_t [N/m].
 sliding : (M,) array_like of bool, optional
     Contacts at the Coulomb limit.
+rolling_stiffness, twisting_stiffness : (M,) array_like, optional
+    Moment over angle of contacts that resist rolling, and turning about the normal [N m].
+body : (N,) sequence of int, optional
+    Of each grain, the number of the rigid body (clump) that it is a part of; negative: of none. Grains of one
+    body move as one; C_n, z*, rattlers and stress are those of bodies.
 
 Returns
 -------

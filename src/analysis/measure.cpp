@@ -9,6 +9,7 @@
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 #include <granum/elastic/wave_speeds.hpp>
+#include <granum/packing/bodies.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/density.hpp>
 #include <granum/packing/fabric_tensor.hpp>
@@ -51,13 +52,15 @@ double error_of_mean(const std::vector<double>& values) {
   return std::sqrt(squares / (count - 1) / count);
 }
 
-Counts count(const packing::Assembly& assembly) {
+/// \param    assembly   of bodies
+Counts count(const packing::Assembly& assembly, std::size_t grains) {
   std::vector<double> contacts_of(assembly.grain_count());
   for (const packing::Contact& c : assembly.contacts) {
     contacts_of[c.i] += 1;
     contacts_of[c.j] += 1;
   }
-  Counts out{.grains = assembly.grain_count(),
+  Counts out{.grains = grains,
+             .bodies = assembly.grain_count(),
              .contacts = assembly.contacts.size(),
              .wall_contacts = assembly.wall_contacts.size(),
              .coordination_number = coordination_number(assembly),
@@ -65,12 +68,12 @@ Counts count(const packing::Assembly& assembly) {
              .sliding_fraction = sliding_fraction(assembly),
              .mechanical = mechanical_coordination(assembly, packing::ContactKind::frictional)};
   out.without_contact = static_cast<std::size_t>(std::count(contacts_of.begin(), contacts_of.end(), 0.0));
-  const double grains = static_cast<double>(out.grains);
-  const double touching = grains - static_cast<double>(out.without_contact);
+  const double bodies = static_cast<double>(out.bodies);
+  const double touching = bodies - static_cast<double>(out.without_contact);
   if (touching > 0)
-    out.touching_coordination_number = out.coordination_number * (grains / touching);
+    out.touching_coordination_number = out.coordination_number * (bodies / touching);
   out.coordination_number_with_walls =
-      out.coordination_number + static_cast<double>(out.wall_contacts) / grains;
+      out.coordination_number + static_cast<double>(out.wall_contacts) / bodies;
   return out;
 }
 
@@ -102,7 +105,10 @@ class Measuring {
   Measuring(const packing::Assembly& assembly, const Given& given, const Wanted& wanted)
       : assembly_(assembly), given_(given), wanted_(wanted),
         forces_known_(given.normal_forces && !assembly.contacts.empty()),
-        rounded_(rounded_share(assembly, given.overlap_rounding)) {}
+        rounded_(rounded_share(assembly, given.overlap_rounding)) {
+    if (!assembly.body.empty())
+      bodies_ = packing::bodies(assembly);
+  }
 
   Measurement run() && {
     out_.volume = assembly_.volume();
@@ -111,14 +117,14 @@ class Measuring {
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_);
-    out_.counts = count(assembly_);
+    out_.counts = count(moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
-      out_.interior = interior_measures(assembly_, out_.counts.mechanical, *wanted_.interior_layer);
+      out_.interior = interior_measures(moving(), out_.counts.mechanical, *wanted_.interior_layer);
     else if (wanted_.window)
       out_.interior =
-          interior_measures(assembly_, out_.counts.mechanical,
+          interior_measures(moving(), out_.counts.mechanical,
                             packing::Interior(assembly_.cell, wanted_.window->low, wanted_.window->high));
     measure_load();
     find_law();
@@ -126,24 +132,68 @@ class Measuring {
       out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law,
                                                     out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
     make_state();
-    if (wanted_.closed_forms && out_.state)
+    if (wanted_.closed_forms && out_.state) {
       out_.closed_forms = closed_forms(*out_.state);
+      withhold_relaxed();
+    }
     if (wanted_.network && out_.counts.mechanical.contact_count > 0)
       solve_network();
     return std::move(out_);
   }
 
  private:
+  /// What moves: bodies, or grains.
+  [[nodiscard]] const packing::Assembly& moving() const { return bodies_ ? bodies_->assembly : assembly_; }
+
+  [[nodiscard]] bool turning_resisted() const {
+    const auto resists = [](const packing::Contact& c) {
+      return c.rolling_stiffness > 0 || c.twisting_stiffness > 0;
+    };
+    return given_.rolling || given_.twisting ||
+           std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), resists);
+  }
+
+  /// Contacts of spheres that neither roll nor bond leave moments as small as the forces.
+  [[nodiscard]] bool moments_are_left() const {
+    constexpr double least = 0.02, times_force = 3;
+    if (!out_.forces || !out_.forces->unbalance || !given_.tangential_forces)
+      return false;
+    const packing::Unbalance& left = *out_.forces->unbalance;
+    return left.moment_ratio > std::max(least, times_force * left.force_ratio) + given_.force_rounding;
+  }
+
+  void judge_moments() {
+    if (bodies_)
+      out_.moments = "grains are parts of rigid bodies";
+    else if (turning_resisted())
+      out_.moments = "contacts resist rolling or twisting";
+    else if (given_.contact_moments || moments_are_left())
+      out_.moments = "contacts bear moments (rolling resistance, bonds, clumps)";
+  }
+
+  /// Rung 3 is calibrated by packings of single spheres whose contacts bear forces alone.
+  void withhold_relaxed() {
+    if (out_.moments.empty())
+      return;
+    for (ClosedForm& form : out_.closed_forms)
+      if (form.rung->name == effective::RungName::relaxed) {
+        form.answer.reset();
+        form.refusal =
+            "withheld: " + out_.moments + ", and its calibration knows single spheres without moments";
+      }
+  }
+
   void measure_load() {
     if (!forces_known_)
       return;
     if (wanted_.force_bins)
       out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
+    judge_moments();
     if (!given_.tangential_forces)
       out_.notes.emplace_back(
           "without tangential forces it cannot be told whether the grains are at rest, and the "
           "stress lacks their part");
-    out_.stress = contact_stress(assembly_);
+    out_.stress = contact_stress(moving());
   }
 
   /// Compares forces with the law, and takes the grain's modulus from them if it is not given.
@@ -318,15 +368,27 @@ class Measuring {
     return assembly;
   }
 
-  void solve_network(const packing::Assembly& assembly) {
-    const network::Response response = network::linear_response(assembly, *wanted_.network);
+  void solve_network(packing::Assembly assembly) {
+    if (given_.rolling)
+      assign_rolling_stiffness(assembly, *given_.rolling);
+    if (given_.twisting)
+      assign_twisting_stiffness(assembly, *given_.twisting);
+    network::ResponseOptions options = *wanted_.network;
+    options.force_terms = options.force_terms && !bodies_ && !turning_resisted();
+    const network::Response response = network::linear_response(assembly, options);
     out_.network = Network{.response = response,
                            .affine = network_matrix(response.affine(), out_.bulk_density),
                            .relaxed = network_matrix(response.last_iterate(), out_.bulk_density),
-                           .bulk_bounds = bulk_modulus_bounds(assembly)};
+                           .bulk_bounds = bounds_of(assembly)};
+  }
+
+  /// Bounds that hold where forces alone are borne, on branches along the normals.
+  [[nodiscard]] packing::BulkModulusBounds bounds_of(const packing::Assembly& assembly) const {
+    return out_.moments.empty() ? bulk_modulus_bounds(assembly) : packing::BulkModulusBounds{};
   }
 
   const packing::Assembly& assembly_;
+  std::optional<packing::Bodies> bodies_;
   const Given& given_;
   const Wanted& wanted_;
   static constexpr double rough = 1e-2; ///< share of the overlaps from which on forces tell k_n better

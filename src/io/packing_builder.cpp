@@ -9,6 +9,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/own_image.hpp>
 
 #include "io/text/row.hpp"
 
@@ -42,7 +43,9 @@ packing::Contact contact_of(const PairRow& row) {
           .tangential_force = row.tangential_force,
           .normal_stiffness = row.normal_stiffness,
           .tangential_stiffness = row.tangential_stiffness,
-          .sliding = row.sliding};
+          .sliding = row.sliding,
+          .rolling_stiffness = row.rolling_stiffness,
+          .twisting_stiffness = row.twisting_stiffness};
 }
 
 std::string many(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
@@ -63,7 +66,53 @@ double DigitWatch::rounding() const {
 
 double DigitWatch::relative_rounding() const { return few() ? 0.5 * std::pow(10, 1 - most()) : 0; }
 
-void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) {
+namespace {
+
+void set_column(Mat3& m, int k, const Vec3& v) {
+  for (int row = 0; row < 3; ++row)
+    m(row, k) = v[row];
+}
+
+/// Shortens periodic edges by others until none leans by more than half of another: a cell of the same
+/// lattice, in which the images nearest to one another are next to one another.
+/// \return   whether anything was to be done
+bool reduce(Mat3& cell, const std::array<bool, 3>& periodic) {
+  constexpr double half = 0.5 + 1e-3; // as far as codes let boxes lean, and rounding
+  constexpr int most = 200;
+  bool reduced = false, again = true;
+  for (int turn = 0; again && turn < most; ++turn) {
+    again = false;
+    for (int k = 0; k < 3; ++k)
+      for (int other = 0; other < 3; ++other) {
+        if (k == other || !periodic[static_cast<std::size_t>(k)] ||
+            !periodic[static_cast<std::size_t>(other)])
+          continue;
+        const Vec3 edge = column(cell, k), along = column(cell, other);
+        const double lean = dot(edge, along) / dot(along, along);
+        if (!(std::abs(lean) > half) || !std::isfinite(lean))
+          continue;
+        const Vec3 shorter = edge - std::round(lean) * along;
+        if (!(norm(shorter) < norm(edge)))
+          continue;
+        set_column(cell, k, shorter);
+        reduced = again = true;
+      }
+  }
+  return reduced;
+}
+
+} // namespace
+
+void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& given_periodic,
+                              std::size_t line) {
+  Mat3 cell = given;
+  std::array<bool, 3> periodic = given_periodic;
+  if (determinant(cell) < 0) {
+    set_column(cell, 0, column(given, 1));
+    set_column(cell, 1, column(given, 0));
+    std::swap(periodic[0], periodic[1]);
+    note(Finding::cell_turned, "the edges of the cell are left-handed: the first two were swapped");
+  }
   const double volume = determinant(cell);
   const Mat3 back = inverse_of(cell);
   bool usable = volume > 0 && std::isfinite(volume);
@@ -72,6 +121,9 @@ void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& perio
   if (!usable)
     throw FileError(grain_file_, line,
                     "expected a box of positive volume, found " + short_text(volume) + " m^3");
+  if (reduce(cell, periodic))
+    note(Finding::cell_turned,
+         "the cell leans by more than half an edge: another cell of the same lattice stands for it");
   packing_.assembly.cell = cell;
   packing_.periodic = periodic;
   cell_ = PeriodicCell(cell, periodic);
@@ -107,8 +159,72 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
     if (grain.type)
       packing_.type.push_back(*grain.type);
   }
+  take_bodies(rows);
+  if (std::all_of(rows.begin(), rows.end(), [](const GrainRow& g) { return g.force.has_value(); }))
+    for (const GrainRow& grain : rows)
+      stated_force_.push_back(*grain.force);
   if (!has_cell_)
     bound_grains();
+}
+
+void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
+  std::map<long, std::size_t> members;
+  for (const GrainRow& grain : rows)
+    if (grain.body && *grain.body > 0)
+      ++members[*grain.body];
+  const auto shared = [&](const GrainRow& g) { return g.body && *g.body > 0 && members[*g.body] > 1; };
+  const auto parts = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), shared));
+  if (parts == 0 || members.size() < 2) // one molecule for all grains is none
+    return;
+  std::map<long, std::uint32_t> number;
+  std::uint32_t bodies = 0;
+  for (const GrainRow& grain : rows) {
+    if (!shared(grain))
+      packing_.assembly.body.push_back(bodies++);
+    else if (const auto [place, is_new] = number.try_emplace(*grain.body, bodies); is_new)
+      packing_.assembly.body.push_back(bodies++);
+    else
+      packing_.assembly.body.push_back(place->second);
+  }
+  note(Finding::bodies, many(parts, "grains are parts of ") +
+                            many(number.size(), "rigid bodies, which move as one; "
+                                                "void ratio counts what members share twice"));
+}
+
+void PackingBuilder::drop_inner_contacts() {
+  const std::vector<std::uint32_t>& body = packing_.assembly.body;
+  if (!body.empty())
+    std::erase_if(packing_.assembly.contacts,
+                  [&](const packing::Contact& c) { return body[c.i] == body[c.j]; });
+}
+
+void PackingBuilder::compare_forces() {
+  if (stated_force_.empty() || packing_.assembly.contacts.empty() || !packing_.assembly.body.empty() ||
+      !forces_known_)
+    return;
+  std::vector<Vec3> left = stated_force_;
+  double sum = 0;
+  const auto take = [&](const packing::Contact& c) {
+    const Vec3 f = force(c);
+    sum += norm(f);
+    left[c.i] += f;
+    return f;
+  };
+  for (const packing::Contact& c : packing_.assembly.contacts)
+    left[c.j] -= take(c);
+  for (const packing::Contact& c : packing_.assembly.wall_contacts)
+    take(c);
+  const auto contacts = packing_.assembly.contacts.size() + packing_.assembly.wall_contacts.size();
+  constexpr double matters = 0.01;
+  const double size = matters * sum / static_cast<double>(contacts);
+  const auto off = static_cast<std::size_t>(
+      std::count_if(left.begin(), left.end(), [&](const Vec3& f) { return norm(f) > size; }));
+  const bool gravity = 2 * off > left.size(); // weight, or another force on all
+  if (off > 0 && !gravity)
+    note(Finding::unbalanced_rows,
+         "the forces of " + many(off,
+                                 "grains (fx fy fz) are not the sums of their contacts': rows of contacts "
+                                 "are missing"));
 }
 
 void PackingBuilder::bound_grains() {
@@ -224,6 +340,17 @@ void PackingBuilder::add_wall(const PairRow& row, long wall) {
 }
 
 void PackingBuilder::add(const PairRow& row) {
+  if (row.a == row.b && norm(row.branch) > 0 && norm(row.branch) <= reach(row.a, row.b) &&
+      norm(nearest(row.branch)) <= same_branch * radius_sum(row.a, row.b)) {
+    require_finite(row, [&] { return pair_text(row.a, row.b); });
+    const Vec3& b = row.branch;
+    const bool turn = std::tie(b.x, b.y, b.z) < std::tuple(0.0, 0.0, 0.0); // one image, seen from either side
+    const packing::Contact own = turn ? turned(contact_of(row)) : contact_of(row);
+    if (std::none_of(own_images_.begin(), own_images_.end(),
+                     [&](const packing::Contact& c) { return c.i == own.i && same(c.branch, own.branch); }))
+      own_images_.push_back(own);
+    return;
+  }
   if (row.a == row.b)
     fail_contact(row.line,
                  "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself" +
@@ -367,10 +494,17 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
     merge({begin, end});
     begin = end;
   }
+  drop_inner_contacts();
+  compare_forces();
   entries_ = {};
   std::ranges::stable_sort(packing_.assembly.wall_contacts, {},
                            [](const packing::Contact& c) { return std::pair(c.i, c.j); });
   note_counts();
+  if (!own_images_.empty()) {
+    auto& contacts = packing_.assembly.contacts;
+    contacts.insert(contacts.end(), own_images_.begin(), own_images_.end());
+    packing_ = without_own_images(std::move(packing_));
+  }
   packing_.step = step;
   packing_.time = time;
   if (!overlaps_stated_)

@@ -28,7 +28,9 @@ struct GrainRow {
   Vec3 position{}; ///< [m]
   double radius = 0;
   std::size_t line = 0;
-  std::optional<long> type = {}; ///< as LAMMPS numbers materials
+  std::optional<long> type = {};  ///< as LAMMPS numbers materials
+  std::optional<long> body = {};  ///< rigid body that the grain is a part of; 0 or less: of none
+  std::optional<Vec3> force = {}; ///< sum of the contact forces, as the code has it [N]
 };
 
 /// A contact as a file states it, in the file's order of the two grains a and b.
@@ -41,6 +43,8 @@ struct PairRow {
   double normal_stiffness = 0;
   double tangential_stiffness = 0;
   bool sliding = false;
+  double rolling_stiffness = 0;
+  double twisting_stiffness = 0;
   std::size_t line = 0;
 };
 
@@ -142,6 +146,11 @@ class PackingBuilder {
   };
 
   void bound_grains();
+  void take_bodies(const std::vector<GrainRow>& rows);
+  /// Contacts inside of a body bear nothing.
+  void drop_inner_contacts();
+  /// Compares the sums of the contact forces with those that the file of grains states.
+  void compare_forces();
   /// Up to where two grains are looked for that a file says touch.
   [[nodiscard]] double reach(std::uint32_t a, std::uint32_t b) const;
   void merge(std::span<const std::uint32_t> group);
@@ -164,6 +173,8 @@ class PackingBuilder {
   bool overlaps_stated_ = false;
   bool unsorted_ = false;
   std::vector<Entry> entries_;
+  std::vector<packing::Contact> own_images_; ///< of grains with their own images, each once
+  std::vector<Vec3> stated_force_;           ///< on each grain; empty where the files do not tell it
   /// Images that rows without a line of centres have been given, of pairs with several.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> taken_;
   std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;

@@ -2,6 +2,7 @@
 #include <granum/io/packing_files.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <system_error>
@@ -11,6 +12,8 @@
 #include <granum/core/number.hpp>
 #include <granum/io/text/file_names.hpp>
 #include <granum/io/vtk/collection.hpp>
+
+#include "io/text/row.hpp"
 
 namespace granum::io {
 
@@ -82,6 +85,46 @@ std::vector<NamedFile> files_of(const fs::path& name) {
   return out;
 }
 
+/// Whether a number of the name has a decimal point: of such names only the files tell which comes first.
+bool has_decimals(const std::string& name) {
+  const auto digit = [&](std::size_t k) { return k < name.size() && name[k] >= '0' && name[k] <= '9'; };
+  for (std::size_t k = 1; k + 1 < name.size(); ++k)
+    if (name[k] == '.' && digit(k - 1) && digit(k + 1))
+      return true;
+  return false;
+}
+
+/// The first time step of a dump; nothing of other files.
+std::optional<double> first_step(const NamedFile& file) {
+  std::error_code unknown;
+  if (file.file.kind().format != &lammps_dump_format || !fs::is_regular_file(file.file.path(), unknown))
+    return std::nullopt;
+  TextSource source(file.file.path());
+  for (int k = 0; k < lines_looked_at && source.next(); ++k)
+    if (source.line().starts_with("ITEM: TIMESTEP"))
+      return source.next() ? parse_number(std::string(trimmed(source.line()))) : std::nullopt;
+  return std::nullopt;
+}
+
+/// Steps by which files are sorted whose names differ in decimal numbers; none where the names tell.
+std::vector<double> steps_of(const std::vector<NamedFile>& files) {
+  std::vector<std::string> names;
+  for (const NamedFile& file : files)
+    names.push_back(file.name);
+  const std::vector<std::string> series = series_by_name(names);
+  std::vector<double> steps;
+  if (std::none_of(names.begin(), names.end(), has_decimals) ||
+      std::adjacent_find(series.begin(), series.end(), std::not_equal_to<>()) != series.end())
+    return {};
+  for (const NamedFile& file : files) {
+    const auto step = first_step(file);
+    if (!step)
+      return {};
+    steps.push_back(*step);
+  }
+  return steps;
+}
+
 /// \throws   InvalidArgument for the first state whose grains and contacts are of different times
 void require_one_time(const NamedFile& grains, const NamedFile& contacts) {
   if (grains.time && contacts.time && *grains.time != *contacts.time)
@@ -104,7 +147,10 @@ std::vector<PackingFile> files_of_series(const std::vector<fs::path>& names) {
     for (const std::size_t k : order)
       require_one_time(grains[k], contacts[k]);
   const std::vector<NamedFile>& leading = grains.size() < contacts.size() ? contacts : grains;
+  const std::vector<double> steps = steps_of(leading);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (!steps.empty() && steps[a] != steps[b])
+      return steps[a] < steps[b];
     if (leading[a].name != leading[b].name)
       return natural_less(leading[a].name, leading[b].name);
     return leading[a].place < leading[b].place;

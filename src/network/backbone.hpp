@@ -26,6 +26,16 @@ struct Link {
   double prestress = 0; ///< f_n / |branch|, or 0 when the prestress term is left out
 };
 
+/// What a contact has beyond its Link where it resists turning, or joins bodies of several grains; with the
+/// units of Backbone. Spins are taken as t = R w with the body's radius R.
+struct Joint {
+  Vec3 branch;         ///< from the centre of a to that of b, or to the foot on the wall
+  Vec3 arm_a, arm_b;   ///< from either centre to the contact point, over the body's R
+  double rolling = 0;  ///< k_r
+  double twisting = 0; ///< about the normal
+  double per_radius_a = 0, per_radius_b = 0; ///< 1/R
+};
+
 /// What the forces of a contact between two grains have to do with their motions, with the units of Backbone.
 struct LoadedContact {
   std::uint32_t i = 0;
@@ -45,12 +55,22 @@ struct Backbone {
   double length_scale = 1;                ///< mean branch length [m]
   std::vector<Link> links;                ///< sorted by (b, a)
   std::vector<Link> wall_links;           ///< sorted by a; b is a's number too
+  std::vector<Joint> joints;              ///< of the links; empty where they need none
+  std::vector<Joint> wall_joints;         ///< of the wall links, there if joints or these are needed
   std::vector<LoadedContact> loaded;      ///< empty unless force terms are asked for
   std::vector<std::vector<Piece>> stages; ///< of the numbers
-  std::vector<std::uint32_t> grain;       ///< of the assembly, that has each number
+  std::vector<std::uint32_t> grain;       ///< of the assembly, or of its bodies, that has each number
   std::vector<Vec3> centre;               ///< of each grain, inside the cell
   std::vector<double> radius;
   Mat3 cell; ///< columns are its three edges
+
+  /// Of one of `links` or `wall_links`; null where they have none.
+  [[nodiscard]] const Joint* joint_of(const Link& link) const {
+    return joints.empty() ? nullptr : &joints[static_cast<std::size_t>(&link - links.data())];
+  }
+  [[nodiscard]] const Joint* wall_joint_of(const Link& link) const {
+    return wall_joints.empty() ? nullptr : &wall_joints[static_cast<std::size_t>(&link - wall_links.data())];
+  }
 };
 
 /// Rattlers out, sliding contacts treated as the options say, units removed.

@@ -2,6 +2,9 @@
 // Notation: delta = u_b - u_a + s n x (t_a + t_b), t = R w, s the lever; f = k_n (n.delta) n + k_t (1 - n n)
 // delta. The prestress term acts on v = u_b - u_a alone: -g (1 - n n) v.
 //
+// A contact with a joint has delta = u_b - u_a + t_b x r_b - t_a x r_a, r its arms, and a moment
+// k_r (1 - n n) + k_twist n n on the turn t_b/R_b - t_a/R_a.
+//
 // A contact with a wall has u_b = t_b = 0. Its normal turns with the wall, against the sense in which a line
 // of grains would turn, and never with the grain: with h' = n'.(F (x - p) + u) for the distance from a plane
 // of points p, n' ~ F^-T n, F = 1 + E, the second order of U(h') holds +3 g where two grains have -g in E b,
@@ -21,15 +24,21 @@ namespace granum::network {
 namespace {
 
 template <int Dof>
-GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
-  for (std::size_t c = 0; c < count; ++c)
-    answer<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
+GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Joint* joints, const Rows<Dof>* x,
+                         Rows<Dof>* y) {
+  if (joints == nullptr)
+    for (std::size_t c = 0; c < count; ++c)
+      answer<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
+  else
+    for (std::size_t c = 0; c < count; ++c)
+      answer<Dof>(links[c], joints[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
 }
 
 template <int Dof>
-GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Rows<Dof>* x, Rows<Dof>* y) {
+GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Joint* joints, const Rows<Dof>* x,
+                               Rows<Dof>* y) {
   for (std::size_t c = 0; c < count; ++c)
-    answer_to_wall<Dof>(links[c], x[links[c].a], y[links[c].a]);
+    answer_to_wall<Dof>(links[c], joints == nullptr ? nullptr : joints + c, x[links[c].a], y[links[c].a]);
 }
 
 using Matrix3 = Eigen::Matrix3d;
@@ -41,6 +50,10 @@ Matrix3 elastic_stiffness(const Link& l) {
   return contact_stiffness(l.normal_stiffness, l.tangential_stiffness, l.normal);
 }
 
+Matrix3 turning_stiffness(const Link& l, const Joint& joint) {
+  return contact_stiffness(joint.twisting, joint.rolling, l.normal);
+}
+
 Matrix3 prestress_stiffness(const Link& l) { return contact_stiffness(0, -l.prestress, l.normal); }
 
 /// delta = B x: the two halves of B, for the grains a and b.
@@ -48,12 +61,19 @@ template <int Dof>
 using Kinematics = Eigen::Matrix<double, 3, Dof>;
 
 template <int Dof>
-Kinematics<Dof> kinematics(const Link& l, double sign) {
+Kinematics<Dof> kinematics(const Link& l, const Joint* joint, double sign) {
   Kinematics<Dof> b;
   b.template leftCols<3>() = sign * Matrix3::Identity();
   if constexpr (Dof == 6)
-    b.template rightCols<3>() = l.lever * cross_matrix(l.normal);
+    b.template rightCols<3>() = joint == nullptr
+                                    ? Matrix3(l.lever * cross_matrix(l.normal))
+                                    : Matrix3(-sign * cross_matrix(sign < 0 ? joint->arm_a : joint->arm_b));
   return b;
+}
+
+/// What moves with the cell: the branch of the bodies.
+Vec3 branch_of(const Link& l, const Joint* joint) {
+  return joint == nullptr ? l.length * l.normal : joint->branch;
 }
 
 template <int Dof>
@@ -94,9 +114,11 @@ void apply_stiffness(const Backbone& backbone, const Workers& workers, double ho
       // the earlier end of a link is in the same piece, or in an earlier stage and of this piece alone
       const auto links = links_of(backbone.links, piece, &Link::b);
       const auto walls = links_of(backbone.wall_links, piece, &Link::a);
+      const Joint* joints = links.empty() ? nullptr : backbone.joint_of(links.front());
+      const Joint* wall_joints = walls.empty() ? nullptr : backbone.wall_joint_of(walls.front());
       at_vector_level([&](auto) __attribute__((always_inline)) {
-        sweep<Dof>(links.data(), links.size(), x.data(), y.data());
-        sweep_walls<Dof>(walls.data(), walls.size(), x.data(), y.data());
+        sweep<Dof>(links.data(), links.size(), joints, x.data(), y.data());
+        sweep_walls<Dof>(walls.data(), walls.size(), wall_joints, x.data(), y.data());
       });
     });
 }
@@ -105,22 +127,24 @@ template <int Dof>
 Field<Dof> affine_forces(const Backbone& backbone) {
   Field<Dof> w(backbone.grain_count);
   for (const Link& l : backbone.links) {
-    const Strain strain = branch_strain(l.length * l.normal);
+    const Joint* joint = backbone.joint_of(l);
+    const Strain strain = branch_strain(branch_of(l, joint));
     const Strain contact_force = elastic_stiffness(l) * strain;
     const Strain prestress_force = prestress_stiffness(l) * strain;
     using Forces = Eigen::Matrix<double, Dof, load_cases>;
-    const Forces on_a = kinematics<Dof>(l, -1).transpose() * contact_force;
-    const Forces on_b = kinematics<Dof>(l, +1).transpose() * contact_force;
+    const Forces on_a = kinematics<Dof>(l, joint, -1).transpose() * contact_force;
+    const Forces on_b = kinematics<Dof>(l, joint, +1).transpose() * contact_force;
     add(on_a, w[l.a]);
     add(on_b, w[l.b]);
     add(Strain(-prestress_force), w[l.a]);
     add(prestress_force, w[l.b]);
   }
   for (const Link& l : backbone.wall_links) {
-    const Strain strain = branch_strain(l.length * l.normal);
+    const Joint* joint = backbone.wall_joint_of(l);
+    const Strain strain = branch_strain(branch_of(l, joint));
     const Strain contact_force = elastic_stiffness(l) * strain;
     using Forces = Eigen::Matrix<double, Dof, load_cases>;
-    const Forces on_a = kinematics<Dof>(l, -1).transpose() * contact_force;
+    const Forces on_a = kinematics<Dof>(l, joint, -1).transpose() * contact_force;
     add(on_a, w[l.a]);
     add(Strain(prestress_stiffness(l) * strain), w[l.a]);
   }
@@ -129,9 +153,13 @@ Field<Dof> affine_forces(const Backbone& backbone) {
 
 PerCase affine_force_scale(const Backbone& backbone) {
   Eigen::Matrix<double, 1, load_cases> squares = Eigen::Matrix<double, 1, load_cases>::Zero();
-  for (const auto* links : {&backbone.links, &backbone.wall_links})
-    for (const Link& l : *links)
-      squares += (elastic_stiffness(l) * branch_strain(l.length * l.normal)).colwise().squaredNorm();
+  const auto add = [&](const Link& l, const Joint* joint) {
+    squares += (elastic_stiffness(l) * branch_strain(branch_of(l, joint))).colwise().squaredNorm();
+  };
+  for (const Link& l : backbone.links)
+    add(l, backbone.joint_of(l));
+  for (const Link& l : backbone.wall_links)
+    add(l, backbone.wall_joint_of(l));
   PerCase scale{};
   for (std::size_t c = 0; c < scale.size(); ++c)
     scale[c] = std::sqrt(squares[static_cast<Eigen::Index>(c)]);
@@ -141,45 +169,58 @@ PerCase affine_force_scale(const Backbone& backbone) {
 elastic::Matrix6 affine_energy(const Backbone& backbone) {
   elastic::Matrix6 energy = elastic::Matrix6::Zero();
   for (const Link& l : backbone.links) {
-    const Strain strain = branch_strain(l.length * l.normal);
+    const Strain strain = branch_strain(branch_of(l, backbone.joint_of(l)));
     energy += strain.transpose() * (elastic_stiffness(l) + prestress_stiffness(l)) * strain;
   }
   for (const Link& l : backbone.wall_links) {
-    const Strain strain = branch_strain(l.length * l.normal);
+    const Strain strain = branch_strain(branch_of(l, backbone.wall_joint_of(l)));
     energy += strain.transpose() * (elastic_stiffness(l) - 3 * prestress_stiffness(l)) * strain;
   }
   return energy;
 }
 
 template <int Dof>
-LinkBlocks<Dof> link_blocks(const Link& link) {
-  const Kinematics<Dof> at_a = kinematics<Dof>(link, -1), at_b = kinematics<Dof>(link, +1);
+LinkBlocks<Dof> link_blocks(const Link& link, const Joint* joint) {
+  const Kinematics<Dof> at_a = kinematics<Dof>(link, joint, -1), at_b = kinematics<Dof>(link, joint, +1);
   const Matrix3 k = elastic_stiffness(link), g = prestress_stiffness(link);
   using Square = Eigen::Matrix<double, Dof, Dof>;
   Square aa = at_a.transpose() * k * at_a, bb = at_b.transpose() * k * at_b, ba = at_b.transpose() * k * at_a;
   aa.template topLeftCorner<3, 3>() += g;
   bb.template topLeftCorner<3, 3>() += g;
   ba.template topLeftCorner<3, 3>() -= g;
+  if constexpr (Dof == 6)
+    if (joint != nullptr) {
+      const Matrix3 turning = turning_stiffness(link, *joint);
+      const double a = joint->per_radius_a, b = joint->per_radius_b;
+      aa.template bottomRightCorner<3, 3>() += a * a * turning;
+      bb.template bottomRightCorner<3, 3>() += b * b * turning;
+      ba.template bottomRightCorner<3, 3>() -= a * b * turning;
+    }
   return {block<Dof>(aa), block<Dof>(bb), block<Dof>(ba)};
 }
 
 template <int Dof>
-Block<Dof> wall_block(const Link& link) {
-  const Kinematics<Dof> at_a = kinematics<Dof>(link, -1);
+Block<Dof> wall_block(const Link& link, const Joint* joint) {
+  const Kinematics<Dof> at_a = kinematics<Dof>(link, joint, -1);
   using Square = Eigen::Matrix<double, Dof, Dof>;
-  return block<Dof>(Square(at_a.transpose() * elastic_stiffness(link) * at_a));
+  Square aa = at_a.transpose() * elastic_stiffness(link) * at_a;
+  if constexpr (Dof == 6)
+    if (joint != nullptr)
+      aa.template bottomRightCorner<3, 3>() +=
+          joint->per_radius_a * joint->per_radius_a * turning_stiffness(link, *joint);
+  return block<Dof>(aa);
 }
 
 template <int Dof>
 std::vector<Block<Dof>> diagonal_blocks(const Backbone& backbone) {
   std::vector<Block<Dof>> diagonal(backbone.grain_count);
   for (const Link& l : backbone.links) {
-    const auto blocks = link_blocks<Dof>(l);
+    const auto blocks = link_blocks<Dof>(l, backbone.joint_of(l));
     add(blocks.diagonal_a, diagonal[l.a]);
     add(blocks.diagonal_b, diagonal[l.b]);
   }
   for (const Link& l : backbone.wall_links)
-    add(wall_block<Dof>(l), diagonal[l.a]);
+    add(wall_block<Dof>(l, backbone.wall_joint_of(l)), diagonal[l.a]);
   return diagonal;
 }
 
@@ -187,10 +228,10 @@ template void apply_stiffness<3>(const Backbone&, const Workers&, double, const 
 template void apply_stiffness<6>(const Backbone&, const Workers&, double, const Field<6>&, Field<6>&);
 template Field<3> affine_forces<3>(const Backbone&);
 template Field<6> affine_forces<6>(const Backbone&);
-template LinkBlocks<3> link_blocks<3>(const Link&);
-template LinkBlocks<6> link_blocks<6>(const Link&);
-template Block<3> wall_block<3>(const Link&);
-template Block<6> wall_block<6>(const Link&);
+template LinkBlocks<3> link_blocks<3>(const Link&, const Joint*);
+template LinkBlocks<6> link_blocks<6>(const Link&, const Joint*);
+template Block<3> wall_block<3>(const Link&, const Joint*);
+template Block<6> wall_block<6>(const Link&, const Joint*);
 template std::vector<Block<3>> diagonal_blocks<3>(const Backbone&);
 template std::vector<Block<6>> diagonal_blocks<6>(const Backbone&);
 

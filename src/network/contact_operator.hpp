@@ -37,11 +37,11 @@ struct LinkBlocks {
   Block<Dof> coupling_ba;
 };
 template <int Dof>
-[[nodiscard]] LinkBlocks<Dof> link_blocks(const Link& link);
+[[nodiscard]] LinkBlocks<Dof> link_blocks(const Link& link, const Joint* joint);
 
 /// What a contact with a wall adds to the diagonal of its grain.
 template <int Dof>
-[[nodiscard]] Block<Dof> wall_block(const Link& link);
+[[nodiscard]] Block<Dof> wall_block(const Link& link, const Joint* joint);
 
 /// The diagonal of H: the block of each grain with itself.
 template <int Dof>

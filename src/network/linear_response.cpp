@@ -105,6 +105,15 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
     throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
                           " contacts with walls, of which they are not known");
 
+  const auto turns = [](const packing::Contact& c) {
+    return c.rolling_stiffness > 0 || c.twisting_stiffness > 0;
+  };
+  if (options.force_terms && std::any_of(assembly.contacts.begin(), assembly.contacts.end(), turns))
+    throw InvalidArgument("force_terms: contacts resist rolling or twisting, of which they are not known");
+  if ((options.force_terms || options.prestress) && !assembly.body.empty())
+    throw InvalidArgument(std::string(options.prestress ? "prestress" : "force_terms") +
+                          ": grains are parts of rigid bodies, of which it is not known");
+
   Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,
                           .contacts = backbone.links.size(),

@@ -53,13 +53,63 @@ GRANUM_INLINE void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>
   }
 }
 
+GRANUM_INLINE Vec spin_of(const Vec3& arm, const Vec& t) {
+  const Vec turn = cross(arm, t); // t x arm is its negative
+  return {-turn[0], -turn[1], -turn[2]};
+}
+
+/// The same where the contact has a joint.
+template <int Dof>
+GRANUM_INLINE void answer(const Link& link, const Joint& joint, const Rows<Dof>& xa, const Rows<Dof>& xb,
+                          Rows<Dof>& ya, Rows<Dof>& yb) {
+  if constexpr (Dof == 6) {
+    const Vec ta{xa.row[3], xa.row[4], xa.row[5]}, tb{xb.row[3], xb.row[4], xb.row[5]};
+    const Vec moved_a = spin_of(joint.arm_a, ta), moved_b = spin_of(joint.arm_b, tb);
+    Vec delta, turned;
+    for (unsigned k = 0; k < 3; ++k) {
+      delta[k] = xb.row[k] - xa.row[k] + moved_b[k] - moved_a[k];
+      turned[k] = joint.per_radius_b * tb[k] - joint.per_radius_a * ta[k];
+    }
+    const Vec force = anisotropic(link.normal_stiffness, link.tangential_stiffness, link.normal, delta);
+    const Vec moment = anisotropic(joint.twisting, joint.rolling, link.normal, turned);
+    const Vec on_a = cross(joint.arm_a, force), on_b = cross(joint.arm_b, force);
+    for (unsigned k = 0; k < 3; ++k) {
+      ya.row[k] -= force[k];
+      yb.row[k] += force[k];
+      ya.row[3 + k] -= on_a[k] + joint.per_radius_a * moment[k];
+      yb.row[3 + k] += on_b[k] + joint.per_radius_b * moment[k];
+    }
+    if (link.prestress != 0) {
+      const Vec geometric =
+          anisotropic(0, -link.prestress, link.normal,
+                      {xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]});
+      for (unsigned k = 0; k < 3; ++k) {
+        ya.row[k] -= geometric[k];
+        yb.row[k] += geometric[k];
+      }
+    }
+  } else {
+    answer<Dof>(link, xa, xb, ya, yb); // joints are asked for with spins alone
+  }
+}
+
+/// With its joint, where it has one.
+template <int Dof>
+GRANUM_INLINE void answer(const Link& link, const Joint* joint, const Rows<Dof>& xa, const Rows<Dof>& xb,
+                          Rows<Dof>& ya, Rows<Dof>& yb) {
+  if (joint != nullptr)
+    answer<Dof>(link, *joint, xa, xb, ya, yb);
+  else
+    answer<Dof>(link, xa, xb, ya, yb);
+}
+
 /// Adds what a contact with a wall answers to its grain.
 template <int Dof>
-GRANUM_INLINE void answer_to_wall(Link link, const Rows<Dof>& x, Rows<Dof>& y) {
+GRANUM_INLINE void answer_to_wall(Link link, const Joint* joint, const Rows<Dof>& x, Rows<Dof>& y) {
   link.prestress = 0; // no part in (u, u): see contact_operator.cpp
   const Rows<Dof> at_rest = {};
   Rows<Dof> reaction = {};
-  answer<Dof>(link, x, at_rest, y, reaction);
+  answer<Dof>(link, joint, x, at_rest, y, reaction);
 }
 
 } // namespace granum::network

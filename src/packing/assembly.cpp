@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/assembly.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -24,6 +25,29 @@ void require_valid(const char* kind, std::size_t index, const Contact& c) {
   if (!(c.normal_stiffness >= 0) || !std::isfinite(c.normal_stiffness) || !(c.tangential_stiffness >= 0) ||
       !std::isfinite(c.tangential_stiffness))
     reject(kind, index, "its stiffnesses must be finite and not negative");
+  if (!(c.rolling_stiffness >= 0) || !std::isfinite(c.rolling_stiffness) || !(c.twisting_stiffness >= 0) ||
+      !std::isfinite(c.twisting_stiffness))
+    reject(kind, index, "its rolling and twisting stiffness must be finite and not negative");
+}
+
+/// Every number from 0 to the largest has a grain.
+void require_bodies(const std::vector<std::uint32_t>& body, std::size_t grains) {
+  if (body.empty())
+    return;
+  if (body.size() != grains)
+    throw InvalidArgument("assembly: " + std::to_string(grains) + " grains but " +
+                          std::to_string(body.size()) + " numbers of bodies");
+  std::vector<bool> has_grain(grains);
+  std::size_t bodies = 0;
+  for (std::size_t g = 0; g < grains; ++g) {
+    if (body[g] >= grains)
+      reject("grain", g, "its body must have a number below that of grains");
+    bodies = std::max(bodies, std::size_t{body[g]} + 1);
+    has_grain[body[g]] = true;
+  }
+  for (std::size_t b = 0; b < bodies; ++b)
+    if (!has_grain[b])
+      reject("body", b, "needs a grain: bodies are numbered without gaps");
 }
 
 } // namespace
@@ -41,6 +65,7 @@ void require_valid(const Assembly& assembly) {
     if (!(assembly.radius[g] > 0) || !std::isfinite(assembly.radius[g]))
       reject("grain", g, "its radius must be finite and positive");
   }
+  require_bodies(assembly.body, n);
   for (std::size_t k = 0; k < assembly.contacts.size(); ++k) {
     const Contact& c = assembly.contacts[k];
     if (!(c.i < c.j) || c.j >= n)

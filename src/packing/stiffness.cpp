@@ -6,6 +6,7 @@
 #include <string>
 
 #include <granum/contact/pair.hpp>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::packing {
@@ -90,6 +91,43 @@ void assign_stiffness_of_ratio(Assembly& assembly, double ratio) {
       c.normal_stiffness = presses ? 1.5 * c.normal_force / c.overlap : 0;
       c.tangential_stiffness = checked_ratio * c.normal_stiffness;
     }
+}
+
+namespace {
+
+double turning_stiffness(const TurningSpring& spring, const Contact& c, double reduced_radius) {
+  switch (spring.of) {
+  case TurningSpring::Of::angle:
+    return spring.value;
+  case TurningSpring::Of::displacement:
+    return spring.value * reduced_radius * reduced_radius;
+  case TurningSpring::Of::normal:
+    return spring.value * c.normal_stiffness * reduced_radius * reduced_radius;
+  case TurningSpring::Of::marshall: // a^2 = R* d
+    return c.tangential_stiffness * reduced_radius * std::max(c.overlap, 0.0) / 2;
+  }
+  return 0;
+}
+
+void assign_turning(Assembly& assembly, const TurningSpring& spring, double Contact::*stiffness) {
+  require_valid(assembly);
+  require_non_negative("turning stiffness", spring.value);
+  for (Contact& c : assembly.contacts) {
+    const double r_i = assembly.radius[c.i], r_j = assembly.radius[c.j];
+    c.*stiffness = turning_stiffness(spring, c, r_i * r_j / (r_i + r_j));
+  }
+  for (Contact& c : assembly.wall_contacts)
+    c.*stiffness = turning_stiffness(spring, c, assembly.radius[c.i]);
+}
+
+} // namespace
+
+void assign_rolling_stiffness(Assembly& assembly, const TurningSpring& spring) {
+  assign_turning(assembly, spring, &Contact::rolling_stiffness);
+}
+
+void assign_twisting_stiffness(Assembly& assembly, const TurningSpring& spring) {
+  assign_turning(assembly, spring, &Contact::twisting_stiffness);
 }
 
 contact::GrainMaterial mean_pair_material(const Assembly& assembly,

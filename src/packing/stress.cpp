@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <granum/packing/bodies.hpp>
+
 namespace granum::packing {
 
 namespace {
@@ -58,8 +60,30 @@ std::vector<Residual> residuals(const Assembly& assembly) {
   return result;
 }
 
+namespace {
+
+/// What is left on each body by what is left on its grains.
+std::vector<Residual> residuals_of(const Bodies& bodies, const Assembly& assembly,
+                                   const std::vector<Residual>& grains) {
+  std::vector<Residual> result(bodies.assembly.grain_count());
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    Residual& body = result[assembly.body[g]];
+    body.force += grains[g].force;
+    body.moment += grains[g].moment + cross(bodies.offset[g], grains[g].force);
+  }
+  return result;
+}
+
+} // namespace
+
 Unbalance unbalance(const Assembly& assembly) {
-  const auto grains = residuals(assembly);
+  std::vector<double> radii = assembly.radius;
+  auto grains = residuals(assembly);
+  if (!assembly.body.empty()) {
+    const Bodies joined = bodies(assembly);
+    grains = residuals_of(joined, assembly, grains);
+    radii = joined.assembly.radius;
+  }
   double contact_force = 0;
   for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
     for (const Contact& c : *contacts)
@@ -68,7 +92,7 @@ Unbalance unbalance(const Assembly& assembly) {
     return {};
   contact_force /= static_cast<double>(assembly.contacts.size() + assembly.wall_contacts.size());
   const auto count = static_cast<double>(grains.size());
-  const double radius = std::accumulate(assembly.radius.begin(), assembly.radius.end(), 0.0) / count;
+  const double radius = std::accumulate(radii.begin(), radii.end(), 0.0) / count;
   Unbalance sum;
   for (const Residual& r : grains) {
     sum.force_ratio += norm(r.force);

@@ -114,6 +114,56 @@ Dense solve(const Dense& m, const Dense& w) {
 
 double delta(std::size_t i, std::size_t j) { return i == j ? 1 : 0; }
 
+/// Motions of the grains by those of their bodies, u and w of each; a body turns about its first grain.
+struct Rigid {
+  Dense motion;             ///< 6 rows a grain, 6 columns a body
+  std::vector<Vec3> offset; ///< of each grain from the first of its body
+};
+
+Rigid rigid_bodies(const packing::Assembly& a) {
+  const std::size_t n = a.grain_count();
+  const std::size_t bodies = *std::max_element(a.body.begin(), a.body.end()) + std::size_t{1};
+  Rigid out{Dense(6 * n, 6 * bodies), std::vector<Vec3>(n)};
+  const Mat3 parts = inverse_of(a.cell);
+  for (std::size_t g = 0; g < n; ++g) {
+    const std::size_t first =
+        static_cast<std::size_t>(std::find(a.body.begin(), a.body.end(), a.body[g]) - a.body.begin());
+    Vec3 part = parts * (a.position[g] - a.position[first]);
+    for (int d = 0; d < 3; ++d)
+      part[d] -= std::round(part[d]);
+    const Vec3 o = out.offset[g] = a.cell * part;
+    const double cross[3][3] = {{0, o.z, -o.y}, {-o.z, 0, o.x}, {o.y, -o.x, 0}}; // w x o = cross * w
+    for (std::size_t d = 0; d < 3; ++d) {
+      out.motion(6 * g + d, 6 * std::size_t{a.body[g]} + d) = 1;
+      out.motion(6 * g + 3 + d, 6 * std::size_t{a.body[g]} + 3 + d) = 1;
+      for (std::size_t c = 0; c < 3; ++c)
+        out.motion(6 * g + d, 6 * std::size_t{a.body[g]} + 3 + c) = cross[d][c];
+    }
+  }
+  return out;
+}
+
+/// H of the moments of contacts that resist turning.
+Dense turning(const packing::Assembly& a) {
+  const std::size_t n = a.grain_count(), between = a.contacts.size(), m = between + a.wall_contacts.size();
+  Dense t(3 * m, 6 * n), k(3 * m, 3 * m);
+  for (std::size_t row = 0; row < 3 * m; ++row) {
+    const bool wall = row / 3 >= between;
+    const packing::Contact& contact = wall ? a.wall_contacts[row / 3 - between] : a.contacts[row / 3];
+    const std::size_t d = row % 3;
+    t(row, 6 * std::size_t{contact.i} + 3 + d) = -1;
+    if (!wall)
+      t(row, 6 * std::size_t{contact.j} + 3 + d) = 1;
+    const Vec3 normals = normal(contact);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double along = normals[static_cast<int>(d)] * normals[static_cast<int>(c)];
+      k(row, row - d + c) =
+          contact.twisting_stiffness * along + contact.rolling_stiffness * (delta(d, c) - along);
+    }
+  }
+  return transposed(t) * (k * t);
+}
+
 } // namespace
 
 // Notation: rows of all matrices are the three directions at each contact; b relative displacement at the
@@ -121,6 +171,7 @@ double delta(std::size_t i, std::size_t j) { return i == j ? 1 : 0; }
 // stiffness, g prestress.
 Response response(const packing::Assembly& a, bool prestress) {
   const std::size_t n = a.grain_count(), between = a.contacts.size(), m = between + a.wall_contacts.size();
+  const Rigid rigid = a.body.empty() ? Rigid{Dense(0, 0), {}} : rigid_bodies(a);
   Dense b(3 * m, 6 * n), v = b, e(3 * m, 6), k(3 * m, 3 * m), g = k;
   for (std::size_t row = 0; row < 3 * m; ++row) {
     const bool wall = row / 3 >= between;
@@ -142,19 +193,27 @@ Response response(const packing::Assembly& a, bool prestress) {
       if (prestress)
         g(row, row - d + c) = -contact.normal_force / norm(l) * across;
     }
+    const Vec3 moved = a.body.empty() ? l
+                       : wall         ? l + rigid.offset[contact.i]
+                                      : l - (rigid.offset[contact.j] - rigid.offset[contact.i]);
     for (std::size_t c = 0; c < 6; ++c) {
       const auto [p, q] = pairs[c];
-      e(row, c) += (p == axis ? l[q] / 2 : 0) + (q == axis ? l[p] / 2 : 0);
+      e(row, c) += (p == axis ? moved[q] / 2 : 0) + (q == axis ? moved[p] / 2 : 0);
     }
   }
   b = b + v;
   const Dense bk = transposed(b) * k, vg = transposed(v) * g;
-  const Dense w = bk * e + vg * e;
-  Dense q = solve(bk * b + vg * v, w);
+  Dense w = bk * e + vg * e, h = bk * b + vg * v + turning(a);
+  if (!a.body.empty()) {
+    w = transposed(rigid.motion) * w;
+    h = transposed(rigid.motion) * (h * rigid.motion);
+  }
+  Dense q = solve(h, w);
   for (std::size_t r = 0; r < q.rows(); ++r)
     for (std::size_t c = 0; c < 6; ++c)
       q(r, c) = -q(r, c);
-  const Dense energy = transposed(e) * ((k + g) * e), forces = k * (e + b * q);
+  const Dense energy = transposed(e) * ((k + g) * e),
+              forces = k * (e + b * (a.body.empty() ? q : rigid.motion * q));
   Response out{.affine = matrix6(energy) / a.volume(),
                .relaxed = matrix6(energy + transposed(w) * q) / a.volume(),
                .contact_forces = std::vector<Strain>(m)};

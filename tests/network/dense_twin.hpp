@@ -14,12 +14,12 @@ using elastic::Matrix6;
 using Strain = Eigen::Matrix<double, 3, 6>;
 
 struct Response {
-  Matrix6 affine; ///< over all contacts, rattlers' too
+  Matrix6 affine; ///< over all contacts, rattlers' too; of bodies where their first grains are moved
   Matrix6 relaxed;
   std::vector<Strain> contact_forces; ///< under the six unit strains, without the prestress term
 };
 
-/// Walls count without prestress; their contacts come behind the others.
+/// Contacts inside of bodies cost nothing in any case. Walls count without prestress; their contacts come behind the others.
 Response response(const packing::Assembly& a, bool prestress);
 
 /// The closed sum over contacts, uniform strain, no spin. [Walton1987]

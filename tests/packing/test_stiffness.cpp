@@ -99,3 +99,21 @@ TEST_CASE("a contact that does not press has no Hertz stiffness, and a bad ratio
   CHECK_THROWS_AS(assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), -1), InvalidArgument);
   CHECK_THROWS_AS(assign_hertz_stiffness(a, glass, -1), InvalidArgument);
 }
+
+TEST_CASE("resistance to rolling as codes state it") {
+  packing::Assembly a = chain();
+  a.radius[0] = 1.5e-3;
+  assign_hertz_stiffness(a, glass, 0.8);
+  const packing::Contact& c = a.contacts[0];
+  const double reduced = 1.5e-3 * 0.5e-3 / 2e-3;
+  using Of = packing::TurningSpring::Of;
+  assign_rolling_stiffness(a, {.value = 2e4, .of = Of::displacement});
+  CHECK(c.rolling_stiffness == relative(2e4 * reduced * reduced, 1e-14));
+  assign_rolling_stiffness(a, {.value = 3, .of = Of::angle});
+  CHECK(c.rolling_stiffness == 3);
+  assign_rolling_stiffness(a, {.value = 0.1, .of = Of::normal});
+  CHECK(c.rolling_stiffness == relative(0.1 * c.normal_stiffness * reduced * reduced, 1e-14));
+  assign_twisting_stiffness(a, {.of = Of::marshall}); // k_t a^2/2, a^2 = R* d
+  CHECK(c.twisting_stiffness == relative(c.tangential_stiffness * reduced * c.overlap / 2, 1e-14));
+  CHECK_THROWS_AS(assign_rolling_stiffness(a, {.value = -1}), InvalidArgument);
+}

@@ -159,3 +159,39 @@ TEST_CASE(
   CHECK(studies::with_overlap_contacts(whole, {}).assembly == whole.assembly);
   CHECK(studies::measure_frame(whole).contacts_known);
 }
+
+TEST_CASE("overlaps: one boulder among small grains meets those that it overlaps, in cells of any width") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0, 1);
+  packing::Assembly a{.cell = Mat3::diagonal(0.9, 1, 1.1), .position = {{0.5, 0.5, 0.5}}, .radius = {0.3}};
+  for (int k = 0; k < 2000; ++k) {
+    a.position.push_back({0.9 * place(random), place(random), 1.1 * place(random)});
+    a.radius.push_back(0.005);
+  }
+  std::size_t expected = 0; // by all pairs
+  for (std::uint32_t i = 0; i < a.grain_count(); ++i)
+    for (std::uint32_t j = i + 1; j < a.grain_count(); ++j) {
+      Vec3 d = a.position[j] - a.position[i];
+      for (int k = 0; k < 3; ++k)
+        d[k] -= std::round(d[k] / a.cell(k, k)) * a.cell(k, k);
+      expected += norm(d) < a.radius[i] + a.radius[j];
+    }
+  CHECK(studies::overlapping_pairs(a, everywhere).size() == expected);
+}
+
+TEST_CASE("overlaps: a grain that reaches its own image, and a grain twice at one place, are named") {
+  io::ImportedPacking one;
+  one.id = {1};
+  one.assembly = {.cell = Mat3::diagonal(1, 1, 1), .position = {{0, 0, 0}}, .radius = {0.5 * (1 + 1e-7)}};
+  one.notes.push_back({Finding::contacts_unknown, ""});
+  const io::ImportedPacking lattice = studies::with_overlap_contacts(one, {.grain_shear_modulus = 30e9});
+  CHECK(lattice.has(Finding::own_image));
+  CHECK(lattice.assembly.contacts.size() == 3 * lattice.assembly.grain_count());
+  io::ImportedPacking twice = one;
+  twice.id = {1, 2};
+  twice.assembly.cell = Mat3::diagonal(3, 3, 3);
+  twice.assembly.position.push_back(twice.assembly.position.front());
+  twice.assembly.radius.push_back(0.4);
+  const auto frame = studies::measure_frame(twice);
+  CHECK(warns(frame, "1 and 2"));
+}

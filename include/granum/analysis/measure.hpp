@@ -27,13 +27,17 @@ struct Given {
   bool law_assumed = false; ///< nobody has said law_family: springs are taken where the forces show them
   std::vector<contact::GrainMaterial> materials = {}; ///< of each grain, where there are several; spheres
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
-  std::optional<double> friction_coefficient = {}; ///< [1]; without it estimate_friction
+  std::optional<packing::TurningSpring> rolling = {};  ///< of all contacts; without it as they have it
+  std::optional<packing::TurningSpring> twisting = {}; ///< likewise
+  std::optional<double> friction_coefficient = {};     ///< [1]; without it estimate_friction
   std::optional<packing::StiffnessFrom> stiffness_from =
-      {};                                ///< without it overlaps, or forces if those have few digits
-  bool normal_forces = true;             ///< the contacts hold them
-  bool tangential_forces = true;         ///< the contacts hold them
-  double overlap_rounding = 0;           ///< by so much overlaps may be off, by the digits of the files [m]
-  std::vector<long> type = {};           ///< of each grain, where materials may differ by type; else empty
+      {};                        ///< without it overlaps, or forces if those have few digits
+  bool contact_moments = false;  ///< the files say that contacts bear moments, but not their stiffnesses
+  bool normal_forces = true;     ///< the contacts hold them
+  bool tangential_forces = true; ///< the contacts hold them
+  double force_rounding = 0;     ///< what digits may leave unbalanced, over the mean force [1]
+  double overlap_rounding = 0;   ///< by so much overlaps may be off, by the digits of the files [m]
+  std::vector<long> type = {};   ///< of each grain, where materials may differ by type; else empty
   std::optional<double> void_ratio = {}; ///< where it is known better than by a sum over the grains
   std::optional<stress::AxialStress> stress =
       {}; ///< of the closed forms' state; without it that of the contacts

@@ -46,6 +46,7 @@ struct Sizes {
 /// Grains and contacts, counted.
 struct Counts {
   std::size_t grains = 0;
+  std::size_t bodies = 0; ///< rigid ones; grains where each is its own. What follows counts by them
   std::size_t contacts = 0;
   std::size_t wall_contacts = 0;
   std::size_t without_contact = 0;           ///< grains that touch no other
@@ -134,6 +135,9 @@ struct Measurement {
   std::optional<double> bulk_density = {};           ///< dry, if that of the grains is given [kg/m3]
   std::optional<double> pressure_by_work = {};       ///< by the work of the cell [Pa]
   std::optional<Forces> forces = {};
+  /// Why the spheres of the closed forms are not these grains: contacts that bear moments, or rigid bodies of
+  /// several grains. Empty where nothing of the kind is known.
+  std::string moments = {};
   std::optional<LawCheck> law_check = {};
   std::optional<contact::GrainMaterial> grain = {}; ///< given, or with G_g as the forces show it
   std::optional<contact::NormalLaw> law = {};       ///< of contacts of grains of the equivalent radius

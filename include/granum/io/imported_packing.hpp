@@ -34,6 +34,12 @@ enum class Finding {
   units_unknown,          ///< no units in the files: taken for SI
   stiffness_unknown,      ///< k_n, k_t are zero until assign_stiffness is called
   law_unknown,            ///< contact law and grain material are not in the files
+  contact_moments,        ///< columns of rolling or twisting moments are not zero
+  bodies,                 ///< grains are parts of rigid bodies
+  cell_turned,            ///< two edges of a left-handed cell were swapped
+  own_image,              ///< a grain touches its own image: the cell is doubled
+  units_differ,           ///< one file states other units than the other
+  unbalanced_rows,        ///< grains whose contacts do not add up to the force that the file of grains states
   history_unknown,        ///< loading history of the tangential springs is not in the files
 };
 

@@ -21,6 +21,8 @@ struct Contact {
   double normal_stiffness = 0;     ///< k_n = df/dd at this state [N/m]
   double tangential_stiffness = 0; ///< k_t at this state [N/m]
   bool sliding = false;            ///< tangential force at the Coulomb limit
+  double rolling_stiffness = 0;    ///< moment over angle, of two grains that roll on one another [N m]
+  double twisting_stiffness = 0;   ///< the same about the normal [N m]
 
   bool operator==(const Contact&) const = default;
 };
@@ -40,6 +42,9 @@ struct Assembly {
   /// Of grain i with wall j; everything points from the centre to the wall, the branch ends at the foot of
   /// the perpendicular, the overlap is R_i - |branch|. They bear stress and stiffness and hold grains.
   std::vector<Contact> wall_contacts = {};
+  /// Of each grain, the rigid body (clump) that it is a part of, numbered from 0 without gaps; empty where
+  /// each grain is a body of its own. Contacts inside of a body bear nothing.
+  std::vector<std::uint32_t> body = {};
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
   /// Volume of the cell [m^3].

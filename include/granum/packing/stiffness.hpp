@@ -60,4 +60,24 @@ void assign_stiffness_of_ratio(Assembly& assembly, double ratio);
 [[nodiscard]] contact::GrainMaterial mean_pair_material(const Assembly& assembly,
                                                         std::span<const contact::GrainMaterial> materials);
 
+/// Moment over angle of contacts that resist rolling or twisting, as DEM codes say it.
+struct TurningSpring {
+  enum class Of {
+    angle,        ///< value is the stiffness [N m], as YADE's kr and LAMMPS' twisting sds
+    displacement, ///< value R*^2, R* = R_i R_j/(R_i + R_j); value [N/m], as LAMMPS' rolling sds
+    normal,       ///< value k_n R*^2; value [1], as LIGGGHTS' epsd with 2.25 mu_r^2
+    marshall,     ///< k_t R* d/2, the value is not asked: LAMMPS' twisting marshall
+  };
+  double value = 0;
+  Of of = Of::angle;
+};
+
+/// Sets k_r of every contact; at a wall R* is the radius of the grain.
+/// Assumes   k_n, k_t and overlaps are set, where the spring asks for them.
+/// \throws   InvalidArgument for an assembly that require_valid rejects, or a value that is negative
+/// Checked by tests/packing/test_stiffness.cpp
+void assign_rolling_stiffness(Assembly& assembly, const TurningSpring& spring);
+/// Sets k_twist of every contact, likewise.
+void assign_twisting_stiffness(Assembly& assembly, const TurningSpring& spring);
+
 } // namespace granum::packing

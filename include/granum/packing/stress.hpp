@@ -37,7 +37,7 @@ struct Residual {
 /// Checked by tests/packing/test_stress.cpp
 [[nodiscard]] std::vector<Residual> residuals(const Assembly& assembly);
 
-/// How far an assembly is from equilibrium.
+/// How far an assembly is from equilibrium, by its bodies where grains are parts of them.
 struct Unbalance {
   double force_ratio = 0;  ///< mean |residual force| over grains / mean |contact force| [1]
   double moment_ratio = 0; ///< mean |residual moment| over grains / (mean |contact force| x mean radius) [1]

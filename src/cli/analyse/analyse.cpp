@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyse_options.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -135,18 +137,39 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   return out;
 }
 
+/// "frame 3: ", "2 of 7 frames (0, 4): "
+std::string frames_text(const std::vector<std::size_t>& frames, std::size_t all) {
+  constexpr std::size_t most = 5;
+  if (frames.size() == 1)
+    return fmt::format("frame {}: ", frames.front());
+  if (frames.size() == all)
+    return fmt::format("all {} frames: ", all);
+  std::string list;
+  for (std::size_t k = 0; k < std::min(most, frames.size()); ++k)
+    list += (k > 0 ? ", " : "") + std::to_string(frames[k]);
+  return fmt::format("{} of {} frames ({}{}): ", frames.size(), all, list,
+                     frames.size() > most ? ", ..." : "");
+}
+
 /// What all frames have to say against themselves, each once, with the frame where there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>>
+      found; // each sentence, and the frames it is of
   for (const FrameAnswer& frame : answer.frames) {
-    const std::string where = answer.frames.size() > 1 ? fmt::format("frame {}: ", frame.number) : "";
     Validity own{frame.measured.warnings};
     own.merge(frame.validity);
     judge_code_stress(frame, own);
     own.keep_each_once();
-    for (const std::string& note : own.notes)
-      out.add(where + note);
+    for (const std::string& note : own.notes) {
+      const auto known =
+          std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == note; });
+      (known == found.end() ? found.emplace_back(note, std::vector<std::size_t>{}) : *known)
+          .second.push_back(frame.number);
+    }
   }
+  for (const auto& [note, frames] : found)
+    out.add(answer.frames.size() > 1 ? frames_text(frames, answer.frames.size()) + note : note);
   return out;
 }
 

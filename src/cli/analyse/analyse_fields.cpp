@@ -258,7 +258,9 @@ const io::Columns<Forces>& force_fields() {
       {"unbalanced_force_ratio", "unbalanced_force_ratio",
        io::or_null(of_part(&Forces::unbalance, &Unbalance::force_ratio)),
        rounded("left unbalanced", 3, "mean force on a grain over mean contact force")},
-      {"", "unbalanced_moment_ratio", io::or_null(of_part(&Forces::unbalance, &Unbalance::moment_ratio))},
+      {"unbalanced_moment_ratio", "unbalanced_moment_ratio",
+       io::or_null(of_part(&Forces::unbalance, &Unbalance::moment_ratio)),
+       rounded("moments left", 3, "mean moment on a grain over mean contact force x mean radius")},
       {"", "", of_part(&Forces::weight, [](const packing::Weight& w) { return 1 - w.left_over; }),
        share("of it weight")},
       {"", "", of_part(&Forces::weight, [](const packing::Weight& w) { return norm(w.per_volume); }),
@@ -447,6 +449,7 @@ const io::Columns<RungSeries>& separate_fields() {
   };
   static const io::Columns<RungSeries> fields = {
       title_of_rung,
+      {"", "separate_remark", [](const RungSeries& r) { return r.separate_remark; }},
       {"", "m", part(&hardin::Fit::exponent_i), exponent("m (sigma_v), G_vh")},
       {"", "n", part(&hardin::Fit::exponent_j), exponent("n (sigma_h), G_vh")}};
   return fields;

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -196,6 +198,33 @@ studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) 
   return out;
 }
 
+std::optional<packing::TurningSpring> parse_turning(const std::string& name, const std::string& text) {
+  using Of = packing::TurningSpring::Of;
+  if (text.empty())
+    return std::nullopt;
+  if (text == "marshall")
+    return packing::TurningSpring{.value = 0, .of = Of::marshall};
+  std::size_t end = text.find_first_not_of("0123456789.+-eE");
+  end = end == std::string::npos ? text.size() : end;
+  const auto value = parse_number(text.substr(0, end));
+  const std::string unit = text.substr(std::min(text.find_first_not_of(' ', end), text.size()));
+  static const std::map<std::string, std::pair<Of, double>> units = {{"", {Of::normal, 1}},
+                                                                     {"N/m", {Of::displacement, 1}},
+                                                                     {"kN/m", {Of::displacement, 1e3}},
+                                                                     {"MN/m", {Of::displacement, 1e6}},
+                                                                     {"Nm", {Of::angle, 1}},
+                                                                     {"N*m", {Of::angle, 1}},
+                                                                     {"Nmm", {Of::angle, 1e-3}},
+                                                                     {"kNm", {Of::angle, 1e3}}};
+  const auto found = units.find(unit);
+  if (!value || !(*value >= 0) || found == units.end())
+    throw InvalidArgument(fmt::format("{} takes 2e4N/m (times R*^2, as LAMMPS' kroll), 1e-3Nm (per radian, "
+                                      "as YADE's kr), a number (times k_n "
+                                      "R*^2) or marshall, not \"{}\"",
+                                      name, text));
+  return packing::TurningSpring{.value = found->second.second * *value, .of = found->second.first};
+}
+
 studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   analysis::Given out{.law_family = law_family(o.packing),
                       .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
@@ -205,6 +234,8 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
     out.grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3");
   if (o.packing.tangential_ratio.given())
     out.tangential_ratio = o.packing.tangential_ratio.value;
+  out.rolling = parse_turning("--rolling-stiffness", o.rolling_stiffness);
+  out.twisting = parse_turning("--twisting-stiffness", o.twisting_stiffness);
   if (o.friction_angle.given())
     out.friction_coefficient = std::tan(o.friction_angle.value);
   if (!o.stiffness_from.empty())
@@ -217,8 +248,10 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
     wanted.network.reset();
   else
     wanted.network->threads = studies::thread_count(o.threads.value_or(0));
-  studies::MeasureOptions options{std::move(out), wanted, parse_materials(o.materials),
-                                  parse_window(o.window, o.depth)};
+  studies::MeasureOptions options{
+      std::move(out), wanted, parse_materials(o.materials),
+      parse_window(o.window == "auto" || o.window == "none" ? "" : o.window, o.depth)};
+  options.choose_window = o.window != "none";
   return options;
 }
 
@@ -233,6 +266,16 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
                              "rho_s of the grains' solid, 2650kg/m3; without it no wave speeds");
   add_number_without_default(command, "--tangential-ratio", o.packing.tangential_ratio,
                              "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
+  for (const auto& [name, text, what] :
+       {std::tuple{"--rolling-stiffness", &o.rolling_stiffness, "rolling"},
+        std::tuple{"--twisting-stiffness", &o.twisting_stiffness, "twisting"}})
+    command
+        .add_option(
+            name, *text,
+            fmt::format("Of all contacts against {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
+                        "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
+                        what))
+        ->type_name("STIFFNESS");
   add_number_without_default(
       command, "--friction-angle", o.friction_angle,
       "Between grains, to tell which contacts slide; by default as the forces show it");
@@ -261,9 +304,12 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
       ->type_name("TYPE:MATERIAL")
       ->allow_extra_args(false);
   command
-      .add_option("--window", o.window,
-                  "The part whose e, C_n, z*, fabric and stress the closed forms take: "
-                  "x0..x1,y0..y1,z0..z1, lengths, .. for a whole axis")
+      .add_option(
+          "--window", o.window,
+          "The part whose e, C_n, z*, fabric and stress the closed forms take: "
+          "x0..x1,y0..y1,z0..z1, lengths, .. for a whole axis; auto: two to three grains from walls and "
+          "free surfaces; none: the whole")
+      ->capture_default_str()
       ->type_name("RANGES");
   command.add_option("--depth", o.depth, "The same by depth below the highest grain: 2mm..6mm")
       ->type_name("RANGE");
@@ -290,7 +336,7 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
   command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
       ->needs(out);
   in_group(command, grains_group, {"--grain-density", "--friction-angle", "--material"});
-  in_group(command, law_group, {"--tangential-ratio"});
+  in_group(command, law_group, {"--tangential-ratio", "--rolling-stiffness", "--twisting-stiffness"});
   in_group(command, "Files", {"--frames", "--series", "--column-map", "--box", "--stress"});
   in_group(command, "What is measured",
            {"--window", "--depth", "--no-network", "--threads", "--stiffness-from"});

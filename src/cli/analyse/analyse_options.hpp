@@ -22,6 +22,7 @@ struct AnalyseOptions {
   std::vector<std::string> files;
   PackingOptions packing; ///< contact law and grains
   Number grain_density{0, Dimension::density};
+  std::string rolling_stiffness, twisting_stiffness;
   Number friction_angle{0, Dimension::angle};
   std::string column_map;
   std::string box;
@@ -31,7 +32,7 @@ struct AnalyseOptions {
   std::string stiffness_from;
   std::vector<std::string> materials; ///< one a type
   std::optional<std::size_t> threads;
-  std::string window;
+  std::string window = "auto";
   std::string depth;
   bool no_network = false;
   bool json = false;
@@ -75,6 +76,11 @@ struct FrameChoice {
 /// "1:shear-modulus=30GPa,poisson-ratio=0.15", once for each type.
 /// \throws   InvalidArgument
 [[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
+
+/// "2e4N/m", "1e-3Nm", "0.1" or "marshall"; nothing for no text.
+/// \throws   InvalidArgument
+[[nodiscard]] std::optional<packing::TurningSpring> parse_turning(const std::string& name,
+                                                                  const std::string& text);
 
 /// \throws   InvalidArgument for options that contradict one another
 [[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);

@@ -177,6 +177,8 @@ std::string series_text(const AnalyseAnswer& answer) {
     }
     if (!separate.empty())
       text += "\n" + io::table_text(separate_fields(), separate);
+    else if (!series.rungs.front().separate_remark.empty())
+      text += "m, n: " + series.rungs.front().separate_remark + "\n";
   }
   return text;
 }

@@ -30,7 +30,9 @@ void require_lengths(const ContactArrays& c) {
       {"tangential_force", c.tangential_force.size()},
       {"normal_stiffness", c.normal_stiffness.size()},
       {"tangential_stiffness", c.tangential_stiffness.size()},
-      {"sliding", c.sliding.size()}};
+      {"sliding", c.sliding.size()},
+      {"rolling_stiffness", c.rolling_stiffness.size()},
+      {"twisting_stiffness", c.twisting_stiffness.size()}};
   for (const auto& [name, length] : lengths)
     require_length(name, length, contacts, "contacts");
   if (!c.force.empty() && !(c.normal_force.empty() && c.tangential_force.empty()))
@@ -52,6 +54,8 @@ PairRow row_from(const PackingBuilder& builder, const ContactArrays& c, std::siz
           .normal_stiffness = element(c.normal_stiffness, k),
           .tangential_stiffness = element(c.tangential_stiffness, k),
           .sliding = element(c.sliding, k),
+          .rolling_stiffness = element(c.rolling_stiffness, k),
+          .twisting_stiffness = element(c.twisting_stiffness, k),
           .line = k + 1};
 }
 
@@ -118,7 +122,8 @@ ImportedPacking build(const PackingArrays& arrays) {
     rows[k] = {.id = static_cast<long>(k),
                .position = arrays.position[k],
                .radius = arrays.radius[k],
-               .line = k + 1};
+               .line = k + 1,
+               .body = arrays.body.empty() ? std::nullopt : std::optional(arrays.body[k] + 1)};
   builder.set_grains(std::move(rows));
   builder.note(Finding::law_unknown, "contact law and grain material are not in arrays");
   if (!arrays.contacts) {
@@ -138,6 +143,7 @@ ImportedPacking packing_of(const PackingArrays& arrays) {
   if (arrays.radius.size() != arrays.position.size())
     throw InvalidArgument("radius has " + std::to_string(arrays.radius.size()) + " elements, position has " +
                           std::to_string(arrays.position.size()));
+  require_length("body", arrays.body.size(), arrays.position.size(), "position");
   if (arrays.contacts)
     require_lengths(*arrays.contacts);
   try {

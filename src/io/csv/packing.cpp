@@ -116,9 +116,13 @@ std::vector<GrainRow> grain_rows(const TableColumns& columns) {
   const auto types = columns.has("type") ? columns.integers("type") : std::vector<long>{};
   std::vector<GrainRow> rows;
   rows.reserve(place.size());
-  for (std::size_t k = 0; k < place.size(); ++k)
+  const auto bodies = columns.has("body") ? columns.integers("body") : std::vector<long>{};
+  for (std::size_t k = 0; k < place.size(); ++k) {
     rows.push_back({ids.empty() ? static_cast<long>(k) : ids[k], place[k], diameters ? size[k] / 2 : size[k],
                     columns.table().line(k), types.empty() ? std::nullopt : std::optional(types[k])});
+    if (!bodies.empty())
+      rows.back().body = bodies[k];
+  }
   return rows;
 }
 
@@ -171,7 +175,7 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
   pair.b = builder.index(table.id[k][1], pair.line);
   pair.branch =
       table.branch.empty()
-          ? builder.touching_image(pair.a, pair.b, table.normal[k],
+          ? builder.touching_image(pair.a, pair.b, table.normal.empty() ? Vec3{} : table.normal[k],
                                    table.overlap.empty()
                                        ? std::nullopt
                                        : std::optional(builder.radius_sum(pair.a, pair.b) - table.overlap[k]))
@@ -181,7 +185,7 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
     return pair;
   builder.require_agreement(pair);
   const Vec3 n = (1 / length) * pair.branch;
-  if (norm(table.normal[k] - n) > 1e-2)
+  if (!table.normal.empty() && norm(table.normal[k] - n) > 1e-2)
     builder.fail_contact(pair.line, "the normal does not point from the first grain to the second");
   pair.overlap = table.overlap.empty() ? builder.radius_sum(pair.a, pair.b) - length : table.overlap[k];
   if (!table.force.empty()) {
@@ -193,9 +197,9 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
   return pair;
 }
 
-bool names_a_normal(std::string_view heading) {
-  return heading.starts_with("nx") || heading.find(",nx") != std::string_view::npos ||
-         heading.find(", nx") != std::string_view::npos;
+bool names(std::string_view heading, const std::string& column) {
+  return heading.starts_with(column) || heading.find("," + column) != std::string_view::npos ||
+         heading.find(", " + column) != std::string_view::npos;
 }
 
 } // namespace
@@ -204,8 +208,11 @@ ContactTable read_contact_csv(TextSource source) {
   const TableColumns columns(std::move(source));
   ContactTable table;
   table.normal = columns.vectors({"nx", "ny", "nz"}, Dimension::dimensionless);
-  if (table.normal.empty())
-    throw FileError(columns.name(), 0, "expected columns nx, ny, nz");
+  const bool by_ids = columns.has("id1") && columns.has("id2");
+  if (table.normal.empty() && !by_ids)
+    throw FileError(columns.name(), 0, "expected columns nx, ny, nz, or id1, id2 of grains in another table");
+  for (std::size_t k = 0; table.normal.empty() && k < columns.table().row_count(); ++k)
+    table.line.push_back(columns.table().line(k));
   for (std::size_t k = 0; k < table.normal.size(); ++k) {
     const double length = norm(table.normal[k]);
     table.line.push_back(columns.table().line(k));
@@ -261,7 +268,8 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
 
 const PackingFormat csv_format{
     .name = "CSV",
-    .sign = "headings between commas: nx, ny, nz are contacts, which can stand alone; else grains",
+    .sign =
+        "headings between commas: nx, ny, nz (which can stand alone) or id1, id2 are contacts; else grains",
     .grains = "a CSV table of grains",
     .contacts = "a CSV table of contacts",
     .recognise = [](TextSource& source) -> std::optional<Holds> {
@@ -273,7 +281,7 @@ const PackingFormat csv_format{
           continue;
         heading_seen = true;
         if (line.find(',') != std::string_view::npos)
-          holds = names_a_normal(line) ? Holds::contacts : Holds::grains;
+          holds = names(line, "nx") || names(line, "id1") ? Holds::contacts : Holds::grains;
       }
       return holds;
     },
@@ -281,6 +289,14 @@ const PackingFormat csv_format{
         [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
           return one_frame(read_packing_csv(std::move(grains), std::move(contacts), options.box));
         },
-    .read_contacts = read_contact_csv};
+    .read_contacts =
+        [](TextSource source) {
+          const std::string name = source.name();
+          ContactTable table = read_contact_csv(std::move(source));
+          if (table.normal.empty())
+            throw FileError(name, 0,
+                            "contacts by id1, id2 need their table of grains; alone they need nx, ny, nz");
+          return table;
+        }};
 
 } // namespace granum::io

@@ -40,7 +40,9 @@ ContactLayout lammps_layout(const ColumnGroup& atoms, const ColumnGroup& pair) {
           .force = pair[1],
           .normal = triple(pair, 3),
           .tangential = triple(pair, 6),
-          .whole = {}};
+          .whole = {},
+          .rolling = pair[12],
+          .twisting = pair[13]};
 }
 
 std::optional<ContactLayout> known_layout(const std::vector<ColumnGroup>& computes) {
@@ -128,10 +130,33 @@ std::optional<ContactLayout> contact_layout(const std::vector<std::string>& colu
   const ColumnMap own = own_names(columns);
   if (own.contains("id1") && own.contains("id2"))
     return mapped_layout(MappedColumns(columns, own, source));
+  constexpr std::size_t fewest = 6; // id force of LIGGGHTS
+  if (computes.size() == 1 && computes[0].size() >= fewest)
+    return std::nullopt;
   if (computes.size() > 1 && std::any_of(computes.begin(), computes.end(), can_hold_ids))
     return std::nullopt;
-  source.fail("the columns have no known layout; say what they hold with a column map, such as "
-              "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]");
+  source.fail("the columns have no known layout; say what they hold with a column map, such as " +
+              example_map(columns));
+}
+
+std::string example_map(const std::vector<std::string>& columns) {
+  const std::vector<ColumnGroup> computes = column_groups(columns, "c_");
+  const auto of = [&](std::string_view quantity, std::size_t column) {
+    return std::string(quantity) + "=" + columns[column];
+  };
+  constexpr std::size_t with_positions = 12, ids_and_force = 6;
+  for (const ColumnGroup& values : computes) { // LIGGGHTS: pos id force, or id force
+    const std::size_t first = values.size() >= with_positions ? 6 : 0;
+    if (computes.size() == 1 && values.size() >= first + ids_and_force)
+      return of("id1", values[first]) + "," + of("id2", values[first + 1]) + "," +
+             of("fx", values[first + 3]) + "," + of("fy", values[first + 4]) + "," +
+             of("fz", values[first + 5]);
+  }
+  const auto ids = std::find_if(computes.begin(), computes.end(), can_hold_ids);
+  for (const ColumnGroup& values : computes)
+    if (ids != computes.end() && &values != &*ids && values.size() > 1)
+      return of("id1", (*ids)[0]) + "," + of("id2", (*ids)[1]) + "," + of("force", values[1]);
+  return "id1=c_cl[1],id2=c_cl[2],force=c_cp[2], names as in the heading";
 }
 
 } // namespace granum::io

@@ -22,6 +22,7 @@ struct ContactLayout {
   std::optional<std::size_t> overlap;
   std::optional<std::size_t> force; ///< normal force, repulsion positive
   std::optional<ColumnTriple> normal, tangential, whole;
+  std::optional<std::size_t> rolling = {}, twisting = {}; ///< sizes of what resists turning
 
   [[nodiscard]] bool has_forces() const { return force || normal || whole; }
   [[nodiscard]] bool has_tangential() const { return tangential || whole; }
@@ -36,5 +37,8 @@ struct ContactLayout {
 /// \throws   FileError at the line of `source` for a column of the map that is not there, or unknown columns
 [[nodiscard]] std::optional<ContactLayout> contact_layout(const std::vector<std::string>& columns,
                                                           const ColumnMap& map, const TextSource& source);
+
+/// A column map for these columns, as an example in messages: that of the usual order of their code.
+[[nodiscard]] std::string example_map(const std::vector<std::string>& columns);
 
 } // namespace granum::io

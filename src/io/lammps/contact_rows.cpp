@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <granum/core/number.hpp>
@@ -50,6 +51,9 @@ LocalRow local_row(const Row& row, std::size_t line, const ContactLayout& layout
     local.through = row.integer(*layout.periodic, "periodic flag") != 0;
   if (layout.overlap)
     local.overlap = row.number(*layout.overlap, "overlap");
+  for (const auto& size : {layout.rolling, layout.twisting})
+    if (size)
+      local.turns = local.turns || row.number(*size, "resistance to turning") != 0;
   if (layout.force)
     local.force = row.number(*layout.force, "force");
   if (layout.normal)
@@ -191,8 +195,7 @@ void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& 
   const ToldLayout told = layout_by_values(locals.unnamed, builder, units.length);
   locals.layout = told.layout;
   if (!told.words.empty())
-    builder.note(Finding::columns_told,
-                 "the values tell what no heading says: " + told.words + " of compute pair/local");
+    builder.note(Finding::columns_told, "the values tell what no heading says: " + told.words);
   if (told.swapped)
     builder.note(Finding::forces_swapped,
                  "the first force vector is the tangential one, the second the normal");
@@ -250,6 +253,12 @@ void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
   to_si(locals.rows, units);
   if (!locals.layout->has_forces())
     builder.expect_no_forces();
+  const auto turning =
+      std::count_if(locals.rows.begin(), locals.rows.end(), [](const LocalRow& row) { return row.turns; });
+  if (turning > 0)
+    builder.note(Finding::contact_moments,
+                 std::to_string(turning) +
+                     " contacts resist rolling or twisting: their columns are not zero");
   builder.expect_contacts(locals.rows.size());
   LocalJoin(builder, locals).run();
   locals.rows = {};

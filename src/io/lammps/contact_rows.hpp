@@ -20,6 +20,7 @@ struct LocalRow {
   std::size_t line = 0;
   Vec3 difference{}; ///< x1 - x2
   bool through = false;
+  bool turns = false; ///< bears a rolling or twisting moment
   double overlap = 0, force = 0;
   Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
 };

@@ -20,8 +20,9 @@ struct GrainLayout {
   std::size_t id = 0, radius = 0;
   double radius_factor = 1; ///< 1/2 for a diameter
   ColumnTriple position{};
-  std::optional<std::size_t> type;
-  bool scaled = false; ///< positions are fractions of the box
+  std::optional<std::size_t> type, body;
+  std::optional<ColumnTriple> force; ///< sum of all forces
+  bool scaled = false;               ///< positions are fractions of the box
 };
 
 GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMap& map,
@@ -39,6 +40,11 @@ GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMa
     source.fail("expected a column 'id'");
   layout.id = *id;
   layout.type = find_column(columns, "type");
+  layout.body = map.contains("body") ? find("body") : find_column(columns, "mol");
+  const auto fx = find_column(columns, "fx"), fy = find_column(columns, "fy"),
+             fz = find_column(columns, "fz");
+  if (fx && fy && fz)
+    layout.force = {*fx, *fy, *fz};
   const auto radius = find("radius"), diameter = find("diameter");
   if (!radius && !diameter)
     source.fail("expected a column 'radius' or 'diameter'");
@@ -89,6 +95,10 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
                             layout.radius_factor * row.number(layout.radius, "radius"), line});
     if (layout.type)
       atoms.grains.back().type = row.integer(*layout.type, "type");
+    if (layout.body)
+      atoms.grains.back().body = row.integer(*layout.body, "number of the body");
+    if (layout.force)
+      atoms.grains.back().force = vector(row, *layout.force, "force");
     if (!walls.empty())
       read_walls(row, atoms.grains.back().id, line, walls, atoms.walls);
   };
@@ -103,6 +113,8 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
       grain.position = frame->box->origin + frame->box->edges * grain.position;
     grain.position *= unit;
     grain.radius *= unit;
+    if (grain.force)
+      *grain.force *= file.units().force;
   }
   return atoms;
 }
@@ -129,6 +141,9 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   builder.note_digits(atoms.digits, "coordinates", units.length * (atoms.scaled ? widest : 1));
   join_walls(builder, atoms.walls, units);
   if (locals) {
+    const DumpUnits& other = local_file->units();
+    if (other.stated && units.stated && (other.length != units.length || other.force != units.force))
+      builder.note(Finding::units_differ, "ITEM: UNITS of the two files differ: each was read by its own");
     join(builder, *locals, local_file->units().stated ? local_file->units() : units);
   }
   note_unknown(builder, atom_file, box, locals);

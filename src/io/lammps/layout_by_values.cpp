@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/packing_builder.hpp"
+#include "liggghts_by_values.hpp"
 
 namespace granum::io {
 
@@ -100,6 +101,10 @@ ContactLayout layout_of(const Terms& terms, std::size_t id1, std::size_t id2, co
     layout.tangential = three();
   if (terms.swapped)
     layout.normal = three();
+  if (terms.extra >= 8)
+    layout.rolling = values[extra_at + 7];
+  if (terms.extra >= 9)
+    layout.twisting = values[extra_at + 8];
   if (terms.extra == 12)
     layout.difference = {values[extra_at + 9], values[extra_at + 10], values[extra_at + 11]};
   return layout;
@@ -300,6 +305,8 @@ std::string span_text(const ColumnGroup& values, const std::vector<std::string>&
 ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains, double length) {
   if (table.rows() == 0)
     return {};
+  if (table.computes.size() == 1)
+    return liggghts_by_values(table, grains);
   std::vector<ToldLayout> fits;
   std::string tried, maps;
   for (std::size_t ids = 0; ids < table.computes.size(); ++ids) {
@@ -315,19 +322,20 @@ ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& gra
       const ContactLayout layout = layout_of(terms, atoms[0], atoms[1], values);
       if (!fits.empty() && pairs.same_forces(layout, fits.front().layout))
         continue;
-      fits.push_back({layout, span_text(values, table.columns) + " as " + terms.words(), terms.swapped});
+      fits.push_back({layout,
+                      span_text(values, table.columns) + " as " + terms.words() + " of compute pair/local",
+                      terms.swapped});
       maps += (maps.empty() ? "" : " or ") + terms.words() + " with " + map_of(layout, table.columns);
     }
   }
   if (fits.size() == 1)
     return fits.front();
   if (fits.empty())
-    grains.fail_contact(
-        table.lines.front(),
-        "the columns hold no values that the positions of the grains bear out" +
-            (tried.empty() ? std::string(": no column has ids of pairs of grains")
-                           : " (tried: " + tried + ")") +
-            "; say what they hold with a column map, such as id1=c_cl[1],id2=c_cl[2],force=c_cp[2]");
+    grains.fail_contact(table.lines.front(),
+                        "the columns hold no values that the positions of the grains bear out" +
+                            (tried.empty() ? std::string(": no column has ids of pairs of grains")
+                                           : " (tried: " + tried + ")") +
+                            "; say what they hold with a column map, such as " + example_map(table.columns));
   grains.fail_contact(table.lines.front(),
                       "the columns can be read in " + std::to_string(fits.size()) +
                           " ways that give other forces; say which by a column map: " + maps);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -15,7 +16,11 @@ class CentreIndex {
  public:
   explicit CentreIndex(const std::vector<Vec3>& centres);
 
-  /// \throws   FileError if no centre is there, or several
+  /// \return   nothing if no centre is there
+  /// \throws   FileError if several are
+  [[nodiscard]] std::optional<std::uint32_t> look_up(const Vec3& point, const PackingBuilder& builder,
+                                                     std::size_t line) const;
+  /// \throws   FileError also if no centre is there
   [[nodiscard]] std::uint32_t find(const Vec3& point, const PackingBuilder& builder, std::size_t line) const;
 
  private:

@@ -119,6 +119,8 @@ class GrainFile {
                        row_.number(radius, "radius"),
                        source_.line_number(),
                        type ? std::optional(row_.integer(*type, "type")) : std::nullopt});
+    if (const auto clump = find_column(columns_, "clumpId")) // -1: of none; numbers from 0 on
+      grains_.back().body = row_.integer(*clump, "clumpId") + 1;
   }
 
   /// Numbers of materials, as the script writes them or an attribute of textExt may be called.
@@ -198,6 +200,8 @@ class ContactFile {
     stiffness_.reset();
     if (kn && ks)
       stiffness_ = {*kn, *ks};
+    rolling_ = find_column(columns_, "kr");
+    twisting_ = find_column(columns_, "ktw");
   }
 
   [[nodiscard]] Vec3 vector(const std::array<std::size_t, 3>& at, const char* what) const {
@@ -241,6 +245,10 @@ class ContactFile {
       pair.normal_stiffness = stiffness(stiffness_->first, "kn");
       pair.tangential_stiffness = stiffness(stiffness_->second, "ks");
     }
+    if (rolling_)
+      pair.rolling_stiffness = stiffness(*rolling_, "kr");
+    if (twisting_)
+      pair.twisting_stiffness = stiffness(*twisting_, "ktw");
     if (wall)
       builder_.add_wall(pair, -(second + 1));
     else
@@ -269,6 +277,7 @@ class ContactFile {
   std::array<std::size_t, 3> normal_{}, normal_force_{}, shear_force_{};
   std::optional<std::array<std::size_t, 3>> shift_;
   std::optional<std::pair<std::size_t, std::size_t>> stiffness_;
+  std::optional<std::size_t> rolling_, twisting_;
   std::size_t left_out_ = 0;
   DigitWatch digits_, force_digits_;
 };

@@ -231,6 +231,31 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
   return builder;
 }
 
+/// A contact with a wall across an axis: the line ends at the wall's centre, which lies anywhere in its plane.
+/// \param    force   on the wall; its direction tells the axis, else the plane that the grain reaches
+/// \return   whether there is such a wall
+bool add_wall(PackingBuilder& builder, std::uint32_t grain, const Vec3& centre, const Vec3& force,
+              const double* size, std::size_t line) {
+  const Vec3 apart = centre - builder.position(grain);
+  constexpr double reached = 1.01, along = 0.9;
+  int axis = -1;
+  for (int k = 0; k < 3; ++k) {
+    const bool pushed = std::abs(force[k]) > along * norm(force);
+    if (std::abs(apart[k]) <= reached * builder.radius(grain) && apart[k] != 0 &&
+        (norm(force) > 0 ? pushed : axis < 0 || std::abs(apart[k]) > std::abs(apart[axis])))
+      axis = k;
+  }
+  if (axis < 0)
+    return false;
+  PairRow row{.a = grain, .line = line};
+  row.branch[axis] = apart[axis];
+  row.overlap = builder.radius(grain) - std::abs(apart[axis]);
+  const double sign = apart[axis] > 0 ? 1 : -1;
+  row.normal_force = size != nullptr ? *size : sign * force[axis];
+  builder.add_wall(row, 2 * axis + (sign > 0 ? 1 : 0));
+  return true;
+}
+
 } // namespace
 
 ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions) {
@@ -242,13 +267,18 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
   }
   const LegacyVtk pairs(std::move(*interactions));
   PackingBuilder builder = grains_built(grains, pairs.source().name());
-  const Attribute *normal = pairs.attribute("fn", 3), *shear = pairs.attribute("ft", 3);
+  const Attribute *normal = pairs.attribute("fn", 3), *sizes = pairs.attribute("fn", 1),
+                  *shear = pairs.attribute("ft", 3);
   const std::size_t count = pairs.lines().size();
   if ((normal && normal->values.size() != 3 * count) || (shear && shear->values.size() != 3 * count))
     pairs.source().fail("expected fn and ft as cell data, one for each line");
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
   builder.note(Finding::history_unknown, "the loading history of the contacts is not in the files");
-  if (!normal) {
+  if (sizes && sizes->values.size() != count)
+    pairs.source().fail("expected fn as cell data, one for each line");
+  if (!normal && sizes) {
+    builder.note(Finding::tangential_unknown, "fn is a number, and no vectors ft");
+  } else if (!normal) {
     builder.expect_no_forces();
     builder.note(Finding::forces_unknown, "no vectors fn");
   } else if (!shear) {
@@ -258,14 +288,28 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
   for (std::size_t k = 0; k < count; ++k) {
     PairRow pair;
     pair.line = pairs.place_of_line(k);
-    pair.a = centres.find(pairs.points()[pairs.lines()[k][0]], builder, pair.line);
-    pair.b = centres.find(pairs.points()[pairs.lines()[k][1]], builder, pair.line);
+    const Vec3 &from = pairs.points()[pairs.lines()[k][0]], &to = pairs.points()[pairs.lines()[k][1]];
+    const auto a = centres.look_up(from, builder, pair.line), b = centres.look_up(to, builder, pair.line);
+    if (!a || !b) {
+      const Vec3 f = normal ? normal->vector(k) : Vec3{};
+      const double* size = sizes ? &sizes->values[k] : nullptr;
+      if (!(a || b) || !add_wall(builder, a ? *a : *b, a ? to : from, a ? f : -f, size, pair.line))
+        builder.fail_contact(
+            pair.line, "the contact ends neither at the centre of a sphere nor at a wall across an axis that "
+                       "the grain reaches; facets, and pairs through periodic faces, need "
+                       "share/yade/granum_export.py");
+      continue;
+    }
+    pair.a = *a;
+    pair.b = *b;
     pair.branch = builder.straight(pair.a, pair.b);
     const double length = norm(pair.branch);
     if (length > 0) {
       pair.overlap = builder.radius_sum(pair.a, pair.b) - length;
       if (normal)
         pair.normal_force = dot(normal->vector(k), (1 / length) * pair.branch);
+      if (!normal && sizes)
+        pair.normal_force = sizes->values[k];
       if (normal && shear)
         pair.tangential_force = shear->vector(k);
     }

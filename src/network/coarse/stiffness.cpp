@@ -125,7 +125,7 @@ CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid, 
     *sum = {};
     for (; last != links.end() && same_boxes(*first, *last); ++last) {
       const Link& l = backbone.links[last->link];
-      add_coarse(backbone, grid, link_blocks<Dof>(l).coupling_ba, l.b, l.a, *sum);
+      add_coarse(backbone, grid, link_blocks<Dof>(l, backbone.joint_of(l)).coupling_ba, l.b, l.a, *sum);
     }
     add_between(*sum, grid.nodes_of(first->box_b), grid.nodes_of(first->box_a), factor);
   }

@@ -204,7 +204,8 @@ class Elimination {
     for (std::uint32_t e = first; e < last; ++e)
       work.slot[pattern_.column[e]] = e - first;
     for (; work.link != backbone_.links.end() && work.link->b == i; ++work.link)
-      add(transposed(link_blocks<Dof>(*work.link).coupling_ba), work.row[work.slot[work.link->a]]);
+      add(transposed(link_blocks<Dof>(*work.link, backbone_.joint_of(*work.link)).coupling_ba),
+          work.row[work.slot[work.link->a]]);
   }
 
   /// Row i of R^-T L, and pivot i, from the finished rows.

@@ -28,7 +28,7 @@ void add_work(const Rows<Dof>& x, const Rows<Dof>& force, Lanes& sum) {
 } // namespace
 
 LinksOfGrains::LinksOfGrains(const Backbone& backbone)
-    : links_(backbone.links), later_start_(starts(backbone, &Link::b)),
+    : backbone_(backbone), links_(backbone.links), later_start_(starts(backbone, &Link::b)),
       earlier_start_(starts(backbone, &Link::a)), earlier_(backbone.links.size()) {
   std::vector<std::uint32_t> next(earlier_start_.begin(), earlier_start_.end() - 1);
   for (std::uint32_t k = 0; k < backbone.links.size(); ++k)
@@ -89,7 +89,7 @@ PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& 
   Lanes sum = {};
   const auto add = [&](const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb) {
     Rows<Dof> ya = {}, yb = {};
-    answer<Dof>(link, xa, xb, ya, yb);
+    answer<Dof>(link, backbone.joint_of(link), xa, xb, ya, yb);
     add_work<Dof>(xa, ya, sum);
     add_work<Dof>(xb, yb, sum);
   };
@@ -107,7 +107,7 @@ PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& 
                                 [](const Link& link, std::uint32_t g) { return link.a < g; });
       for (; l != backbone.wall_links.end() && l->a == grains_[k]; ++l) {
         Rows<Dof> y = {};
-        answer_to_wall<Dof>(*l, rows_[k], y);
+        answer_to_wall<Dof>(*l, backbone.wall_joint_of(*l), rows_[k], y);
         add_work<Dof>(rows_[k], y, sum);
       }
     }

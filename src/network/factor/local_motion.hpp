@@ -31,7 +31,10 @@ class LinksOfGrains {
       answer(links_[earlier_[k]]);
   }
 
+  [[nodiscard]] const Joint* joint_of(const Link& link) const { return backbone_.joint_of(link); }
+
  private:
+  const Backbone& backbone_;
   const std::vector<Link>& links_;
   std::vector<std::uint32_t> later_start_, earlier_start_;
   std::vector<std::uint32_t> earlier_; ///< links, sorted by their earlier grain
@@ -66,7 +69,7 @@ class LocalMotion {
         if (l.b <= last)
           return;
         Rows<Dof> on_earlier = {}, on_later = {};
-        answer<Dof>(l, rows_[k], still, on_earlier, on_later);
+        answer<Dof>(l, links.joint_of(l), rows_[k], still, on_earlier, on_later);
         add(l.b, on_later);
       });
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/projection.hpp>
 
@@ -60,6 +61,21 @@ void set_ratios(FrameAnswer& frame) {
     }
 }
 
+/// What was chosen, and what it is of.
+std::string window_text(const analysis::Window& window, const std::array<bool, 3>& periodic) {
+  std::string ranges;
+  for (int axis = 0; axis < 3; ++axis)
+    ranges += (axis > 0 ? "," : "") + (periodic[static_cast<std::size_t>(axis)]
+                                           ? std::string("..")
+                                           : pretty(window.low[axis], Dimension::length) + ".." +
+                                                 pretty(window.high[axis], Dimension::length));
+  ranges.erase(std::remove(ranges.begin(), ranges.end(), ' '), ranges.end());
+  return "the closed forms are those of the interior, --window " + ranges +
+         ", two to three grains from walls and free surfaces (--window none: of the whole); the network and "
+         "its "
+         "6x6 are those of the whole with its walls";
+}
+
 } // namespace
 
 PrintedStress printed(const packing::ContactStress& stress) {
@@ -89,10 +105,13 @@ FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOption
   analysis::Given given = options.given;
   analysis::Wanted wanted = options.wanted;
   given.materials = materials_of(packing, options.materials);
-  if (options.window)
-    wanted.window = window_in(packing, *options.window);
+  const auto chosen = options.choose_window && !options.window ? interior_window(packing) : std::nullopt;
+  if (options.window || chosen)
+    wanted.window = window_in(packing, options.window ? *options.window : *chosen);
   FrameAnswer frame{.read = packing.notes, .measured = measure_frame(packing, given, wanted)};
   frame.window = wanted.window;
+  if (chosen)
+    frame.validity.add(window_text(*wanted.window, packing.periodic));
   add_closed_forms(frame);
   add_network(frame);
   set_ratios(frame);

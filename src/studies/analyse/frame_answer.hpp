@@ -74,6 +74,7 @@ struct MeasureOptions {
   analysis::Wanted wanted;
   MaterialsByType materials = {};
   std::optional<WindowChoice> window = {};
+  bool choose_window = true; ///< interior_window, where there is one and no other was asked for
 };
 
 /// Measures a frame and asks every rung about it.

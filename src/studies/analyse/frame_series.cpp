@@ -39,6 +39,15 @@ double stress_range(std::span<const hardin::MeasuredModulus> states) {
   return low > 0 ? high / low : 0;
 }
 
+/// Whether both exponents are known well enough to be told from one another.
+bool tells_apart(const hardin::Fit& fit) {
+  constexpr double too_vague = 0.3;
+  const auto vague = [&](const std::optional<Measured>& m) {
+    return !m || !(m->standard_error <= too_vague);
+  };
+  return !vague(fit.exponent_i) && !vague(fit.exponent_j);
+}
+
 } // namespace
 
 SeriesFit fit_series(std::span<const hardin::MeasuredModulus> states, double atmospheric_pressure) {
@@ -57,7 +66,11 @@ SeriesFit fit_series(std::span<const hardin::MeasuredModulus> states, double atm
                              .void_ratio_function = hardin::VoidRatioFunction::none};
   std::string ignored;
   out.sum = try_fit(hardin::fit_exponent_sum, states, options, out.remark);
-  out.separate = try_fit(hardin::fit, states, options, ignored);
+  out.separate = try_fit(hardin::fit, states, options, out.separate_remark);
+  if (out.separate && !tells_apart(*out.separate)) {
+    out.separate.reset();
+    out.separate_remark = "the two stresses go with one another: m and n cannot be told apart";
+  }
   options.void_ratio_function = hardin::VoidRatioFunction::hardin_richart_round;
   out.sum_with_void_ratio = try_fit(hardin::fit_exponent_sum, states, options, ignored);
   return out;

@@ -18,6 +18,7 @@ struct SeriesFit {
   std::optional<hardin::Fit> sum;                 ///< C and s
   std::optional<hardin::Fit> sum_with_void_ratio; ///< the same with f(e) = (2.17-e)^2/(1+e)
   std::optional<hardin::Fit> separate;            ///< C, m and n; where the stress ratio tells them apart
+  std::string separate_remark = {};               ///< why m and n are not there
   std::string remark;                             ///< why there is no fit; empty if there is one
 };
 

@@ -25,6 +25,12 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     case Finding::one_sided:
     case Finding::cell_unknown:
     case Finding::wall_contacts:
+    case Finding::contact_moments:
+    case Finding::cell_turned:
+    case Finding::own_image:
+    case Finding::units_differ:
+    case Finding::unbalanced_rows:
+    case Finding::bodies:
       out.push_back(note.text);
       break;
     case Finding::walls_unknown:
@@ -63,12 +69,15 @@ void judge_contacts(const io::ImportedPacking& packing, const MeasuredFrame& fra
 }
 
 /// A boundary that is no periodic one: the volume that belongs to the grains is not known.
-void judge_boundary(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+void judge_boundary(const io::ImportedPacking& packing, bool interior, std::vector<std::string>& out) {
   const auto open = std::count(packing.periodic.begin(), packing.periodic.end(), false);
   if (open > 0 && !packing.has(Finding::cell_unknown))
     out.emplace_back(
-        "the box has faces that are not periodic: void ratio, stress and C_n are those of the whole "
-        "box with its boundary");
+        interior
+            ? "the box has faces that are not periodic: void ratio, stress and C_n above are those of the "
+              "whole box with its boundary"
+            : "the box has faces that are not periodic: void ratio, stress and C_n are those of the whole "
+              "box with its boundary, and so are the closed forms, which know no walls (--window)");
 }
 
 /// Grains with exactly one value of a coordinate, as walls glued of grains have.
@@ -114,17 +123,6 @@ std::string vector_text(const Vec3& v) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
-/// What digits alone may leave on a grain of some contacts, over the mean force: their own, and those of the
-/// directions.
-double unbalance_by_rounding(const io::ImportedPacking& packing) {
-  constexpr double contacts = 5;
-  const packing::Assembly& assembly = packing.assembly;
-  if (assembly.contacts.empty())
-    return 0;
-  return contacts *
-         (packing.rounding.force + packing.rounding.length / norm(assembly.contacts.front().branch));
-}
-
 void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& forces,
                   std::vector<std::string>& out) {
   const double at_rest = 1e-3 + unbalance_by_rounding(packing);
@@ -145,6 +143,21 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
   if (left > at_rest)
     out.push_back("the packing is not at rest: the mean force left on a grain is " + percent(left) +
                   " of the mean contact force");
+}
+
+/// Moments that no force explains: the network without them is not this material's.
+void judge_moments(const analysis::Measurement& measured, std::vector<std::string>& out) {
+  constexpr double least = 0.02, times_force = 3;
+  if (!measured.forces || !measured.forces->unbalance)
+    return;
+  const packing::Unbalance& left = *measured.forces->unbalance;
+  if (measured.moments.empty() || left.moment_ratio <= std::max(least, times_force * left.force_ratio))
+    return;
+  out.push_back(
+      "forces balance to " + percent(left.force_ratio) + " but moments to " + percent(left.moment_ratio) +
+      " only: contacts bear moments (rolling resistance, bonds), or the grains are parts of clumps. "
+      "Rung 3 is withheld, and the network is this material's only with --rolling-stiffness, "
+      "--twisting-stiffness, or the ids of the clumps");
 }
 
 /// What an exponent of the forces says where they fit no law.
@@ -255,6 +268,15 @@ void judge_force_terms(const network::Response& response, std::vector<std::strin
 
 } // namespace
 
+double unbalance_by_rounding(const io::ImportedPacking& packing) {
+  constexpr double contacts = 5;
+  const packing::Assembly& assembly = packing.assembly;
+  if (assembly.contacts.empty())
+    return 0;
+  return contacts *
+         (packing.rounding.force + packing.rounding.length / norm(assembly.contacts.front().branch));
+}
+
 void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out) {
   constexpr double doubt = 0.01;
   if (fabric.density && fabric.density->chi_square.p_value < doubt)
@@ -272,12 +294,13 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   judge_digits(packing, out);
   judge_contacts(packing, frame, out);
   judge_mistakes(packing, frame, out);
-  judge_boundary(packing, out);
+  judge_boundary(packing, measured.interior.has_value(), out);
   judge_grains(packing, out);
   if (measured.fabric)
     judge_fabric(*measured.fabric, out);
   if (measured.forces)
     judge_forces(packing, *measured.forces, out);
+  judge_moments(measured, out);
   if (measured.law_check)
     judge_law(*measured.law_check, analysis::rounded_share(packing.assembly, packing.rounding.overlap),
               measured.law.has_value(),
@@ -288,7 +311,8 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.network) {
     judge_network(measured.network->response.report(), out);
     judge_free_strains(*measured.network, out);
-    judge_force_terms(measured.network->response, out);
+    if (measured.moments.empty()) // else they stand for what the network does not know
+      judge_force_terms(measured.network->response, out);
   }
 }
 

@@ -43,6 +43,8 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   using io::Finding;
   given.normal_forces = !packing.has(Finding::forces_unknown);
   given.tangential_forces = !packing.has(Finding::tangential_unknown);
+  given.contact_moments = packing.has(Finding::contact_moments);
+  given.force_rounding = unbalance_by_rounding(packing);
   given.overlap_rounding = packing.rounding.overlap;
   given.type = packing.type;
   const bool by_overlaps = packing.has(Finding::contacts_from_overlaps);

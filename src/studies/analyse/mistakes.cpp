@@ -2,6 +2,7 @@
 #include "studies/analyse/mistakes.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include <granum/core/number.hpp>
@@ -111,6 +112,24 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
       ": is the file of contacts whole (all processors, all types), or are they spheres of one clump?");
 }
 
+/// Grains at the very place of another: no line joins their centres, so that no contact does.
+void judge_places(const io::ImportedPacking& packing, std::vector<std::string>& out) {
+  const std::vector<Vec3>& place = packing.assembly.position;
+  std::vector<std::uint32_t> order(place.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t g) { return std::tie(place[g].x, place[g].y, place[g].z); };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::size_t twice = 0;
+  std::string first;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (place[order[k]] == place[order[k - 1]] && ++twice == 1)
+      first = std::to_string(packing.id[order[k - 1]]) + " and " + std::to_string(packing.id[order[k]]);
+  if (twice > 0)
+    out.push_back(std::to_string(twice) + " grains stand where another does (" + first +
+                  "): they count in e and C_n, but no contact joins them; was a file read twice?");
+}
+
 /// Moduli of grains, by what they are made of.
 void judge_modulus(const MeasuredFrame& frame, std::vector<std::string>& out) {
   constexpr double softest = 1e6, hardest = 1e12;
@@ -149,6 +168,7 @@ void judge_mistakes(const io::ImportedPacking& packing, const MeasuredFrame& fra
     return;
   judge_void_ratio(packing.assembly, frame.packing.void_ratio, out);
   judge_open_contacts(packing.assembly, out);
+  judge_places(packing, out);
   if (frame.packing.void_ratio >= least_void_ratio) // else grains overlap for another reason
     judge_missing_contacts(packing, frame, out);
   judge_modulus(frame, out);

@@ -2,12 +2,14 @@
 #include "studies/analyse/overlaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include <granum/contact/pair.hpp>
 #include <granum/dem/neighbours.hpp>
+#include <granum/io/own_image.hpp>
 
 namespace granum::studies {
 
@@ -24,9 +26,12 @@ class OverlapSearch {
  public:
   OverlapSearch(const Assembly& assembly, const std::array<bool, 3>& periodic)
       : assembly_(assembly), place_(assembly.position), shifts_(dem::shift_vectors(assembly.cell)),
-        open_(!periodic[0] && !periodic[1] && !periodic[2]) {
-    if (!open_)
+        open_(!periodic[0] && !periodic[1] && !periodic[2]),
+        whole_(periodic[0] && periodic[1] && periodic[2]) {
+    if (whole_)
       dem::wrap(assembly.cell, place_);
+    else if (!open_)
+      wrap_along(periodic);
     for (std::uint32_t image = 0; image < dem::image_count; ++image) {
       const auto number = static_cast<int>(image);
       const std::array<int, 3> steps{number / 9 - 1, number / 3 % 3 - 1, number % 3 - 1};
@@ -40,44 +45,60 @@ class OverlapSearch {
   [[nodiscard]] std::vector<Contact> run() && {
     if (place_.empty())
       return {};
-    const double cutoff = 2 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
+    const double largest = *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
     const Vec3 widths = packing::cell_widths(assembly_.cell);
-    if (open_ || 2 * cutoff <= std::min({widths.x, widths.y, widths.z})) {
-      for (const dem::Pair& pair :
-           neighbour_pairs(assembly_.cell, place_, cutoff, open_ ? dem::Images::none : dem::Images::periodic))
+    if (open_ || (whole_ && 4 * largest <= std::min({widths.x, widths.y, widths.z}))) {
+      for (const dem::Pair& pair : neighbour_pairs(assembly_.cell, place_, assembly_.radius, 0,
+                                                   open_ ? dem::Images::none : dem::Images::periodic))
         look_at(pair.i, pair.j, pair.image);
     } else {
-      search_among_copies(cutoff);
+      search_among_copies(largest);
     }
     return std::move(found_);
   }
 
  private:
-  /// In a narrow cell a pair meets through several images: grains and those of their images that are within
-  /// the cutoff of any grain are searched like the grains of a box without faces.
-  void search_among_copies(double cutoff) {
+  /// Along open axes grains may stand outside of the box.
+  void wrap_along(const std::array<bool, 3>& periodic) {
+    const Mat3 to_parts = inverse_of(assembly_.cell);
+    for (Vec3& x : place_) {
+      const Vec3 part = to_parts * x;
+      for (int k = 0; k < 3; ++k)
+        if (const double turns = std::floor(part[k]); periodic[static_cast<std::size_t>(k)] && turns != 0)
+          x -= turns * column(assembly_.cell, k);
+    }
+  }
+
+  /// In a narrow cell a pair meets through several images: grains and those of their images that can reach any
+  /// grain are searched like the grains of a box without faces.
+  void search_among_copies(double largest) {
     const auto count = static_cast<std::uint32_t>(place_.size());
     Vec3 low = place_.front(), high = low;
     for (const Vec3& x : place_) {
       low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
       high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
     }
-    const double margin = 1.5 * cutoff;
+    constexpr double enough = 1.01;
+    const double margin = enough * 2 * largest;
     const Vec3 edge{margin, margin, margin}, size = high - low + 2 * edge;
     std::vector<Vec3> all(place_.size());
     std::transform(place_.begin(), place_.end(), all.begin(), [&](const Vec3& x) { return x - low + edge; });
+    std::vector<double> radius = assembly_.radius;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> copies; // grain and image
     for (std::uint32_t image = 0; image < dem::image_count; ++image)
       for (std::uint32_t g = 0; allowed_[image] && image != itself && g < count; ++g) {
         const Vec3 x = all[g] + shifts_[image];
-        if (x.x < 0 || x.y < 0 || x.z < 0 || x.x >= size.x || x.y >= size.y || x.z >= size.z)
+        const double beyond = margin - enough * (assembly_.radius[g] + largest); // out of any grain's reach
+        if (x.x < beyond || x.y < beyond || x.z < beyond || x.x >= size.x - beyond ||
+            x.y >= size.y - beyond || x.z >= size.z - beyond)
           continue;
         all.push_back(x);
+        radius.push_back(assembly_.radius[g]);
         copies.emplace_back(g, image);
       }
     std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> met; // i, j and image
     for (const dem::Pair& pair :
-         neighbour_pairs(Mat3::diagonal(size.x, size.y, size.z), all, cutoff, dem::Images::none)) {
+         neighbour_pairs(Mat3::diagonal(size.x, size.y, size.z), all, radius, 0, dem::Images::none)) {
       if (pair.i >= count)
         continue;
       const auto [j, image] = pair.j < count ? std::pair{pair.j, itself} : copies[pair.j - count];
@@ -102,7 +123,7 @@ class OverlapSearch {
   std::vector<Vec3> place_;
   std::array<Vec3, dem::image_count> shifts_;
   std::array<bool, dem::image_count> allowed_{};
-  bool open_;
+  bool open_, whole_; ///< along no axis, along all
   std::vector<Contact> found_;
 };
 
@@ -129,6 +150,7 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   using io::Finding;
   if (!packing.has(Finding::contacts_unknown))
     return packing;
+  packing = io::without_own_images(std::move(packing));
   auto found = overlapping_pairs(packing.assembly, packing.periodic);
   if (found.empty())
     return packing;

@@ -27,7 +27,9 @@ RungSeries rung_series(const Frames& frames, const std::vector<std::size_t>& mem
     if (const auto& state = frame.measured.packing.state; state && its->moduli->G_vh > 0)
       by_direction.push_back({its->moduli->G_vh, {state->stress_v, state->stress_h, e}});
   }
-  return {rung.name, rung.title, fit_series(mean), fit_series(by_direction).separate};
+  SeriesFit separate = fit_series(by_direction);
+  return {rung.name, rung.title, fit_series(mean), std::move(separate.separate),
+          separate.separate_remark.empty() ? separate.remark : separate.separate_remark};
 }
 
 StateSeries one_series(const Frames& frames, std::string name, std::vector<std::size_t> members) {

@@ -19,6 +19,7 @@ struct RungSeries {
   std::string title;
   SeriesFit fit;                       ///< G over the mean stress
   std::optional<hardin::Fit> separate; ///< G_vh over sigma_v and sigma_h, where their ratio varies
+  std::string separate_remark = {};    ///< why it is not there
 };
 
 /// States that belong together: of one packing, or of packings that were made alike.

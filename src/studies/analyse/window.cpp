@@ -44,6 +44,36 @@ double top_of(const packing::Assembly& assembly) {
 
 } // namespace
 
+std::optional<WindowChoice> interior_window(const io::ImportedPacking& packing) {
+  constexpr double away = 2.5, nearest = 2, wanted = 5, least = 3; // mean diameters
+  constexpr std::size_t fewest = 200;                              // grains that have an interior
+  const packing::Assembly& assembly = packing.assembly;
+  if (assembly.grain_count() < fewest || assembly.contacts.empty() ||
+      (packing.periodic[0] && packing.periodic[1] && packing.periodic[2]))
+    return std::nullopt;
+  double squares = 0, cubes = 0;
+  for (const double r : assembly.radius) {
+    squares += r * r;
+    cubes += r * r * r;
+  }
+  const double diameter = 2 * cubes / squares;
+  WindowChoice choice;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    if (packing.periodic[k])
+      continue;
+    auto [low, high] = extent(assembly, axis);
+    if (axis == 2)
+      high = std::min(high, top_of(assembly)); // grains in flight are above
+    const double layer = (high - low - 2 * away * diameter < wanted * diameter ? nearest : away) * diameter;
+    if (high - low - 2 * layer < least * diameter)
+      return std::nullopt;
+    choice.low[k] = low + layer;
+    choice.high[k] = high - layer;
+  }
+  return choice;
+}
+
 analysis::Window window_in(const io::ImportedPacking& packing, const WindowChoice& choice) {
   const packing::Assembly& assembly = packing.assembly;
   const Vec3 edge = packing::cell_widths(assembly.cell);

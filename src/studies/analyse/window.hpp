@@ -24,4 +24,11 @@ struct WindowChoice {
 /// volume
 [[nodiscard]] analysis::Window window_in(const io::ImportedPacking& packing, const WindowChoice& choice);
 
+/// The interior of a packing between walls or under a free surface: along axes that are not periodic, two and
+/// a half mean grain diameters away from where the grains end, or two where that leaves less than five; the
+/// whole along the others.
+/// \return   nothing where all axes are periodic, or where less than three diameters would be left
+/// Checked by tests/studies/test_window.cpp
+[[nodiscard]] std::optional<WindowChoice> interior_window(const io::ImportedPacking& packing);
+
 } // namespace granum::studies

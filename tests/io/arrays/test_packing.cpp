@@ -133,3 +133,24 @@ TEST_CASE("a grain between two walls: a second number below 0 is a wall") {
   without_branch.contacts->branch = {};
   CHECK(refusal(without_branch) == "contacts[0] is with a wall: branch is missing");
 }
+
+TEST_CASE("arrays: left-handed and leaning cells are those of the same lattice") {
+  const std::vector<Vec3> position{{0.25, 0.25, 0.25}, {0.75, 0.25, 0.25}};
+  const std::vector<double> radius{0.26, 0.26};
+  const std::vector<std::array<long, 2>> pairs{{0, 1}};
+  const std::vector<double> force{1};
+  const auto read = [&](const Mat3& cell) {
+    return io::packing_of({.position = position,
+                           .radius = radius,
+                           .cell = cell,
+                           .contacts = io::ContactArrays{.grains = pairs, .normal_force = force}});
+  };
+  const io::ImportedPacking left = read({{{0, 2, 0}, {2, 0, 0}, {0, 0, 2}}});
+  CHECK(left.has(io::Finding::cell_turned));
+  CHECK(left.assembly.volume() == doctest::Approx(8));
+  const io::ImportedPacking leaning = read({{{2, 12.4, 0}, {0, 2, 0}, {0, 0, 2}}}); // leans by 6.2 edges
+  CHECK(leaning.has(io::Finding::cell_turned));
+  CHECK(leaning.assembly.cell(0, 1) == doctest::Approx(0.4));
+  CHECK(leaning.assembly.volume() == doctest::Approx(8));
+  CHECK_FALSE(read({{{2, 1, 0}, {0, 2, 0}, {0, 0, 2}}}).has(io::Finding::cell_turned));
+}

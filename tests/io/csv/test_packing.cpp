@@ -113,3 +113,30 @@ TEST_CASE("CSV: each field that is wrong is refused with path and line") {
   CHECK(row(",0.0009999,0,0", ",0.0009999,0").starts_with("c:3: expected 11 fields"));
   CHECK(refused(grains, "").starts_with("c: is empty"));
 }
+
+TEST_CASE("CSV: pairs by ids and forces have the normals of their grains") {
+  const std::string grains =
+      "id,x_m,y_m,z_m,radius_m\n1,0.001,0.005,0.005,0.0005\n2,0.00199,0.005,0.005,0.0005\n"
+      "3,0.00298,0.005,0.005,0.0005\n";
+  const auto read = [&](const std::string& pairs) {
+    return read_packing_csv(TextSource::of_text("g", grains), TextSource::of_text("c", pairs), std::nullopt);
+  };
+  const ImportedPacking sizes = read("id1,id2,fn_N,ft_N\n1,2,0.0123,0.001\n2,3,0.0123,0.001\n");
+  REQUIRE(sizes.assembly.contacts.size() == 2);
+  CHECK(sizes.assembly.contacts[1].normal_force == 0.0123);
+  CHECK(sizes.has(Finding::tangential_unknown));
+  const ImportedPacking vectors = read("id1,id2,fx_N,fy_N,fz_N\n1,2,0.0123,0.001,0\n2,3,0.0123,0,0\n");
+  REQUIRE(vectors.assembly.contacts.size() == 2);
+  CHECK(vectors.assembly.contacts[0].normal_force == doctest::Approx(0.0123));
+  CHECK(vectors.assembly.contacts[0].tangential_force.y == doctest::Approx(0.001));
+}
+
+TEST_CASE("CSV: a column of bodies joins grains, and what is inside of one bears nothing") {
+  const ImportedPacking p = read_packing_csv(
+      TextSource::of_text("g", "id,x_m,y_m,z_m,radius_m,body\n1,1,5,5,0.6,1\n2,2,5,5,0.6,1\n3,3.1,5,5,0.6,0\n"
+                               "4,4.2,5,5,0.6,9\n5,5.2,5,5,0.6,9\n"),
+      TextSource::of_text("c", "id1,id2,fn_N\n1,2,4\n2,3,1\n3,4,1\n"), std::nullopt);
+  CHECK(p.has(Finding::bodies));
+  CHECK(p.assembly.body == std::vector<std::uint32_t>{0, 0, 1, 2, 2});
+  CHECK(p.assembly.contacts.size() == 2);
+}

@@ -24,6 +24,8 @@ struct ContactArrays {
   std::span<const double> normal_stiffness = {};     ///< k_n [N/m]
   std::span<const double> tangential_stiffness = {}; ///< k_t [N/m]
   std::span<const bool> sliding = {};                ///< at the Coulomb limit
+  std::span<const double> rolling_stiffness = {};    ///< moment over angle [N m]
+  std::span<const double> twisting_stiffness = {};   ///< [N m]
 };
 
 /// Grains, the cell that holds them, and contacts where they are known.
@@ -32,6 +34,7 @@ struct PackingArrays {
   std::span<const double> radius;                 ///< > 0, one for each centre [m]
   std::optional<Mat3> cell = {};                  ///< columns are its edges; the smallest box [m]
   std::array<bool, 3> periodic{true, true, true}; ///< pairs of faces of the cell
+  std::span<const long> body = {}; ///< of each grain, number of the rigid body it is a part of; < 0: of none
   std::optional<ContactArrays> contacts = {};
 };
 

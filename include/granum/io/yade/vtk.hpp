@@ -17,7 +17,8 @@ namespace granum::io {
 ///
 /// And the contacts, where there are any, of VTKExporter.exportInteractions: two points a contact, which
 /// are matched with the centres of the spheres by their digits, LINES, and the cell data "fn" and "ft"
-/// (normalForce and shearForce, on the second sphere) where they are there. Contacts through periodic faces
+/// (normalForce and shearForce, on the second sphere) where they are there, or the size of fn as SCALARS. A line
+/// that ends at no sphere is a contact with a wall across an axis whose plane the grain reaches. Contacts through periodic faces
 /// cannot be matched, as the cell is not in such files, and are refused: use share/yade/granum_export.py.
 /// \throws   FileError also for a line that ends at no sphere or at two, and as read_yade for contacts
 /// Checked by tests/io/yade/test_vtk.cpp

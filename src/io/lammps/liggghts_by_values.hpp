@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "layout_by_values.hpp"
+
+namespace granum::io {
+
+/// What the columns of one LIGGGHTS `compute pair/gran/local` hold, whatever was asked of it: the code writes
+/// pos, vel, id, force, force_normal, force_tangential, ... in this order. Ids are grains of the packing
+/// beside a flag of 0 or 1; forces are those whose directions the positions bear out.
+/// Assumes   one compute, and rows
+/// \throws   FileError at the first row if no order fits
+/// Checked by tests/io/lammps/test_liggghts_by_values.cpp
+[[nodiscard]] ToldLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& grains);
+
+} // namespace granum::io

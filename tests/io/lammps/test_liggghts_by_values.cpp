@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// compute pair/gran/local of LIGGGHTS writes what was asked for in an order of its own: told by the values.
+#include <string>
+
+#include <granum/io/lammps/dump.hpp>
+
+#include "io/import_support.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+const std::string grains =
+    "ITEM: TIMESTEP\n1000\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 0.01\n0 "
+    "0.01\n0 0.01\nITEM: ATOMS id type x y z radius\n1 1 0.001 0.005 0.005 0.0005\n2 1 "
+    "0.00199 0.005 0.005 0.0005\n3 1 0.000012 0.005 0.005 0.0005\n";
+
+ImportedPacking read(int values, const std::string& first, const std::string& second,
+                     const std::string& map = "") {
+  std::string text = "ITEM: TIMESTEP\n1000\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS pp pp pp\n0 0.01\n0 "
+                     "0.01\n0 0.01\nITEM: ENTRIES";
+  for (int k = 1; k <= values; ++k)
+    text += " c_fc[" + std::to_string(k) + "]";
+  text += "\n" + first + "\n" + second + "\n";
+  LammpsDump dump(TextSource::of_text("g", grains), TextSource::of_text("c", text), parse_column_map(map));
+  return dump.next().value();
+}
+
+const std::string pos1 = "0.001 0.005 0.005 0.00199 0.005 0.005 ",
+                  pos2 = "0.001 0.005 0.005 0.000012 0.005 0.005 ";
+const std::string ids1 = "1 2 0 ", ids2 = "1 3 0 ";
+
+void check_forces(const ImportedPacking& p) {
+  REQUIRE(p.assembly.contacts.size() == 2);
+  CHECK(p.assembly.contacts[0].normal_force == doctest::Approx(0.0123));
+  CHECK(p.assembly.contacts[1].normal_force == doctest::Approx(0.0164));
+  CHECK(norm(p.assembly.contacts[1].tangential_force - Vec3{0, -0.0004, 0}) < 1e-12);
+  CHECK_FALSE(p.has(Finding::tangential_unknown));
+}
+
+} // namespace
+
+TEST_CASE("LIGGGHTS: pos id force, and id force") {
+  check_forces(read(12, pos1 + ids1 + "-0.0123 0 0", pos2 + ids2 + "0.0164 0.0004 0"));
+  check_forces(read(6, ids1 + "-0.0123 0 0", ids2 + "0.0164 0.0004 0"));
+}
+
+TEST_CASE("LIGGGHTS: forces in whole and in parts, with what follows them") {
+  const std::string f1 = "-0.0123 0 0 -0.0123 0 0 0 0 0 ", f2 = "0.0164 0.0004 0 0.0164 0 0 0 0.0004 0 ";
+  const ImportedPacking twenty = read(20, pos1 + ids1 + f1 + "3e-8 1e-5", pos2 + ids2 + f2 + "4e-8 1.2e-5");
+  check_forces(twenty);
+  CHECK(twenty.assembly.contacts[0].overlap == doctest::Approx(1e-5)); // the last column
+  CHECK(twenty.assembly.contacts[1].overlap == doctest::Approx(1.2e-5));
+  check_forces(read(12, ids1 + f1, ids2 + f2));
+  check_forces(read(9, ids1 + f1.substr(12), ids2 + f2.substr(16))); // force_normal force_tangential
+}
+
+TEST_CASE("LIGGGHTS: what no order bears out is refused with a map that works") {
+  const std::string said = refusal([] { (void)read(6, "1 2 0 0.0123 0 0", "1 3 0 -0.0164 0.0004 0"); });
+  const std::string map = "id1=c_fc[1],id2=c_fc[2],fx=c_fc[4],fy=c_fc[5],fz=c_fc[6]";
+  REQUIRE(said.find(map) != std::string::npos);
+  CHECK(read(6, "1 2 0 0.0123 0 0", "1 3 0 -0.0164 0.0004 0", map).assembly.contacts.size() == 2);
+  CHECK(refusal([] { (void)read(6, "1 9 0 -0.0123 0 0", "1 3 0 0.0164 0 0"); }).find("c:") == 0);
+}
