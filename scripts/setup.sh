@@ -9,7 +9,7 @@ set -euo pipefail
 run_packages=(
   g++ cmake ninja-build
   libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
-  libfast-float-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
+  libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
 python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy)
 web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 libc++-dev-wasm32 binaryen

@@ -2,10 +2,8 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/version.hpp>
 
@@ -21,26 +19,55 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
-std::vector<Command> add_commands(CLI::App& program) {
-  program.require_subcommand(0, 1); // none at all is reported by parse_and_run, after unknown words
-  const struct {
-    const char* group;
-    std::vector<Command> commands;
-  } groups[] = {{"From closed forms",
-                 {add_estimate(program), add_infer(program), add_sweep(program), add_fit(program)}},
-                {"From the files of a DEM code", {add_analyse(program)}},
-                {"By simulation",
-                 {add_verify(program), add_plan(program), add_reproduce(program), add_trade(program),
-                  add_export(program)}}};
-  std::vector<Command> all;
-  for (const auto& [group, commands] : groups)
-    for (const Command& command : commands) {
-      command.app->group(group);
-      all.push_back(command);
-    }
-  all.push_back(add_reference(program)); // for the build: help does not list it
-  all.back().app->group("");
-  return all;
+namespace {
+
+/// What it is called by, from the program on, and --help, which comes last.
+void finish(Command& command, const std::string& above) {
+  command.called = above.empty() ? command.name : above + " " + command.name;
+  for (Command& inner : command.within)
+    finish(inner, command.called);
+  command.add({.name = "-h,--help",
+               .value = {.take = [](const std::string&, const std::string&) {}},
+               .group = output_group,
+               .meaning = "Print this help message and exit"});
+}
+
+} // namespace
+
+std::unique_ptr<Command> make_program() {
+  auto program = std::make_unique<Command>(Command{
+      .name = "granum",
+      .meaning = "How stiff is this packing of grains, how does that depend on stress, and how far can "
+                 "you trust the number?",
+      .notes = "Begin with\n"
+               "  granum estimate --void-ratio 0.6 --pressure 100kPa\n"
+               "and granum COMMAND --help. Quantities carry their unit: 100kPa, 0.5mm, 30GPa,\n"
+               "26.5deg.\n"
+               "\n"
+               "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file,\n"
+               "4 not converged, or outside validity under --strict, 129, 130 or 143\n"
+               "stopped by SIGHUP, Ctrl-C or SIGTERM."});
+  program->add({.name = "--version",
+                .value = {.take = [](const std::string&, const std::string&) {}},
+                .group = "Options",
+                .meaning = "Display program version information and exit"});
+  const auto add = [&](const char* group, Command command) {
+    command.group = group;
+    program->within.push_back(std::move(command));
+  };
+  add("From closed forms", make_estimate());
+  add("From closed forms", make_infer());
+  add("From closed forms", make_sweep());
+  add("From closed forms", make_fit());
+  add("From the files of a DEM code", make_analyse());
+  add("By simulation", make_verify());
+  add("By simulation", make_plan());
+  add("By simulation", make_reproduce());
+  add("By simulation", make_trade());
+  add("By simulation", make_export());
+  add("", make_reference(*program)); // for the build: help does not list it
+  finish(*program, "");
+  return program;
 }
 
 namespace {
@@ -63,88 +90,52 @@ ExitCode fail_with(const std::vector<std::string>& faults) {
 
 /// The command that the first words name, "export lammps" for instance; words from `first` on are its own.
 struct NamedCommand {
-  const CLI::App* app;
+  const Command* command;
   std::size_t first = 0;
 };
 
-NamedCommand named_command(const CLI::App& program, const std::vector<std::string>& words) {
-  NamedCommand named{.app = &program};
-  while (named.first < words.size()) {
-    const auto fits = [&](const CLI::App* app) { return app->get_name() == words[named.first]; };
-    const std::vector<const CLI::App*> found = named.app->get_subcommands(fits);
-    if (found.empty())
-      break;
-    named = {.app = found.front(), .first = named.first + 1};
+NamedCommand named_command(const Command& program, const std::vector<std::string>& words) {
+  NamedCommand named{.command = &program};
+  for (bool found = true; found && named.first < words.size();) {
+    found = false;
+    for (const Command& inner : named.command->within)
+      if (!found && inner.name == words[named.first]) {
+        named = {.command = &inner, .first = named.first + 1};
+        found = true;
+      }
   }
   return named;
 }
 
-bool asks_for_help(const CLI::App& command, const std::vector<TypedArgument>& arguments) {
+bool asks_for(const std::vector<TypedArgument>& arguments, const char* option) {
   return std::any_of(arguments.begin(), arguments.end(), [&](const TypedArgument& typed) {
-    return typed.option != nullptr &&
-           (typed.option == command.get_help_ptr() || typed.option == command.get_version_ptr());
+    return typed.option != nullptr && is_named(*typed.option, option);
   });
-}
-
-/// Looks at what was typed before the parser does: joins units to their numbers, and finds what nobody knows.
-/// \return   what is wrong, in the order typed
-std::vector<std::string> prepare(const CLI::App& program, std::vector<std::string>& words) {
-  const auto [command, first] = named_command(program, words);
-  const auto own = words.begin() + static_cast<std::ptrdiff_t>(first);
-  const std::vector<TypedArgument> arguments = read_arguments(*command, {own, words.end()});
-  if (asks_for_help(*command, arguments))
-    return {};
-  const bool names_commands = !command->get_subcommands([](const CLI::App*) { return true; }).empty();
-  if (names_commands)
-    return arguments.empty() ? std::vector<std::string>()
-                             : std::vector<std::string>{unknown_command(*command, {own, words.end()})};
-  words.resize(first);
-  for (std::string& word : words_of(arguments))
-    words.push_back(std::move(word));
-  return faults_of(program, *command, arguments);
 }
 
 } // namespace
 
 ExitCode parse_and_run(int argc, char** argv) {
-  CLI::App program(
-      "How stiff is this packing of grains, how does that depend on stress, and how far can you trust "
-      "the number?",
-      "granum");
-  program.set_version_flag("--version", fmt::format("granum {} ({})", version(), compiler()));
-  program.footer("Begin with\n"
-                 "  granum estimate --void-ratio 0.6 --pressure 100kPa\n"
-                 "and granum COMMAND --help. Quantities carry their unit: 100kPa, 0.5mm, 30GPa,\n"
-                 "26.5deg.\n"
-                 "\n"
-                 "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file,\n"
-                 "4 not converged, or outside validity under --strict, 129, 130 or 143\n"
-                 "stopped by SIGHUP, Ctrl-C or SIGTERM.");
-  program.formatter_fn(
-      [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_text(*app); });
-  const std::vector<Command> commands = add_commands(program);
-  std::string called = full_name(program);
-  try {
-    std::vector<std::string> words = with_help_last({argv + std::min(argc, 1), argv + argc});
-    if (const std::vector<std::string> faults = prepare(program, words); !faults.empty())
-      return fail_with(faults);
-    called = full_name(*named_command(program, words).app);
-    std::reverse(words.begin(), words.end()); // as the parser takes them
-    program.parse(std::move(words));
-  } catch (const CLI::Success& request) { // --help, --version
-    std::ostringstream text;
-    program.exit(request, text, text);
-    print(text.str());
+  const std::unique_ptr<Command> program = make_program();
+  const std::vector<std::string> words = with_help_last({argv + std::min(argc, 1), argv + argc});
+  const auto [command, first] = named_command(*program, words);
+  const std::vector<std::string> own(words.begin() + static_cast<std::ptrdiff_t>(first), words.end());
+  const std::vector<TypedArgument> arguments = read_arguments(*command, own);
+  if (asks_for(arguments, "--help") || asks_for(arguments, "--version")) {
+    print(asks_for(arguments, "--help") ? help_text(*command)
+                                        : fmt::format("granum {} ({})\n", version(), compiler()));
     return ExitCode::ok;
-  } catch (const CLI::ParseError& error) {
-    return fail(ExitCode::usage, std::string(error.what()) + "; see " + called + " --help");
   }
-  for (const Command& command : commands)
-    if (command.app->parsed())
-      return command.run();
-  (void)fail(ExitCode::usage, "a subcommand is required; see granum --help");
-  to_standard_error(commands_text(program));
-  return ExitCode::usage;
+  if (!command->within.empty()) {
+    if (!own.empty())
+      return fail(ExitCode::usage, unknown_command(*command, own));
+    (void)fail(ExitCode::usage, "a subcommand is required; see " + command->called + " --help");
+    to_standard_error(commands_text(*command));
+    return ExitCode::usage;
+  }
+  if (const std::vector<std::string> faults = take_arguments(*program, *command, arguments); !faults.empty())
+    return fail_with(faults);
+  return command->run();
 }
 
 } // namespace granum::cli

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string_view>
-#include <vector>
 
 #include "cli/frame/frame.hpp"
 
 /// The program but for main().
 namespace granum::cli {
 
-/// Adds every command to the program, which takes one of them.
-[[nodiscard]] std::vector<Command> add_commands(CLI::App& program);
+/// The program with every command, of which it takes one. Commands keep references to it.
+[[nodiscard]] std::unique_ptr<Command> make_program();
 
 /// Does what the command line asks for.
 /// \throws   granum's errors, which main() turns into a message and an exit code

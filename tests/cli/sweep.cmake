@@ -120,7 +120,7 @@ granum_sweep_refuses("log spacing from zero" "--from = 0 has no logarithm; use -
 granum_sweep_refuses("log spacing in eta" "--spacing log goes with --path iso"
   ${packing} --path txc --from 1kPa --eta 0.5 --spacing log)
 granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} --from -1kPa --to 1kPa)
-granum_sweep_refuses("one point" "--points: Value 1 not in range" ${packing} --from 1kPa --to 2kPa --points 1)
+granum_sweep_refuses("one point" "--points: 1 is not in the range 2 to 1000000" ${packing} --from 1kPa --to 2kPa --points 1)
 granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
 granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"

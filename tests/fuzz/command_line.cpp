@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Command lines, one argument a line: every one is taken or refused with a message. No command runs.
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <granum/core/error.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/suggest.hpp"
 #include "input.hpp"
 
@@ -19,23 +21,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     arguments.emplace_back(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  std::vector<const char*> argv{"granum"};
-  for (const std::string& argument : arguments) // as the system passes them: up to the first zero byte
-    argv.push_back(argument.c_str());
-  CLI::App program("", "granum");
-  const std::vector<cli::Command> commands = cli::add_commands(program);
-  for (const cli::Command& command : commands) // what is asked back, whatever the command
-    for (const std::string& fault :
-         cli::faults_of(program, *command.app, cli::read_arguments(*command.app, arguments)))
-      fuzz::demand(!fault.empty());
+  for (std::string& argument : arguments) // as the system passes them: up to the first zero byte
+    argument.resize(std::min(argument.find('\0'), argument.size()));
+  const std::unique_ptr<cli::Command> program = cli::make_program();
+  for (const cli::Command& command : program->within) // what is asked back, whatever the command
+    try {
+      for (const std::string& fault :
+           cli::take_arguments(*program, command, cli::read_arguments(command, arguments)))
+        fuzz::demand(!fault.empty());
+    } catch (const FileError& error) {
+      fuzz::demand(!std::string(error.what()).empty());
+    }
   if (!arguments.empty())
-    fuzz::demand(!cli::unknown_command(program, arguments).empty());
-  try {
-    program.parse(static_cast<int>(argv.size()), argv.data());
-  } catch (const CLI::ParseError& error) {
-    fuzz::demand(!std::string(error.what()).empty());
-  } catch (const InvalidArgument& error) {
-    fuzz::demand(!std::string(error.what()).empty());
-  }
+    fuzz::demand(!cli::unknown_command(*program, arguments).empty());
   return 0;
 }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
@@ -224,12 +223,14 @@ bool says_what_is_missing(io::Finding finding) {
   }
 }
 
-Command add_analyse(CLI::App& program) {
+Command make_analyse() {
   auto options = std::make_shared<AnalyseOptions>();
-  CLI::App* command = program.add_subcommand(
-      "analyse", "A packing that another code wrote: contacts, fabric, stress, contact law, every rung");
-  add_analyse_options(*command, *options);
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "analyse",
+                  .meaning =
+                      "A packing that another code wrote: contacts, fabric, stress, contact law, every rung",
+                  .run = [options] { return run(*options); }};
+  add_analyse_options(command, *options);
+  return command;
 }
 
 } // namespace granum::cli

@@ -7,15 +7,12 @@
 #include <tuple>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
 #include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
-#include "cli/options/study_options.hpp"
 #include "studies/scene/scene.hpp"
 
 namespace granum::cli {
@@ -255,92 +252,145 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   return options;
 }
 
-void add_analyse_options(CLI::App& command, AnalyseOptions& o) {
-  command.footer(formats_help());
-  command.add_option("files", o.files, "Grains, and contacts if there are any, of one format")
-      ->required()
-      ->type_name("FILE");
+namespace {
+
+Value spaced(Value value, std::optional<Dimension> dimension) {
+  value.dimension = dimension;
+  value.joins_units = true;
+  return value;
+}
+
+void add_grain_options(Command& command, AnalyseOptions& o) {
+  command.add(
+      {{.name = "--grain-density",
+        .value = number_without_default(o.grain_density),
+        .group = grains_group,
+        .meaning = "rho_s of the grains' solid, 2650kg/m3; without it no wave speeds",
+        .synonyms = grain_density_synonyms()},
+       {.name = "--friction-angle",
+        .value = number_without_default(o.friction_angle),
+        .group = grains_group,
+        .meaning = "Between grains, to tell which contacts slide; by default as the forces show it",
+        .synonyms = {{"phi mu friction frictioncoefficient"}}},
+       {.name = "--material",
+        .value = texts(o.materials, "TYPE:MATERIAL"),
+        .group = grains_group,
+        .meaning =
+            "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once for "
+            "each",
+        .excludes =
+            {{"--grain-shear-modulus --grain-poisson-ratio",
+              "--material says what --grain-shear-modulus and --grain-poisson-ratio say: leave these out"}},
+        .belongs = {{"--contact", "sphere", "sphere", "--contact sphere"}},
+        .synonyms = {{"mineral material solid"}}}});
+}
+
+void add_moment_options(Command& command, AnalyseOptions& o) {
+  const auto row = [](const char* name, std::string& to, const char* what) {
+    return OptionRow{
+        .name = name,
+        .value = text(to, "STIFFNESS"),
+        .group = law_group,
+        .meaning = fmt::format("Of all contacts against {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
+                               "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
+                               what)};
+  };
+  command.add({row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
+               row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
+}
+
+void add_file_options(Command& command, AnalyseOptions& o) {
+  constexpr const char* group = "Files";
+  command.add(
+      {{.name = "--column-map",
+        .value = text(o.column_map, "MAP"),
+        .group = group,
+        .meaning = "What columns of dumps hold, where their values do not tell it: "
+                   "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
+       {.name = "--stress",
+        .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
+        .group = group,
+        .meaning =
+            "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for each "
+            "frame that is taken, or a CSV file with a row for each, columns xx_kPa or sigma_xx_Pa and so "
+            "on (states.csv of an exported deck), and step if they are to be matched by it"},
+       {.name = "--box",
+        .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
+        .group = group,
+        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none"},
+       {.name = "--frames",
+        .value = text(o.frames),
+        .group = group,
+        .meaning = "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0"},
+       {.name = "--series",
+        .value = choice({"name", "all"}, o.series),
+        .group = group,
+        .meaning =
+            "Which frames have exponents of their own: name, those of files whose names differ in numbers "
+            "alone (dense_p50, dense_p100); or all"}});
+}
+
+void add_measuring_options(Command& command, AnalyseOptions& o) {
+  constexpr const char* group = "What is measured";
+  command.add(
+      {{.name = "--stiffness-from",
+        .value = choice({"overlap", "force", "force-over-overlap"}, o.stiffness_from),
+        .group = group,
+        .meaning = "What k_n of the network is taken from; by default the overlaps, unless rounded; "
+                   "force-over-overlap: 1.5 f/d, Hertz without a material"},
+       {.name = "--window",
+        .value = text(o.window, "RANGES"),
+        .group = group,
+        .meaning =
+            "The part whose e, C_n, z*, fabric and stress the closed forms take: x0..x1,y0..y1,z0..z1, "
+            "lengths, .. for a whole axis"},
+       {.name = "--depth",
+        .value = text(o.depth, "RANGE"),
+        .group = group,
+        .meaning = "The same by depth below the highest grain: 2mm..6mm",
+        .synonyms = {{"z"}}},
+       {.name = "--no-network",
+        .value = flag(o.no_network),
+        .group = group,
+        .meaning = "Leave rung 4 and its 6x6 out, which take the time"},
+       {.name = "--threads",
+        .value = count(o.threads),
+        .group = group,
+        .meaning = "That solve the 6x6, by default one for each core; the results do not depend on it",
+        .synonyms = {{"j jobs nthreads cores"}}}});
+}
+
+} // namespace
+
+void add_analyse_options(Command& command, AnalyseOptions& o) {
+  command.notes = formats_help();
+  command.add({.name = "files",
+               .value = texts(o.files, "FILE"),
+               .meaning = "Grains, and contacts if there are any, of one format",
+               .required = true});
+  command.options.back().value.several = true;
   add_law_options(command, o.packing, "--law,--contact");
-  command.get_option("--grain-shear-modulus")->default_str("from forces and overlaps");
-  add_number_without_default(command, "--grain-density", o.grain_density,
-                             "rho_s of the grains' solid, 2650kg/m3; without it no wave speeds");
-  add_number_without_default(command, "--tangential-ratio", o.packing.tangential_ratio,
-                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
-  for (const auto& [name, text, what] :
-       {std::tuple{"--rolling-stiffness", &o.rolling_stiffness, "rolling"},
-        std::tuple{"--twisting-stiffness", &o.twisting_stiffness, "twisting"}})
-    command
-        .add_option(
-            name, *text,
-            fmt::format("Of all contacts against {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
-                        "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
-                        what))
-        ->type_name("STIFFNESS");
-  add_number_without_default(
-      command, "--friction-angle", o.friction_angle,
-      "Between grains, to tell which contacts slide; by default as the forces show it");
-  command
-      .add_option("--column-map", o.column_map,
-                  "What columns of dumps hold, where their values do not tell it: "
-                  "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]")
-      ->type_name("MAP");
-  command
-      .add_option(
-          "--stress", o.stress,
-          "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
-          "each frame that is taken, or a CSV file with a row for each, columns xx_kPa or "
-          "sigma_xx_Pa and so on (states.csv of an exported deck), and step if they are to be matched by it")
-      ->type_name("PRESSURES|FILE")
-      ->allow_extra_args(false);
-  command
-      .add_option("--stiffness-from", o.stiffness_from,
-                  "What k_n of the network is taken from; by default the overlaps, unless rounded; "
-                  "force-over-overlap: 1.5 f/d, Hertz without a material")
-      ->transform(one_of({"overlap", "force", "force-over-overlap"}));
-  command
-      .add_option("--material", o.materials,
-                  "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once "
-                  "for each")
-      ->type_name("TYPE:MATERIAL")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--window", o.window,
-          "The part whose e, C_n, z*, fabric and stress the closed forms take: "
-          "x0..x1,y0..y1,z0..z1, lengths, .. for a whole axis; auto: two to three grains from walls and "
-          "free surfaces; none: the whole")
-      ->capture_default_str()
-      ->type_name("RANGES");
-  command.add_option("--depth", o.depth, "The same by depth below the highest grain: 2mm..6mm")
-      ->type_name("RANGE");
-  command.add_option("--box", o.box, "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none")
-      ->type_name("LENGTHS");
-  command.add_option("--frames", o.frames, "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0")
-      ->capture_default_str();
-  command
-      .add_option(
-          "--series", o.series,
-          "Which frames have exponents of their own: name, those of files whose names differ in numbers "
-          "alone (dense_p50, dense_p100); or all")
-      ->transform(one_of({"name", "all"}))
-      ->capture_default_str();
-  command.add_flag("--no-network", o.no_network, "Leave rung 4 and its 6x6 out, which take the time");
-  add_count(command, "--threads", o.threads,
-            "That solve the 6x6, by default one for each core; the results do not depend on it");
-  command.add_flag("--json", o.json, "Print one JSON object, SI units");
-  command.add_flag("--strict", o.strict, "Fail (exit code 4) if there is a warning");
-  auto* out =
-      add_path(command, "--out", o.out, "Folder for CSV (frames, stiffness, rose, forces), JSON and pictures")
-          ->type_name("DIR");
-  command.add_flag("--force", o.force, "Let --out replace existing results")->needs(out);
-  command.add_flag("--paraview", o.paraview, "Also put grains and force chains there for ParaView")
-      ->needs(out);
-  in_group(command, grains_group, {"--grain-density", "--friction-angle", "--material"});
-  in_group(command, law_group, {"--tangential-ratio", "--rolling-stiffness", "--twisting-stiffness"});
-  in_group(command, "Files", {"--frames", "--series", "--column-map", "--box", "--stress"});
-  in_group(command, "What is measured",
-           {"--window", "--depth", "--no-network", "--threads", "--stiffness-from"});
-  in_group(command, output_group, {"--json", "--strict", "--out", "--force", "--paraview"});
+  command.row("--grain-shear-modulus").value.by_default = "from forces and overlaps";
+  add_grain_options(command, o);
+  add_packing_number(command, o.packing, "--tangential-ratio");
+  add_moment_options(command, o);
+  add_file_options(command, o);
+  add_measuring_options(command, o);
+  command.add({{.name = "--json",
+                .value = flag(o.json),
+                .group = output_group,
+                .meaning = "Print one JSON object, SI units"},
+               {.name = "--strict",
+                .value = flag(o.strict),
+                .group = output_group,
+                .meaning = "Fail (exit code 4) if there is a warning"}});
+  add_output_place(command, o.out, o.force, "DIR",
+                   "Folder for CSV (frames, stiffness, rose, forces), JSON and pictures", "existing results");
+  command.add({.name = "--paraview",
+               .value = flag(o.paraview),
+               .group = output_group,
+               .meaning = "Also put grains and force chains there for ParaView",
+               .needs = {{"--out"}}});
 }
 
 } // namespace granum::cli

@@ -42,7 +42,7 @@ struct AnalyseOptions {
   std::string out; ///< folder; empty for none
 };
 
-void add_analyse_options(CLI::App& command, AnalyseOptions& options);
+void add_analyse_options(Command& command, AnalyseOptions& options);
 
 /// Which frames are asked for.
 struct FrameChoice {

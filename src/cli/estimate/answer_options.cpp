@@ -3,16 +3,12 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "cli/frame/command_line.hpp"
 #include "cli/frame/contradictions.hpp"
-#include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
 
 namespace granum::cli {
@@ -27,10 +23,10 @@ void set_unless_given(Number& number, double value) {
 }
 
 template <class Items>
-std::string keys_of(const Items& items) {
-  std::string keys;
+std::vector<std::string> keys_of(const Items& items) {
+  std::vector<std::string> keys;
   for (const auto& item : items)
-    keys += (keys.empty() ? "" : "|") + std::string(item.key);
+    keys.emplace_back(item.key);
   return keys;
 }
 
@@ -130,44 +126,60 @@ std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
   return all;
 }
 
-void add_answer_options(CLI::App& command, AnswerOptions& o) {
-  command
-      .add_option_function<std::string>(
-          "--preparation",
-          [&o](const std::string& text) {
-            o.preparation = effective::preparation_of(in_small_letters(text));
-          },
-          "How the grains came together, as it decides their contacts: dense, loose (friction 0.3 to 0.5), "
-          "friction:0.3")
-      ->check(
-          taken_by([](const std::string& text) { (void)effective::preparation_of(in_small_letters(text)); }))
-      ->type_name("dense|loose|friction:NUMBER");
-  command
-      .add_option_function<std::string>(
-          "--grain", [&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
-          "Solid of the grains: sets G_g, nu_g and density where they are not given")
-      ->check(taken_by([](const std::string& text) { (void)contact::mineral(in_small_letters(text)); }))
-      ->type_name(keys_of(contact::minerals()));
-  command
-      .add_option_function<std::string>(
-          "--sand", [&o](const std::string& text) { o.sand = &hardin::known_sand(in_small_letters(text)); },
-          "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far as a "
-          "source says")
-      ->check(taken_by([](const std::string& text) { (void)hardin::known_sand(in_small_letters(text)); }))
-      ->type_name(keys_of(hardin::known_sands()));
-  add_number_without_default(command, "--relative-density", o.relative_density,
-                             "D_r instead of --void-ratio, 60%; with its limits or --sand");
-  add_number_without_default(command, "--least-void-ratio", o.least_void_ratio,
-                             "e_min, for --relative-density");
-  add_number_without_default(command, "--largest-void-ratio", o.largest_void_ratio,
-                             "e_max, for --relative-density");
-  add_number(command, "--grain-density", o.grain_density, "rho_s of the grains' solid, for wave speeds");
-  add_number(command, "--saturation", o.saturation,
-             "Share of the pores that is water: V_p of 100% by Gassmann, below that air makes them soft");
-  in_group(command, state_group,
-           {"--relative-density", "--least-void-ratio", "--largest-void-ratio", "--saturation"});
-  in_group(command, grains_group, {"--grain", "--sand", "--grain-density"});
-  in_group(command, contacts_group, {"--preparation"});
+void add_answer_options(Command& command, AnswerOptions& o) {
+  command.add(
+      {{.name = "--preparation",
+        .value = read_by(
+            [&o](const std::string& text) {
+              o.preparation = effective::preparation_of(in_small_letters(text));
+            },
+            std::vector<std::string>{"dense", "loose", "friction:NUMBER"}),
+        .group = contacts_group,
+        .meaning =
+            "How the grains came together, as it decides their contacts: dense, loose (friction 0.3 to 0.5), "
+            "friction:0.3",
+        .synonyms = {{"mu friction frictioncoefficient"}}},
+       {.name = "--grain",
+        .value =
+            read_by([&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
+                    keys_of(contact::minerals())),
+        .group = grains_group,
+        .meaning = "Solid of the grains: sets G_g, nu_g and density where they are not given",
+        .synonyms = {{"mineral material solid"}}},
+       {.name = "--sand",
+        .value =
+            read_by([&o](const std::string& text) { o.sand = &hardin::known_sand(in_small_letters(text)); },
+                    keys_of(hardin::known_sands())),
+        .group = grains_group,
+        .meaning =
+            "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far "
+            "as a source says"},
+       {.name = "--relative-density",
+        .value = number_without_default(o.relative_density),
+        .group = state_group,
+        .meaning = "D_r instead of --void-ratio, 60%; with its limits or --sand",
+        .synonyms = {{"dr id rd densityindex"}}},
+       {.name = "--least-void-ratio",
+        .value = number_without_default(o.least_void_ratio),
+        .group = state_group,
+        .meaning = "e_min, for --relative-density",
+        .synonyms = {{"emin"}}},
+       {.name = "--largest-void-ratio",
+        .value = number_without_default(o.largest_void_ratio),
+        .group = state_group,
+        .meaning = "e_max, for --relative-density",
+        .synonyms = {{"emax"}}},
+       {.name = "--grain-density",
+        .value = number(o.grain_density),
+        .group = grains_group,
+        .meaning = "rho_s of the grains' solid, for wave speeds",
+        .synonyms = grain_density_synonyms()},
+       {.name = "--saturation",
+        .value = number(o.saturation),
+        .group = state_group,
+        .meaning =
+            "Share of the pores that is water: V_p of 100% by Gassmann, below that air makes them soft",
+        .synonyms = {{"s sr"}}}});
 }
 
 void apply_presets(PackingOptions& packing, AnswerOptions& o) {
@@ -192,13 +204,15 @@ void apply_presets(PackingOptions& packing, AnswerOptions& o) {
   apply_relative_density(packing, o);
 }
 
-void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings) {
-  command
-      .add_option(
-          "--uncertainty", settings,
-          "Standard deviation of an input, may be repeated: void-ratio=0.02, pressure=5%; % of its value")
-      ->type_name("KEY=SD")
-      ->allow_extra_args(false);
+OptionRow uncertainty_row(std::vector<std::string>& settings) {
+  Value value = texts(settings, "KEY=SD");
+  value.joins_units = true;
+  return {
+      .name = "--uncertainty",
+      .value = std::move(value),
+      .group = "More results",
+      .meaning =
+          "Standard deviation of an input, may be repeated: void-ratio=0.02, pressure=5%; % of its value"};
 }
 
 estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {

@@ -25,8 +25,9 @@ struct AnswerOptions {
   Number saturation{0, Dimension::dimensionless, "S_r Sr"};
 };
 
-void add_answer_options(CLI::App& command, AnswerOptions& options);
-void add_uncertainty_option(CLI::App& command, std::vector<std::string>& settings);
+void add_answer_options(Command& command, AnswerOptions& options);
+/// --uncertainty, key=sd.
+[[nodiscard]] OptionRow uncertainty_row(std::vector<std::string>& settings);
 
 /// Numbers that mineral, sand and relative density decide, where they are not given themselves.
 /// \throws   InvalidArgument where a relative density lacks its limits, or the density is given twice

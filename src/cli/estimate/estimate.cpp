@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 
@@ -76,24 +75,30 @@ ExitCode run(Options o) {
 
 } // namespace
 
-Command add_estimate(CLI::App& program) {
+Command make_estimate() {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand(
-      "estimate", "Small-strain stiffness and wave speeds of a packing at one state, with their range");
-  add_packing_options(*command, options->packing);
-  add_answer_options(*command, options->answer);
-  command->add_flag("--bounds", options->bounds,
-                    "Also uniform strain, uniform stress and the relaxed rung side by side, with exponents");
-  add_number_without_default(*command, "--tolerance", options->tolerance,
-                             "Choose the cheapest rung whose stated error is no larger, e.g. 5%");
-  add_uncertainty_option(*command, options->uncertain);
-  in_group(*command, "More results", {"--bounds", "--tolerance", "--uncertainty"});
-  add_output_options(*command, options->output);
-  command->footer("Examples:\n"
-                  "  granum estimate --void-ratio 0.6 --pressure 100kPa\n"
-                  "  granum estimate --sand ottawa --relative-density 60% --pressure 100kPa\n"
-                  "  granum estimate --void-ratio 0.7 --stress-v 200kPa --stress-h 100kPa");
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "estimate",
+                  .meaning =
+                      "Small-strain stiffness and wave speeds of a packing at one state, with their range",
+                  .notes = "Examples:\n"
+                           "  granum estimate --void-ratio 0.6 --pressure 100kPa\n"
+                           "  granum estimate --sand ottawa --relative-density 60% --pressure 100kPa\n"
+                           "  granum estimate --void-ratio 0.7 --stress-v 200kPa --stress-h 100kPa",
+                  .run = [options] { return run(*options); }};
+  add_packing_options(command, options->packing);
+  add_answer_options(command, options->answer);
+  command.add(
+      {{.name = "--bounds",
+        .value = flag(options->bounds),
+        .group = "More results",
+        .meaning = "Also uniform strain, uniform stress and the relaxed rung side by side, with exponents"},
+       {.name = "--tolerance",
+        .value = number_without_default(options->tolerance),
+        .group = "More results",
+        .meaning = "Choose the cheapest rung whose stated error is no larger, e.g. 5%"},
+       uncertainty_row(options->uncertain)});
+  add_output_options(command, options->output);
+  return command;
 }
 
 } // namespace granum::cli

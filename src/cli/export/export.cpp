@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/stop_request.hpp>
@@ -66,7 +65,7 @@ void require_spheres(const studies::Scene& scene) {
 /// The test that --path names; nothing for none.
 std::optional<io::LammpsPath> path_of(const ExportOptions& options) {
   for (const ShearPath path : stress::all_shear_paths)
-    if (CLI::detail::to_lower(std::string(stress::name(path))) == options.path)
+    if (in_small_letters(std::string(stress::name(path))) == options.path)
       return io::LammpsPath{.name = std::string(stress::name(path)),
                             .drives_vertical = path == ShearPath::txc || path == ShearPath::rtxe,
                             .compresses = path == ShearPath::txc || path == ShearPath::txe,
@@ -162,39 +161,46 @@ ExitCode run(const ExportOptions& options) {
 
 } // namespace
 
-Command add_export(CLI::App& program) {
+Command make_export() {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = program.add_subcommand("export", "The same scene for another code");
-  command->require_subcommand(1);
-  CLI::App* lammps = command->add_subcommand(
-      "lammps",
-      "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, snapshots, probes");
-  add_study_options(*lammps, options->study, studies::SceneCommand::export_lammps);
-  lammps
-      ->add_option("--start", options->start,
-                   "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
-                   "do not touch, for packings too large for one machine")
-      ->transform(one_of({"packed", "scattered"}))
-      ->capture_default_str();
-  lammps
-      ->add_option(
-          "--path", options->path,
-          "Triaxial test after the isotropic path, from its last pressure; its states are probed too")
-      ->transform(one_of({"none", "txc", "rtxc", "rtxe", "txe"}))
-      ->capture_default_str();
-  lammps->add_option("--eta-step", options->eta_step, "q/p between two states of --path")
-      ->capture_default_str();
-  lammps->add_option("--largest-strain", options->largest_strain, "Axial strain at which --path ends")
-      ->capture_default_str();
-  add_path(*lammps, "--out", options->out, "Folder; each specimen has a folder in it")
-      ->type_name("DIR")
-      ->required();
-  lammps->add_flag("--json", options->json, "Print one JSON object: the scene in SI and the files written");
-  lammps->add_flag("--force", options->force, "Replace existing files");
-  add_strict_scene(*lammps, options->strict);
-  in_group(*lammps, "Deck", {"--start", "--path", "--eta-step", "--largest-strain"});
-  in_group(*lammps, output_group, {"--out", "--json", "--force"});
-  return {command, [options] { return run(*options); }};
+  constexpr const char* group = "Deck";
+  Command lammps{.name = "lammps",
+                 .meaning = "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, "
+                            "snapshots, probes",
+                 .group = "Commands",
+                 .run = [options] { return run(*options); }};
+  add_study_options(lammps, options->study, studies::SceneCommand::export_lammps);
+  lammps.add(
+      {{.name = "--start",
+        .value = choice({"packed", "scattered"}, options->start),
+        .group = group,
+        .meaning = "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
+                   "do not touch, for packings too large for one machine"},
+       {.name = "--path",
+        .value = choice({"none", "txc", "rtxc", "rtxe", "txe"}, options->path),
+        .group = group,
+        .meaning = "Triaxial test after the isotropic path, from its last pressure; its states are probed "
+                   "too"},
+       {.name = "--eta-step",
+        .value = quantity(options->eta_step, Dimension::dimensionless),
+        .group = group,
+        .meaning = "q/p between two states of --path"},
+       {.name = "--largest-strain",
+        .value = quantity(options->largest_strain, Dimension::dimensionless),
+        .group = group,
+        .meaning = "Axial strain at which --path ends"}});
+  add_output_place(lammps, options->out, options->force, "DIR", "Folder; each specimen has a folder in it",
+                   "existing files");
+  lammps.row("--out").required = true;
+  lammps.row("--force").needs.clear();
+  lammps.add({.name = "--json",
+              .value = flag(options->json),
+              .group = output_group,
+              .meaning = "Print one JSON object: the scene in SI and the files written"});
+  add_strict_scene(lammps, options->strict);
+  Command command{.name = "export", .meaning = "The same scene for another code"};
+  command.within.push_back(std::move(lammps));
+  return command;
 }
 
 } // namespace granum::cli

@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+
+#include "contradictions.hpp"
+#include "suggest.hpp"
 
 namespace granum::cli {
 
 namespace {
-
-constexpr Dimension all_dimensions[] = {Dimension::dimensionless, Dimension::pressure, Dimension::length,
-                                        Dimension::angle,         Dimension::density,  Dimension::unit_weight,
-                                        Dimension::time,          Dimension::force,    Dimension::speed};
 
 /// "--name", "-n" or, cut off its value, "--name=value"; empty for other words and negative numbers.
 std::string option_name(const std::string& word) {
@@ -36,61 +37,71 @@ bool is_unit(const std::string& word) { return !word.empty() && find_unit(word).
 
 bool is_error_sign(const std::string& word) { return word == "+-" || word == "+/-" || word == "\u00b1"; }
 
-/// Whether an option takes numbers with units, in its value or behind a key.
-bool takes_units(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  return dimension_of(option) || type.starts_with("KEY=") || type.find("..") != std::string::npos;
-}
-
 /// Reads one word after the other.
 class Reader {
  public:
-  Reader(const CLI::App& command, const std::vector<std::string>& words) : command_(command), words_(words) {
-    positionals_ = !command.get_options([](const CLI::Option* o) { return o->get_positional(); }).empty();
+  Reader(const Command& command, const std::vector<std::string>& words)
+      : command_(command), words_(words), positionals_(command.takes_arguments()) {
+    for (const OptionRow& row : command.options)
+      if (row.positional())
+        argument_ = &row;
   }
 
   std::vector<TypedArgument> read() {
     std::vector<TypedArgument> all;
     while (next_ < words_.size())
-      all.push_back(argument());
+      all.push_back(next());
     return all;
   }
 
  private:
-  TypedArgument argument() {
+  TypedArgument next() {
     const std::string& word = words_[next_++];
-    TypedArgument typed{.word = word, .option = nullptr, .values = {}, .joined = false};
+    TypedArgument typed{.word = word, .option = nullptr, .values = {}};
     const std::string name = option_name(word);
     if (name.empty())
-      return typed;
-    typed.option = command_.get_option_no_throw(name);
-    if (name.size() < word.size()) {
-      typed.joined = true;
+      return argument_named(std::move(typed));
+    typed.option = command_.find(name);
+    const bool joined = name.size() < word.size();
+    if (joined && typed.option != nullptr) {
       typed.word = name;
       typed.values.push_back(word.substr(name.size() + 1));
+    } else if (joined) {
+      typed.word = name;
     } else if (typed.option != nullptr) {
-      take_values(*typed.option, typed.values);
+      take_values(typed.option->value, typed.values);
     }
-    if (typed.option != nullptr && takes_units(*typed.option) && !typed.values.empty())
-      join_unit(*typed.option, typed.values.back());
+    if (typed.option != nullptr && !typed.values.empty())
+      join_unit(typed.option->value, typed.values.back());
+    return typed;
+  }
+
+  /// A word of a command that takes such, as the name of a file.
+  TypedArgument argument_named(TypedArgument typed) {
+    if (argument_ != nullptr && (arguments_ == 0 || argument_->value.several)) {
+      typed.option = argument_;
+      typed.values = {typed.word};
+      typed.word = argument_->name;
+      ++arguments_;
+    } else
+      typed.stray = true;
     return typed;
   }
 
   /// A value may begin with a hyphen where it is no option that the command knows.
-  void take_values(const CLI::Option& option, std::vector<std::string>& values) {
-    const bool many = option.get_items_expected_max() > 1 && option.get_allow_extra_args();
-    while (next_ < words_.size() && option.get_items_expected_max() > 0 && (values.empty() || many)) {
+  void take_values(const Value& value, std::vector<std::string>& values) {
+    while (next_ < words_.size() && !value.flag() && (values.empty() || value.several)) {
       const std::string name = option_name(words_[next_]);
-      if (!name.empty() && (!values.empty() || command_.get_option_no_throw(name) != nullptr))
+      if (!name.empty() && (!values.empty() || command_.find(name) != nullptr))
         return;
       values.push_back(words_[next_++]);
     }
   }
 
-  void join_unit(const CLI::Option& option, std::string& value) {
-    while (next_ < words_.size()) {
+  void join_unit(const Value& takes, std::string& value) {
+    while (next_ < words_.size() && (takes.dimension || takes.joins_units)) {
       const std::string& word = words_[next_];
-      const bool unit = awaits_unit(value) && (is_unit(word) || must_be_unit(option, word));
+      const bool unit = awaits_unit(value) && (is_unit(word) || must_be_unit(takes, word));
       if (is_error_sign(word) && next_ + 1 < words_.size())
         value += "+-" + words_[++next_];
       else if (word == ".." && next_ + 1 < words_.size())
@@ -104,71 +115,89 @@ class Reader {
   }
 
   /// A word that can be nothing but a unit which nobody knows: the message is that of the number then.
-  [[nodiscard]] bool must_be_unit(const CLI::Option& option, const std::string& word) const {
-    const bool needed = dimension_of(option).value_or(Dimension::dimensionless) != Dimension::dimensionless;
+  [[nodiscard]] bool must_be_unit(const Value& takes, const std::string& word) const {
+    const bool needed = takes.dimension.value_or(Dimension::dimensionless) != Dimension::dimensionless;
     return needed && !positionals_ && !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
            word.find('=') == std::string::npos;
   }
 
-  const CLI::App& command_;
+  const Command& command_;
   const std::vector<std::string>& words_;
-  bool positionals_ = false;
+  bool positionals_;
+  const OptionRow* argument_ = nullptr; ///< for words that belong to no option
+  std::size_t arguments_ = 0;
   std::size_t next_ = 0;
 };
 
+std::vector<std::string> split_at(const std::string& text, char delimiter) {
+  std::vector<std::string> parts{{}};
+  for (const char c : text)
+    if (c == delimiter && delimiter != '\0')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+/// Hands the values of an option over.
+/// \return   the first thing that is wrong with them; empty if nothing is
+std::string fault_of_value(const TypedArgument& typed, std::exception_ptr& unreadable) {
+  const Value& value = typed.option->value;
+  if (value.flag() != typed.values.empty())
+    return typed.word + (value.flag() ? " takes no value" : " has no value");
+  try {
+    if (value.flag() && value.take)
+      value.take(typed.word, {});
+    for (const std::string& given : typed.values)
+      for (const std::string& text : split_at(given, value.delimiter))
+        value.take(typed.word, text);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  } catch (const FileError&) {
+    unreadable = std::current_exception();
+  }
+  return {};
+}
+
 } // namespace
 
-std::vector<TypedArgument> read_arguments(const CLI::App& command, const std::vector<std::string>& words) {
+std::vector<TypedArgument> read_arguments(const Command& command, const std::vector<std::string>& words) {
   return Reader(command, words).read();
 }
 
-std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments) {
-  std::vector<std::string> words;
-  for (const TypedArgument& argument : arguments) {
-    words.push_back(argument.word);
-    if (argument.joined)
-      words.back() += "=" + argument.values.front();
-    else
-      words.insert(words.end(), argument.values.begin(), argument.values.end());
+std::vector<std::string> take_arguments(const Command& program, const Command& command,
+                                        const std::vector<TypedArgument>& arguments) {
+  std::vector<std::string> faults;
+  std::vector<const OptionRow*> before;
+  std::exception_ptr unreadable;
+  Contradictions contradictions(arguments);
+  bool of_unknown = false; // the word before is an option that nobody knows: this one may be its value
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const TypedArgument& typed = arguments[k];
+    const OptionRow* row = typed.option;
+    std::string fault;
+    const bool again = row != nullptr && std::find(before.begin(), before.end(), row) != before.end();
+    if (again && !row->value.repeated && !row->value.several)
+      fault = typed.word + " is given twice";
+    else if (row != nullptr)
+      fault = fault_of_value(typed, unreadable);
+    else if (!typed.stray)
+      fault = unknown_option(program, command, typed.word);
+    else if (!of_unknown)
+      fault = stray_word(program, command, typed.word);
+    if (!fault.empty())
+      faults.push_back(fault);
+    if (const std::string contradiction = contradictions.of(k); !contradiction.empty())
+      faults.push_back(contradiction);
+    before.push_back(row);
+    of_unknown = (row == nullptr && !typed.stray) || (of_unknown && row == nullptr);
   }
-  return words;
-}
-
-CheckedValue checked(const CLI::Option& option, const std::string& value) {
-  CheckedValue out{.value = value, .complaint = {}};
-  auto& with_checks = const_cast<CLI::Option&>(option); // NOLINT: the parser shows them of such alone
-  for (int k = 0; out.complaint.empty(); ++k) {
-    try {
-      out.complaint = (*with_checks.get_validator(k))(out.value);
-    } catch (const CLI::OptionNotFound&) { // there are no more
-      break;
-    }
-  }
-  return out;
-}
-
-std::string in_small_letters(std::string text) {
-  for (char& c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::string type_name(Dimension dimension) {
-  if (dimension == Dimension::dimensionless)
-    return "NUMBER";
-  const std::string_view words = description(dimension);
-  std::string name(words.substr(words.find(' ') + 1));
-  for (char& c : name)
-    c = c == ' ' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
-
-std::optional<Dimension> dimension_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  for (const Dimension dimension : all_dimensions)
-    if (type.starts_with(type_name(dimension)))
-      return dimension;
-  return std::nullopt;
+  for (const OptionRow& row : command.options)
+    if (row.required && std::find(before.begin(), before.end(), &row) == before.end())
+      faults.push_back(fmt::format("{} is required; see {} --help", row.name, command.called));
+  if (faults.empty() && unreadable)
+    std::rethrow_exception(unreadable);
+  return faults;
 }
 
 } // namespace granum::cli

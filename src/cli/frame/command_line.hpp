@@ -1,48 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <granum/core/units.hpp>
+#include "option_row.hpp"
 
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
-
-/// What people type, as the parser takes it. Checked by tests/cli
+/// The parser: what people type, told apart by the rows of a command's options. It joins units to their
+/// numbers, and finds all that is wrong before any work is done. Checked by tests/cli
 namespace granum::cli {
 
 /// An option as it was typed with its value, or a word that belongs to none.
 struct TypedArgument {
-  std::string word;                    ///< "--pressure", "data.csv"
-  const CLI::Option* option = nullptr; ///< that the command knows by this word
-  std::vector<std::string> values;     ///< "100kPa"
-  bool joined = false;                 ///< typed as --pressure=100kPa
+  std::string word;                  ///< "--pressure", "data.csv"
+  const OptionRow* option = nullptr; ///< that the command knows by this word
+  std::vector<std::string> values;   ///< "100kPa"
+  bool stray = false;                ///< is no option, and no argument of the command
 };
 
 /// Tells the options of a command and their values apart. A unit that stands apart goes to its number: of
 /// --pressure 100 kPa the value is "100kPa", of --vs 280 +- 5 m/s "280+-5m/s".
-[[nodiscard]] std::vector<TypedArgument> read_arguments(const CLI::App& command,
+[[nodiscard]] std::vector<TypedArgument> read_arguments(const Command& command,
                                                         const std::vector<std::string>& words);
-/// The words for the parser.
-[[nodiscard]] std::vector<std::string> words_of(const std::vector<TypedArgument>& arguments);
 
-/// A value as an option's own checks leave it, one of several choices in the letters of the choice; and what
-/// they say against it, empty where that is nothing.
-struct CheckedValue {
-  std::string value;
-  std::string complaint;
-};
-[[nodiscard]] CheckedValue checked(const CLI::Option& option, const std::string& value);
-
-[[nodiscard]] std::string in_small_letters(std::string text);
-
-/// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.
-[[nodiscard]] std::string type_name(Dimension dimension);
-/// What an option's number is, as its type name tells; nothing for other options.
-[[nodiscard]] std::optional<Dimension> dimension_of(const CLI::Option& option);
+/// Hands the values to their rows. One sentence for each option that the command does not know, each word
+/// that belongs to no option where the command takes none, each option without its value, each number or
+/// choice that cannot be taken, and each option that contradicts one before it or lacks one that it needs; in
+/// the order in which they were typed. Then for each option that is required and not there.
+/// \param    program  with all commands, of which another may know the option
+/// \return   what is wrong; empty: every value was taken
+/// \throws   FileError of a value that is read at once, where nothing else is wrong
+[[nodiscard]] std::vector<std::string> take_arguments(const Command& program, const Command& command,
+                                                      const std::vector<TypedArgument>& arguments);
 
 } // namespace granum::cli

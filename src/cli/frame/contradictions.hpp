@@ -10,7 +10,7 @@
 
 #include "command_line.hpp"
 
-/// Options that cannot stand on one command line. Checked by tests/cli/people.cmake
+/// Options that cannot stand on one command line, as their rows have it. Checked by tests/cli/people.cmake
 namespace granum::cli {
 
 /// What is said where one thing is told twice, by options or by a row of a table.
@@ -32,21 +32,19 @@ inline constexpr const char* sizes = "--sizes, --sieve and --uniformity say the 
 /// Finds what contradicts what on one command line, option by option.
 class Contradictions {
  public:
-  Contradictions(const CLI::App& command, const std::vector<TypedArgument>& arguments);
+  explicit Contradictions(const std::vector<TypedArgument>& arguments);
 
   /// What option `index` contradicts among those before it, or needs and has not; empty where that is
   /// nothing, or was said of another one.
   [[nodiscard]] std::string of(std::size_t index);
 
  private:
-  [[nodiscard]] bool typed(const char* name, std::size_t before) const;
-  [[nodiscard]] bool any_typed(const std::vector<const char*>& names, std::size_t before) const;
-  [[nodiscard]] std::string by_rules(std::size_t index) const;
-  [[nodiscard]] std::string by_parser(std::size_t index) const;
-  /// What an option chooses; nothing if it is no choice, which is said by itself.
-  [[nodiscard]] std::optional<std::string> chosen(const char* name, const char* otherwise) const;
+  [[nodiscard]] const TypedArgument* typed(std::string_view name) const;
+  [[nodiscard]] bool any_typed(std::string_view names) const;
+  [[nodiscard]] std::string excluded(std::size_t index) const;
+  [[nodiscard]] std::string lacking(const TypedArgument& argument) const;
+  [[nodiscard]] std::string belonging(const TypedArgument& argument) const;
 
-  const CLI::App& command_;
   const std::vector<TypedArgument>& arguments_;
   bool all_known_ = true; ///< no word is an option that the command lacks: what seems missing may be that one
   std::set<std::string> said_;

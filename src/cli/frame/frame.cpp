@@ -1,53 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame.hpp"
 
-#include <algorithm>
-
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
 #include <granum/core/utf8.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 
-#include "command_line.hpp"
-#include "help.hpp"
 #include "messages.hpp"
 
 namespace granum::cli {
 
-void add_output_options(CLI::App& command, OutputOptions& options) {
-  command.add_flag("--json", options.json, "Print one JSON object, SI units");
-  command.add_flag("--strict", options.strict,
-                   "Fail (exit code 4) if the result lies outside a formula's validity");
-  auto* out = add_path(command, "--out", options.out, "Write the result to this file")->type_name("FILE");
-  command.add_flag("--force", options.force, "Let --out replace an existing file")->needs(out);
-  in_group(command, output_group, {"--json", "--strict", "--out", "--force"});
+void add_output_options(Command& command, OutputOptions& options) {
+  command.add({{.name = "--json",
+                .value = flag(options.json),
+                .group = output_group,
+                .meaning = "Print one JSON object, SI units"},
+               {.name = "--strict",
+                .value = flag(options.strict),
+                .group = output_group,
+                .meaning = "Fail (exit code 4) if the result lies outside a formula's validity"}});
+  add_output_place(command, options.out, options.force, "FILE", "Write the result to this file",
+                   "an existing file");
+}
+
+void add_output_place(Command& command, std::string& out, bool& force, std::string type, std::string out_help,
+                      const std::string& replaced) {
+  command.add({{.name = "--out",
+                .value = path(out, std::move(type)),
+                .group = output_group,
+                .meaning = std::move(out_help),
+                .synonyms = {{"o output outfile"}}},
+               {.name = "--force",
+                .value = flag(force),
+                .group = output_group,
+                .meaning = "Let --out replace " + replaced,
+                .needs = {{"--out"}},
+                .synonyms = {{"f overwrite"}}}});
+}
+
+void add_picture(Command& command, std::string& target, const std::string& help) {
+  OptionRow& force = command.row("--force");
+  force.needs = {{"--out --picture", "--out or --picture"}};
+  force.meaning = "Let --out and --picture replace existing files";
+  command.add({.name = "--picture",
+               .value = path(target, "FILE.svg"),
+               .group = output_group,
+               .meaning = help,
+               .synonyms = {{"plot figure svg chart graph"}}});
+}
+
+void require_free(const OutputOptions& output, const std::string& picture) {
+  if (!picture.empty() && std::filesystem::path(picture).extension() != ".svg")
+    throw InvalidArgument("--picture = '" + picture + "' must end in .svg");
+  for (const std::string& file : {output.out, picture})
+    if (!output.force && !file.empty() && io::is_taken(file))
+      throw FileError(file, 0, "exists already and is kept; --force replaces it");
 }
 
 ExitCode code_of_failed(std::size_t failed, std::size_t all) {
   return failed == 0 ? ExitCode::ok : failed == all ? ExitCode::not_converged : ExitCode::fell_short;
-}
-
-CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
-                          const std::string& help) {
-  const auto take = [name, dimension, &target](const std::string& text) {
-    target = parse_quantity(name, text, dimension);
-  };
-  return command.add_option_function<std::string>(name, take, help)
-      ->type_name(type_name(dimension))
-      ->default_str(pretty(target, dimension));
-}
-
-CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target,
-                          Dimension dimension, const std::string& help) {
-  const auto take = [name, dimension, &target](const std::string& text) {
-    target = parse_quantity(name, text, dimension);
-  };
-  return command.add_option_function<std::string>(name, take, help)->type_name(type_name(dimension));
 }
 
 std::string threads_text(std::size_t threads) {
@@ -59,54 +73,6 @@ std::optional<std::array<std::string, 2>> ends_of_range(const std::string& text)
   if (dots == std::string::npos || text.substr(dots + 2).starts_with('.'))
     return {};
   return std::array{text.substr(0, dots), text.substr(dots + 2)};
-}
-
-CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,
-                      const std::string& help) {
-  const auto take = [name, &target](const std::string& text) {
-    if (text.empty())
-      throw InvalidArgument(name + " is empty: give a name, or leave the option out");
-    target = text;
-  };
-  return command.add_option_function<std::string>(name, take, help);
-}
-
-CLI::Option* add_picture(CLI::App& command, std::string& target, const std::string& help) {
-  CLI::Option* force = command.get_option("--force");
-  force->remove_needs(command.get_option("--out"));
-  force->description("Let --out and --picture replace existing files");
-  return add_path(command, "--picture", target, help)->type_name("FILE.svg")->group(output_group);
-}
-
-CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& others) {
-  std::string list;
-  for (const std::string& word : words)
-    list += (list.empty() ? "" : ",") + word;
-  const auto take = [words, others, list](std::string& text) -> std::string {
-    const std::vector<std::string> near = near_misses(text, words);
-    if (near.size() == 1 && slips_between(in_small_letters(text), in_small_letters(near[0])) == 0) {
-      text = near[0];
-      return {};
-    }
-    std::string question = did_you_mean(text, words);
-    for (const auto& [other, word] : others)
-      if (in_small_letters(text) == other)
-        question = "; did you mean " + word + "?";
-    return text + " not in {" + list + "}" + question;
-  };
-  return CLI::Validator(take, "{" + list + "}");
-}
-
-CLI::Validator taken_by(const std::function<void(const std::string&)>& read) {
-  const auto take = [read](std::string& text) -> std::string {
-    try {
-      read(text);
-    } catch (const InvalidArgument& error) {
-      return error.what();
-    }
-    return {};
-  };
-  return CLI::Validator(take, "");
 }
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force) {

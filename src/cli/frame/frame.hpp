@@ -3,24 +3,17 @@
 
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include <granum/core/units.hpp>
 #include <granum/core/validity.hpp>
 #include <nlohmann/json.hpp>
 
-namespace CLI {
-class App;
-class Option;
-class Validator;
-} // namespace CLI
+#include "option_row.hpp"
 
 /// What the subcommands share: exit codes, options that all of them take, and the way results leave the
 /// program.
@@ -29,38 +22,22 @@ namespace granum::cli {
 /// What a table shows as an empty cell.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-enum class ExitCode : int {
-  ok = 0,
-  fell_short = 1,    ///< some rows failed, or a check fell short
-  usage = 2,         ///< arguments that cannot be
-  file = 3,          ///< a file that cannot be read or written
-  not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
-  // work that was left undone has 128 and the number of the signal: exit_code_of_stop
-};
-
 /// Of parts that did not arrive, such as networks or samples: ok if none, fell_short if some, not_converged
 /// if all.
 [[nodiscard]] ExitCode code_of_failed(std::size_t failed, std::size_t all);
 
-/// A subcommand: its parser, and its work, which runs after parsing. The work throws granum's errors, and
-/// main turns them into a message and an exit code. Each subcommand has one file with one function `Command
-/// add_<name>(App&)`.
-struct Command {
-  CLI::App* app = nullptr;
-  std::function<ExitCode()> run;
-};
-
-Command add_analyse(CLI::App& program);
-Command add_estimate(CLI::App& program);
-Command add_export(CLI::App& program);
-Command add_fit(CLI::App& program);
-Command add_infer(CLI::App& program);
-Command add_plan(CLI::App& program);
-Command add_reference(CLI::App& program);
-Command add_reproduce(CLI::App& program);
-Command add_sweep(CLI::App& program);
-Command add_trade(CLI::App& program);
-Command add_verify(CLI::App& program);
+// The commands, each of one file.
+[[nodiscard]] Command make_analyse();
+[[nodiscard]] Command make_estimate();
+[[nodiscard]] Command make_export();
+[[nodiscard]] Command make_fit();
+[[nodiscard]] Command make_infer();
+[[nodiscard]] Command make_plan();
+[[nodiscard]] Command make_reference(const Command& program);
+[[nodiscard]] Command make_reproduce();
+[[nodiscard]] Command make_sweep();
+[[nodiscard]] Command make_trade();
+[[nodiscard]] Command make_verify();
 
 /// Options that every subcommand takes.
 struct OutputOptions {
@@ -70,42 +47,22 @@ struct OutputOptions {
   std::string out; ///< file; empty for standard output
 };
 
-void add_output_options(CLI::App& command, OutputOptions& options);
-
-/// An option that takes a number with its unit, into SI. `target` holds the default; InvalidArgument for bad
-/// text.
-CLI::Option* add_quantity(CLI::App& command, const std::string& name, double& target, Dimension dimension,
-                          const std::string& help);
-
-/// The same for a quantity that is given or not.
-CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target,
-                          Dimension dimension, const std::string& help);
+void add_output_options(Command& command, OutputOptions& options);
+/// --out into a folder or file, and --force that lets it replace what is there.
+void add_output_place(Command& command, std::string& out, bool& force, std::string type, std::string out_help,
+                      const std::string& replaced);
+/// --picture, to which --force speaks as well.
+/// Assumes   the command has the options for output
+void add_picture(Command& command, std::string& target, const std::string& help);
+/// \throws   InvalidArgument if the picture's name does not end in .svg; FileError if a file exists and
+///           --force is not given: before any work is done
+void require_free(const OutputOptions& output, const std::string& picture);
 
 /// "1 thread", "2 threads".
 [[nodiscard]] std::string threads_text(std::size_t threads);
 
 /// The two ends of a range, "0m..30m"; nothing for another text, as one with three points.
 [[nodiscard]] std::optional<std::array<std::string, 2>> ends_of_range(const std::string& text);
-
-/// An option that takes the name of a file or folder. Empty text, as of a shell variable that is not set, is
-/// refused: `target` stays empty where the option is not given.
-CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target,
-                      const std::string& help);
-
-/// --picture, to which --force speaks as well.
-/// Assumes   the command has the options for output
-CLI::Option* add_picture(CLI::App& command, std::string& target, const std::string& help);
-
-/// Other words for a choice, and the choice: "hertz" for sphere.
-using OtherWords = std::vector<std::pair<std::string, std::string>>;
-
-/// For transform() of an option that takes one of a few words, in large or small letters; what is near to one
-/// of them is asked back.
-CLI::Validator one_of(const std::vector<std::string>& words, const OtherWords& others = {});
-
-/// For check() of an option whose text `read` takes, or refuses with InvalidArgument: what it says then is
-/// told beside other mistakes.
-CLI::Validator taken_by(const std::function<void(const std::string&)>& read);
 
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
-
 namespace granum::cli {
 
 namespace {
@@ -62,51 +60,40 @@ void append_line(std::string& text, std::string_view line) {
   append_wrapped(text, last, line.substr(last), line.substr(last).starts_with("- ") ? last + 2 : last);
 }
 
-std::string called(const CLI::Option& option) {
-  if (option.get_positional())
-    return option.get_type_name() == "TEXT" ? option.get_name() : option.get_type_name();
-  return joined(names_of(option), ", ");
-}
-
-/// The limits of a whole number, "INT in [2 - 1000]" of the parser, as "2 to 1000"; empty for others.
-std::string limits_of(const std::string& type) {
-  const std::size_t begin = type.find(" in [");
-  if (begin == std::string::npos)
-    return {};
-  std::string limits = type.substr(begin + 5, type.find(']', begin) - begin - 5);
-  if (const std::size_t dash = limits.find(" - "); dash != std::string::npos)
-    limits.replace(dash, 3, " to ");
-  return limits;
+std::string called(const OptionRow& row) {
+  if (row.positional())
+    return row.value.type;
+  return joined(names_of(row), ", ");
 }
 
 bool is_short(const std::vector<std::string>& choices) {
   return joined(choices, "|").size() <= line_width / 2;
 }
 
-std::string value_of(const CLI::Option& option) {
-  if (option.get_positional() || option.get_items_expected_max() == 0)
+std::string value_of(const OptionRow& row) {
+  const Value& value = row.value;
+  if (row.positional() || value.flag())
     return {};
-  const std::vector<std::string> choices = choices_of(option);
-  if (!choices.empty())
-    return is_short(choices) ? joined(choices, "|") : "WORD";
-  const std::string full = option.get_type_name();
-  const std::string type = full.substr(0, full.find(':'));
-  return type == "UINT" || type == "INT" ? "N" : type == "FLOAT" ? "NUMBER" : type;
+  if (!value.choices.empty())
+    return is_short(value.choices) ? joined(value.choices, "|") : "WORD";
+  return value.type;
 }
 
-std::string meaning_of(const CLI::Option& option) {
-  std::string meaning = option.get_description();
-  if (const std::vector<std::string> choices = choices_of(option); !is_short(choices))
-    meaning += ": " + joined(choices, ", ");
+std::string meaning_of(const OptionRow& row) {
+  const Value& value = row.value;
+  std::string meaning = row.meaning;
+  if (!is_short(value.choices))
+    meaning += ": " + joined(value.choices, ", ");
   std::vector<std::string> remarks;
-  if (option.get_required())
+  if (row.required)
     remarks.emplace_back("required");
-  if (const std::string limits = limits_of(option.get_type_name()); !limits.empty())
-    remarks.push_back(limits);
-  if (!option.get_default_str().empty())
-    remarks.push_back("default " + option.get_default_str());
-  for (const CLI::Option* needed : option.get_needs())
-    remarks.push_back("with " + needed->get_name());
+  if (!value.limits.empty())
+    remarks.push_back(value.limits);
+  if (!value.by_default.empty())
+    remarks.push_back("default " + value.by_default);
+  for (const auto& [one_of, reason, beside] : row.needs)
+    if (reason.empty())
+      remarks.push_back("with " + std::string(one_of));
   return remarks.empty() ? meaning : meaning + " (" + joined(remarks, "; ") + ")";
 }
 
@@ -125,102 +112,59 @@ std::string joined(const std::vector<std::string>& words, const char* separator)
   return text;
 }
 
-std::vector<std::string> names_of(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames())
-    names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames())
-    names.push_back("--" + name);
-  return names;
-}
-
-void in_group(CLI::App& command, const std::string& title, std::initializer_list<const char*> names) {
-  // one pass over all names as they stand: get_option would copy each of them for each option
-  for (CLI::Option* option : command.get_options([](const CLI::Option*) { return true; }))
-    for (const std::string& own : option->get_lnames())
-      if (std::any_of(names.begin(), names.end(), [&](const char* name) { return own == name + 2; }))
-        option->group(title);
-}
-
-std::vector<std::string> choices_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  std::vector<std::string> choices;
-  const std::size_t brace = type.find(":{");
-  const bool listed = brace != std::string::npos;
-  const bool alternatives = !listed && type.find('|') != std::string::npos;
-  std::istringstream stream(listed         ? type.substr(brace + 2, type.find('}') - brace - 2)
-                            : alternatives ? type
-                                           : "");
-  for (std::string word; std::getline(stream, word, listed ? ',' : '|');)
-    choices.push_back(word);
-  return choices;
-}
-
-std::vector<OptionGroup> option_groups(const CLI::App& command) {
+std::vector<OptionGroup> option_groups(const Command& command) {
   std::vector<OptionGroup> groups;
   OptionGroup output{.title = output_group, .options = {}};
-  const CLI::Option* help = command.get_help_ptr();
-  const auto all =
-      command.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
-  for (const CLI::Option* option : all) {
-    const OptionText text{called(*option), value_of(*option), meaning_of(*option), option};
-    if (option == help)
-      continue;
-    if (option->get_positional())
+  for (const OptionRow& row : command.options) {
+    const OptionText text{called(row), value_of(row), meaning_of(row), &row};
+    if (row.positional())
       group_called(groups, "Arguments").options.push_back(text);
-    else if (option->get_group() == output_group)
+    else if (row.group == output_group)
       output.options.push_back(text);
     else
-      group_called(groups, option->get_group()).options.push_back(text);
+      group_called(groups, row.group).options.push_back(text);
   }
-  if (help != nullptr)
-    output.options.push_back({called(*help), "", help->get_description(), help});
   groups.push_back(output);
   return groups;
 }
 
-std::vector<CommandGroup> command_groups(const CLI::App& app) {
+std::vector<CommandGroup> command_groups(const Command& app) {
   std::vector<CommandGroup> groups;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_group().empty())
+  for (const Command& command : app.within) {
+    if (command.group.empty())
       continue;
-    const auto same = [&](const CommandGroup& group) { return group.title == command->get_group(); };
+    const auto same = [&](const CommandGroup& group) { return group.title == command.group; };
     auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found == groups.end())
-      found = groups.insert(groups.end(), {.title = command->get_group(), .commands = {}});
-    found->commands.push_back(command);
+      found = groups.insert(groups.end(), {.title = command.group, .commands = {}});
+    found->commands.push_back(&command);
   }
   return groups;
 }
 
-std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return parent == nullptr ? command.get_name() : full_name(*parent) + " " + command.get_name();
-}
-
-std::string usage_line(const CLI::App& command) {
-  std::string line = full_name(command);
+std::string usage_line(const Command& command) {
+  std::string line = command.called;
   if (!command_groups(command).empty())
     return line + " COMMAND [OPTIONS]";
-  for (const CLI::Option* option :
-       command.get_options([](const CLI::Option* o) { return o->get_positional(); }))
-    line += " " + called(*option) + (option->get_items_expected_max() > 1 ? "..." : "");
+  for (const OptionRow& row : command.options)
+    if (row.positional())
+      line += " " + called(row) + (row.value.several ? "..." : "");
   return line + " [OPTIONS]";
 }
 
-std::string commands_text(const CLI::App& command) {
+std::string commands_text(const Command& command) {
   std::string text;
   for (const CommandGroup& group : command_groups(command)) {
     text += "\n" + group.title + ":\n";
-    for (const CLI::App* inner : group.commands)
-      append_entry(text, inner->get_name(), inner->get_description());
+    for (const Command* inner : group.commands)
+      append_entry(text, inner->name, inner->meaning);
   }
   return text;
 }
 
-std::string help_text(const CLI::App& command) {
+std::string help_text(const Command& command) {
   std::string text;
-  append_wrapped(text, 0, command.get_description(), 0);
+  append_wrapped(text, 0, command.meaning, 0);
   text += "Usage: " + usage_line(command) + "\n";
   text += commands_text(command);
   for (const OptionGroup& group : option_groups(command)) {
@@ -229,10 +173,10 @@ std::string help_text(const CLI::App& command) {
       append_entry(text, option.value.empty() ? option.names : option.names + " " + option.value,
                    option.meaning);
   }
-  std::istringstream footer(command.get_footer());
-  if (!command.get_footer().empty())
+  std::istringstream notes(command.notes);
+  if (!command.notes.empty())
     text += '\n';
-  for (std::string line; std::getline(footer, line);)
+  for (std::string line; std::getline(notes, line);)
     append_line(text, line);
   return text;
 }

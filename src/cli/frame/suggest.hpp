@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
+#include "option_row.hpp"
 
-/// What was meant by words that the program does not know, and what is wrong with values, in the order in
-/// which they were typed. Checked by tests/cli/people.cmake
+/// What was meant by words that the program does not know. Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// One sentence for each option that the command does not know, each word that belongs to no option where the
-/// command takes none, each option without its value, each number or choice that cannot be taken, and each
-/// option that contradicts one before it or lacks one that it needs.
+/// The sentence for an option that a command does not know.
 /// \param    program  with all commands, of which another may know the option
-[[nodiscard]] std::vector<std::string> faults_of(const CLI::App& program, const CLI::App& command,
-                                                 const std::vector<TypedArgument>& arguments);
+[[nodiscard]] std::string unknown_option(const Command& program, const Command& command,
+                                         const std::string& typed);
 
-/// The sentence for a first word that is no command.
-[[nodiscard]] std::string unknown_command(const CLI::App& program, const std::vector<std::string>& words);
+/// The sentence for a word that belongs to no option.
+[[nodiscard]] std::string stray_word(const Command& program, const Command& command, const std::string& word);
+
+/// The sentence for a first word that is no command within this one.
+[[nodiscard]] std::string unknown_command(const Command& program, const std::vector<std::string>& words);
 
 } // namespace granum::cli

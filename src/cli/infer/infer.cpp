@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "infer.hpp"
 
-#include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
@@ -20,30 +18,49 @@ namespace {
 using inverse::Quantity;
 
 constexpr MeasuredOption options_table[] = {
-    {Quantity::G_vh, "--shear-modulus", {"G", "G_vh"}, "G of a vertical plane, or of an isotropic packing"},
+    {Quantity::G_vh,
+     "--shear-modulus",
+     {"G", "G_vh"},
+     "G of a vertical plane, or of an isotropic packing",
+     "G g Gg gg mug modulus grainmodulus shearmodulus G0 g0 Gmax gmax"},
     {Quantity::G_hh, "--shear-modulus-hh", {"G_hh", "G_hh"}, "G of the horizontal plane"},
-    {Quantity::K, "--bulk-modulus", {"K", "K"}, "K"},
-    {Quantity::V_s, "--shear-wave-speed,--vs", {"V_s", "Vs"}, "Shear wave that travels or swings vertically"},
+    {Quantity::K, "--bulk-modulus", {"K", "K"}, "K", "K k bulk"},
+    {Quantity::V_s,
+     "--shear-wave-speed,--vs",
+     {"V_s", "Vs"},
+     "Shear wave that travels or swings vertically",
+     "v_s vs Vs shearwave"},
     {Quantity::V_s_hh, "--shear-wave-speed-hh", {"V_s_hh", "Vs_hh"}, "Shear wave, horizontal in both"},
     {Quantity::V_p,
      "--compression-wave-speed,--vp",
      {"V_p", "Vp"},
-     "Compression wave that travels vertically"},
+     "Compression wave that travels vertically",
+     "v_p vp Vp pwave"},
     {Quantity::V_p_h, "--compression-wave-speed-h", {"V_p_h", "Vp_h"}, "Compression wave, horizontal"}};
 
-void add_measured_options(CLI::App& command, InferOptions& o) {
-  for (std::size_t k = 0; k < o.measured.size(); ++k)
-    command.add_option(options_table[k].option, o.measured[k], options_table[k].help)
-        ->type_name(options_table[k].dimension() == Dimension::speed ? "SPEED[+-ERROR]"
-                                                                     : "PRESSURE[+-ERROR]");
-  add_number_without_default(command, "--measurement-error", o.measurement_error,
-                             "Standard error of measurements that state none, of their value: 2%");
-  add_path(command, "--table", o.table,
-           "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, G_MPa, ...")
-      ->type_name("FILE.csv");
-  in_group(command, "Measured",
-           {"--shear-modulus", "--shear-modulus-hh", "--bulk-modulus", "--vs", "--shear-wave-speed-hh",
-            "--vp", "--compression-wave-speed-h", "--measurement-error", "--table"});
+void add_measured_options(Command& command, InferOptions& o) {
+  constexpr const char* group = "Measured";
+  for (std::size_t k = 0; k < o.measured.size(); ++k) {
+    const MeasuredOption& measured = options_table[k];
+    Value value = text(o.measured[k], type_name(measured.dimension()) + "[+-ERROR]");
+    value.dimension = measured.dimension();
+    command.add({.name = measured.option,
+                 .value = std::move(value),
+                 .group = group,
+                 .meaning = measured.help,
+                 .synonyms = {{measured.synonyms}}});
+  }
+  command.add(
+      {{.name = "--measurement-error",
+        .value = number_without_default(o.measurement_error),
+        .group = group,
+        .meaning = "Standard error of measurements that state none, of their value: 2%"},
+       {.name = "--table",
+        .value = path(o.table, "FILE.csv"),
+        .group = group,
+        .meaning = "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, "
+                   "G_MPa, ...",
+        .synonyms = {{"csv file input data"}}}});
 }
 
 std::vector<std::string> growth_names() {
@@ -53,58 +70,59 @@ std::vector<std::string> growth_names() {
   return names;
 }
 
-void add_prediction_options(CLI::App& command, InferOptions& o) {
-  command
-      .add_option(
-          "--growth", o.growth,
-          "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the measurements")
-      ->transform(one_of(growth_names()))
-      ->capture_default_str();
-  command
-      .add_option("--predict-pressure", o.predict_pressure,
-                  "Mean stresses to predict for, separated by commas")
-      ->delimiter(',')
-      ->type_name("PRESSURE");
-  add_number_without_default(command, "--predict-stress-ratio", o.predict_stress_ratio,
-                             "sigma_h/sigma_v to predict for; by default that of the first measurement");
-  add_number_without_default(command, "--predict-void-ratio", o.predict_void_ratio,
-                             "Void ratio of another packing to predict for, prepared alike");
-  command
-      .add_option("--uncertainty", o.uncertain,
-                  "Standard deviation of an input that all measurements share, may be repeated: "
-                  "grain-shear-modulus=5%, void-ratio=0.01")
-      ->type_name("KEY=SD")
-      ->allow_extra_args(false);
-  in_group(
-      command, "Predicted",
-      {"--growth", "--predict-pressure", "--predict-stress-ratio", "--predict-void-ratio", "--uncertainty"});
+void add_prediction_options(Command& command, InferOptions& o) {
+  constexpr const char* group = "Predicted";
+  Value pressures{.type = type_name(Dimension::pressure),
+                  .dimension = Dimension::pressure,
+                  .several = true,
+                  .delimiter = ',',
+                  .take = [&o](const std::string& name, const std::string& text) {
+                    (void)parse_quantity(name, text, Dimension::pressure);
+                    o.predict_pressure.push_back(text);
+                  }};
+  OptionRow uncertainty = uncertainty_row(o.uncertain);
+  uncertainty.group = group;
+  uncertainty.meaning = "Standard deviation of an input that all measurements share, may be repeated: "
+                        "grain-shear-modulus=5%, void-ratio=0.01";
+  command.add(
+      {{.name = "--growth",
+        .value = choice(growth_names(), o.growth),
+        .group = group,
+        .meaning = "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the "
+                   "measurements"},
+       {.name = "--predict-pressure",
+        .value = std::move(pressures),
+        .group = group,
+        .meaning = "Mean stresses to predict for, separated by commas"},
+       {.name = "--predict-stress-ratio",
+        .value = number_without_default(o.predict_stress_ratio),
+        .group = group,
+        .meaning = "sigma_h/sigma_v to predict for; by default that of the first measurement",
+        .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}},
+       {.name = "--predict-void-ratio",
+        .value = number_without_default(o.predict_void_ratio),
+        .group = group,
+        .meaning = "Void ratio of another packing to predict for, prepared alike"},
+       std::move(uncertainty)});
 }
 
-void add_infer_options(CLI::App& command, InferOptions& o) {
+void add_infer_options(Command& command, InferOptions& o) {
   add_measured_options(command, o);
   add_packing_options(command, o.packing);
-  for (Number* number : {&o.packing.coordination_number, &o.packing.mechanical_coordination_number}) {
-    command.remove_option(command.get_option(number->name));
-    number->option = nullptr;
-  }
   add_answer_options(command, o.grains);
-  command.remove_option(command.get_option("--preparation"));
+  for (const char* asked : {"--coordination-number", "--mechanical-coordination-number", "--preparation"})
+    command.remove(asked);
   add_prediction_options(command, o);
   add_output_options(command, o.output);
-  CLI::Option* picture =
-      add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
+  add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
   std::vector<std::string> keys;
   for (const inverse::QuantityRow& row : inverse::quantities())
     keys.emplace_back(row.key);
-  command
-      .add_option("--picture-of", o.picture_of, "What the picture shows; by default what was measured first")
-      ->transform(one_of(keys))
-      ->needs(picture);
-  in_group(command, output_group, {"--picture-of"});
-  command.footer("Examples:\n"
-                 "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
-                 "    --predict-pressure 50kPa,400kPa\n"
-                 "  granum infer --table speeds.csv --void-ratio 0.6");
+  command.add({.name = "--picture-of",
+               .value = choice(keys, o.picture_of),
+               .group = output_group,
+               .meaning = "What the picture shows; by default what was measured first",
+               .needs = {{"--picture"}}});
 }
 
 Quantity pictured(const InferOptions& o, const InferCase& question) {
@@ -117,16 +135,8 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
   return question.measurements.front().quantity;
 }
 
-void require_free(const InferOptions& o) {
-  if (!o.picture.empty() && std::filesystem::path(o.picture).extension() != ".svg")
-    throw InvalidArgument("--picture = '" + o.picture + "' must end in .svg");
-  for (const std::string& file : {o.output.out, o.picture})
-    if (!o.output.force && !file.empty() && io::is_taken(file))
-      throw FileError(file, 0, "exists already and is kept; --force replaces it");
-}
-
 ExitCode run(const InferOptions& o) {
-  require_free(o);
+  require_free(o.output, o.picture);
   InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
@@ -157,13 +167,19 @@ Dimension MeasuredOption::dimension() const {
 
 std::span<const MeasuredOption> measured_options() { return options_table; }
 
-Command add_infer(CLI::App& program) {
+Command make_infer() {
   auto options = std::make_shared<InferOptions>();
-  CLI::App* command = program.add_subcommand(
-      "infer",
-      "The contact number that a measured modulus or wave speed implies, and what follows elsewhere");
-  add_infer_options(*command, *options);
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "infer",
+                  .meaning =
+                      "The contact number that a measured modulus or wave speed implies, and what follows "
+                      "elsewhere",
+                  .notes = "Examples:\n"
+                           "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
+                           "    --predict-pressure 50kPa,400kPa\n"
+                           "  granum infer --table speeds.csv --void-ratio 0.6",
+                  .run = [options] { return run(*options); }};
+  add_infer_options(command, *options);
+  return command;
 }
 
 } // namespace granum::cli

@@ -24,6 +24,7 @@ struct MeasuredOption {
   const char* option;                 ///< "--shear-wave-speed,--vs"
   std::array<const char*, 2> columns; ///< names of the column, besides the unit
   const char* help;
+  const char* synonyms = "";
   [[nodiscard]] Dimension dimension() const;
 };
 [[nodiscard]] std::span<const MeasuredOption> measured_options();

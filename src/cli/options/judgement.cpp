@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judgement.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 
 namespace granum::cli {
 
-void add_strict(CLI::App& app, bool& strict) {
-  app.add_flag("--strict", strict,
-               "Fail (exit code 1) if a finding differs from the paper's; do not begin (exit code 4) where a "
-               "key of the scene is likely a slip");
-  in_group(app, output_group, {"--strict"});
+void add_strict(Command& command, bool& strict) {
+  command.add({.name = "--strict",
+               .value = flag(strict),
+               .group = output_group,
+               .meaning =
+                   "Fail (exit code 1) if a finding differs from the paper's; do not begin (exit code 4) "
+                   "where a key of the scene is likely a slip"});
 }
 
 ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict) {

@@ -7,14 +7,10 @@
 #include "studies/verify/findings.hpp"
 #include <nlohmann/json.hpp>
 
-namespace CLI {
-class App;
-} // namespace CLI
-
 namespace granum::cli {
 
 /// --strict of the studies that compare with a paper.
-void add_strict(CLI::App& app, bool& strict);
+void add_strict(Command& command, bool& strict);
 
 /// What a finished study ends with: fell_short where a check of granum failed, and, if strict, where a
 /// finding differs from the paper; ok else. Says each reason on standard error.

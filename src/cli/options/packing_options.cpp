@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <granum/core/check.hpp>
@@ -14,8 +13,6 @@
 #include <granum/effective/relaxation.hpp>
 
 #include "cli/frame/contradictions.hpp"
-#include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
 #include "likely_mistakes.hpp"
 #include "size_options.hpp"
 
@@ -117,27 +114,183 @@ double resolve_void_ratio(const PackingOptions& o) {
 
 } // namespace
 
-void add_law_options(CLI::App& command, PackingOptions& o, const std::string& name) {
+namespace {
+
+constexpr std::string_view words_for_pressure =
+    "p p0 pc p' pm sigma sigma0 sigma3 sigmac s3 stress confiningpressure confiningstress confinement "
+    "confining "
+    "meanstress meaneffectivestress effectivestress cellpressure isotropicstress";
+const Exclusion one_density{"--void-ratio --porosity --solid-fraction --relative-density",
+                            said_twice::density};
+
+/// A number of the packing, and its option.
+struct NumberRow {
+  Number PackingOptions::*number;
+  bool has_default; ///< that help shows
+  OptionRow row;
+};
+
+/// The order is that of uncertain inputs.
+const std::vector<NumberRow>& number_rows() {
+  static const std::vector<NumberRow> rows = {
+      {&PackingOptions::grain_shear_modulus,
+       true,
+       {.name = "--grain-shear-modulus",
+        .group = grains_group,
+        .meaning = "G_g of the grain's material",
+        .synonyms = {{"Gs gs"},
+                     {"G g Gg gg mug modulus grainmodulus shearmodulus"},
+                     {"E Eg Es youngmodulus youngsmodulus grainyoungmodulus",
+                      "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"}}}},
+      {&PackingOptions::grain_poisson_ratio,
+       true,
+       {.name = "--grain-poisson-ratio",
+        .group = grains_group,
+        .meaning = "nu_g of the grain's material",
+        .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}}}},
+      {&PackingOptions::radius,
+       true,
+       {.name = "--radius",
+        .group = sizes_group,
+        .meaning = "Radius of the grains; of unequal ones their mean by number",
+        .excludes = {{"--d50", said_twice::size}},
+        .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"},
+                     {"r R grainradius particleradius"}}}},
+      {&PackingOptions::d50,
+       false,
+       {.name = "--d50",
+        .group = sizes_group,
+        .meaning = "Diameter that half of the grains' mass is finer than, instead of --radius",
+        .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"}}}},
+      {&PackingOptions::tangential_ratio,
+       false,
+       {.name = "--tangential-ratio",
+        .group = law_group,
+        .meaning = "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip"}},
+      {&PackingOptions::void_ratio,
+       false,
+       {.name = "--void-ratio",
+        .group = state_group,
+        .meaning = "Volume of voids over that of grains",
+        .excludes = {one_density},
+        .synonyms = {{"e e0 voidratio"}, {"rho rhod density drydensity bulkdensity"}}}},
+      {&PackingOptions::porosity,
+       false,
+       {.name = "--porosity",
+        .group = state_group,
+        .meaning = "Share of voids in the volume, instead of --void-ratio",
+        .excludes = {one_density},
+        .synonyms = {{"n phi"}}}},
+      {&PackingOptions::solid_fraction,
+       false,
+       {.name = "--solid-fraction",
+        .group = state_group,
+        .meaning = "Share of grains in the volume, instead of --void-ratio",
+        .excludes = {one_density},
+        .synonyms = {{"packingfraction volumefraction solidsfraction nu_s nus"}}}},
+      {&PackingOptions::coordination_number,
+       false,
+       {.name = "--coordination-number",
+        .group = contacts_group,
+        .meaning =
+            "C_n = 2 N_c/N, contacts per grain over all grains; by default those that packings of this "
+            "void ratio and stress have",
+        .synonyms = {{"z cn nc coordination contacts contactnumber"}}}},
+      {&PackingOptions::mechanical_coordination_number,
+       false,
+       {.name = "--mechanical-coordination-number",
+        .group = contacts_group,
+        .meaning = "z*, contacts per grain without rattlers",
+        .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}}}},
+      {&PackingOptions::rattler_fraction,
+       false,
+       {.name = "--rattler-fraction",
+        .group = contacts_group,
+        .meaning = "Share of grains that carry no force, instead of z* = C_n/(1 - share)",
+        .synonyms = {{"rattlers floaters"}}}},
+      {&PackingOptions::fabric,
+       true,
+       {.name = "--fabric",
+        .group = contacts_group,
+        .meaning = "a, anisotropy of the contact normals; > 0: more are vertical",
+        .synonyms = {{"a anisotropy"}}}},
+      {&PackingOptions::pressure,
+       false,
+       {.name = "--pressure",
+        .group = state_group,
+        .meaning = "Isotropic stress",
+        .excludes = {{"--stress-v --stress-h", said_twice::stress}},
+        .synonyms = {{words_for_pressure}}}},
+      {&PackingOptions::stress_v,
+       false,
+       {.name = "--stress-v",
+        .group = state_group,
+        .meaning = "Vertical stress, with --stress-h",
+        .synonyms = {{"sigmav sigma1 sigmaz sigmaa sv s1 verticalstress axialstress"}}}},
+      {&PackingOptions::stress_h,
+       false,
+       {.name = "--stress-h",
+        .group = state_group,
+        .meaning = "Horizontal stress, with --stress-v",
+        .synonyms = {{"sigmah sigmar sh horizontalstress radialstress"},
+                     {"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}}},
+  };
+  return rows;
+}
+
+void add(Command& command, PackingOptions& o, const NumberRow& of) {
+  OptionRow row = of.row;
+  row.value = (of.has_default ? number : number_without_default)(o.*of.number);
+  command.add(std::move(row));
+}
+
+/// All numbers of a group of help.
+void add_group(Command& command, PackingOptions& o, std::string_view group) {
+  for (const NumberRow& of : number_rows())
+    if (of.row.group == group)
+      add(command, o, of);
+}
+
+} // namespace
+
+std::vector<Synonyms> grain_density_synonyms() {
+  return {{"Gs gs", "a specific gravity of 2.65 is the density 2.65g/cm3"},
+          {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
+          {"rho rhod density drydensity bulkdensity",
+           "of the solid rho_s; with the dry density of the packing e = rho_s/rho_d - 1"}};
+}
+
+void add_packing_number(Command& command, PackingOptions& o, std::string_view name) {
+  for (const NumberRow& of : number_rows())
+    if (is_named(of.row, name))
+      add(command, o, of);
+}
+
+void add_law_options(Command& command, PackingOptions& o, const std::string& name) {
   std::vector<std::string> known;
   for (const contact::LawRow& row : contact::laws())
     known.emplace_back(contact::name(row.shape));
-  add_number(command, "--grain-shear-modulus", o.grain_shear_modulus, "G_g of the grain's material");
-  add_number(command, "--grain-poisson-ratio", o.grain_poisson_ratio, "nu_g of the grain's material");
-  o.contact_option = command
-                         .add_option_function<std::string>(
-                             name, [&o](const std::string& text) { o.contact = *contact::find_shape(text); },
-                             "Shape of the grains near their contacts")
-                         ->transform(one_of(known, synonyms()))
-                         ->default_str(std::string(contact::name(o.contact)));
-  in_group(command, grains_group, {"--grain-shear-modulus", "--grain-poisson-ratio"});
-  for (auto& [row, parameter, number] : o.law_numbers)
-    (parameter->origin.empty() ? add_number_without_default : add_number)(command, parameter->option(),
-                                                                          number, help_of(*row, *parameter))
-        ->group(law_group);
-  command.get_option(name.substr(0, name.find(',')))->group(law_group);
+  add_group(command, o, grains_group);
+  Value shape = choice(
+      known,
+      [&o](const std::string& text) {
+        o.contact = *contact::find_shape(text);
+        o.contact_typed = true;
+      },
+      synonyms());
+  shape.by_default = contact::name(o.contact);
+  command.add({.name = name,
+               .value = std::move(shape),
+               .group = law_group,
+               .meaning = "Shape of the grains near their contacts",
+               .synonyms = {{"shape law model contactlaw contactmodel"}}});
+  for (auto& [row, parameter, of_law] : o.law_numbers)
+    command.add({.name = parameter->option(),
+                 .value = (parameter->origin.empty() ? number_without_default : number)(of_law),
+                 .group = law_group,
+                 .meaning = help_of(*row, *parameter),
+                 .belongs = {{"--contact", contact::name(row->shape), "sphere"}}});
 }
-
-bool Number::given() const { return in_table || preset || (option != nullptr && option->count() > 0); }
 
 const Number& PackingOptions::law_number(std::string_view key) const {
   return std::find_if(law_numbers.begin(), law_numbers.end(),
@@ -145,65 +298,21 @@ const Number& PackingOptions::law_number(std::string_view key) const {
       ->number;
 }
 
-void Number::refuse_share(const std::string& range, double most) const {
-  const auto has_sign = [](const std::string& text) { return text.find('%') != std::string::npos; };
-  const bool typed =
-      option != nullptr && std::any_of(option->results().begin(), option->results().end(), has_sign);
-  const bool hint = value > most && value <= 100 * most && !per_cent && !typed;
-  throw InvalidArgument(name, value, "",
-                        hint ? fmt::format("{}; write {}% for per cent", range, short_text(value)) : range);
-}
-
-bool PackingOptions::contact_given() const { return contact_in_table || contact_option->count() > 0; }
-
-CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
-  CLI::Option* option = add_quantity(command, name, number.value, number.dimension, help);
-  number.name = name;
-  number.option = option;
-  return option;
-}
-
-CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
-                                        const std::string& help) {
-  return add_number(command, name, number, help)->default_str("");
-}
-
 std::vector<Number*> numbers(PackingOptions& o) {
   std::vector<Number*> all;
   for (LawNumber& of : o.law_numbers)
     all.push_back(&of.number);
-  all.insert(all.end(), {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.d50,
-                         &o.tangential_ratio, &o.void_ratio, &o.porosity, &o.solid_fraction,
-                         &o.coordination_number, &o.mechanical_coordination_number, &o.rattler_fraction,
-                         &o.fabric, &o.pressure, &o.stress_v, &o.stress_h});
+  for (const NumberRow& of : number_rows())
+    all.push_back(&(o.*of.number));
   return all;
 }
 
-void add_packing_options(CLI::App& command, PackingOptions& o) {
-  add_number_without_default(command, "--void-ratio", o.void_ratio, "Volume of voids over that of grains");
-  add_number_without_default(command, "--porosity", o.porosity,
-                             "Share of voids in the volume, instead of --void-ratio");
-  add_number_without_default(command, "--solid-fraction", o.solid_fraction,
-                             "Share of grains in the volume, instead of --void-ratio");
-  add_number_without_default(command, "--pressure", o.pressure, "Isotropic stress");
-  add_number_without_default(command, "--stress-v", o.stress_v, "Vertical stress, with --stress-h");
-  add_number_without_default(command, "--stress-h", o.stress_h, "Horizontal stress, with --stress-v");
-  in_group(command, state_group,
-           {"--void-ratio", "--porosity", "--solid-fraction", "--pressure", "--stress-v", "--stress-h"});
-  add_number_without_default(command, "--coordination-number", o.coordination_number,
-                             "C_n = 2 N_c/N, contacts per grain over all grains; by default those that "
-                             "packings of this void ratio and stress have");
-  add_number_without_default(command, "--mechanical-coordination-number", o.mechanical_coordination_number,
-                             "z*, contacts per grain without rattlers");
-  add_number_without_default(command, "--rattler-fraction", o.rattler_fraction,
-                             "Share of grains that carry no force, instead of z* = C_n/(1 - share)");
-  add_number(command, "--fabric", o.fabric, "a, anisotropy of the contact normals; > 0: more are vertical");
-  in_group(command, contacts_group,
-           {"--coordination-number", "--mechanical-coordination-number", "--rattler-fraction", "--fabric"});
+void add_packing_options(Command& command, PackingOptions& o) {
+  add_group(command, o, state_group);
+  add_group(command, o, contacts_group);
   add_law_options(command, o);
-  add_number_without_default(command, "--tangential-ratio", o.tangential_ratio,
-                             "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip");
-  in_group(command, law_group, {"--tangential-ratio"});
+  add_group(command, o, law_group);
+  add_group(command, o, sizes_group);
   add_size_options(command, o);
 }
 

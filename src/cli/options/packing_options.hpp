@@ -7,17 +7,13 @@
 #include <vector>
 
 #include <granum/contact/laws.hpp>
-#include <granum/core/units.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/stress/axial_stress.hpp>
 #include <nlohmann/json.hpp>
 
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
+#include "cli/frame/option_row.hpp"
 
 /// The options that describe a packing and its stress, for every command that works out closed forms.
 namespace granum::cli {
@@ -28,30 +24,6 @@ inline constexpr const char* grains_group = "Grains";
 inline constexpr const char* contacts_group = "Contacts";
 inline constexpr const char* sizes_group = "Sizes of the grains";
 inline constexpr const char* law_group = "Shape of the contacts";
-
-/// A number of the command line or of a table: its value in SI, by default until it is given.
-struct Number {
-  double value = 0;
-  Dimension dimension = Dimension::dimensionless;
-  /// What columns of tables may call it besides its option's name, separated by blanks.
-  std::string_view symbols = {};
-  std::string name = {}; ///< of the option, "--radius"
-  const CLI::Option* option = nullptr;
-  bool in_table = false; ///< a row of a table gives it
-  bool preset = false;   ///< what else was told decides it, as the name of a mineral does
-  bool per_cent = false; ///< the column of the table says so
-
-  [[nodiscard]] bool given() const;
-  /// That the number is not within `range`, and where it is above `most` and may be per cent without its
-  /// sign, how that is written.
-  [[noreturn]] void refuse_share(const std::string& range, double most) const;
-};
-
-/// Adds the option of a number; its value is the default.
-CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help);
-/// The same for a number that has no default to show.
-CLI::Option* add_number_without_default(CLI::App& command, const std::string& name, Number& number,
-                                        const std::string& help);
 
 /// A number of a contact law, for one row of the table of laws.
 struct LawNumber {
@@ -66,7 +38,7 @@ struct LawNumber {
 /// a default are never used unless given.
 struct PackingOptions {
   contact::Shape contact = contact::Shape::sphere;
-  const CLI::Option* contact_option = nullptr;
+  bool contact_typed = false;
   bool contact_in_table = false;
   std::vector<LawNumber> law_numbers = cli::law_numbers();
   Number grain_shear_modulus{30e9, Dimension::pressure};
@@ -86,18 +58,22 @@ struct PackingOptions {
   Number stress_v{0, Dimension::pressure, "sigma_v sigma'_v \u03c3_v \u03c3'_v"};
   Number stress_h{0, Dimension::pressure, "sigma_h sigma'_h \u03c3_h \u03c3'_h"};
 
-  [[nodiscard]] bool contact_given() const;
+  [[nodiscard]] bool contact_given() const { return contact_typed || contact_in_table; }
   /// The number of that key in the table of laws.
   [[nodiscard]] const Number& law_number(std::string_view key) const;
 };
 
-/// All numbers, in the order of their options.
+/// All numbers: columns of tables, and inputs that may be uncertain.
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);
 
-void add_packing_options(CLI::App& command, PackingOptions& options);
+void add_packing_options(Command& command, PackingOptions& options);
 /// The part of them that names the contact law: shape and material of the grains.
 /// \param    name   of the option for the shape
-void add_law_options(CLI::App& command, PackingOptions& options, const std::string& name = "--contact");
+void add_law_options(Command& command, PackingOptions& options, const std::string& name = "--contact");
+/// What people call the density of the grains' solid.
+[[nodiscard]] std::vector<Synonyms> grain_density_synonyms();
+/// The option of one number, by its name.
+void add_packing_number(Command& command, PackingOptions& options, std::string_view name);
 
 /// The contact law that the options describe, of two grains, of unequal ones of the mean pair.
 /// \throws   InvalidArgument for options that contradict one another or are out of range

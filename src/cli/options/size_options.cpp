@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
@@ -12,8 +11,6 @@
 #include <granum/sizes/distribution_text.hpp>
 
 #include "cli/frame/contradictions.hpp"
-#include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
 
 namespace granum::cli {
 
@@ -27,34 +24,38 @@ void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
 
 } // namespace
 
-void add_size_options(CLI::App& command, PackingOptions& o) {
-  add_number(command, "--radius", o.radius, "Radius of the grains; of unequal ones their mean by number");
-  add_number_without_default(command, "--d50", o.d50,
-                             "Diameter that half of the grains' mass is finer than, instead of --radius");
-  command
-      .add_option_function<std::string>(
-          "--sizes", [&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
-          "Grains of many sizes: " + sizes::distribution_forms())
-      ->check(taken_by([](const std::string& text) { (void)sizes::parse_distribution(text); }))
-      ->type_name("DISTRIBUTION");
-  command
-      .add_option_function<std::string>(
-          "--sieve",
-          [&o](const std::string& path) {
-            set_sizes(o, sizes::Distribution::sieve(io::read_sieve_curve(path)));
-          },
-          "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius as well")
-      ->type_name("FILE");
-  command
-      .add_option_function<std::string>(
-          "--uniformity",
-          [&o](const std::string& text) {
-            set_sizes(o, sizes::Distribution::uniformity(
-                             parse_quantity("--uniformity", text, Dimension::dimensionless)));
-          },
-          "C_u = d60/d10 of grains that are lognormal by mass")
-      ->type_name("NUMBER");
-  in_group(command, sizes_group, {"--radius", "--d50", "--sizes", "--sieve", "--uniformity"});
+void add_size_options(Command& command, PackingOptions& o) {
+  const Exclusion once{"--sizes --sieve --uniformity", said_twice::sizes};
+  command.add(
+      {{.name = "--sizes",
+        .value = read_by([&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
+                         "DISTRIBUTION"),
+        .group = sizes_group,
+        .meaning = "Grains of many sizes: " + sizes::distribution_forms(),
+        .excludes = {once},
+        .synonyms = {{"psd gsd sievecurve sizedistribution"}}},
+       {.name = "--sieve",
+        .value = read_by(
+            [&o](const std::string& path) {
+              set_sizes(o, sizes::Distribution::sieve(io::read_sieve_curve(path)));
+            },
+            "FILE"),
+        .group = sizes_group,
+        .meaning = "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius "
+                   "as well",
+        .excludes = {once},
+        .synonyms = {{"psd gsd sievecurve sizedistribution"}}},
+       {.name = "--uniformity",
+        .value = read_by(
+            [&o](const std::string& text) {
+              set_sizes(o, sizes::Distribution::uniformity(
+                               parse_quantity("--uniformity", text, Dimension::dimensionless)));
+            },
+            "NUMBER"),
+        .group = sizes_group,
+        .meaning = "C_u = d60/d10 of grains that are lognormal by mass",
+        .excludes = {once},
+        .synonyms = {{"cu uniformitycoefficient gradation"}}}});
 }
 
 double resolve_radius(const PackingOptions& o) {

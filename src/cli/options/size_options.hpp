@@ -10,8 +10,8 @@
 /// The options that say how large the grains are.
 namespace granum::cli {
 
-/// --radius, --d50, --sizes, --sieve and --uniformity.
-void add_size_options(CLI::App& command, PackingOptions& options);
+/// --sizes, --sieve and --uniformity.
+void add_size_options(Command& command, PackingOptions& options);
 
 /// The mean radius of the grains by number [m]: that of the sieve curve, or by --d50, or --radius.
 /// \throws   InvalidArgument if the options say it twice

@@ -2,8 +2,6 @@
 #include "study_options.hpp"
 
 #include "studies/plan/size_cost.hpp"
-#include <CLI/CLI.hpp>
-#include <granum/core/error.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
@@ -12,45 +10,57 @@
 
 namespace granum::cli {
 
-void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
-               const std::string& help) {
-  const auto take = [name, &target](const long long& value) {
-    if (value < 0)
-      throw InvalidArgument(name, static_cast<double>(value), "", "[0, inf)");
-    target = static_cast<std::size_t>(value);
-  };
-  app.add_option_function<long long>(name, take, help)->type_name("N");
-}
-
-void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command) {
-  add_path(app, "--scene", options.scene_file, "TOML file; without it the paper's six specimens")
-      ->type_name("FILE");
-  app.add_option("--set", options.settings, "Override one key, may be repeated: --set grain.radius=0.4mm")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_count(app, "--grains", options.grains, "Grains of a specimen");
-  add_count(app, "--seeds", options.seeds, "Specimens of each kind");
-  add_count(app, "--threads", options.threads, "Specimens side by side; the results do not depend on it");
-  in_group(app, "Scene", {"--scene", "--set", "--grains", "--seeds", "--threads"});
-  app.footer(key_help(command));
+void add_study_options(Command& command, StudyOptions& options, studies::SceneCommand of) {
+  constexpr const char* group = "Scene";
+  Value settings = texts(options.settings, "KEY=VALUE");
+  settings.joins_units = true;
+  command.add({{.name = "--scene",
+                .value = path(options.scene_file),
+                .group = group,
+                .meaning = "TOML file; without it the paper's six specimens",
+                .synonyms = {{"config c"}}},
+               {.name = "--set",
+                .value = std::move(settings),
+                .group = group,
+                .meaning = "Override one key, may be repeated: --set grain.radius=0.4mm"},
+               {.name = "--grains",
+                .value = count(options.grains),
+                .group = group,
+                .meaning = "Grains of a specimen",
+                .synonyms = {{"particles ngrains numberofgrains"}}},
+               {.name = "--seeds",
+                .value = count(options.seeds),
+                .group = group,
+                .meaning = "Specimens of each kind"},
+               {.name = "--threads",
+                .value = count(options.threads),
+                .group = group,
+                .meaning = "Specimens side by side; the results do not depend on it",
+                .synonyms = {{"j jobs nthreads cores"}}}});
+  command.notes = key_help(of);
 }
 
 void ResultOptions::print(const std::string& report, const nlohmann::ordered_json& manifest) const {
   deliver({.json = json, .strict = false, .force = false, .out = {}}, within_width(report), manifest, {});
 }
 
-void add_result_options(CLI::App& app, ResultOptions& options, const std::string& out_help,
+void add_result_options(Command& command, ResultOptions& options, const std::string& out_help,
                         const std::string& json_help, const std::string& replaced) {
-  add_path(app, "--out", options.out, out_help)->type_name("DIR");
-  app.add_flag("--json", options.json, json_help);
-  app.add_flag("--force", options.force, "Let --out replace " + replaced);
-  app.add_flag("--quiet", options.quiet, "No progress line on a terminal");
-  in_group(app, output_group, {"--out", "--json", "--force", "--quiet"});
+  add_output_place(command, options.out, options.force, "DIR", out_help, replaced);
+  command.row("--force").needs.clear(); // a run whose folder has a name by default may be forced too
+  command.add({{.name = "--json", .value = flag(options.json), .group = output_group, .meaning = json_help},
+               {.name = "--quiet",
+                .value = flag(options.quiet),
+                .group = output_group,
+                .meaning = "No progress line on a terminal",
+                .synonyms = {{"verbose silent quiet"}}}});
 }
 
-void add_strict_scene(CLI::App& app, bool& strict) {
-  app.add_flag("--strict", strict, "Do not begin (exit code 4) where a key of the scene is likely a slip");
-  in_group(app, output_group, {"--strict"});
+void add_strict_scene(Command& command, bool& strict) {
+  command.add({.name = "--strict",
+               .value = flag(strict),
+               .group = output_group,
+               .meaning = "Do not begin (exit code 4) where a key of the scene is likely a slip"});
 }
 
 void say_cost_of_sizes(const studies::Scene& scene) {

@@ -11,9 +11,7 @@
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 
-namespace CLI {
-class App;
-} // namespace CLI
+#include "cli/frame/option_row.hpp"
 
 namespace granum::cli {
 
@@ -26,11 +24,7 @@ struct StudyOptions {
   std::optional<std::size_t> threads;
 };
 
-/// An option that takes a number of things, 0 or more.
-void add_count(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
-               const std::string& help);
-
-void add_study_options(CLI::App& app, StudyOptions& options, studies::SceneCommand command);
+void add_study_options(Command& command, StudyOptions& options, studies::SceneCommand of);
 
 /// The options by which they say where results go.
 struct ResultOptions {
@@ -48,13 +42,13 @@ struct ResultOptions {
 
 /// \param    out_help, json_help   help of --out and --json
 /// \param    replaced              what --force replaces, for its help
-void add_result_options(CLI::App& app, ResultOptions& options, const std::string& out_help,
+void add_result_options(Command& command, ResultOptions& options, const std::string& out_help,
                         const std::string& json_help = "Print one JSON object, SI units; writes files only "
                                                        "with --out",
                         const std::string& replaced = "existing results");
 
 /// --strict of a command that compares with nothing: it does not begin where a key is likely a slip.
-void add_strict_scene(CLI::App& app, bool& strict);
+void add_strict_scene(Command& command, bool& strict);
 
 /// Says on standard error, as a note, what grains of widely different sizes cost (studies::cost_of_sizes).
 void say_cost_of_sizes(const studies::Scene& scene);

@@ -4,7 +4,6 @@
 
 #include "studies/plan/plan.hpp"
 #include "studies/trade/trade_rule.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 #include <granum/io/csv/columns.hpp>
@@ -115,16 +114,18 @@ ExitCode run(const PlanOptions& options) {
 
 } // namespace
 
-Command add_plan(CLI::App& program) {
+Command make_plan() {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command =
-      program.add_subcommand("plan", "What verify would run, its predicted time, memory and error");
-  add_study_options(*command, options->study, studies::SceneCommand::plan);
-  add_quantity(*command, "--error", options->error, Dimension::dimensionless,
-               "Wanted error of G, from which grains and inertial number follow: --error 2%");
-  in_group(*command, "Plan", {"--error"});
-  add_output_options(*command, options->output);
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "plan",
+                  .meaning = "What verify would run, its predicted time, memory and error",
+                  .run = [options] { return run(*options); }};
+  add_study_options(command, options->study, studies::SceneCommand::plan);
+  command.add({.name = "--error",
+               .value = quantity(options->error, Dimension::dimensionless),
+               .group = "Plan",
+               .meaning = "Wanted error of G, from which grains and inertial number follow: --error 2%"});
+  add_output_options(command, options->output);
+  return command;
 }
 
 } // namespace granum::cli

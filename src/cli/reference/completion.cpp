@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include <CLI/CLI.hpp>
-
 #include "cli/frame/help.hpp"
 #include "reference.hpp"
 
@@ -12,7 +10,7 @@ namespace granum::cli {
 namespace {
 
 /// What may follow an option.
-enum class Value { none, words, file, folder, other };
+enum class Kind { none, words, file, folder, other };
 
 bool is_placeholder(const std::string& word) {
   return std::any_of(word.begin(), word.end(),
@@ -20,9 +18,9 @@ bool is_placeholder(const std::string& word) {
 }
 
 /// The words that an option chooses from; of "friction:NUMBER" what comes before the number.
-std::vector<std::string> words_for(const CLI::Option& option) {
+std::vector<std::string> words_for(const OptionRow& row) {
   std::vector<std::string> words;
-  for (const std::string& choice : choices_of(option)) {
+  for (const std::string& choice : row.value.choices) {
     const std::string word = choice.substr(0, choice.find(':') + 1);
     if (!is_placeholder(choice))
       words.push_back(choice);
@@ -32,29 +30,29 @@ std::vector<std::string> words_for(const CLI::Option& option) {
   return words;
 }
 
-Value value_of(const CLI::Option& option) {
-  if (option.get_items_expected_max() == 0)
-    return Value::none;
-  if (!words_for(option).empty())
-    return Value::words;
-  const std::string type = option.get_type_name();
+Kind kind_of(const OptionRow& row) {
+  if (row.value.flag())
+    return Kind::none;
+  if (!words_for(row).empty())
+    return Kind::words;
+  const std::string type = row.value.type;
   if (type == "DIR")
-    return Value::folder;
-  return type.find("FILE") != std::string::npos ? Value::file : Value::other;
+    return Kind::folder;
+  return type.find("FILE") != std::string::npos ? Kind::file : Kind::other;
 }
 
-std::vector<const CLI::App*> within(const CLI::App& app) {
-  std::vector<const CLI::App*> commands;
+std::vector<const Command*> within(const Command& app) {
+  std::vector<const Command*> commands;
   for (const CommandGroup& group : command_groups(app))
     commands.insert(commands.end(), group.commands.begin(), group.commands.end());
   return commands;
 }
 
-std::vector<OptionText> options_of(const CLI::App& command, bool positional) {
+std::vector<OptionText> options_of(const Command& command, bool positional) {
   std::vector<OptionText> options;
   for (const OptionGroup& group : option_groups(command))
     for (const OptionText& option : group.options)
-      if (option.option->get_positional() == positional)
+      if (option.row->positional() == positional)
         options.push_back(option);
   return options;
 }
@@ -62,50 +60,50 @@ std::vector<OptionText> options_of(const CLI::App& command, bool positional) {
 // ---- bash
 
 /// One branch of `case "$command $before"` for each kind of value.
-void append_bash_values(std::string& script, const CLI::App& command, const std::string& path) {
+void append_bash_values(std::string& script, const Command& command, const std::string& path) {
   for (const OptionText& text : options_of(command, false)) {
-    const Value value = value_of(*text.option);
-    if (value == Value::none)
+    const Kind value = kind_of(*text.row);
+    if (value == Kind::none)
       continue;
     std::vector<std::string> patterns;
-    for (const std::string& name : names_of(*text.option))
+    for (const std::string& name : names_of(*text.row))
       patterns.push_back("'" + path + " " + name + "'");
-    const std::string answer = value == Value::words
-                                   ? "compgen -W '" + joined(words_for(*text.option), " ") + "' -- \"$word\""
-                               : value == Value::file   ? "compgen -f -- \"$word\""
-                               : value == Value::folder ? "compgen -d -- \"$word\""
-                                                        : "";
+    const std::string answer = value == Kind::words
+                                   ? "compgen -W '" + joined(words_for(*text.row), " ") + "' -- \"$word\""
+                               : value == Kind::file   ? "compgen -f -- \"$word\""
+                               : value == Kind::folder ? "compgen -d -- \"$word\""
+                                                       : "";
     script += "    " + joined(patterns, "|") + ")\n";
     if (!answer.empty())
       script += "      mapfile -t COMPREPLY < <(" + answer + ")\n";
     script += "      return ;;\n";
   }
-  for (const CLI::App* inner : within(command))
-    append_bash_values(script, *inner, path + " " + inner->get_name());
+  for (const Command* inner : within(command))
+    append_bash_values(script, *inner, path + " " + inner->name);
 }
 
 /// One branch of `case "$command"` for each command: what may stand where no value does.
-void append_bash_words(std::string& script, const CLI::App& command, const std::string& path) {
+void append_bash_words(std::string& script, const Command& command, const std::string& path) {
   std::vector<std::string> words;
-  for (const CLI::App* inner : within(command))
-    words.push_back(inner->get_name());
+  for (const Command* inner : within(command))
+    words.push_back(inner->name);
   for (const OptionText& text : options_of(command, false))
-    for (const std::string& name : names_of(*text.option))
+    for (const std::string& name : names_of(*text.row))
       words.push_back(name);
   script += "    '" + path + "')\n      words='" + joined(words, " ") + "'\n";
   if (!options_of(command, true).empty())
     script += "      files=yes\n";
   script += "      ;;\n";
-  for (const CLI::App* inner : within(command))
-    append_bash_words(script, *inner, path + " " + inner->get_name());
+  for (const Command* inner : within(command))
+    append_bash_words(script, *inner, path + " " + inner->name);
 }
 
-std::string bash_commands(const CLI::App& program) {
+std::string bash_commands(const Command& program) {
   std::vector<std::string> paths;
-  for (const CLI::App* command : within(program)) {
-    paths.push_back("'granum " + command->get_name() + "'");
-    for (const CLI::App* inner : within(*command))
-      paths.push_back("'granum " + command->get_name() + " " + inner->get_name() + "'");
+  for (const Command* command : within(program)) {
+    paths.push_back("'granum " + command->name + "'");
+    for (const Command* inner : within(*command))
+      paths.push_back("'granum " + command->name + " " + inner->name + "'");
   }
   return joined(paths, "|");
 }
@@ -123,26 +121,26 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
-std::string zsh_action(const CLI::Option& option) {
-  switch (value_of(option)) {
-  case Value::words:
-    return "(" + joined(words_for(option), " ") + ")";
-  case Value::file:
+std::string zsh_action(const OptionRow& row) {
+  switch (kind_of(row)) {
+  case Kind::words:
+    return "(" + joined(words_for(row), " ") + ")";
+  case Kind::file:
     return "_files";
-  case Value::folder:
+  case Kind::folder:
     return "_files -/";
   default:
     return " ";
   }
 }
 
-void append_zsh_arguments(std::string& script, const CLI::App& command, const std::string& indent) {
+void append_zsh_arguments(std::string& script, const Command& command, const std::string& indent) {
   script += indent + "_arguments";
   for (const OptionText& text : options_of(command, false))
-    for (const std::string& name : names_of(*text.option)) {
-      const bool value = value_of(*text.option) != Value::none;
+    for (const std::string& name : names_of(*text.row)) {
+      const bool value = kind_of(*text.row) != Kind::none;
       script += " \\\n" + indent + "  '*" + name + (value ? "=" : "") + "[" + zsh_text(text.meaning) + "]" +
-                (value ? ":" + zsh_text(text.value) + ":" + zsh_action(*text.option) : "") + "'";
+                (value ? ":" + zsh_text(text.value) + ":" + zsh_action(*text.row) : "") + "'";
     }
   for (const OptionText& text : options_of(command, true))
     script += " \\\n" + indent + "  '*:" + zsh_text(text.names) + ":_files'";
@@ -150,17 +148,17 @@ void append_zsh_arguments(std::string& script, const CLI::App& command, const st
 }
 
 /// The commands within one, then the arguments of each.
-void append_zsh_commands(std::string& script, const CLI::App& app, const std::string& indent) {
+void append_zsh_commands(std::string& script, const Command& app, const std::string& indent) {
   script += indent + "local -a commands=(\n";
-  for (const CLI::App* command : within(app))
-    script += indent + "  '" + command->get_name() + ":" + zsh_text(command->get_description()) + "'\n";
+  for (const Command* command : within(app))
+    script += indent + "  '" + command->name + ":" + zsh_text(command->meaning) + "'\n";
   script +=
       indent + ")\n" + indent + "if (( CURRENT == 2 )); then\n" + indent + "  _describe command commands\n";
   append_zsh_arguments(script, app, indent + "  ");
   script += indent + "  return\n" + indent + "fi\n" + indent + "shift words\n" + indent + "(( CURRENT-- ))\n";
   script += indent + "case $words[1] in\n";
-  for (const CLI::App* command : within(app)) {
-    script += indent + "  " + command->get_name() + ")\n";
+  for (const Command* command : within(app)) {
+    script += indent + "  " + command->name + ")\n";
     if (within(*command).empty())
       append_zsh_arguments(script, *command, indent + "    ");
     else
@@ -172,7 +170,7 @@ void append_zsh_commands(std::string& script, const CLI::App& app, const std::st
 
 } // namespace
 
-std::string bash_completion(const CLI::App& program) {
+std::string bash_completion(const Command& program) {
   std::string script =
       "# Completion of granum for bash, made by granum of its own options.\n"
       "_granum() {\n"
@@ -209,7 +207,7 @@ std::string bash_completion(const CLI::App& program) {
   return script;
 }
 
-std::string zsh_completion(const CLI::App& program) {
+std::string zsh_completion(const Command& program) {
   std::string script =
       "#compdef granum\n# Completion of granum for zsh, made by granum of its own options.\n_granum() {\n";
   append_zsh_commands(script, program, "  ");

@@ -2,8 +2,6 @@
 #include <cctype>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
-
 #include "cli/frame/help.hpp"
 #include "reference.hpp"
 
@@ -43,7 +41,7 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-void append_options(std::string& page, const CLI::App& command) {
+void append_options(std::string& page, const Command& command) {
   page += ".SH OPTIONS\n";
   for (const OptionGroup& group : option_groups(command)) {
     page += ".SS " + escaped(group.title) + "\n";
@@ -55,50 +53,50 @@ void append_options(std::string& page, const CLI::App& command) {
   }
 }
 
-void append_commands(std::string& page, const CLI::App& command) {
+void append_commands(std::string& page, const Command& command) {
   const std::vector<CommandGroup> groups = command_groups(command);
   if (groups.empty())
     return;
   page += ".SH COMMANDS\n";
   for (const CommandGroup& group : groups) {
     page += ".SS " + escaped(group.title) + "\n";
-    for (const CLI::App* inner : group.commands)
-      page += ".TP\n\\fB" + escaped(inner->get_name()) + "\\fR\n" + escaped(inner->get_description()) + "\n";
+    for (const Command* inner : group.commands)
+      page += ".TP\n\\fB" + escaped(inner->name) + "\\fR\n" + escaped(inner->meaning) + "\n";
   }
 }
 
 /// The lines below the options as they stand in help.
-void append_notes(std::string& page, const CLI::App& command) {
-  const std::string footer = command.get_footer();
-  if (footer.empty())
+void append_notes(std::string& page, const Command& command) {
+  const std::string notes = command.notes;
+  if (notes.empty())
     return;
   page += ".SH NOTES\n.nf\n";
-  std::istringstream lines(footer);
+  std::istringstream lines(notes);
   for (std::string line; std::getline(lines, line);)
     page += line.empty() ? ".sp\n" : escaped(line) + "\n";
   page += ".fi\n";
 }
 
-void append_related(std::string& page, const CLI::App& command) {
+void append_related(std::string& page, const Command& command) {
   std::string others;
-  if (command.get_parent() != nullptr)
-    others = ".BR " + escaped(with_hyphens(full_name(*command.get_parent()))) + " (1)";
+  if (const std::size_t blank = command.called.rfind(' '); blank != std::string::npos)
+    others = ".BR " + escaped(with_hyphens(command.called.substr(0, blank))) + " (1)";
   for (const CommandGroup& group : command_groups(command))
-    for (const CLI::App* inner : group.commands)
-      others += (others.empty() ? "" : ",\n") + (".BR " + escaped(with_hyphens(full_name(*inner)))) + " (1)";
+    for (const Command* inner : group.commands)
+      others += (others.empty() ? "" : ",\n") + (".BR " + escaped(with_hyphens(inner->called))) + " (1)";
   if (!others.empty())
     page += ".SH SEE ALSO\n" + others + "\n";
 }
 
 } // namespace
 
-std::string man_page(const CLI::App& command, const std::string& version) {
-  const std::string name = with_hyphens(full_name(command));
+std::string man_page(const Command& command, const std::string& version) {
+  const std::string name = with_hyphens(command.called);
   std::string page =
       ".TH " + escaped(in_capitals(name)) + " 1 \"\" \"granum " + version + "\" \"User Commands\"\n";
-  page += ".SH NAME\n" + escaped(name) + " \\- " + escaped(command.get_description()) + "\n";
+  page += ".SH NAME\n" + escaped(name) + " \\- " + escaped(command.meaning) + "\n";
   const std::string usage = usage_line(command);
-  const std::string called = full_name(command);
+  const std::string called = command.called;
   page += ".SH SYNOPSIS\n\\fB" + escaped(called) + "\\fR" + escaped(usage.substr(called.size())) + "\n";
   append_commands(page, command);
   append_options(page, command);

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 
@@ -24,17 +23,17 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 /// The page of a command, and of those within it.
-void write_pages(const CLI::App& command, const fs::path& folder) {
-  std::string name = full_name(command);
+void write_pages(const Command& command, const fs::path& folder) {
+  std::string name = command.called;
   for (char& c : name)
     c = c == ' ' ? '-' : c;
   write(folder / (name + ".1"), man_page(command, std::string(version())));
   for (const CommandGroup& group : command_groups(command))
-    for (const CLI::App* inner : group.commands)
+    for (const Command* inner : group.commands)
       write_pages(*inner, folder);
 }
 
-ExitCode run(const CLI::App& program, const fs::path& folder) {
+ExitCode run(const Command& program, const fs::path& folder) {
   write_pages(program, folder / "man1");
   write(folder / "bash" / "granum", bash_completion(program));
   write(folder / "zsh" / "_granum", zsh_completion(program));
@@ -43,12 +42,16 @@ ExitCode run(const CLI::App& program, const fs::path& folder) {
 
 } // namespace
 
-Command add_reference(CLI::App& program) {
+Command make_reference(const Command& program) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command =
-      program.add_subcommand("reference", "Manual pages and completion for shells, for the build");
-  add_path(*command, "--out", *folder, "Folder for them")->required();
-  return {command, [&program, folder] { return run(program, *folder); }};
+  Command command{.name = "reference", .meaning = "Manual pages and completion for shells, for the build"};
+  command.add({.name = "--out",
+               .value = path(*folder, "DIR"),
+               .group = output_group,
+               .meaning = "Folder for them",
+               .required = true});
+  command.run = [&program, folder] { return run(program, *folder); };
+  return command;
 }
 
 } // namespace granum::cli

@@ -3,20 +3,18 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-} // namespace CLI
+#include "cli/frame/option_row.hpp"
 
 /// Manual pages and completion, made of the options themselves. Checked by tests/cli/reference.cmake
 namespace granum::cli {
 
 /// The manual page of the program or of a command, for section 1, in the macros of man(7).
-[[nodiscard]] std::string man_page(const CLI::App& command, const std::string& version);
+[[nodiscard]] std::string man_page(const Command& command, const std::string& version);
 
 /// Completion for bash: commands, options, and the values of options that choose from words or take files.
-[[nodiscard]] std::string bash_completion(const CLI::App& program);
+[[nodiscard]] std::string bash_completion(const Command& program);
 
 /// The same for zsh, with what each means.
-[[nodiscard]] std::string zsh_completion(const CLI::App& program);
+[[nodiscard]] std::string zsh_completion(const Command& program);
 
 } // namespace granum::cli

@@ -8,7 +8,6 @@
 #include "studies/reproduce/experiment.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
 #include "studies/verify/tables.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
@@ -148,23 +147,32 @@ ExitCode run(const ReproduceOptions& options) {
 
 } // namespace
 
-Command add_reproduce(CLI::App& program) {
+Command make_reproduce() {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command = program.add_subcommand(
-      "reproduce", "The paper's experiment: six specimens, four stress paths, its tables and figures");
-  add_study_options(*command, options->study, studies::SceneCommand::reproduce);
-  command->add_flag("--paper", options->paper,
-                    "10,000 grains between six rigid walls, as in the paper; an hour or more");
-  add_path(*command, "--resume", options->resume,
-           "Go on with the run of this folder from its last checkpoints, to the same bits; "
-           "a finished run writes its tables and pictures again")
-      ->type_name("DIR");
-  add_strict(*command, options->strict);
-  in_group(*command, "Run", {"--paper", "--resume"});
-  add_result_options(*command, options->results,
-                     "Folder for the results; by default a new granum-reproduce-N",
+  Command command{.name = "reproduce",
+                  .meaning =
+                      "The paper's experiment: six specimens, four stress paths, its tables and figures",
+                  .run = [options] { return run(*options); }};
+  add_study_options(command, options->study, studies::SceneCommand::reproduce);
+  command.add(
+      {{.name = "--paper",
+        .value = flag(options->paper),
+        .group = "Run",
+        .meaning = "10,000 grains between six rigid walls, as in the paper; an hour or more",
+        .excludes = {{"--scene", "--paper is a scene of its own; give it or --scene"}}},
+       {.name = "--resume",
+        .value = path(options->resume, "DIR"),
+        .group = "Run",
+        .meaning =
+            "Go on with the run of this folder from its last checkpoints, to the same bits; a finished run "
+            "writes its tables and pictures again",
+        .excludes = {{"--paper --scene --set --grains --seeds --out",
+                      "--resume takes its scene and folder from the earlier run; only --threads may be given "
+                      "with it"}}}});
+  add_strict(command, options->strict);
+  add_result_options(command, options->results, "Folder for the results; by default a new granum-reproduce-N",
                      "Print the manifest as one JSON object, SI units", "existing results and checkpoints");
-  return {command, [options] { return run(*options); }};
+  return command;
 }
 
 } // namespace granum::cli

@@ -20,7 +20,7 @@ struct GroundCase {
   Validity validity; ///< where weights and void ratio contradict each other
 };
 
-void add_ground_options(CLI::App& command, GroundOptions& options);
+void add_ground_options(Command& command, GroundOptions& options);
 
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] GroundCase resolve_ground(const SweepOptions& options);

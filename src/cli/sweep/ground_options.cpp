@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
@@ -107,20 +106,55 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
 
 } // namespace
 
-void add_ground_options(CLI::App& command, GroundOptions& o) {
-  command.add_option("--depth", o.depth, "Go down into level ground, between two depths: 0m..30m")
-      ->type_name("FROM..TO");
-  add_number_without_default(command, "--unit-weight", o.unit_weight,
-                             "Of the ground above the water table, with the water it holds; by default of "
-                             "grains and void ratio");
-  add_number_without_default(command, "--saturated-unit-weight", o.saturated_unit_weight,
-                             "Of the ground below the water table; by default of grains and void ratio");
-  add_number_without_default(command, "--water-table", o.water_table,
-                             "Depth of the water table; negative for water above the ground; without it dry");
-  add_number(command, "--k0", o.earth_pressure_at_rest,
-             "K_0, horizontal over vertical effective stress in the ground");
-  add_number(command, "--surcharge", o.surcharge, "Pressure on the surface of the ground");
-  add_number(command, "--water-unit-weight", o.water_unit_weight, "Of the water in the ground");
+void add_ground_options(Command& command, GroundOptions& o) {
+  constexpr const char* group = "Ground";
+  const std::vector<Need> in_ground = {{"--depth", "--depth"}};
+  const std::vector<Need> below_water = {{"--depth", "--depth"},
+                                         {"--water-table", "--water-table, below which it holds"}};
+  Value depth = text(o.depth, "FROM..TO");
+  depth.joins_units = true;
+  command.add(
+      {{.name = "--depth",
+        .value = std::move(depth),
+        .group = group,
+        .meaning = "Go down into level ground, between two depths: 0m..30m",
+        .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
+        .synonyms = {{"z"}}},
+       {.name = "--unit-weight",
+        .value = number_without_default(o.unit_weight),
+        .group = group,
+        .meaning =
+            "Of the ground above the water table, with the water it holds; by default of grains and void "
+            "ratio",
+        .needs = in_ground,
+        .synonyms = {{"gamma gammad gammasat bulkunitweight"}}},
+       {.name = "--saturated-unit-weight",
+        .value = number_without_default(o.saturated_unit_weight),
+        .group = group,
+        .meaning = "Of the ground below the water table; by default of grains and void ratio",
+        .needs = below_water},
+       {.name = "--water-table",
+        .value = number_without_default(o.water_table),
+        .group = group,
+        .meaning = "Depth of the water table; negative for water above the ground; without it dry",
+        .needs = in_ground,
+        .synonyms = {{"gwt waterlevel groundwater"}}},
+       {.name = "--k0",
+        .value = number(o.earth_pressure_at_rest),
+        .group = group,
+        .meaning = "K_0, horizontal over vertical effective stress in the ground",
+        .needs = in_ground,
+        .synonyms = {{"k0 ko"}}},
+       {.name = "--surcharge",
+        .value = number(o.surcharge),
+        .group = group,
+        .meaning = "Pressure on the surface of the ground",
+        .needs = in_ground},
+       {.name = "--water-unit-weight",
+        .value = number(o.water_unit_weight),
+        .group = group,
+        .meaning = "Of the water in the ground",
+        .needs = below_water}});
 }
 
 GroundCase resolve_ground(const SweepOptions& o) {

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-
-#include "cli/frame/help.hpp"
 
 namespace granum::cli {
 
@@ -45,75 +42,100 @@ std::vector<std::string> names_of(std::span<const Item> items, const char* Item:
   return names;
 }
 
-std::vector<CLI::Option*> add_path_options(CLI::App& command, SweepOptions& o) {
-  return {command.add_option("--path", o.path, "Stress path; all but iso start isotropic and go to --eta")
-              ->transform(one_of({"iso", "txc", "rtxc", "rtxe", "txe"}))
-              ->capture_default_str(),
-          add_number_without_default(command, "--from", o.from, "Mean stress at the start"),
-          add_number_without_default(command, "--to", o.to, "Mean stress at the end, iso"),
-          add_number_without_default(command, "--eta", o.eta, "q/p' at the end; negative for rtxe and txe"),
-          add_number_without_default(command, "--friction-angle", o.friction_angle,
-                                     "End at failure of a material of this angle, instead of --eta"),
-          command.add_option("--points", o.points, "States on the path, or depths, both ends included")
-              ->check(CLI::Range(2, 1000000))
-              ->capture_default_str(),
-          command
-              .add_option("--spacing", o.spacing,
-                          "Of the states, in p' or eta; by default log for iso, linear for others")
-              ->transform(one_of({"log", "linear"}))};
+void add_path_options(Command& command, SweepOptions& o) {
+  constexpr const char* group = "Path";
+  const std::vector<Belonging> sheared = {
+      {"--path", "txc rtxc rtxe txe", "iso", "--path txc, rtxc, rtxe and txe, not with iso"}};
+  command.add(
+      {{.name = "--path",
+        .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
+        .group = group,
+        .meaning = "Stress path; all but iso start isotropic and go to --eta"},
+       {.name = "--from",
+        .value = number_without_default(o.from),
+        .group = group,
+        .meaning = "Mean stress at the start",
+        .synonyms = command.row("--pressure").synonyms},
+       {.name = "--to",
+        .value = number_without_default(o.to),
+        .group = group,
+        .meaning = "Mean stress at the end, iso",
+        .belongs = {{"--path", "iso", "iso", "--path iso; other paths end at --eta or --friction-angle"}}},
+       {.name = "--eta",
+        .value = number_without_default(o.eta),
+        .group = group,
+        .meaning = "q/p' at the end; negative for rtxe and txe",
+        .excludes = {{"--friction-angle", "give one of --eta and --friction-angle, where the path ends"}},
+        .belongs = sheared,
+        .synonyms = {{"stressratio q"}}},
+       {.name = "--friction-angle",
+        .value = number_without_default(o.friction_angle),
+        .group = group,
+        .meaning = "End at failure of a material of this angle, instead of --eta",
+        .belongs = sheared,
+        .synonyms = {{"phi mu friction frictioncoefficient"}}},
+       {.name = "--spacing",
+        .value = choice({"log", "linear"}, o.spacing),
+        .group = group,
+        .meaning = "Of the states, in p' or eta; by default log for iso, linear for others"},
+       {.name = "--points",
+        .value = whole_number(o.points, 2, 1000000),
+        .group = group,
+        .meaning = "States on the path, or depths, both ends included"}});
 }
 
-void add_picture_options(CLI::App& command, SweepOptions& o, CLI::Option* depth, CLI::Option* table) {
-  CLI::Option* picture =
-      add_picture(
-          command, o.picture,
-          "Draw the answer with its range and the rungs along the path; stresses and answers over depth; "
-          "or G of a table's rows")
-          ->excludes("--json");
-  command.add_option("--picture-of", o.picture_of, "What the picture of a path shows; by default G_hv")
-      ->transform(one_of(names_of(swept_quantities(), &SweptQuantity::name)))
-      ->needs(picture)
-      ->excludes(depth)
-      ->excludes(table);
+void add_table_options(Command& command, SweepOptions& o) {
+  constexpr const char* group = "Table and columns";
+  Value rungs = choice(names_of(effective::closed_forms(), &Rung::key),
+                       [&o](const std::string& key) { o.rungs.push_back(key); });
+  rungs.by_default = "all; none in the CSV of a table";
+  rungs.several = true;
+  rungs.delimiter = ',';
+  Value columns = choice({"usual", "all"}, [&o](const std::string& text) { o.all_columns = text == "all"; });
+  columns.by_default = "usual";
+  command.add({{.name = "--table",
+                .value = path(o.table, "FILE.csv"),
+                .group = group,
+                .meaning = "States from the rows of this CSV file",
+                .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
+                .synonyms = {{"csv file input data"}}},
+               {.name = "--rungs",
+                .value = std::move(rungs),
+                .group = group,
+                .meaning = "Closed forms, separated by commas"},
+               {.name = "--columns",
+                .value = std::move(columns),
+                .group = group,
+                .meaning = "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and "
+                           "speeds, and every rung of a table"}});
 }
 
-void add_sweep_options(CLI::App& command, SweepOptions& o) {
+/// Stresses are of a table: a path and the ground have their own.
+void restrict_stresses(Command& command) {
+  for (const char* stress : {"--pressure", "--stress-v", "--stress-h"})
+    command.row(stress).needs = {
+        {"--table", "--table; in the ground the weight above is the stress", "--depth"},
+        {"--table --depth", "--table; a path takes its stress from --from"}};
+}
+
+void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   add_answer_options(command, o.answer);
-  CLI::Option* rungs = command.add_option("--rungs", o.rungs, "Closed forms, separated by commas")
-                           ->delimiter(',')
-                           ->transform(one_of(names_of(effective::closed_forms(), &Rung::key)))
-                           ->default_str("all; none in the CSV of a table");
-  const std::vector<CLI::Option*> path_options = add_path_options(command, o);
-  CLI::Option* table =
-      command.add_option("--table", o.table, "States from the rows of this CSV file")->type_name("FILE.csv");
+  add_path_options(command, o);
   add_ground_options(command, o.ground);
-  CLI::Option* depth = command.get_option("--depth");
-  for (CLI::Option* option : path_options) {
-    table->excludes(option);
-    if (option->get_name() != "--points")
-      depth->excludes(option);
-  }
-  depth->excludes(table)->excludes(rungs);
-  command
-      .add_option_function<std::string>(
-          "--columns", [&o](const std::string& text) { o.all_columns = text == "all"; },
-          "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and speeds, and "
-          "every rung of a table")
-      ->transform(one_of({"usual", "all"}))
-      ->default_str("usual");
+  add_table_options(command, o);
+  restrict_stresses(command);
   add_output_options(command, o.output);
-  add_picture_options(command, o, depth, table);
-}
-
-void group_sweep_options(CLI::App& command) {
-  in_group(command, "Path",
-           {"--path", "--from", "--to", "--eta", "--friction-angle", "--spacing", "--points"});
-  in_group(command, "Ground",
-           {"--depth", "--unit-weight", "--saturated-unit-weight", "--water-table", "--k0", "--surcharge",
-            "--water-unit-weight"});
-  in_group(command, "Table and columns", {"--table", "--columns", "--rungs"});
-  in_group(command, output_group, {"--picture", "--picture-of"});
+  add_picture(
+      command, o.picture,
+      "Draw the answer with its range and the rungs along the path; stresses and answers over depth; or "
+      "G of a table's rows");
+  command.row("--picture").excludes = {{"--json"}};
+  command.add({.name = "--picture-of",
+               .value = choice(names_of(swept_quantities(), &SweptQuantity::name), o.picture_of),
+               .group = output_group,
+               .meaning = "What the picture of a path shows; by default G_hv",
+               .needs = {{"--picture"}}});
 }
 
 ExitCode run(SweepOptions o) {
@@ -126,14 +148,15 @@ ExitCode run(SweepOptions o) {
 
 } // namespace
 
-Command add_sweep(CLI::App& program) {
+Command make_sweep() {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = program.add_subcommand(
-      "sweep", "Stiffness over depth, along a stress path, or for each row of a table: CSV and picture");
-  add_sweep_options(*command, *options);
-  group_sweep_options(*command);
-  command->footer(rungs_help());
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "sweep",
+                  .meaning = "Stiffness over depth, along a stress path, or for each row of a table: CSV and "
+                             "picture",
+                  .notes = rungs_help(),
+                  .run = [options] { return run(*options); }};
+  add_sweep_options(command, *options);
+  return command;
 }
 
 } // namespace granum::cli

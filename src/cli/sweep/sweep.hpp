@@ -139,10 +139,6 @@ class SweepOutput {
                                      const std::string& csv, const nlohmann::ordered_json& json,
                                      const Validity& validity, const std::vector<plot::Chart>& picture);
 
-/// \throws   InvalidArgument if the picture's name does not end in .svg; FileError if a file exists and
-///           --force is not given: before any work is done
-void require_free(const OutputOptions& output, const std::string& picture);
-
 /// The assumptions of the answers, and that contacts grow or stay.
 [[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,
                                                   std::vector<std::string> assumptions);

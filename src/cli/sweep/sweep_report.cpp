@@ -224,14 +224,6 @@ ordered_json SweepOutput::json(const ordered_json& head, const std::vector<std::
   return json;
 }
 
-void require_free(const OutputOptions& output, const std::string& picture) {
-  if (!picture.empty() && std::filesystem::path(picture).extension() != ".svg")
-    throw InvalidArgument("--picture = '" + picture + "' must end in .svg");
-  for (const std::string& file : {output.out, picture})
-    if (!output.force && !file.empty() && io::is_taken(file))
-      throw FileError(file, 0, "exists already and is kept; --force replaces it");
-}
-
 ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const std::string& csv,
                        const ordered_json& json, const Validity& validity,
                        const std::vector<plot::Chart>& picture) {

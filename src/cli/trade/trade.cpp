@@ -9,7 +9,6 @@
 #include "studies/plan/plan.hpp"
 #include "studies/trade/trade.hpp"
 #include "studies/trade/trade_findings.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
@@ -149,22 +148,33 @@ ExitCode run(const TradeOptions& options) {
 
 } // namespace
 
-Command add_trade(CLI::App& program) {
+Command make_trade() {
   auto options = std::make_shared<TradeOptions>();
-  CLI::App* command = program.add_subcommand(
-      "trade", "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now");
-  add_study_options(*command, options->study, studies::SceneCommand::trade);
-  command->add_flag("--quick", options->quick, "Up to 1,000 grains, a few values, two seeds");
-  command->add_flag("--full", options->full, "Up to 16,000 grains, and more values of every setting");
-  add_quantity(*command, "--budget", options->budget, Dimension::time,
-               "As far up in grains as this wall time allows: --budget 600s");
-  add_path(*command, "--redraw", options->redraw, "Draw trade.svg again from the finished run of this folder")
-      ->type_name("DIR");
-  in_group(*command, "Extent", {"--quick", "--full", "--budget"});
-  in_group(*command, "Run", {"--redraw"});
-  add_strict_scene(*command, options->strict);
-  add_result_options(*command, options->results, "Folder for results; by default a new granum-trade-N");
-  return {command, [options] { return run(*options); }};
+  Command command{.name = "trade",
+                  .meaning =
+                      "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now",
+                  .run = [options] { return run(*options); }};
+  add_study_options(command, options->study, studies::SceneCommand::trade);
+  command.add({{.name = "--quick",
+                .value = flag(options->quick),
+                .group = "Extent",
+                .meaning = "Up to 1,000 grains, a few values, two seeds",
+                .excludes = {{"--full --budget", "--quick cannot go with --full or --budget"}}},
+               {.name = "--full",
+                .value = flag(options->full),
+                .group = "Extent",
+                .meaning = "Up to 16,000 grains, and more values of every setting"},
+               {.name = "--budget",
+                .value = quantity(options->budget, Dimension::time),
+                .group = "Extent",
+                .meaning = "As far up in grains as this wall time allows: --budget 600s"},
+               {.name = "--redraw",
+                .value = path(options->redraw, "DIR"),
+                .group = "Run",
+                .meaning = "Draw trade.svg again from the finished run of this folder"}});
+  add_strict_scene(command, options->strict);
+  add_result_options(command, options->results, "Folder for results; by default a new granum-trade-N");
+  return command;
 }
 
 } // namespace granum::cli

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 
@@ -90,19 +89,24 @@ ExitCode run(const VerifyOptions& options) {
 
 } // namespace
 
-Command add_verify(CLI::App& program) {
+Command make_verify() {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = program.add_subcommand(
-      "verify", "Closed form against network and DEM, dense and loose: the exponent s");
-  add_study_options(*command, options->study, studies::SceneCommand::verify);
-  add_path(*command, "--report", options->report,
-           "Write report.html and its figures again from the finished run of this folder")
-      ->type_name("DIR");
-  in_group(*command, "Run", {"--report"});
-  add_strict(*command, options->strict);
-  add_result_options(*command, options->results,
+  Command command{.name = "verify",
+                  .meaning = "Closed form against network and DEM, dense and loose: the exponent s",
+                  .run = [options] { return run(*options); }};
+  add_study_options(command, options->study, studies::SceneCommand::verify);
+  command.add(
+      {.name = "--report",
+       .value = path(options->report, "DIR"),
+       .group = "Run",
+       .meaning = "Write report.html and its figures again from the finished run of this folder",
+       .excludes = {
+           {"--scene --set --grains --seeds --threads --out",
+            "--report takes all from the earlier run; no scene and no other folder may be given with it"}}});
+  add_strict(command, options->strict);
+  add_result_options(command, options->results,
                      "Folder for report, CSV and manifest; by default a new granum-verify-N");
-  return {command, [options] { return run(*options); }};
+  return command;
 }
 
 } // namespace granum::cli

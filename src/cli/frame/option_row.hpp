@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <granum/core/units.hpp>
+
+/// One row an option: parser, help, manual pages, completion, questions back and contradictions follow from
+/// it. Checked by tests/cli
+namespace granum::cli {
+
+/// The group that every command's help ends with.
+inline constexpr const char* output_group = "Output";
+
+/// A number of the command line or of a table: its value in SI, by default until it is given.
+struct Number {
+  double value = 0;
+  Dimension dimension = Dimension::dimensionless;
+  /// What columns of tables may call it besides its option's name, separated by blanks.
+  std::string_view symbols = {};
+  std::string name = {}; ///< of the option, "--radius"
+  bool typed = false;    ///< on the command line
+  bool in_table = false; ///< a row of a table gives it
+  bool preset = false;   ///< what else was told decides it, as the name of a mineral does
+  bool per_cent = false; ///< its text or the column of the table has the sign
+
+  [[nodiscard]] bool given() const { return typed || in_table || preset; }
+  /// That the number is not within `range`, and where it is above `most` and may be per cent without its
+  /// sign, how that is written.
+  [[noreturn]] void refuse_share(const std::string& range, double most) const;
+};
+
+/// What an option takes, and where it goes.
+struct Value {
+  std::string type = {};                   ///< "PRESSURE", "FILE"; empty for a flag
+  std::vector<std::string> choices = {};   ///< the words that it chooses from
+  std::string by_default = {};             ///< as help shows it
+  std::string limits = {};                 ///< "2 to 1000000", for help
+  std::optional<Dimension> dimension = {}; ///< of its number: a unit that stands apart belongs to it
+  bool joins_units = false;                ///< also where the numbers stand behind keys or within ranges
+  bool repeated = false;                   ///< may be typed again
+  bool several = false;                    ///< takes all words up to the next option
+  char delimiter = '\0';                   ///< between several in one word
+  Number* number = nullptr;                ///< that gets the name of the option
+  /// Takes one text, without the delimiter, of the option as it was typed.
+  /// \throws   InvalidArgument, FileError
+  std::function<void(const std::string& name, const std::string& text)> take = {};
+
+  [[nodiscard]] bool flag() const { return type.empty(); }
+};
+
+/// Other options, with blanks between them, that cannot be typed beside an option, and what is said then;
+/// without a sentence that the one excludes the other. One of the two rows says so.
+struct Exclusion {
+  std::string_view others;
+  std::string_view sentence = {};
+};
+
+/// Other options of which one has to be typed too.
+struct Need {
+  std::string_view one_of;
+  std::string_view reason = {}; ///< behind "--pressure goes with "; empty: that it requires the other one
+  std::string_view beside = {}; ///< only where one of these is typed; empty: always
+};
+
+/// Words that another option has to choose. A table may tell them too, so that nothing is said beside one.
+struct Belonging {
+  std::string_view chooser;
+  std::string_view choices;
+  std::string_view otherwise; ///< the choice where none is typed
+  std::string reason = {};    ///< behind "--eta goes with "; empty: chooser and choice
+};
+
+/// What people call an input, with blanks between, without hyphens and in small letters unless they tell.
+struct Synonyms {
+  std::string_view words;
+  std::string_view remark = {};
+};
+
+struct OptionRow {
+  std::string name; ///< all of them: "--out", "-h,--help"; of an argument that is no option without hyphens
+  Value value = {};
+  std::string group = {};
+  std::string meaning = {};
+  std::vector<Exclusion> excludes = {};
+  std::vector<Need> needs = {};
+  std::vector<Belonging> belongs = {};
+  std::vector<Synonyms> synonyms = {};
+  bool required = false;
+
+  [[nodiscard]] bool positional() const { return !name.starts_with('-'); }
+};
+
+enum class ExitCode : int {
+  ok = 0,
+  fell_short = 1,    ///< some rows failed, or a check fell short
+  usage = 2,         ///< arguments that cannot be
+  file = 3,          ///< a file that cannot be read or written
+  not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
+  // work that was left undone has 128 and the number of the signal: exit_code_of_stop
+};
+
+/// The program, or a command with its options, or one that has commands within. Its work runs after parsing,
+/// and throws granum's errors, which main turns into a message and an exit code.
+struct Command {
+  std::string name; ///< "lammps"
+  std::string meaning;
+  std::string called = {}; ///< "granum export lammps"
+  std::string group = {};  ///< of commands in help; empty: not listed
+  std::string notes = {};  ///< below the options
+  std::vector<OptionRow> options = {};
+  std::vector<Command> within = {};
+  std::function<ExitCode()> run = {};
+
+  void add(OptionRow row);
+  void add(std::initializer_list<OptionRow> rows);
+  /// The row of an option by any of its names. \throws std::logic_error where the command has none
+  [[nodiscard]] OptionRow& row(std::string_view option);
+  [[nodiscard]] const OptionRow* find(std::string_view option) const;
+  void remove(std::string_view option);
+  [[nodiscard]] bool takes_arguments() const; ///< words that belong to no option
+};
+
+/// "-h" and "--help"; none of a positional argument.
+[[nodiscard]] std::vector<std::string> names_of(const OptionRow& row);
+/// The name that tables and contradictions use: "--vs" of "--shear-wave-speed,--vs" is the second one.
+[[nodiscard]] std::string first_name(const OptionRow& row);
+[[nodiscard]] bool is_named(const OptionRow& row, std::string_view option);
+/// Of words with blanks between.
+[[nodiscard]] bool has_word(std::string_view list, std::string_view word);
+
+// ---- values
+
+[[nodiscard]] Value flag(bool& target);
+/// A number with its unit; its value is the default that help shows.
+[[nodiscard]] Value number(Number& target);
+[[nodiscard]] Value number_without_default(Number& target);
+[[nodiscard]] Value quantity(double& target, Dimension dimension);
+[[nodiscard]] Value quantity(std::optional<double>& target, Dimension dimension);
+/// A number of things, 0 or more.
+[[nodiscard]] Value count(std::optional<std::size_t>& target);
+[[nodiscard]] Value whole_number(std::size_t& target, std::size_t least, std::size_t most);
+/// The name of a file or folder. Empty text, as of a shell variable that is not set, is refused: `target`
+/// stays empty where the option is not given.
+[[nodiscard]] Value path(std::string& target, std::string type = "FILE");
+[[nodiscard]] Value text(std::string& target, std::string type = "TEXT");
+/// One more text each time that it is typed.
+[[nodiscard]] Value texts(std::vector<std::string>& target, std::string type);
+
+using Take = std::function<void(const std::string& text)>;
+/// What `take` reads, or refuses with InvalidArgument that does not name the option.
+[[nodiscard]] Value read_by(Take take, std::string type);
+/// The same where the text is one of a few words, or begins with one: "friction:NUMBER".
+[[nodiscard]] Value read_by(Take take, std::vector<std::string> choices);
+
+/// Other words for a choice, and the choice: "hertz" for sphere.
+using OtherWords = std::vector<std::pair<std::string, std::string>>;
+/// One of a few words, in large or small letters; what is near to one of them is asked back.
+[[nodiscard]] Value choice(std::vector<std::string> words, Take take, OtherWords others = {});
+/// The same; what it holds is the default.
+[[nodiscard]] Value choice(std::vector<std::string> words, std::string& target);
+
+/// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.
+[[nodiscard]] std::string type_name(Dimension dimension);
+[[nodiscard]] std::string in_small_letters(std::string text);
+
+} // namespace granum::cli
