@@ -98,7 +98,7 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
 # Where contacts are not given, bounds and rungs take those of the answer, and the relaxed rung is the answer: at C_n and z*
 # of the answer each column is the same again.
 granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
-  STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.488\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
+  STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.489\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
 add_test(NAME "cli: estimate: rungs at contacts that are given and at those of the answer"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_rungs.cmake")
@@ -227,7 +227,7 @@ granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDE
 granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 STDERR "not met" JSON "ladder/rungs/1/verdict=^inputs_missing$"
   "ladder/rungs/2/missing/0=fabric" "ladder/rungs/0/missing=^\\[ *\\]$" ARGS estimate ${dense} --tolerance 5% --json)
 granum_cli_test("estimate: the error of contacts that nobody counted" EXIT 4 STDERR "10 % is not met"
-  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 51 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
+  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 50 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
 granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
