@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The version of CMakeLists.txt is that of the citation and of the newest heading of the changelog, which have one date.
+#   cmake -DROOT=<source tree> -DVERSION=<x.y.z> -P check_version.cmake
+cmake_minimum_required(VERSION 3.25)
+
+file(READ "${ROOT}/CITATION.cff" citation)
+file(STRINGS "${ROOT}/CHANGELOG.md" headings REGEX "^## ")
+list(GET headings 0 newest)
+if(NOT newest MATCHES "^## ([0-9.]+) \\(([0-9]+-[0-9][0-9]-[0-9][0-9]|unreleased)\\)$")
+  message(FATAL_ERROR "CHANGELOG.md: '${newest}' is not a version with a date, or with the word unreleased")
+endif()
+set(version "${CMAKE_MATCH_1}")
+set(date "${CMAKE_MATCH_2}")
+if(NOT version STREQUAL VERSION)
+  message(FATAL_ERROR "CHANGELOG.md begins with ${version}, CMakeLists.txt says ${VERSION}")
+endif()
+if(NOT citation MATCHES "\nversion: ([^\n]+)" OR NOT CMAKE_MATCH_1 STREQUAL VERSION)
+  message(FATAL_ERROR "CITATION.cff has version ${CMAKE_MATCH_1}, CMakeLists.txt says ${VERSION}")
+endif()
+if(citation MATCHES "\ndate-released: ([^\n]+)")
+  set(cited "${CMAKE_MATCH_1}")
+else()
+  set(cited unreleased)
+endif()
+if(NOT cited STREQUAL date)
+  message(FATAL_ERROR "CITATION.cff was released: ${cited}; CHANGELOG.md: ${date}")
+endif()
