@@ -65,7 +65,9 @@ endfunction()
 function(granum_library name)
   add_library(granum_${name})
   add_library(granum::${name} ALIAS granum_${name})
-  set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name})
+  # While the major version is 0, a new minor version may change interfaces.
+  set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name} VERSION "${PROJECT_VERSION}"
+    SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}" INSTALL_RPATH "$ORIGIN")
   granum_compile_settings(granum_${name})
   target_sources(granum_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include"
     FILE_SET lone_headers TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include")

@@ -17,7 +17,7 @@ web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 li
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
 test_packages=("${python_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
-  clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file)
+  clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 
