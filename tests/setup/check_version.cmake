@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The version of CMakeLists.txt is that of the citation and of the newest heading of the changelog, which have one date.
+# The version of CMakeLists.txt is that of the citation and of the newest heading of the changelog, which have one date, and of the
+# recipes in packaging/.
 #   cmake -DROOT=<source tree> -DVERSION=<x.y.z> -P check_version.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -25,3 +26,14 @@ endif()
 if(NOT cited STREQUAL date)
   message(FATAL_ERROR "CITATION.cff was released: ${cited}; CHANGELOG.md: ${date}")
 endif()
+
+foreach(line "conda/meta.yaml|version: \"${VERSION}\"" "vcpkg/vcpkg.json|\"version\": \"${VERSION}\"" "spack/package.py|version(\"${VERSION}\"")
+  string(REPLACE "|" ";" line "${line}")
+  list(GET line 0 path)
+  list(GET line 1 words)
+  file(READ "${ROOT}/packaging/${path}" text)
+  string(FIND "${text}" "${words}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "packaging/${path}: '${words}' is missing")
+  endif()
+endforeach()
