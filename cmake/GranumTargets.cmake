@@ -40,12 +40,13 @@ function(granum_precompile target)
   endif()
 endfunction()
 
-# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers.
+# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers;
+# shared ones cannot, and have each their own.
 function(granum_precompile_together)
   foreach(library IN LISTS ARGN)
     if(NOT TARGET granum_${library})
       continue()
-    elseif(DEFINED first)
+    elseif(DEFINED first AND NOT BUILD_SHARED_LIBS)
       target_precompile_headers(granum_${library} REUSE_FROM ${first})
     else()
       set(first granum_${library})
