@@ -105,7 +105,7 @@ granum_new_user("what needs another option" "plan --force --set study.grain=4" 2
 granum_new_user("numbers that are no whole ones" "verify --grains many --seeds 1.5" 2
   "--grains = 'many': expected a whole number.*--seeds = '1\\.5': expected a whole number")
 granum_new_user("a list with a slip" "infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-pressure 50kPa,1 --growth fix" 2
-  "--predict-pressure = 1 has no unit.*--growth: fix not in {packings,fixed,fitted}; did you mean fixed")
+  "--predict-pressure = 1 has no unit.*--growth: fix not in {packings,fixed,fitted,sand}; did you mean fixed")
 granum_new_user("an unknown option that another one may need" "sweep --dept 0m..3m --void-ratio 0.6 --k0 0.4" 2 "^granum: error: [^\n]*did you mean --depth[^\n]*\n$")
 
 # ---- what is missing

@@ -55,7 +55,7 @@ ExitCode run(Options o) {
   const State& state = answer.answer.state();
   const Bounds bounds = bounds_of(answer);
   const ordered_json packing = packing_json(o.packing, state);
-  std::string table = state_text(packing, state) + answer_table(answer);
+  std::string table = state_text(packing, answer) + answer_table(answer);
   if (o.bounds)
     table += "\n" + bounds_table(state, bounds);
   table += notes_text(answer.assumptions, o.bounds ? bounds.assumptions : std::vector<std::string>{});
@@ -63,6 +63,9 @@ ExitCode run(Options o) {
   Validity validity = slips_of(o, state);
   validity.merge(bounds.validity);
   validity.merge(answer.answer.validity());
+  if (answer.sand_answer)
+    for (const std::string& note : answer.sand_answer->validity().notes)
+      validity.add("sand: " + note);
   if (o.tolerance.given()) {
     const estimate::Ladder ladder = estimate::choose(answer.answer, o.tolerance.value);
     table += ladder_table(ladder);
@@ -70,7 +73,8 @@ ExitCode run(Options o) {
     validity.merge(ladder.validity);
   }
   validity.keep_each_once();
-  return deliver(o.output, within_width(table), json, validity);
+  const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
+  return deliver(o.output, csv ? answer_csv(answer, packing) : within_width(table), json, validity);
 }
 
 } // namespace
@@ -87,6 +91,7 @@ Command make_estimate() {
                   .run = [options] { return run(*options); }};
   add_packing_options(command, options->packing);
   add_answer_options(command, options->answer);
+  add_state_options(command, options->answer);
   command.add(
       {{.name = "--bounds",
         .value = flag(options->bounds),

@@ -8,12 +8,14 @@ namespace granum::cli {
 AnswerRows::AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer)
     : table_(table), packings_(table, packing), answer_(answer) {
   NumberColumns& columns = packings_.columns();
-  for (Number* number : {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
-                         &answer_.grain_density, &answer_.saturation})
+  for (Number* number :
+       {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
+        &answer_.grain_density, &answer_.saturation, &answer_.earth_pressure_at_rest, &answer_.strain})
     columns.bind(*number);
   preparation_ = columns.text("preparation", answer.preparation != effective::Preparation{});
   grain_ = columns.text("grain", answer.mineral != nullptr);
   sand_ = columns.text("sand", answer.sand != nullptr);
+  grain_shape_ = columns.text("grain_shape", answer.grain_shape.has_value());
 }
 
 AnswerRow AnswerRows::row(std::size_t row) {
@@ -28,7 +30,9 @@ AnswerRow AnswerRows::row(std::size_t row) {
   if (const std::string said = text(grain_); !said.empty())
     both.answer.mineral = &contact::mineral(said);
   if (const std::string said = text(sand_); !said.empty())
-    both.answer.sand = &hardin::known_sand(said);
+    both.answer.sand = &sands::known_sand(said);
+  if (const std::string said = text(grain_shape_); !said.empty())
+    both.answer.grain_shape = estimate::grain_shape_of(said);
   apply_presets(both.packing, both.answer);
   return both;
 }

@@ -35,7 +35,7 @@ class AnswerRows {
   const io::CsvTable& table_;
   PackingRows packings_;
   AnswerOptions answer_;
-  std::optional<std::size_t> preparation_, grain_, sand_;
+  std::optional<std::size_t> preparation_, grain_, sand_, grain_shape_;
 };
 
 } // namespace granum::cli

@@ -103,6 +103,10 @@ void add_table_options(Command& command, SweepOptions& o) {
                 .value = std::move(rungs),
                 .group = group,
                 .meaning = "Closed forms, separated by commas"},
+               {.name = "--laws",
+                .value = flag(o.law_columns),
+                .group = group,
+                .meaning = "Published laws of sands too, a column each"},
                {.name = "--columns",
                 .value = std::move(columns),
                 .group = group,
@@ -121,6 +125,7 @@ void restrict_stresses(Command& command) {
 void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   add_answer_options(command, o.answer);
+  command.add(strain_row(o.answer));
   add_path_options(command, o);
   add_ground_options(command, o.ground);
   add_table_options(command, o);
@@ -140,6 +145,7 @@ void add_sweep_options(Command& command, SweepOptions& o) {
 
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
+  o.answer.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
   apply_presets(o.packing, o.answer);

@@ -39,6 +39,7 @@ struct SweepOptions {
   AnswerOptions answer;
   GroundOptions ground;
   bool all_columns = false;
+  bool law_columns = false; ///< published laws of sands as columns
   OutputOptions output;
   std::vector<std::string> rungs; ///< keys
   std::string path = "iso";
@@ -127,9 +128,11 @@ class SweepOutput {
                                             const std::vector<std::string>& remarks) const;
 
  private:
+  void add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const;
+
   const SweepOptions& options_;
   Rungs rungs_;
-  io::Columns<estimate::Answer> columns_;
+  io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter where nothing says what grains are
   std::vector<std::string> headings_;
   io::CsvManner manner_;
   std::string rows_;
@@ -165,6 +168,8 @@ struct Band {
   std::vector<estimate::Range> ranges;
 };
 /// \param    sideways   numbers to the right, places downwards, as over depth
-void add_band(plot::Chart& chart, const Band& band, bool sideways);
+/// \param    name       of the line in the legend
+void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name = "answer",
+              plot::Colour colour = plot::Colour::closed_form);
 
 } // namespace granum::cli

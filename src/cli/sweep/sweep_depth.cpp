@@ -137,8 +137,9 @@ std::string line_of(const Text& text) {
 std::string table_of(const GroundCase& ground, const std::vector<DepthState>& states,
                      const std::vector<std::string>& remarks) {
   const AnswerCase& last = *states.back().state.answer;
-  std::string text = fmt::format("Small-strain stiffness of level ground of void ratio {}\n\n",
-                                 short_text(last.question.state.void_ratio));
+  std::string text =
+      fmt::format("Stiffness of level ground, void ratio {}: {}\n\n",
+                  short_text(last.question.state.void_ratio), title_of(last.question.grain_shape));
   text += ground_text(ground);
   text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
   text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
@@ -186,13 +187,15 @@ std::vector<std::string> depth_remarks(const SweepOptions& o, const GroundCase& 
   std::vector<std::string> remarks = ground.assumptions;
   for (const std::string& note : remarks_on(o, first.assumptions))
     remarks.push_back(note);
+  const bool sand = first.question.grain_shape == estimate::GrainShape::sand;
   if (ground.ground.earth_pressure_at_rest != 1)
     remarks.emplace_back(
-        "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
-        "no contacts: --fabric is that of the ground as it lies");
+        sand ? "unequal stresses share the exponent of G in a vertical plane, m of sigma_h and n of sigma_v"
+             : "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
+               "no contacts: --fabric is that of the ground as it lies");
   if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
-        "without stress spheres have no stiffness: at the surface G and V_s are 0, where suction "
+        "without stress grains have no stiffness: at the surface G and V_s are 0, where suction "
         "and cement would hold real ground");
   return remarks;
 }
