@@ -7,6 +7,5 @@ namespace granum::sands {
 inline constexpr double kPa = 1e3, MPa = 1e6, mm = 1e-3;
 inline constexpr double reference_stress = 100 * kPa;        ///< p_a of most laws [Pa]
 inline constexpr double standard_atmosphere = 101.325 * kPa; ///< of those that say atm [Pa]
-inline constexpr double uniform_sand = 1.5;                  ///< C_u where none is told
 
 } // namespace granum::sands

@@ -21,10 +21,10 @@ constexpr double knee = 50 * kPa; ///< below, sands soften faster
 
 // Where the tests lie.
 constexpr double low_stress_exponent = 0.50; ///< s below the knee
-constexpr double least_stress = 25 * kPa, largest_stress = 500 * kPa;
-constexpr double noted_below = 5 * kPa, noted_above = 2 * MPa; ///< in between the range widens, no more
+constexpr double noted_above =
+    2 * MPa; ///< up to here, and below least_tested_stress, the range widens, no more
 constexpr double least_e = 0.40, largest_e = 0.93;
-constexpr double largest_uniformity = 8, gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< where sand ends
+constexpr double gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< where sand ends
 
 double largest(double a, double b, double c) { return std::max({a, b, c}); }
 
@@ -142,7 +142,7 @@ double pooled_shear_modulus(const Sand& sand, double void_ratio, double mean_str
 
 double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
   constexpr double most = 1.6;
-  const bool unusual = sand.uniformity.value_or(uniform_sand) > largest_uniformity || !sand.quartz ||
+  const bool unusual = sand.uniformity.value_or(uniform_sand) > largest_tested_uniformity || !sand.quartz ||
                        sand.d50.value_or(mm) > gravel;
   if (unusual)
     return most;
@@ -152,7 +152,8 @@ double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
   else if (form_of(sand) == PooledForm::density_and_limits)
     within = 1.25;
   const double p = std::max(mean_stress, 1.0); // without stress there is no modulus to be off
-  const double by_stress = 0.3 * beyond(std::log(p), std::log(least_stress), std::log(largest_stress));
+  const double by_stress =
+      0.3 * beyond(std::log(p), std::log(least_tested_stress), std::log(largest_tested_stress));
   const double by_density = 3 * beyond(void_ratio, least_e, largest_e);
   return std::min(most, std::exp(std::hypot(std::log(within), by_stress, by_density)));
 }
@@ -164,16 +165,12 @@ Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stres
       notes.add(std::string(what) + " of " + short_text(value) + unit +
                 " lies outside of the sands tested, " + short_text(low) + " to " + short_text(high) + unit);
   };
-  const auto note_stress = [&](double p) {
-    if (p < noted_below || p > noted_above)
-      notes.add("a mean stress of " + pretty(p, Dimension::pressure) +
-                " lies far outside of the sands tested, 25 to 500 kPa");
-  };
   note("a void ratio", void_ratio, least_e, largest_e, "");
-  if (mean_stress > 0)
-    note_stress(mean_stress);
+  if (mean_stress > noted_above)
+    notes.add("a mean stress of " + pretty(mean_stress, Dimension::pressure) +
+              " lies far outside of the sands tested, 25 to 500 kPa");
   if (sand.uniformity)
-    note("a C_u", *sand.uniformity, 1, largest_uniformity, "");
+    note("a C_u", *sand.uniformity, 1, largest_tested_uniformity, "");
   if (sand.d50)
     note("a d50", *sand.d50 / mm, least_d50 / mm, gravel / mm, " mm");
   if (!sand.quartz)

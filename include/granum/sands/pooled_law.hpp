@@ -11,6 +11,13 @@
 /// miss, also of sands that were left out, is repeated by validation/sands.
 namespace granum::sands {
 
+/// C_u where none is told.
+inline constexpr double uniform_sand = 1.5;
+/// Largest C_u of the sands that were tested.
+inline constexpr double largest_tested_uniformity = 8;
+/// Mean stresses of the tests [Pa].
+inline constexpr double least_tested_stress = 25e3, largest_tested_stress = 500e3;
+
 /// What is known of a sand besides its void ratio.
 struct Sand {
   std::optional<double> uniformity = {};         ///< C_u = d60/d10 >= 1 [1]
@@ -76,7 +83,8 @@ struct GrowthExponent {
 /// stresses and void ratios that were tested, at most 1.6.
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
 
-/// What of a sand lies outside of the tests, in words; the values hold with a wider range.
+/// What of a sand lies outside of the tests, in words; the values hold with a wider range. Stresses below the
+/// tests are in every piece of ground and are not named: the range alone is wider.
 [[nodiscard]] Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress);
 
 /// Poisson's ratio of dry or drained sand at small strain: 0.20 - 0.05 log10(p/100 kPa) +- 0.06 from 10 kPa
