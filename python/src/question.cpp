@@ -78,7 +78,7 @@ grain_shape : str
     "sphere", the model, or "sand", what was measured on sands: the same fields, from other sources.
 sand : str, optional
     A sand by name, "toyoura", with its limits of the void ratio, C_u, d50 and tests as far as they are known;
-    implies grain_shape "sand".
+    implies grain_shape "sand" where that is not said.
 uniformity : array_like, optional
     C_u = d60/d10 of a sand, >= 1 [1].
 least_void_ratio, largest_void_ratio : array_like, optional
@@ -104,7 +104,8 @@ QuestionArguments::QuestionArguments(const Arguments& a)
     grain_shape_ = estimate::grain_shape_of(a.text(grain_shape_at));
   if (a.given(sand_at)) {
     sand_ = &sands::known_sand(a.text(sand_at));
-    grain_shape_ = estimate::GrainShape::sand;
+    if (!a.given(grain_shape_at))
+      grain_shape_ = estimate::GrainShape::sand;
   }
   for (std::size_t k = 0; k < told_of_sand_.size(); ++k) {
     columns_.push_back({numbers_of_sand[k], 0.0});

@@ -35,8 +35,16 @@ granum_cli_test("sands: columns of both, and laws" EXIT 0 STDOUT "grain_shape,sa
   ARGS sweep --void-ratio 0.7 --from 100kPa --to 200kPa --points 2 --laws)
 granum_cli_test("sands: the ground is soil" EXIT 0 STDOUT "void ratio 0\\.7648: sand \\(measured laws\\)"
   ARGS sweep --depth 1m..20m --points 2 --sand toyoura --relative-density 60%)
+granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "no sand was tested below p' = 25 kPa, here at 1\\.7 m and less"
+  ARGS sweep --depth 0m..20m --points 201 --sand toyoura --relative-density 60% --k0 1 --unit-weight 14.7kN/m3 --strict)
+granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Grain shape sphere has the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
   --void-ratio 0.6 --grain glass)
+
+add_test(NAME "cli: sands: what pictures show" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sand_pictures"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
+set_tests_properties("cli: sands: what pictures show" PROPERTIES LABELS cli)
 
 # ---- infer
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)

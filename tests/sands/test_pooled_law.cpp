@@ -87,6 +87,8 @@ TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyo
 TEST_CASE("pooled law: what lies outside of the tests is said") {
   CHECK(outside_of_tests(uniform, 0.7, 100e3).ok());
   CHECK(outside_of_tests(uniform, 0.7, 0).ok());
+  CHECK(outside_of_tests(uniform, 0.7, 500).ok()); // such stresses are in every ground: the range is wider
+  CHECK(stated_factor(uniform, 0.7, 500) == 1.6);
   CHECK(outside_of_tests({.uniformity = 12, .d50 = 10e-3, .quartz = false}, 0.3, 5e6).notes.size() == 5);
 }
 

@@ -34,6 +34,12 @@ struct AnswerCase {
 
 /// Adds what published laws give.
 void add_measured_laws(AnswerCase& answer);
+/// Which of them were tested here, in the order of sands::measured_laws().
+[[nodiscard]] std::vector<bool> laws_tested(const AnswerCase& answer);
+/// From the lowest to the highest of some of them, or of all where none is named; the geometric mean of these
+/// ends in between. Nothing without stress.
+[[nodiscard]] std::optional<estimate::Range> range_of_laws(const AnswerCase& answer,
+                                                           const std::vector<bool>& some);
 
 /// Works out the answer, without what measured sands give and without assumptions.
 /// \throws   InvalidArgument as estimate::answer

@@ -20,8 +20,6 @@ using estimate::Field;
 using estimate::GrainShape;
 using nlohmann::ordered_json;
 
-constexpr double uniform_sand = 1.5; ///< C_u of the measured laws where none is told
-
 sands::StrainedSand strained_sand(const estimate::Question& q) {
   return {.strain = *q.shear_strain,
           .void_ratio = q.state.void_ratio,
@@ -33,22 +31,14 @@ bool has_strain(const AnswerCase& c) {
   return c.question.shear_strain && c.question.state.mean_stress() > 0 && answer_of_sand(c) != nullptr;
 }
 
-/// "they are 2.4 times stiffer than these spheres": by the laws that were tested here, else by all.
+/// "they are 2.4 times stiffer than these spheres".
 std::string comparison_text(const AnswerCase& c) {
   constexpr double alike = 1.25;
-  double low = INFINITY, high = 0;
-  const bool any = std::any_of(c.sands.begin(), c.sands.end(), [](const SandAnswer& sand) {
-    return sand.modulus && sand.modulus->validity.ok();
-  });
-  for (const SandAnswer& sand : c.sands)
-    if (sand.modulus && (!any || sand.modulus->validity.ok())) {
-      low = std::min(low, sand.modulus->shear_modulus);
-      high = std::max(high, sand.modulus->shear_modulus);
-    }
+  const std::optional<estimate::Range> laws = range_of_laws(c, laws_tested(c));
   const double G = c.answer[Field::shear_modulus].value;
-  if (c.question.grain_shape == GrainShape::sand || !(high > 0 && G > 0))
+  if (c.question.grain_shape == GrainShape::sand || !laws || !(G > 0))
     return "";
-  const double ratio = std::sqrt(low * high) / G;
+  const double ratio = laws->value / G;
   if (ratio > alike)
     return fmt::format("    they are {} times stiffer than these spheres\n", short_text(ratio, 2));
   if (ratio < 1 / alike)
@@ -83,7 +73,7 @@ const estimate::Answer* answer_of_sand(const AnswerCase& c) {
 
 void add_measured_laws(AnswerCase& c) {
   const estimate::Question& q = c.question;
-  c.uniformity = q.sand.uniformity.value_or(uniform_sand);
+  c.uniformity = q.sand.uniformity.value_or(sands::uniform_sand);
   c.uniformity_assumed = !q.sand.uniformity;
   sands::SandState sand{
       .void_ratio = q.state.void_ratio, .mean_stress = q.state.mean_stress(), .uniformity = c.uniformity};
@@ -97,6 +87,26 @@ void add_measured_laws(AnswerCase& c) {
     } catch (const InvalidArgument&) { // a void ratio at which the law has reached zero
     }
   }
+}
+
+std::vector<bool> laws_tested(const AnswerCase& c) {
+  std::vector<bool> tested;
+  for (const SandAnswer& sand : c.sands)
+    tested.push_back(sand.modulus && sand.modulus->validity.ok());
+  return tested;
+}
+
+std::optional<estimate::Range> range_of_laws(const AnswerCase& c, const std::vector<bool>& some) {
+  const bool all = std::find(some.begin(), some.end(), true) == some.end();
+  double low = INFINITY, high = 0;
+  for (std::size_t k = 0; k < c.sands.size(); ++k)
+    if (c.sands[k].modulus && (all || some.at(k))) {
+      low = std::min(low, c.sands[k].modulus->shear_modulus);
+      high = std::max(high, c.sands[k].modulus->shear_modulus);
+    }
+  if (!(high > 0))
+    return std::nullopt;
+  return estimate::Range{.value = std::sqrt(low * high), .low = low, .high = high};
 }
 
 std::string answer_csv(const AnswerCase& c, const ordered_json& packing) {
@@ -153,6 +163,8 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
                   sands::formula(sands::form_of(q.sand)),
                   short_text(sands::growth_exponent(q.sand, q.state.mean_stress()).value, 3),
                   short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
+  if (const double p = q.state.mean_stress(); p > 0 && p < sands::least_tested_stress)
+    notes.emplace_back("sand: none was tested below 25 kPa; the factor is wider for it");
   notes.emplace_back(
       "sand: nu is that of measurements; E hardly depends on it, V_p by some 10 %, K by a factor "
       "of 1.5");

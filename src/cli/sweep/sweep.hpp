@@ -171,5 +171,9 @@ struct Band {
 /// \param    name       of the line in the legend
 void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name = "answer",
               plot::Colour colour = plot::Colour::closed_form);
+/// The range of the published laws behind what the chart shows, where --laws asks for them.
+/// \param    at   the place of each state, as add_band takes them
+void add_law_band(plot::Chart& chart, const SweepOptions& options, const std::vector<double>& at,
+                  const std::vector<const SweptState*>& states, bool sideways);
 
 } // namespace granum::cli

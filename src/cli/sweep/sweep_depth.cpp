@@ -193,6 +193,15 @@ std::vector<std::string> depth_remarks(const SweepOptions& o, const GroundCase& 
         sand ? "unequal stresses share the exponent of G in a vertical plane, m of sigma_h and n of sigma_v"
              : "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
                "no contacts: --fabric is that of the ground as it lies");
+  const auto shallow = [](const DepthState& at) {
+    const double p = at.point.stress.effective.mean();
+    return p > 0 && p < sands::least_tested_stress;
+  };
+  if (const auto last = std::find_if(states.rbegin(), states.rend(), shallow); sand && last != states.rend())
+    remarks.push_back(
+        fmt::format("no sand was tested below p' = 25 kPa, here at {} m and less: the range is wider "
+                    "there, up to a factor of 1.6",
+                    short_text(last->point.depth)));
   if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
         "without stress grains have no stiffness: at the surface G and V_s are 0, where suction "
@@ -236,14 +245,18 @@ plot::Chart stress_panel(const std::vector<DepthState>& states) {
   return chart;
 }
 
-plot::Chart field_panel(const std::vector<DepthState>& states, Field field, const std::string& x,
-                        double unit) {
+plot::Chart field_panel(const SweepOptions& o, const std::vector<DepthState>& states, Field field,
+                        const std::string& x, double unit) {
   plot::Chart chart = panel(estimate::row_of(field).meaning, x, unit);
   Band band;
+  std::vector<const SweptState*> all;
   for (const DepthState& at : states) {
     band.at.push_back(at.point.depth);
     band.ranges.push_back(at.state.answer->answer[field]);
+    all.push_back(&at.state);
   }
+  if (field == Field::shear_modulus)
+    add_law_band(chart, o, band.at, all, true);
   add_band(chart, band, true);
   return chart;
 }
@@ -266,9 +279,9 @@ std::vector<plot::Chart> picture_of(const SweepOptions& o, const GroundCase& gro
   if (o.picture.empty())
     return {};
   const std::vector<DepthState> states = states_at(o, ground, picture_depths(ground));
-  return {stress_panel(states), field_panel(states, Field::shear_modulus, "G [MPa]", 1e6),
-          field_panel(states, Field::shear_wave_speed, "V_s [m/s]", 1),
-          field_panel(states, Field::compression_wave_speed, "V_p [m/s]", 1)};
+  return {stress_panel(states), field_panel(o, states, Field::shear_modulus, "G [MPa]", 1e6),
+          field_panel(o, states, Field::shear_wave_speed, "V_s [m/s]", 1),
+          field_panel(o, states, Field::compression_wave_speed, "V_p [m/s]", 1)};
 }
 
 Validity validity_of(const GroundCase& ground, const std::vector<DepthState>& states) {

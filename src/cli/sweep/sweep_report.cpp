@@ -303,6 +303,25 @@ std::vector<double> spread(double first, double last, std::size_t n, bool logari
   return values;
 }
 
+void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<double>& at,
+                  const std::vector<const SweptState*>& states, bool sideways) {
+  if (!o.law_columns)
+    return;
+  std::vector<bool> tested(sands::measured_laws().size()); // at any of the states: a band without steps
+  for (const SweptState* state : states) {
+    const std::vector<bool> here = state->answer ? laws_tested(*state->answer) : std::vector<bool>{};
+    for (std::size_t k = 0; k < here.size(); ++k)
+      tested[k] = tested[k] || here[k];
+  }
+  Band band;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (const auto range = states[k]->answer ? range_of_laws(*states[k]->answer, tested) : std::nullopt) {
+      band.at.push_back(at[k]);
+      band.ranges.push_back(*range);
+    }
+  add_band(chart, band, sideways, "published laws", plot::Colour::power_law);
+}
+
 void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name,
               plot::Colour colour) {
   plot::Series line{.name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0, .colour = colour};

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Published laws stand in pictures of sweeps where --laws asks for them, and only there:
+#   cmake -DPROGRAM=... -DFOLDER=... -P check_sand_pictures.cmake
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+
+# Draws a picture, and asks whether it holds the texts.
+function(check_picture wanted text)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} --picture "${FOLDER}/picture.svg" --force
+    RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE err)
+  file(READ "${FOLDER}/picture.svg" svg)
+  string(FIND "${svg}" "${text}" at)
+  if(NOT code EQUAL 0 OR (wanted AND at EQUAL -1) OR (NOT wanted AND NOT at EQUAL -1))
+    message(FATAL_ERROR "${ARGN}: exit code ${code}, '${text}' in the picture should be ${wanted}: ${err}")
+  endif()
+endfunction()
+
+set(sand --void-ratio 0.7 --grain-shape sand)
+foreach(sweep "--from;50kPa;--to;400kPa" "--depth;1m..20m" "--path;txc;--from;100kPa;--eta;0.6")
+  check_picture(TRUE "published laws" sweep ${sand} ${sweep} --points 3 --laws)
+  check_picture(FALSE "published laws" sweep ${sand} ${sweep} --points 3)
+endforeach()
+check_picture(FALSE "published laws" sweep ${sand} --from 50kPa --to 400kPa --points 3 --laws --picture-of K)
