@@ -46,6 +46,19 @@ add_test(NAME "cli: sands: what pictures show" WORKING_DIRECTORY "${CMAKE_CURREN
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
 set_tests_properties("cli: sands: what pictures show" PROPERTIES LABELS cli)
 
+add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/layers"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_layers.cmake")
+set_tests_properties("cli: sands: layers, and depths in tables" PROPERTIES LABELS cli)
+set(deep --depth 1m..20m --points 3)
+granum_cli_test("sands: layers on the screen" EXIT 0 STDOUT "10 m +e = 0\\.65, 17 kN/m3.*from 4 m: Hostun" ARGS sweep --layers layers.csv ${deep})
+granum_cli_test("sands: a column that is an option too" EXIT 2 STDERR "--void-ratio is an option and the column 'e' too" ARGS sweep --layers layers.csv
+  ${deep} --void-ratio 0.7)
+granum_cli_test("sands: layers without depths" EXIT 2 STDERR "--layers goes with --depth" ARGS sweep --layers layers.csv)
+granum_cli_test("sands: layers without tops" EXIT 3 STDERR "sweep_few\\.csv:[0-9]+: [^\n]*top_m" ARGS sweep --layers sweep_few.csv ${deep})
+granum_cli_test("sands: a table of stresses has no ground" EXIT 2 STDERR "--unit-weight goes with --depth, or with a table"
+  ARGS sweep --table sweep_few.csv --unit-weight 17kN/m3)
+
 # ---- infer
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)
 granum_cli_test("sands: a forecast" EXIT 0 JSON "sand/predictions/0/G/value=^1[89]" "sand/tells_contacts=^(false|OFF)$" "grain_shape=^sand$"

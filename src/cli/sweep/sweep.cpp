@@ -150,7 +150,8 @@ ExitCode run(SweepOptions o) {
   o.answer.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
-  apply_presets(o.packing, o.answer);
+  if (o.ground.layers.empty()) // layers have their own
+    apply_presets(o.packing, o.answer);
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 
