@@ -22,3 +22,14 @@ foreach(sweep "--from;50kPa;--to;400kPa" "--depth;1m..20m" "--path;txc;--from;10
   check_picture(FALSE "published laws" sweep ${sand} ${sweep} --points 3)
 endforeach()
 check_picture(FALSE "published laws" sweep ${sand} --from 50kPa --to 400kPa --points 3 --laws --picture-of K)
+
+# estimate draws around its state: over strain with each law of it, else over stress, both answers where nothing says which.
+set(state --void-ratio 0.7 --pressure 100kPa)
+foreach(text "shear strain [%]" darendeli menq ishibashi-zhang "asked for" range)
+  check_picture(TRUE "${text}" estimate ${state} --strain 0.01%)
+endforeach()
+foreach(text "p' [kPa]" "sand (measured laws)" "beads (spheres of the model)")
+  check_picture(TRUE "${text}" estimate ${state})
+endforeach()
+check_picture(FALSE "beads" estimate ${state} --grain-shape sand)
+check_picture(FALSE "darendeli" estimate ${state} --grain-shape sand)

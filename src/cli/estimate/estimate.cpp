@@ -5,9 +5,11 @@
 
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/plot/chart.hpp>
 
 #include "answer_options.hpp"
-#include "answer_report.hpp"
+#include "answer_picture.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
@@ -27,6 +29,7 @@ struct Options {
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
   Number tolerance;
+  std::string picture; ///< file; empty for none
   bool bounds = false; ///< show the uniform fields and rung 3 side by side
 };
 
@@ -50,6 +53,7 @@ Validity slips_of(const Options& o, const State& state) {
 }
 
 ExitCode run(Options o) {
+  require_free(o.output, o.picture);
   apply_presets(o.packing, o.answer);
   const AnswerCase answer = solve_answer(o.packing, o.answer, o.uncertain);
   const State& state = answer.answer.state();
@@ -74,7 +78,13 @@ ExitCode run(Options o) {
   }
   validity.keep_each_once();
   const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
-  return deliver(o.output, csv ? answer_csv(answer, packing) : within_width(table), json, validity);
+  const std::string picture =
+      o.picture.empty() ? "" : plot::svg(answer_chart(o.packing, o.answer, o.uncertain, answer));
+  const ExitCode code =
+      deliver(o.output, csv ? answer_csv(answer, packing) : within_width(table), json, validity);
+  if (!picture.empty())
+    io::write_file(o.picture, picture, o.output.force ? io::Existing::replace : io::Existing::keep);
+  return code;
 }
 
 } // namespace
@@ -103,6 +113,8 @@ Command make_estimate() {
         .meaning = "Choose the cheapest rung whose stated error is no larger, e.g. 5%"},
        uncertainty_row(options->uncertain)});
   add_output_options(command, options->output);
+  add_picture(command, options->picture,
+              "Draw G and its range over the mean stress, or over the shear strain with --strain");
   return command;
 }
 

@@ -16,7 +16,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/estimate/answer_report.hpp"
+#include "cli/estimate/answer_picture.hpp"
 #include "cli/frame/frame.hpp"
 
 /// What granum sweep works out, state by state, and how it leaves the program: along a path, over depth and
@@ -159,21 +159,6 @@ ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
 /// Goes down into the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
-/// Options with the stresses of a state in place of their own.
-[[nodiscard]] PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress);
-
-/// n values from first to last, both to the bit.
-[[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
-
-/// A line in the middle of its band.
-struct Band {
-  std::vector<double> at;
-  std::vector<estimate::Range> ranges;
-};
-/// \param    sideways   numbers to the right, places downwards, as over depth
-/// \param    name       of the line in the legend
-void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name = "answer",
-              plot::Colour colour = plot::Colour::closed_form);
 /// The range of the published laws behind what the chart shows, where --laws asks for them.
 /// \param    at   the place of each state, as add_band takes them
 void add_law_band(plot::Chart& chart, const SweepOptions& options, const std::vector<double>& at,

@@ -284,25 +284,6 @@ std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::stri
   return assumptions;
 }
 
-PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress) {
-  for (const auto& [number, value] :
-       {std::pair{&packing.stress_v, stress.v}, {&packing.stress_h, stress.h}}) {
-    number->value = value;
-    number->in_table = true;
-  }
-  return packing;
-}
-
-std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
-    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
-  }
-  values.back() = last;
-  return values;
-}
-
 void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<double>& at,
                   const std::vector<const SweptState*>& states, bool sideways) {
   if (!o.law_columns)
@@ -320,29 +301,6 @@ void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<d
       band.ranges.push_back(*range);
     }
   add_band(chart, band, sideways, "published laws", plot::Colour::power_law);
-}
-
-void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name,
-              plot::Colour colour) {
-  plot::Series line{.name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0, .colour = colour};
-  plot::Series area{.name = name == "answer" ? "range" : name + ", range",
-                    .mark = plot::Mark::area,
-                    .x = {},
-                    .y = {},
-                    .style = 0,
-                    .colour = colour};
-  const auto put = [sideways](plot::Series& series, double at, double number) {
-    series.x.push_back(sideways ? number : at);
-    series.y.push_back(sideways ? at : number);
-  };
-  for (std::size_t k = 0; k < band.at.size(); ++k) {
-    put(line, band.at[k], band.ranges[k].value);
-    put(area, band.at[k], band.ranges[k].low);
-  }
-  for (std::size_t k = band.at.size(); k-- > 0;)
-    put(area, band.at[k], band.ranges[k].high);
-  chart.series.push_back(std::move(area));
-  chart.series.push_back(std::move(line));
 }
 
 } // namespace granum::cli
