@@ -10,6 +10,7 @@
 
 #include "answer_options.hpp"
 #include "answer_picture.hpp"
+#include "cement_report.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
@@ -28,7 +29,7 @@ struct Options {
   AnswerOptions answer;
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
-  Number tolerance;
+  Number tolerance, cement;
   std::string picture; ///< file; empty for none
   bool bounds = false; ///< show the uniform fields and rung 3 side by side
 };
@@ -76,6 +77,12 @@ ExitCode run(Options o) {
     json["ladder"] = ladder_json(ladder);
     validity.merge(ladder.validity);
   }
+  if (o.cement.given()) {
+    const CementAnswer cemented = cement_answer(answer, o.cement.value);
+    table += cement_table(cemented);
+    json["cemented"] = cement_json(cemented);
+    validity.merge(cemented.validity);
+  }
   validity.keep_each_once();
   const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
   const std::string picture =
@@ -111,6 +118,11 @@ Command make_estimate() {
         .value = number_without_default(options->tolerance),
         .group = "More results",
         .meaning = "Choose the cheapest rung whose stated error is no larger, e.g. 5%"},
+       {.name = "--cement",
+        .value = number_without_default(options->cement),
+        .group = "More results",
+        .meaning = "Share of the volume that is cement, 2%: the packing with a little of its pores cemented",
+        .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
   add_output_options(command, options->output);
   add_picture(command, options->picture,

@@ -28,9 +28,6 @@ constexpr Synonyms not_modelled[] = {
     {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
     {"ocr overconsolidation age ageing",
      "overconsolidation and age are not modelled; granum infer takes a measured speed of the ground"},
-    {"cement cementation bond",
-     "cement is not modelled here; the library and Python have contact cement and stiff and soft sand, "
-     "rock_physics"},
 };
 
 /// Other programs' and other people's words for the commands.
