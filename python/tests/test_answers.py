@@ -116,6 +116,22 @@ def test_what_no_contacts_explain_is_said():
         granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02).predict("sound", pressure=1e5)
 
 
+def test_cement_is_that_of_the_program(run_program):
+    words = "estimate --void-ratio 0.7 --pressure 100kPa --sand toyoura --cement 2%"
+    said = run_program(*words.split())
+    grain = said["inputs"]
+    cemented = granum.cement_at_contacts(
+        shear_modulus=grain["grain_shear_modulus"],
+        poisson_ratio=grain["grain_poisson_ratio"],
+        cement_shear_modulus=grain["grain_shear_modulus"],
+        cement_poisson_ratio=grain["grain_poisson_ratio"],
+        porosity=0.7 / 1.7,
+        coordination_number=said["cemented"]["coordination_number"],
+        cement_saturation=0.02 / (0.7 / 1.7),
+    )
+    assert cemented.shear_modulus == pytest.approx(said["cemented"]["at_contacts"]["shear_modulus"], rel=1e-12)
+
+
 def test_a_sand_has_the_fields_of_a_packing_from_what_was_measured():
     quartz = granum.sphere(shear_modulus=44e9, poisson_ratio=0.0742, radius=1e-4)
     state = dict(law=quartz, radius=1e-4, void_ratio=0.801, pressure=100e3, grain_density=2650)

@@ -138,7 +138,7 @@ plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& opti
 plot::Chart answer_chart(const PackingOptions& packing, const AnswerOptions& options,
                          const std::vector<std::string>& uncertainties, const AnswerCase& here) {
   if (!(here.question.state.mean_stress() > 0))
-    throw InvalidArgument("--picture draws G around a state under stress; the mean stress is 0");
+    throw InvalidArgument("a picture of G is around a state under stress; the mean stress is 0");
   return here.question.shear_strain ? over_strain(packing, options, uncertainties, here)
                                     : over_stress(packing, options, uncertainties, here);
 }

@@ -2,13 +2,16 @@
 #include "estimate.hpp"
 
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/plot/chart.hpp>
 
 #include "answer_options.hpp"
+#include "answer_page.hpp"
 #include "answer_picture.hpp"
 #include "cement_report.hpp"
 #include "cli/frame/frame.hpp"
@@ -30,8 +33,8 @@ struct Options {
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
   Number tolerance, cement;
-  std::string picture; ///< file; empty for none
-  bool bounds = false; ///< show the uniform fields and rung 3 side by side
+  std::string picture, report; ///< files; empty for none
+  bool bounds = false;         ///< show the uniform fields and rung 3 side by side
 };
 
 /// A line for each note, none twice: what the answer assumes, and what the rungs do.
@@ -55,6 +58,9 @@ Validity slips_of(const Options& o, const State& state) {
 
 ExitCode run(Options o) {
   require_free(o.output, o.picture);
+  require_free({.json = false, .strict = false, .force = o.output.force, .out = o.report}, "");
+  if (!o.report.empty() && !o.report.ends_with(".html"))
+    throw InvalidArgument("--report = '" + o.report + "' must end in .html");
   apply_presets(o.packing, o.answer);
   const AnswerCase answer = solve_answer(o.packing, o.answer, o.uncertain);
   const State& state = answer.answer.state();
@@ -85,12 +91,16 @@ ExitCode run(Options o) {
   }
   validity.keep_each_once();
   const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
-  const std::string picture =
-      o.picture.empty() ? "" : plot::svg(answer_chart(o.packing, o.answer, o.uncertain, answer));
-  const ExitCode code =
-      deliver(o.output, csv ? answer_csv(answer, packing) : within_width(table), json, validity);
-  if (!picture.empty())
-    io::write_file(o.picture, picture, o.output.force ? io::Existing::replace : io::Existing::keep);
+  std::optional<plot::Chart> chart;
+  if (!o.picture.empty() || !o.report.empty())
+    chart = answer_chart(o.packing, o.answer, o.uncertain, answer);
+  const std::string text = within_width(table);
+  const ExitCode code = deliver(o.output, csv ? answer_csv(answer, packing) : text, json, validity);
+  const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
+  if (!o.picture.empty())
+    io::write_file(o.picture, plot::svg(*chart), existing);
+  if (!o.report.empty())
+    io::write_file(o.report, answer_page(answer, *chart, text, validity), existing);
   return code;
 }
 
@@ -127,6 +137,10 @@ Command make_estimate() {
   add_output_options(command, options->output);
   add_picture(command, options->picture,
               "Draw G and its range over the mean stress, or over the shear strain with --strain");
+  command.add({.name = "--report",
+               .value = path(options->report, "FILE.html"),
+               .group = output_group,
+               .meaning = "Write the answer as a page: range, assumptions, sources by key, and the picture"});
   return command;
 }
 
