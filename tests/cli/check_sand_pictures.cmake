@@ -35,7 +35,7 @@ check_picture(FALSE "beads" estimate ${state} --grain-shape sand)
 
 # The report holds answers, assumptions, warnings and the picture, and nothing is overwritten unasked.
 set(report "${FOLDER}/report.html")
-execute_process(COMMAND "${PROGRAM}" estimate ${state} --uniformity 9 --report "${report}" RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND "${PROGRAM}" estimate ${state} --uniformity 9 --report "${report}" --force RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
 file(READ "${report}" page)
 foreach(text "sand (measured laws)" "Lo2021" "shear wave" "a C_u of 9 lies outside" "</svg>" "<pre>Small-strain stiffness")
   string(FIND "${page}" "${text}" at)

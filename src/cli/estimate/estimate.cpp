@@ -141,6 +141,7 @@ Command make_estimate() {
                .value = path(options->report, "FILE.html"),
                .group = output_group,
                .meaning = "Write the answer as a page: range, assumptions, sources by key, and the picture"});
+  command.row("--force").needs = {{"--out --picture --report", "--out, --picture or --report"}};
   return command;
 }
 
