@@ -141,7 +141,9 @@ Command make_estimate() {
                .value = path(options->report, "FILE.html"),
                .group = output_group,
                .meaning = "Write the answer as a page: range, assumptions, sources by key, and the picture"});
-  command.row("--force").needs = {{"--out --picture --report", "--out, --picture or --report"}};
+  OptionRow& force = command.row("--force");
+  force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
+  force.meaning = "Let --out, --picture and --report replace existing files";
   return command;
 }
 
