@@ -120,11 +120,6 @@ effective::Growth growth_between(const ContactCounts& before, const ContactCount
 
 } // namespace
 
-double assumed_fabric_deviation(double stress_v, double stress_h) {
-  constexpr double poured = 0.05, by_shear = 0.2;
-  return std::hypot(poured, stress_v > 0 && stress_h > 0 ? by_shear * std::log(stress_v / stress_h) : 0);
-}
-
 KnownContacts contacts_of(const Question& q) {
   const std::optional<double>&C_n = q.state.coordination_number, &z = q.state.mechanical_coordination_number,
         &x = q.rattler_fraction;
