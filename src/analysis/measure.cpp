@@ -77,8 +77,8 @@ Counts count(const packing::Assembly& assembly, std::size_t grains) {
   return out;
 }
 
-/// The contacts that bear something. Those of rough grains begin at next to no force: one that bears less than
-/// 1e-3 of the mean adds nothing to any modulus (validation/rough_contact), and would count as much as others.
+/// The contacts that bear something. Those of rough grains begin at next to no force: one that bears less
+/// than 1e-3 of the mean adds nothing to any modulus (validation/rough_contact), and would count as others.
 packing::Assembly bearing_part(const packing::Assembly& assembly) {
   double mean = 0;
   for (const packing::Contact& c : assembly.contacts)

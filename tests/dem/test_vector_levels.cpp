@@ -44,9 +44,10 @@ struct Run {
   std::size_t slid; ///< sliding contacts, added up over the steps
 };
 
-/// A lattice that is sheared until contacts slide, open and close. All laws bear one force at first: an overlap
-/// of a few u0 is next to no force of rough spheres, and velocities that hardly shake the others make a gas of
-/// them, whose collisions take a change of 1e-15 of a radius to 1e-6 of the stress at one and the same level.
+/// A lattice that is sheared until contacts slide, open and close. All laws bear one force at first: an
+/// overlap of a few u0 is next to no force of rough spheres, and velocities that hardly shake the others make
+/// a gas of them, whose collisions take a change of 1e-15 of a radius to 1e-6 of the stress at one
+/// and the same level.
 Run run(const Scene& scene, VectorLevel level) {
   const test::LevelSet at(level);
   constexpr double force = 0.067;

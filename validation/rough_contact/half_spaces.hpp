@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two elastic spheres with a rough interface between them, from scratch: no table and no formula of the library.
+// Two elastic spheres with a rough interface between them, from scratch: no table and no formula of the
+// library.
 //
 // Units: E* = 1 (of the pair), u0 = 1, R* = 1/6. Hertz' stiffness of the force f is then f^(1/3), and
 // X = u0 k_H/f = f^(-2/3) is the one number of the problem. v is the square of the distance from the axis:

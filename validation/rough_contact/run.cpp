@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solves the contact of rough spheres from scratch (half_spaces.hpp), fits the numbers of contact::RoughSphere's
-// formula to the solutions, and holds record, formula and limits to each other.
+// Solves the contact of rough spheres from scratch (half_spaces.hpp), fits the numbers of
+// contact::RoughSphere's formula to the solutions, and holds record, formula and limits to each other.
 //   rough_contact phi.csv          exit code 0 if all of it holds
 //   rough_contact phi.csv record   writes phi.csv first
 #include <cstdio>

@@ -18,8 +18,9 @@
 namespace granum::contact {
 
 /// What a class has that is a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f with its
-/// slope db/d ln f, and the energy, each checked; the same law of other grains and of pairs of other sizes; and its kernels for
-/// sweeps. b is `constant_exponent` where it is the same at every force, which keeps closed forms closed.
+/// slope db/d ln f, and the energy, each checked; the same law of other grains and of pairs of other sizes;
+/// and its kernels for sweeps. b is `constant_exponent` where it is the same at every force, which keeps
+/// closed forms closed.
 template <class Law>
 concept ContactLaw = std::equality_comparable<Law> &&
     requires(const Law& law, const GrainMaterial& grain, double x) {

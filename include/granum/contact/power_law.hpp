@@ -86,7 +86,7 @@ class PowerLaw {
   /// Below 1 the profile is a cusp, b from 1/2 to 1: for closed forms and networks of given forces alone.
   /// \param    alpha              0 < alpha < infinity
   /// \param    profile_constant   A_alpha > 0 of one grain [m^(1-alpha)]
-  /// \throws   InvalidArgument for alpha <= 0, infinite alpha (use flat), a constant or its power out of range
+  /// \throws   InvalidArgument for alpha <= 0, infinite alpha (use flat), a constant that is out of range
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
   /// The law with these numbers(), 0 < alpha <= infinity and c > 0, to the bit.

@@ -13,8 +13,9 @@
 namespace granum::contact {
 
 /// The kernel of rough spheres: force and stiffness over f_1 and f_1/u0, as functions of y = d/u0 alone,
-/// tabulated once. Below y = 1 the force is proportional to y: that is the first cell. From there each octave has 128
-/// cells with a polynomial of degree 5 each, of the same value, slope and curvature as the law at both ends.
+/// tabulated once. Below y = 1 the force is proportional to y: that is the first cell. From there each octave
+/// has 128 cells with a polynomial of degree 5 each, of the same value, slope and curvature as the law at
+/// both ends.
 /// Accuracy  force 1e-9, stiffness 1e-7, for y < 2^31.  Checked by tests/contact/test_rough_sphere.cpp
 struct RoughSphereKernel {
   static constexpr int octaves = 31;
@@ -58,7 +59,7 @@ struct RoughSphereKernel {
     return {transition_force * force_in(c[0], c[1], c[2], c[3], c[4], c[5], place.beyond),
             transition_force * per_roughness * slope_in(c[1], c[2], c[3], c[4], c[5], place.beyond)};
   }
-  /// The kernel of a pair whose pair_radius is so many times that of this kernel's pair; f_1 goes as its root.
+  /// The kernel of a pair whose pair_radius is so many times that of this one; f_1 goes as its root.
   [[nodiscard]] RoughSphereKernel of_pair_radius(double ratio) const noexcept {
     return {transition_force * std::sqrt(ratio), per_roughness, cells};
   }
@@ -84,7 +85,7 @@ class RoughSphere {
   using Kernel = std::variant<SphereKernel, RoughSphereKernel>;
 
   /// \param    radius      R > 0 of each sphere [m]
-  /// \param    roughness   u0 >= 0 [m]; about 0.4 to 0.5 of the root mean square of the heights of both surfaces together
+  /// \param    roughness   u0 >= 0 [m]; about 0.4 to 0.5 of the rms height of both surfaces together
   /// \throws   InvalidArgument if one is out of range
   RoughSphere(const GrainMaterial& grain, double radius, double roughness);
 

@@ -73,8 +73,8 @@ template <class Law>
 inline constexpr bool starts_soft =
     std::is_same_v<Law, contact::SphereKernel> || std::is_same_v<Law, contact::ConeKernel>;
 
-/// Force and stiffness of a block of rough spheres: which cells of their table, then these as columns, then the
-/// polynomials.
+/// Force and stiffness of a block of rough spheres: which cells of their table, then these as columns, then
+/// the polynomials.
 template <VectorLevel level, class Sizes>
 GRANUM_INLINE void rough_responses(const contact::RoughSphereKernel& law, const Sizes& sizes,
                                    PairBlock& __restrict p) {

@@ -10,8 +10,8 @@
 
 namespace granum::studies {
 
-/// Local exponents d ln G/d ln p between two neighbouring pressures, by every route, of contacts whose law has
-/// a scale of force: the mean over the seeds, with the standard error that their scatter gives.
+/// Local exponents d ln G/d ln p between two neighbouring pressures, by every route, of contacts whose law
+/// has a scale of force: the mean over the seeds, with the standard error that their scatter gives.
 struct LocalExponents {
   contact::Shape contact = contact::Shape::rough;
   triaxial::Density density = triaxial::Density::dense;
