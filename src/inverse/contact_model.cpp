@@ -278,8 +278,24 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
 }
 
 Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double start) {
-  Eigen::VectorXd theta =
+  const Eigen::VectorXd expected =
       std::log(start - model->isostatic_) * Eigen::VectorXd::Unit(model->parameter_count(), 0);
+  Inference best = solve_from(model, expected);
+  for (std::size_t number = 0; number < model->options_.contacts.numbers.size(); ++number)
+    for (const double deviation : {-1.0, 1.0}) {
+      Eigen::VectorXd other = expected;
+      other[model->law_parameter(number)] = deviation;
+      try {
+        Inference found = solve_from(model, other);
+        if (found.chi_square() < best.chi_square())
+          best = std::move(found);
+      } catch (const NotConverged&) { // one minimum is known
+      }
+    }
+  return best;
+}
+
+Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& model, Eigen::VectorXd theta) {
   std::vector<StateGroup> groups;
   Eigen::MatrixXd jacobian;
   constexpr int rounds = 4; // the scatter of rung 3 depends weakly on z*

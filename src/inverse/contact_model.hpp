@@ -24,7 +24,8 @@ class ContactModel {
   /// \throws   InvalidArgument as infer
   ContactModel(std::span<const Observation> measurements, const InferenceOptions& options);
 
-  /// Least squares from the z* that a measurement implies.
+  /// Least squares from the z* that a measurement implies. Where numbers of the law are asked for there may
+  /// be several minima: the least of those found from what is expected of them, and one deviation off that.
   [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
 
   /// z* and rattlers.
@@ -40,6 +41,8 @@ class ContactModel {
   [[nodiscard]] effective::State with_law(const Eigen::VectorXd& theta, effective::State state) const;
 
  private:
+  [[nodiscard]] static Inference solve_from(const std::shared_ptr<const ContactModel>& model,
+                                            Eigen::VectorXd theta);
   [[nodiscard]] std::vector<StateGroup> groups(const Eigen::VectorXd& theta) const;
   [[nodiscard]] Eigen::VectorXd residuals(const std::vector<StateGroup>& groups,
                                           const Eigen::VectorXd& theta) const;

@@ -99,12 +99,10 @@ class PowerLaw {
   [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
   /// The law of two equal grains of another solid and size: of spheres, alpha = 2, sphere(grain, radius); any
   /// other profile is one of the surface, of_grain(grain).
-  /// \throws   InvalidArgument as those
-  /// Accuracy  that of those.  Checked by tests/contact/test_laws.cpp
+  /// \throws   InvalidArgument as those.  Accuracy  that of those.  Checked by tests/contact/test_laws.cpp
   [[nodiscard]] PowerLaw of(const GrainMaterial& grain, double radius) const;
-  /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. The curvature of a sphere is
-  /// its size. The profile of a cone, a flat contact or a power law is one of the surface, A_alpha being
-  /// given in absolute terms: pairs of all sizes have the law of two equal grains.
+  /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. Any other profile is one of the
+  /// surface, A_alpha being given in absolute terms: all pairs have the law of two equal grains.
   [[nodiscard]] bool depends_on_size() const { return alpha_ == 2; }
   /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
   /// \throws   InvalidArgument if the ratio is not positive and finite
