@@ -21,6 +21,28 @@ install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/
   DESTINATION "${granum_config_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/cmake/GranumLibraries.cmake" DESTINATION "${granum_config_dir}"
   RENAME granumLibraries.cmake)
+# For pkg-config, all libraries at once. Static ones leave it to the user to link what they need.
+set(granum_pc_libraries "")
+set(granum_pc_packages "")
+foreach(library IN LISTS granum_built)
+  list(PREPEND granum_pc_libraries -lgranum_${library})
+  list(APPEND granum_pc_packages ${granum_${library}_packages})
+endforeach()
+if("Threads" IN_LIST granum_pc_packages)
+  list(REMOVE_ITEM granum_pc_packages Threads)
+  list(APPEND granum_pc_libraries -pthread)
+endif()
+list(JOIN granum_pc_libraries " " granum_pc_libraries)
+list(JOIN granum_pc_packages ", " granum_pc_packages)
+string(TOLOWER "${granum_pc_packages}" granum_pc_packages) # as their files for pkg-config are called
+set(granum_pc_requires "Requires: ${granum_pc_packages}")
+if(BUILD_SHARED_LIBS)
+  string(REGEX REPLACE "Requires: eigen3(, )?" "Requires: eigen3\nRequires.private: " granum_pc_requires "${granum_pc_requires}")
+endif()
+file(RELATIVE_PATH granum_pc_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" granum_pc_up "${granum_pc_up}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/granum.pc.in" "${PROJECT_BINARY_DIR}/granum.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/granum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
   PATTERN "CMakeLists.txt" EXCLUDE PATTERN "__pycache__" EXCLUDE)

@@ -40,12 +40,13 @@ function(granum_precompile target)
   endif()
 endfunction()
 
-# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers.
+# granum_precompile_together(<library>...): those libraries among them that are built share one set of precompiled headers;
+# shared ones cannot, and have each their own.
 function(granum_precompile_together)
   foreach(library IN LISTS ARGN)
     if(NOT TARGET granum_${library})
       continue()
-    elseif(DEFINED first)
+    elseif(DEFINED first AND NOT BUILD_SHARED_LIBS)
       target_precompile_headers(granum_${library} REUSE_FROM ${first})
     else()
       set(first granum_${library})
@@ -65,7 +66,9 @@ endfunction()
 function(granum_library name)
   add_library(granum_${name})
   add_library(granum::${name} ALIAS granum_${name})
-  set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name})
+  # While the major version is 0, a new minor version may change interfaces.
+  set_target_properties(granum_${name} PROPERTIES EXPORT_NAME ${name} VERSION "${PROJECT_VERSION}"
+    SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}" INSTALL_RPATH "$ORIGIN")
   granum_compile_settings(granum_${name})
   target_sources(granum_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include"
     FILE_SET lone_headers TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include")

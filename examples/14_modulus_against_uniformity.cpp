@@ -15,7 +15,7 @@
 
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/hardin/measured_sands.hpp>
+#include <granum/sands/measured_sands.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 using namespace granum;
@@ -78,7 +78,7 @@ double answer(const Gradation& g, const Counted& c) {
   const effective::RelaxedEstimate relaxed = effective::relaxed(state, c.z_star);
   const double C_u = sizes::gradation(sizes, radius).uniformity(), G = relaxed.stiffness.G_vh();
   const double sand =
-      hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"), {c.void_ratio, pressure, C_u})
+      sands::shear_modulus(sands::measured_law("wichtmann-triantafyllidis"), {c.void_ratio, pressure, C_u})
           .shear_modulus;
   std::printf("%.3f  %4.1f  %.2f  %7.0f  %9.2f  %6.0f +- %2.0f %%  %8.0f MPa\n", c.void_ratio, C_u, c.z_star,
               strain / 1e6, G / strain, G / 1e6, 100 * relaxed.relative_error.G_vh, sand / 1e6);

@@ -11,12 +11,13 @@ run_packages=(
   libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
   libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 )
-python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy)
+python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy
+  python3-pip python3-wheel)
 web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 libc++-dev-wasm32 binaryen
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
 test_packages=("${python_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
-  clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file)
+  clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 

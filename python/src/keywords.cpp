@@ -12,7 +12,7 @@ namespace granum::python {
 
 namespace {
 
-constexpr std::size_t most_keywords = 24;
+constexpr std::size_t most_keywords = 32;
 
 /// What a call needs to know of its function. Never freed: a module stays until the interpreter ends.
 struct Record {

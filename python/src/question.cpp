@@ -17,11 +17,18 @@ enum : std::size_t {
   preparation_at = state_keyword_count,
   density_at,
   saturation_at,
-  uncertainty_at
+  uncertainty_at,
+  grain_shape_at,
+  sand_at,
+  numbers_of_sand_at
 };
 
 /// Places of the columns behind those of the state.
-constexpr std::size_t density_column = 8, saturation_column = 9;
+constexpr std::size_t density_column = 8, saturation_column = 9, sand_column = 10;
+
+/// Numbers of a sand, in the order of their keywords.
+constexpr const char* numbers_of_sand[] = {"uniformity", "least_void_ratio", "largest_void_ratio", "d50",
+                                           "shear_strain"};
 
 /// Inputs that are no column: they move the law of the contacts.
 constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio",
@@ -48,6 +55,9 @@ constexpr const char* inputs_in_order[] = {of_modulus,
 std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
   std::vector<Keyword> all = state_keywords(
       {{"preparation", "None"}, {"grain_density", "None"}, {"saturation", "0.0"}, {"uncertainty", "None"}});
+  all.insert(all.end(), {{"grain_shape", "'sphere'"}, {"sand", "None"}});
+  for (const char* number : numbers_of_sand)
+    all.push_back({number, "None"});
   all[coordination_number_at].shown_default = "None";
   all.insert(all.end(), more);
   return all;
@@ -64,6 +74,19 @@ uncertainty : dict, optional
     Standard deviations by the names of numbers above, grain_shear_modulus and grain_poisson_ratio:
     {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0, with a deviation of 0.05
     and more where the stresses differ, as granum estimate assumes.
+grain_shape : str
+    "sphere", the model, or "sand", what was measured on sands: the same fields, from other sources.
+sand : str, optional
+    A sand by name, "toyoura", with its limits of the void ratio, C_u, d50 and tests as far as they are known;
+    implies grain_shape "sand" where that is not said.
+uniformity : array_like, optional
+    C_u = d60/d10 of a sand, >= 1 [1].
+least_void_ratio, largest_void_ratio : array_like, optional
+    e_min and e_max of a sand [1].
+d50 : array_like, optional
+    Of a sand [m].
+shear_strain : array_like, optional
+    Amplitude at which G is asked for as well, of sands, in (0, 0.05] [1].
 )";
 
 QuestionArguments::QuestionArguments(const Arguments& a)
@@ -77,6 +100,19 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   columns_.push_back({"saturation", 0.0});
   if (a.given(saturation_at))
     columns_.back().value = a[saturation_at];
+  if (a.given(grain_shape_at))
+    grain_shape_ = estimate::grain_shape_of(a.text(grain_shape_at));
+  if (a.given(sand_at)) {
+    sand_ = &sands::known_sand(a.text(sand_at));
+    if (!a.given(grain_shape_at))
+      grain_shape_ = estimate::GrainShape::sand;
+  }
+  for (std::size_t k = 0; k < told_of_sand_.size(); ++k) {
+    columns_.push_back({numbers_of_sand[k], 0.0});
+    told_of_sand_[k] = a.given(numbers_of_sand_at + k);
+    if (told_of_sand_[k])
+      columns_.back().value = a[numbers_of_sand_at + k];
+  }
   if (!a.given(uncertainty_at))
     return;
   for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
@@ -103,6 +139,14 @@ estimate::Question QuestionArguments::question(const double* x) const {
   if (has_density_)
     question.grain_density = x[density_column];
   question.saturation = x[saturation_column];
+  question.grain_shape = grain_shape_;
+  question.sand = sand_ != nullptr ? sands::sand_of(*sand_) : sands::Sand{};
+  std::optional<double>* const numbers[] = {&question.sand.uniformity, &question.sand.least_void_ratio,
+                                            &question.sand.largest_void_ratio, &question.sand.d50,
+                                            &question.shear_strain};
+  for (std::size_t k = 0; k < told_of_sand_.size(); ++k)
+    if (told_of_sand_[k])
+      *numbers[k] = x[sand_column + k];
   return question;
 }
 

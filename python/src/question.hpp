@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <granum/estimate/answer.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include "state.hpp"
 
@@ -16,7 +18,7 @@ namespace granum::python {
 /// behind.
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
 /// How many they are: where those of a function begin.
-inline constexpr std::size_t question_keyword_count = state_keyword_count + 4;
+inline constexpr std::size_t question_keyword_count = state_keyword_count + 11;
 /// What docstrings say of these keywords.
 extern const std::string question_parameters;
 
@@ -41,6 +43,9 @@ class QuestionArguments {
   StateArguments state_;
   effective::Preparation preparation_;
   bool has_density_ = false;
+  estimate::GrainShape grain_shape_ = estimate::GrainShape::sphere;
+  const sands::KnownSand* sand_ = nullptr;
+  std::array<bool, 5> told_of_sand_{}; ///< which of the numbers of a sand are given
   std::map<std::string, double> deviations_;
   std::vector<Argument> columns_;
   std::vector<double> numbers_;

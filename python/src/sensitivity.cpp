@@ -144,7 +144,8 @@ Ladder
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have.
+    For numbers that no packing can have, and for a sand: rungs are of spheres. The range of packing_answer is
+    the error of a sand's answer; grain_shape="sphere" has the rungs.
 TypeError
     For arrays.
 )" +

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The best answer with its range, and the contacts that measurements imply: as the program says them."""
 
+import math
+
 import granum
 import numpy as np
 import pytest
@@ -137,3 +139,41 @@ def test_what_no_contacts_explain_is_said():
         stiff.mechanical_coordination_number
     with pytest.raises(granum.InvalidArgument, match="sound"):
         granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02).predict("sound", pressure=1e5)
+
+
+def test_cement_is_that_of_the_program(run_program):
+    words = "estimate --void-ratio 0.7 --pressure 100kPa --sand toyoura --cement 2%"
+    said = run_program(*words.split())
+    grain = said["inputs"]
+    cemented = granum.cement_at_contacts(
+        shear_modulus=grain["grain_shear_modulus"],
+        poisson_ratio=grain["grain_poisson_ratio"],
+        cement_shear_modulus=grain["grain_shear_modulus"],
+        cement_poisson_ratio=grain["grain_poisson_ratio"],
+        porosity=0.7 / 1.7,
+        coordination_number=said["cemented"]["coordination_number"],
+        cement_saturation=0.02 / (0.7 / 1.7),
+    )
+    assert cemented.shear_modulus == pytest.approx(said["cemented"]["at_contacts"]["shear_modulus"], rel=1e-12)
+
+
+def test_a_sand_has_the_fields_of_a_packing_from_what_was_measured():
+    quartz = granum.sphere(shear_modulus=44e9, poisson_ratio=0.0742, radius=1e-4)
+    state = dict(law=quartz, radius=1e-4, void_ratio=0.801, pressure=100e3, grain_density=2650)
+    named = granum.packing_answer(**state, sand="toyoura")
+    assert named.shear_modulus.value == pytest.approx(98e6, rel=0.02)
+    assert named.shear_modulus.high / named.shear_modulus.low == pytest.approx(1.15**2, rel=1e-12)
+    unnamed = granum.packing_answer(**state, grain_shape="sand", uniformity=1.39)
+    assert unnamed.shear_modulus.high / unnamed.shear_modulus.low == pytest.approx(1.3**2, rel=1e-12)
+    assert unnamed.stress_exponent.value == pytest.approx(0.40 * 1.39**0.18, rel=1e-14)
+    assert math.isnan(unnamed.coordination_number.value)
+    assert math.isnan(unnamed.modulus_ratio.value)
+    strained = granum.packing_answer(**state, sand="toyoura", shear_strain=[1e-5, 1e-4, 1e-3])
+    assert list(strained.modulus_ratio.value) == sorted(strained.modulus_ratio.value, reverse=True)
+    assert strained.strained_shear_modulus.value[1] == pytest.approx(
+        strained.modulus_ratio.value[1] * named.shear_modulus.value, rel=1e-14
+    )
+    with pytest.raises(granum.InvalidArgument, match="sphere or sand"):
+        granum.packing_answer(**state, grain_shape="cube")
+    with pytest.raises(granum.InvalidArgument, match="measured on sands"):
+        granum.packing_answer(**state, shear_strain=1e-4)

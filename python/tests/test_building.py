@@ -30,7 +30,7 @@ else:
 def test_builds_wait_for_each_other(source, tmp_path):
     tree, tools = tmp_path / "tree", tmp_path / "tools"
     shutil.copytree(source / "python" / "granum", tree / "python" / "granum")
-    for name in ("CMakeLists.txt", "python/setup.py", "python/pyproject.toml"):
+    for name in ("CMakeLists.txt", "setup.py", "pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(source / name, tree / name)
     tools.mkdir()
     cmake = tools / "cmake"
@@ -40,7 +40,7 @@ def test_builds_wait_for_each_other(source, tmp_path):
     builds = [
         subprocess.Popen(
             [sys.executable, "setup.py", "-q", "bdist_wheel", "-d", str(tmp_path / f"wheel{k}")],
-            cwd=tree / "python",
+            cwd=tree,
             env=environment,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,

@@ -42,6 +42,15 @@ def test_exponents_of_arrays_are_nan_where_there_are_none():
     assert exponents.errors == {}
 
 
+def test_the_ladder_of_a_sand_is_refused_with_a_remedy():
+    law = granum.sphere(shear_modulus=44e9, poisson_ratio=0.08, radius=1e-4)
+    state = dict(law=law, radius=1e-4, void_ratio=0.7, pressure=1e5)
+    with pytest.raises(granum.InvalidArgument, match="sphere has the rungs"):
+        granum.estimate(tolerance=0.05, sand="toyoura", **state)
+    spheres = granum.estimate(tolerance=0.05, sand="toyoura", grain_shape="sphere", **state)
+    assert spheres.rungs[3].estimate.G_vh == granum.estimate(tolerance=0.05, **state).rungs[3].estimate.G_vh
+
+
 def test_the_ladder_is_that_of_the_program(run_program):
     said = run_program(
         *"estimate --void-ratio 0.6 --coordination-number 5.7 --mechanical-coordination-number 5.9".split(),

@@ -41,7 +41,8 @@ int main(int argc, char** argv) {
   } catch (const NotConverged& error) {
     code = fail(ExitCode::not_converged, error.what());
   } catch (const Stopped& error) {
-    code = fail(exit_code_of_stop(), error.what());
+    say("", error.what());
+    code = exit_code_of_stop();
   } catch (const std::bad_alloc&) {
     code = fail(ExitCode::fell_short, "out of memory: there is not enough for " + asked_for(argc, argv) +
                                           "; fewer grains, states or frames need less");

@@ -25,7 +25,6 @@ constexpr double least_friction = 0.3, most_friction = 0.5;
 /// Void ratios of the loosest packing of equal spheres that theory allows at any friction
 /// [SongWangMakse2008], and of the densest disordered one.
 constexpr double loosest_spheres = 0.866, densest_disorder = 0.55;
-constexpr double largest_overlap = 0.01;
 /// Growth of the error of z* per unit of e, beyond the void ratios where packings of spheres are known. Loose
 /// side: one contact between e_l and the loosest packing that theory allows. Dense side: the slope of the
 /// densest line. The error stops growing at the distance to the fewest, or the most, contacts of any packing.
@@ -164,7 +163,7 @@ void note_sizes(const State& s, Validity& validity) {
 }
 
 void note_overlap(double overlap, Validity& validity) {
-  if (overlap > largest_overlap)
+  if (overlap > kernel::largest_overlap)
     validity.add(detail::formatted(
         "mean overlap is %.3g diameters: the numbers of contacts are calibrated up to 0.01", overlap));
 }
@@ -199,16 +198,18 @@ ContactPrior contact_prior(const State& state, const Preparation& preparation) {
   const double overlap = (loosest.overlap + densest.overlap) / 2;
   const double rigid = kernel::rigid_void_ratio(state.void_ratio, overlap, kernel::contact_coefficients);
   const Beyond beyond = beyond_spheres(rigid);
+  const double scatter =
+      preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter;
   ContactPrior prior{
       .loosest = loosest.counts,
       .middle = with_rattlers(
           (loosest.counts.mechanical_coordination_number + densest.counts.mechanical_coordination_number) / 2,
           overlap),
       .densest = densest.counts,
-      .coordination_error = std::hypot(
-          preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter,
-          std::min(error_slope_loose * beyond.loose, largest_error_loose) +
-              std::min(error_slope_dense * beyond.dense, largest_error_dense)),
+      .coordination_error =
+          std::hypot(scatter, std::min(error_slope_loose * beyond.loose, largest_error_loose) +
+                                  std::min(error_slope_dense * beyond.dense, largest_error_dense)),
+      .packing_scatter = scatter,
       .rattler_error = unequal(state) ? unequal_rattler_error : kernel::rattler_scatter,
       .relative_overlap = overlap,
       .validity = {}};
@@ -228,11 +229,9 @@ CarriedContacts carried_contacts(const State& known, const ContactCounts& counts
   const auto& c = kernel::contact_coefficients;
   const double before = relative_overlap(known, known.mean_stress(), counts.coordination_number());
   const double rigid = kernel::rigid_void_ratio(known.void_ratio, before, c);
-  const double missing = kernel::densest_contacts(rigid, before, c) - z;
   const double rattlers = kernel::rattlers_of_contacts(z, before, kernel::rattler_coefficients);
   const auto counts_at = [&](double, double overlap) {
-    const double z_here = kernel::densest_contacts(rigid, overlap, c) -
-                          kernel::missing_contacts(missing, rigid, before, overlap, c);
+    const double z_here = kernel::carried_contacts(z, rigid, before, overlap, c);
     const double share = counts.rattler_fraction / rattlers *
                          kernel::rattlers_of_contacts(z_here, overlap, kernel::rattler_coefficients);
     return ContactCounts{.mechanical_coordination_number = z_here, .rattler_fraction = std::min(share, 0.99)};

@@ -3,6 +3,7 @@
 // validation/contact_prior, which fits the coefficients of contact_prior_coefficients.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,8 @@ inline constexpr double most_rigid_contacts = frictionless_isostatic;
 inline constexpr double fewest_rigid_contacts = shear_coefficients[7];
 /// The relative overlap at which friction is said to have decided z*: that of quartz at some 10 kPa.
 inline constexpr double reference_overlap = 5e-5;
+/// Of the packings of the fit.
+inline constexpr double largest_overlap = 0.01;
 
 /// Void ratio that the packing would have at rest without pressure: overlaps make it denser.
 template <class T>
@@ -58,10 +61,19 @@ T rigid_contacts_of_friction(double friction, const ContactCoefficients<T>& c) {
   return fewest_rigid_contacts + (most_rigid_contacts - fewest_rigid_contacts) * T(exp(decay));
 }
 
-/// Contacts that overlaps add to a packing of the densest line.
+/// Contacts that overlaps add to those that the packing would have rigid; more to few of them, as far as
+/// overlaps of the fit go, so that of two packings at one overlap the one that has more keeps more.
 template <class T>
 T contacts_of_overlap(const T& rigid_contacts, double overlap, const ContactCoefficients<T>& c) {
-  return (c[4] + c[5] * (most_rigid_contacts - rigid_contacts)) * std::sqrt(overlap);
+  return c[4] * std::sqrt(overlap) +
+         c[5] * (most_rigid_contacts - rigid_contacts) * std::sqrt(std::min(overlap, largest_overlap));
+}
+
+/// The contacts that a packing of z* would have rigid: contacts_of_overlap taken off again.
+template <class T>
+T without_overlap(double z, double overlap, const ContactCoefficients<T>& c) {
+  const T share = c[5] * std::sqrt(std::min(overlap, largest_overlap));
+  return (z - c[4] * std::sqrt(overlap) - most_rigid_contacts * share) / (1.0 - share);
 }
 
 /// Root of the way from one overlap to another, a way being the change of the root of the overlap. The error
@@ -70,9 +82,9 @@ inline double root_of_way(double overlap_before, double overlap) {
   return std::sqrt(std::abs(std::sqrt(overlap) - std::sqrt(overlap_before)));
 }
 
-/// z* of the densest line less that of the packing, after the overlap has changed: its root falls as the root
-/// of the overlap grows, faster where the packing is nearly as dense as it can be. Above the line (missing <
-/// 0) it stays.
+/// Contacts of the densest line less those of the packing, both rigid, after the overlap has changed: its
+/// root falls as the root of the overlap grows, faster where the packing is nearly as dense as it can be.
+/// Above the line (missing < 0) it stays.
 template <class T>
 T missing_contacts(const T& missing, const T& rigid_void_ratio, double overlap_before, double overlap,
                    const ContactCoefficients<T>& c) {
@@ -94,16 +106,26 @@ T densest_contacts(const T& rigid_void_ratio, double overlap, const ContactCoeff
 }
 
 /// z* of a packing that was compressed with that friction: never more than the densest line, nor fewer than
-/// grains of much friction have.
+/// grains of much friction have. Overlaps below the reference leave it the contacts of its friction. So a
+/// denser packing of one friction has no fewer contacts at one overlap.
 template <class T>
 T contacts_of_friction(double friction, const T& rigid_void_ratio, double overlap,
                        const ContactCoefficients<T>& c) {
   const T densest = densest_rigid_contacts(rigid_void_ratio, c);
   const T missing = missing_contacts(T(densest - rigid_contacts_of_friction(friction, c)), rigid_void_ratio,
-                                     reference_overlap, overlap, c);
-  const T most = densest - fewest_rigid_contacts;
-  const T taken = missing < 0.0 ? T(0.0) : missing > most ? most : missing;
-  return densest + contacts_of_overlap(densest, overlap, c) - taken;
+                                     reference_overlap, std::max(overlap, reference_overlap), c);
+  const T rigid = missing < 0.0 ? densest : T(densest - missing);
+  return rigid + contacts_of_overlap(rigid, overlap, c);
+}
+
+/// z* of a packing after the overlap has changed.
+template <class T>
+T carried_contacts(double z, const T& rigid_void_ratio, double overlap_before, double overlap,
+                   const ContactCoefficients<T>& c) {
+  const T densest = densest_rigid_contacts(rigid_void_ratio, c);
+  const T missing = densest - without_overlap(z, overlap_before, c);
+  const T rigid = densest - missing_contacts(missing, rigid_void_ratio, overlap_before, overlap, c);
+  return rigid + contacts_of_overlap(rigid, overlap, c);
 }
 
 /// Share of rattlers of a packing of z* at that overlap.

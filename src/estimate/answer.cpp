@@ -16,6 +16,7 @@
 #include "contacts.hpp"
 #include "effective/relaxation_kernel.hpp"
 #include "ranges.hpp"
+#include "sand_answer.hpp"
 
 namespace granum::estimate {
 
@@ -28,7 +29,7 @@ using elastic::TransverselyIsotropic;
 /// Accuracy of s of rung 3 against s fitted to contact networks (relaxed_exponents.hpp).
 constexpr double exponent_error = 0.03;
 
-double& at(Values& values, Field field) { return values[static_cast<std::size_t>(field)]; }
+} // namespace
 
 void set_speeds(Values& all, const Question& q, const TransverselyIsotropic& c) {
   const double rho = elastic::bulk_density({.grain_density = *q.grain_density,
@@ -47,6 +48,13 @@ void set_speeds(Values& all, const Question& q, const TransverselyIsotropic& c) 
   at(all, Field::horizontal_compression_wave_speed) = std::sqrt(undrained.C11 / rho);
 }
 
+void require_finite_values(const Values& all) {
+  if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
+    throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+}
+
+namespace {
+
 /// All numbers but the exponents.
 /// \throws   InvalidArgument if one is beyond what a double holds
 Values values_of(const Question& q, const ContactCounts& counts, const TransverselyIsotropic& c) {
@@ -63,8 +71,7 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   at(all, Field::rattler_fraction) = counts.rattler_fraction;
   if (q.grain_density)
     set_speeds(all, q, c);
-  if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
-    throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+  require_finite_values(all);
   return all;
 }
 
@@ -124,9 +131,24 @@ TransverselyIsotropic scaled(const TransverselyIsotropic& c, double bulk, double
 /// A factor that takes a modulus down by its standard error, which may be larger than the modulus.
 double less(double relative_error) { return std::max(0.0, 1 - relative_error); }
 
+/// Sphere packings of these void ratios were calibrated; beyond, the weight of what is measured on sands
+/// grows to 1 within a twentieth.
+constexpr double densest_spheres = 0.50, loosest_spheres = 0.75, fading = 0.05;
+
+/// By how much a stiffness reaches from spheres to sands where nothing is known of the contacts: 1 within the
+/// calibration.
+double reach_to_sands(const Question& q, double G) {
+  const double e = q.state.void_ratio;
+  const double weight = std::clamp(std::max(densest_spheres - e, e - loosest_spheres) / fading, 0.0, 1.0);
+  if (weight == 0 || q.knows_contacts() || !(G > 0) || e >= 2.9)
+    return 1;
+  return std::pow(sands::pooled_shear_modulus({}, e, q.state.mean_stress()) / G, weight);
+}
+
 /// One standard error of rung 3: of G, of K and of s in turn.
 void add_calibration(std::vector<Effect>& effects, const Question& q, const ContactCounts& counts,
                      const Solution& middle, bool exponents) {
+  const auto k = static_cast<std::size_t>(Field::shear_modulus);
   const auto scaled_by = [&](double bulk, double shear) {
     Values values = values_of(q, counts, scaled(middle.estimate.stiffness, bulk, shear));
     for (const Field field : {Field::vertical_exponent, Field::horizontal_exponent, Field::stress_exponent})
@@ -140,6 +162,9 @@ void add_calibration(std::vector<Effect>& effects, const Question& q, const Cont
   const double K_error = middle.estimate.relative_error.bulk_modulus;
   add(scaled_by(1, less(G_error)), scaled_by(1, 1 + G_error));
   add(scaled_by(less(K_error), 1), scaled_by(1 + K_error, 1));
+  if (const double reach = reach_to_sands(q, middle.values[k]); reach != 1)
+    effects.push_back(
+        effect_of("measured sands", true, middle.values, middle.values, scaled_by(reach, reach)));
   if (!exponents)
     return;
   Values low = middle.values, high = middle.values;
@@ -156,6 +181,16 @@ void require_valid_question(const Question& q) {
   require_closed("saturation", q.saturation, 0, 1);
   if (q.grain_density)
     require_positive("grain_density", *q.grain_density, "kg/m3");
+  if (q.grain_shape == GrainShape::sand) {
+    effective::require_valid(q.state);
+    return;
+  }
+  if (q.shear_strain)
+    throw InvalidArgument(
+        "shear_strain: what strain does was measured on sands; of spheres only small strain is known");
+  if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
+    throw InvalidArgument("uniformity", *q.sand.uniformity, "",
+                          "[1, 4] for spheres, as beyond none were compared; ask for a sand");
 }
 
 /// Whether both have the same contacts: all that the prior and the counts depend on is alike.
@@ -178,6 +213,8 @@ bool same_packing(const Question& a, const Question& b) {
 
 Answer answer(const Question& question, std::span<const Spread> spreads) {
   require_valid_question(question);
+  if (question.grain_shape == GrainShape::sand)
+    return sand_answer(question, spreads);
   const KnownContacts contacts = contacts_of(question);
   Solution middle = solution(question, contacts.middle);
   const bool exponents = has_exponents(question, contacts.middle, middle.estimate.stiffness);
@@ -211,9 +248,11 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
     all.effects_.push_back(
         effect_of(spread.input, spread.assumed, middle.values, moved(spread.less), moved(spread.more)));
   for (const FieldRow& row : fields()) {
+    const bool of_sands = row.field == Field::contact_softness || row.field == Field::modulus_ratio ||
+                          row.field == Field::strained_shear_modulus || row.field == Field::damping_ratio;
     const bool exponent = row.field == Field::vertical_exponent || row.field == Field::horizontal_exponent ||
                           row.field == Field::stress_exponent;
-    if ((!row.needs_density || question.grain_density) && (!exponent || exponents))
+    if (!of_sands && (!row.needs_density || question.grain_density) && (!exponent || exponents))
       all.ranges_[static_cast<std::size_t>(row.field)] = range_of(row, all.middle_, all.effects_);
   }
   all.validity_ = contacts.validity;
@@ -225,9 +264,9 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
 const Range& Answer::operator[](Field field) const {
   const std::optional<Range>& range = find(field);
   if (!range)
-    throw InvalidArgument(std::string(row_of(field).key) +
-                          (row_of(field).needs_density ? " needs the density of the grains"
-                                                       : " does not exist: this packing has no stiffness"));
+    throw InvalidArgument(std::string(row_of(field).key) + (row_of(field).needs_density
+                                                                ? " needs the density of the grains"
+                                                                : " does not exist for this packing"));
   return *range;
 }
 

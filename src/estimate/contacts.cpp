@@ -81,8 +81,9 @@ KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
   return {.middle = with(1), .fewer = with(1 / factor), .more = with(factor), .validity = {}};
 }
 
-/// The share of rattlers is known: z* is where the prior has it, within its range. Rattlers of unequal
-/// grains follow from their sizes rather than from z*.
+/// The share of rattlers is known: z* is where the prior has it, among those of packings of this void ratio;
+/// where there are none, the range alone grows. Rattlers of unequal grains follow from their sizes, not from
+/// z*.
 KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, bool equal_grains) {
   KnownContacts range = contacts_by_prior(prior);
   if (!equal_grains) {
@@ -90,17 +91,24 @@ KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, b
       counts->rattler_fraction = rattlers;
     return range;
   }
-  const auto with = [&](double factor) {
+  ContactPrior of_packings = prior;
+  of_packings.coordination_error = prior.packing_scatter;
+  range = contacts_by_prior(of_packings);
+  const auto with = [&](double factor, double doubt) {
     const double z = root([&](double at) {
       return rattlers * factor - effective::typical_rattler_fraction(at, prior.relative_overlap);
     });
-    return ContactCounts{.mechanical_coordination_number =
-                             std::clamp(z, range.fewer.mechanical_coordination_number,
-                                        range.more.mechanical_coordination_number),
+    const double among =
+        std::clamp(z, range.fewer.mechanical_coordination_number, range.more.mechanical_coordination_number);
+    return ContactCounts{.mechanical_coordination_number = std::max(among + doubt, 0.0),
                          .rattler_fraction = rattlers};
   };
   const double factor = std::exp(prior.rattler_error);
-  return {.middle = with(1), .fewer = with(factor), .more = with(1 / factor), .validity = prior.validity};
+  const double doubt = prior.coordination_error - prior.packing_scatter;
+  return {.middle = with(1, 0),
+          .fewer = with(factor, -doubt),
+          .more = with(1 / factor, doubt),
+          .validity = prior.validity};
 }
 
 effective::Growth growth_between(const ContactCounts& before, const ContactCounts& after, double step) {
@@ -111,11 +119,6 @@ effective::Growth growth_between(const ContactCounts& before, const ContactCount
 }
 
 } // namespace
-
-double assumed_fabric_deviation(double stress_v, double stress_h) {
-  constexpr double poured = 0.05, by_shear = 0.2;
-  return std::hypot(poured, stress_v > 0 && stress_h > 0 ? by_shear * std::log(stress_v / stress_h) : 0);
-}
 
 KnownContacts contacts_of(const Question& q) {
   const std::optional<double>&C_n = q.state.coordination_number, &z = q.state.mechanical_coordination_number,

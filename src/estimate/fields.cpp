@@ -90,12 +90,21 @@ constexpr FieldRow table[] = {
          Shown::in_full, Spreading::difference, 0, 1),
     pure(Field::coordination_number, "coordination_number", "C_n", "C_n", "coordination number",
          Shown::in_full, Spreading::logarithmic, 0, unlimited),
+    pure(Field::contact_softness, "contact_softness", "k/k_H", "k_over_k_hertz",
+         "contact stiffness over smooth spheres', inferred", Shown::always, Spreading::logarithmic, 0,
+         unlimited),
     pure(Field::vertical_exponent, "vertical_exponent", "n", "n", "exponent of sigma_v in G",
          Shown::by_direction, Spreading::difference, -unlimited, unlimited),
     pure(Field::horizontal_exponent, "horizontal_exponent", "m", "m", "exponent of sigma_h in G",
          Shown::by_direction, Spreading::difference, -unlimited, unlimited),
     pure(Field::stress_exponent, "stress_exponent", "s", "s", "exponent of p' in G, m + n", Shown::always,
          Spreading::difference, -unlimited, unlimited),
+    modulus(Field::strained_shear_modulus, "strained_shear_modulus", "G(g)", "G(g)", "G_strained",
+            "shear modulus at the strain", "shear modulus at the strain, vertical plane", "", Shown::always),
+    pure(Field::modulus_ratio, "modulus_ratio", "G/G0", "G_over_G0",
+         "G at the strain over that at small strain", Shown::always, Spreading::logarithmic, 0, 1),
+    pure(Field::damping_ratio, "damping_ratio", "D", "damping", "damping ratio at the strain", Shown::always,
+         Spreading::difference, 0, 1),
 };
 static_assert(std::size(table) == field_count);
 

@@ -282,6 +282,10 @@ std::optional<double> RungAssessment::largest_error() const {
 
 Ladder choose(const Answer& answer, double tolerance) {
   require_positive("tolerance", tolerance);
+  if (answer.grain_shape() == GrainShape::sand)
+    throw InvalidArgument(
+        "tolerance: rungs are of spheres, and a sand's answer is measured; its range is its error. "
+        "Grain shape sphere has the rungs");
   Ladder ladder{.tolerance = tolerance,
                 .mechanical_coordination_number = answer[Field::mechanical_coordination_number],
                 .rungs = rungs_of(answer),

@@ -214,6 +214,13 @@ void note_correlation(const Problem& problem, const Eigen::VectorXd& theta, Vali
                  short_text(correlation) + "); their sum s is the better number");
 }
 
+void note_falling(const Fit& fit, Validity& validity) {
+  const Measured& s = fit.exponent_sum;
+  if (s.value < -std::max(2 * s.standard_error, 1e-6)) // moduli without noise have an error of rounding alone
+    validity.add("moduli fall as stresses grow, s = " + short_text(s.value) +
+                 ": no packing of grains does so; are columns or rows mixed up?");
+}
+
 void note_unequal_stresses(std::span<const MeasuredModulus> rows, Validity& validity) {
   const auto log_ratio = [](const MeasuredModulus& row) {
     return std::log(row.state.stress_i / row.state.stress_j);
@@ -258,6 +265,7 @@ FitReport fit(std::span<const MeasuredModulus> rows, const FitOptions& options) 
   const NonlinearSolution solution = solve(problem, start_of(problem), options.iteration_limit);
   Fit result = make_fit(problem, options, solution.theta);
   note_correlation(problem, solution.theta, result.validity);
+  note_falling(result, result.validity);
   return {solution.status, solution.iterations, std::move(result)};
 }
 
@@ -269,6 +277,7 @@ FitReport fit_exponent_sum(std::span<const MeasuredModulus> rows, const FitOptio
   const NonlinearSolution solution = solve(problem, start_of(problem), options.iteration_limit);
   Fit result = make_fit(problem, options, solution.theta);
   note_unequal_stresses(rows, result.validity);
+  note_falling(result, result.validity);
   return {solution.status, solution.iterations, std::move(result)};
 }
 

@@ -6,25 +6,17 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/sands/measured_sands.hpp>
 
 namespace granum::hardin {
-
-namespace {
-
-double hardin_richart(double zero, double e) {
-  require_open("void_ratio", e, 0, zero);
-  return (zero - e) * (zero - e) / (1 + e);
-}
-
-} // namespace
 
 double void_ratio_value(VoidRatioFunction function, double void_ratio) {
   const double e = require_positive("void_ratio", void_ratio);
   switch (function) {
   case VoidRatioFunction::hardin_richart_round:
-    return hardin_richart(2.17, e);
+    return sands::hardin_richart_factor(2.17, e);
   case VoidRatioFunction::hardin_richart_angular:
-    return hardin_richart(2.97, e);
+    return sands::hardin_richart_factor(2.97, e);
   case VoidRatioFunction::power_1_3:
     return std::pow(e, -1.3);
   case VoidRatioFunction::hardin_blandford:

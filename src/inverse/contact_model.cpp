@@ -189,8 +189,11 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
   here.void_ratio = void_ratio_at(theta, at.mean_stress());
   const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(there);
   const auto z_of = [](const effective::ContactCounts& c) { return c.mechanical_coordination_number; };
-  const double share = (z_of(counts) - z_of(from.loosest)) / (z_of(from.densest) - z_of(from.loosest));
-  const double z = z_of(to.loosest) + share * (z_of(to.densest) - z_of(to.loosest)) +
+  // The place between the ends, and how far beyond them; where no packing is so loose, the ends are one.
+  const double width = z_of(from.densest) - z_of(from.loosest);
+  const double within = std::clamp(z_of(counts), z_of(from.loosest), z_of(from.densest));
+  const double share = width > 0 ? (within - z_of(from.loosest)) / width : 0.5;
+  const double z = z_of(to.loosest) + share * (z_of(to.densest) - z_of(to.loosest)) + z_of(counts) - within +
                    to.coordination_error * theta[free_count() + other_prior];
   counts.mechanical_coordination_number = std::max(z, isostatic_ + just_rigid);
   const double by_law = effective::expected_rattlers(there, counts.mechanical_coordination_number).fraction;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/elastic/wave_speeds.hpp>
@@ -31,7 +32,11 @@ double bulk_density(const Observation& m, const InferenceOptions& options) {
 double modulus_of(const Observation& m, const InferenceOptions& options) {
   if (!row_of(m.quantity).speed)
     return m.value.value;
-  return bulk_density(m, options) * m.value.value * m.value.value;
+  const double modulus = bulk_density(m, options) * m.value.value * m.value.value;
+  if (!(modulus > 0 && std::isfinite(modulus)))
+    throw InvalidArgument(std::string(row_of(m.quantity).key) + " = " + short_text(m.value.value) +
+                          " m/s has a modulus that is beyond what a number can hold");
+  return modulus;
 }
 
 std::string named(const Observation& m) {
@@ -112,6 +117,23 @@ void note_contradiction(const Inference& all, std::span<const Observation> measu
                (deviation > 0 ? "stiffer" : "softer") + " than the rest says");
 }
 
+/// \throws   NotConverged where the least squares leave all that packings can be: contacts without number,
+///           fabric beyond its range. Each state and each value has been looked at before.
+Inference solve_together(const std::shared_ptr<const detail::ContactModel>& model, double start,
+                         std::span<const Observation> measurements, std::span<const AloneAnswer> alone) {
+  try {
+    return detail::ContactModel::solve(model, start);
+  } catch (const InvalidArgument&) {
+    std::string unexplained;
+    for (std::size_t k = 0; k < measurements.size(); ++k)
+      if (!alone[k].implied.mechanical_coordination_number)
+        unexplained += (unexplained.empty() ? "; alone, none explains " : ", ") + named(measurements[k]);
+    throw NotConverged("no one contact number can be fitted to the measurements: they contradict each other "
+                       "by far more than their errors" +
+                       unexplained);
+  }
+}
+
 } // namespace
 
 InferenceAnswer infer(std::span<const Observation> measurements, const InferenceOptions& options) {
@@ -141,7 +163,7 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
         start.value_or(any_contacts); // where the law is asked for, that of the states may explain nothing
   if (!start)
     return answer;
-  answer.together = detail::ContactModel::solve(model, *start);
+  answer.together = solve_together(model, *start, measurements, answer.alone);
   note_states(*answer.together, measurements, answer.validity);
   note_density(*answer.together, answer.together->state(measurements.front().state), answer.validity);
   answer.validity.keep_each_once();

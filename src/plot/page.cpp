@@ -43,6 +43,16 @@ std::string html_list(const std::vector<std::string>& items) {
   return html_element("ul", content);
 }
 
+std::string html_preformatted(std::string_view text) {
+  std::string lines; // one by one, since line ends are no characters that an element of SVG may have
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += svg_escaped(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return html_element("div", "<pre>" + lines + "</pre>\n", "wide");
+}
+
 std::string html_section(const std::string& id, std::string_view title, const std::string& content) {
   return "<section id=\"" + svg_escaped(id) + "\">\n" + html_element("h2", svg_escaped(title)) + content +
          "</section>\n";

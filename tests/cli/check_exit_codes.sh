@@ -27,6 +27,7 @@ short="$small --set study.densities=dense --set shear.paths=TXC --set shear.larg
 long='--grains 20000 --set study.contacts=sphere --threads 1'
 quick='--quick --grains 60 --set study.densities=dense'
 deck="$small --set study.densities=dense"
+long_deck=${deck/80/20000}
 
 # ended <signal or nothing> <argument>...: the exit code; what was said is in ./said
 ended() {

@@ -28,9 +28,13 @@ macro(ask_by_table index v h saturation)
   endforeach()
 endmacro()
 
-foreach(known "" "--preparation;loose" "--rattler-fraction;3%" "--coordination-number;5.1"
-    "--mechanical-coordination-number;5.2;--rattler-fraction;2%")
+foreach(known "--grain-shape;sphere" "--grain-shape;sphere;--preparation;loose" "--rattler-fraction;3%" "--coordination-number;5.1"
+    "--mechanical-coordination-number;5.2;--rattler-fraction;2%" "--grain-shape;sand" "--sand;toyoura") # sands last: other fields
   set(packing --void-ratio 0.65 --grain quartz --radius 0.2mm --fabric 0.05 ${known})
+  if(known MATCHES "sand") # which has no rattlers that are known, and a softness of its contacts
+    list(REMOVE_ITEM answer_fields rattler_fraction coordination_number)
+    list(APPEND answer_fields contact_softness)
+  endif()
   # Ground of equal stresses, whose stress is the beginning of a path.
   run(sweep ${packing} --depth 5m..9m --points 2 --k0 1 --json)
   set(sweep "${out}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Down into the ground: granum sweep --depth.
-set(ground sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m --k0 0.5)
+set(ground sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m --k0 0.5)
 
 # 4 m: 2 m of 19 kN/m3 and 2 m of (2650 + 0.6 998)/1.6 9.80665 N/m3 = 19.9124 kN/m3; water of 9.787 kN/m3
 granum_cli_test("depth: states" EXIT 0 JSON "states/2/depth=^4(\\.0)?$" "states/2/total_stress_v=^77824\\.805"
@@ -10,31 +10,31 @@ granum_cli_test("depth: states" EXIT 0 JSON "states/2/depth=^4(\\.0)?$" "states/
   ARGS ${ground} --points 16 --json)
 granum_cli_test("depth: ground in JSON" EXIT 0 JSON "ground/saturated_unit_weight=^19912\\.40" ARGS ${ground} --json)
 granum_cli_test("depth: table" EXIT 0
-  STDOUT "\ndepth +s_v +u +s'_v +s'_h +p' +G \\(low-high\\) +V_s +V_p\n +m( +kPa)+ +MPa +m/s +m/s\n.*\n    4 77\\.82 19\\.57 58\\.25 29\\.13 38\\.83 +85\\.1 \\(36-134\\) +205 \\(134-257\\) +1638 \\(1588-1677\\)\n"
+  STDOUT "\ndepth +s_v +u +s'_v +s'_h +p' +G \\(low-high\\) +V_s +V_p\n +m( +kPa)+ +MPa +m/s +m/s\n.*\n    4 77\\.82 19\\.57 58\\.25 29\\.13 38\\.83 +85\\.5 \\(37-134\\) +205 \\(135-257\\) +1639 \\(1588-1677\\)\n"
   ARGS ${ground} --points 16)
 granum_cli_test("depth: assumptions" EXIT 0 STDOUT "- 75\\.1 % .*--saturation.*19\\.91 kN/m3: grains of 2650 kg/m3.*--saturated-unit-weight.*assumed --k0 0\\.5"
-  ARGS sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m)
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m)
 # A note for what each of these does: no stress at the surface, unequal stresses.
 granum_cli_test("depth: notes" EXIT 0 JSON "notes=G and V_s are 0" "notes=--fabric " ARGS ${ground} --json)
 granum_cli_test("depth: fewer notes" EXIT 0 JSON "notes/0=--unit-weight" "notes/1=assumed --contact" "notes/8=contacts grow" "notes/9=MISSING"
-  ARGS sweep --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
 granum_cli_test("depth: isotropic ground, dry, its weight of void ratio" EXIT 0 JSON "ground/unit_weight=^16242\\.26"
-  ARGS sweep --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 1m..30m --k0 1 --json)
 granum_cli_test("depth: surcharge" EXIT 0 JSON "states/0/stress_v=^50000(\\.0)?$" ARGS ${ground} --surcharge 50kPa --json)
-granum_cli_test("depth: water above the ground" EXIT 0 JSON "states/0/pore_pressure=^97870\\." ARGS sweep --void-ratio 0.6
+granum_cli_test("depth: water above the ground" EXIT 0 JSON "states/0/pore_pressure=^97870\\." ARGS sweep --grain-shape sphere --void-ratio 0.6
   --depth 0m..30m --water-table -10m --json)
 granum_cli_test("depth: contacts told are the same everywhere" EXIT 0 JSON "states/3/answer/mechanical_coordination_number/value=^5\\.2"
   ARGS ${ground} --mechanical-coordination-number 5.2 --json)
 granum_cli_test("depth: a low K_0 is remarked" EXIT 0 STDOUT "depth" STDERR "warning: [0-9]+ of 25 states lie outside [^\n]*stress ratio 3\\.33"
-  ARGS sweep --void-ratio 0.6 --depth 0m..30m --k0 0.3)
-granum_cli_test("depth: under --strict" EXIT 4 STDOUT "depth" STDERR "stress ratio 3\\.33" ARGS sweep --void-ratio 0.6 --depth 0m..30m
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --k0 0.3)
+granum_cli_test("depth: under --strict" EXIT 4 STDOUT "depth" STDERR "stress ratio 3\\.33" ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m
   --k0 0.3 --strict)
 
 # Weights that void ratio and grains contradict.
 granum_cli_test("depth: too heavy" EXIT 0 STDOUT "depth" STDERR "warning: --unit-weight 22 kN/m3 contradicts void ratio 0\\.6 [^\n]* 19\\.91 kN/m3 with all pores full"
-  ARGS sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 22kN/m3)
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 22kN/m3)
 granum_cli_test("depth: too light" EXIT 0 STDOUT "depth" STDERR "--unit-weight 14 kN/m3 contradicts [^\n]* 16\\.24 kN/m3 with all pores empty"
-  ARGS sweep --void-ratio 0.6 --depth 0m..30m --unit-weight 14kN/m3)
+  ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 14kN/m3)
 granum_cli_test("depth: saturated weight" EXIT 0 STDOUT "below 2 m 21 kN/m3" STDERR "--saturated-unit-weight 21 kN/m3 contradicts"
   ARGS ${ground} --saturated-unit-weight 21kN/m3)
 granum_cli_test("depth: saturation and weight" EXIT 0 STDOUT "depth" STDERR "--unit-weight 19 kN/m3 contradicts [^\n]* with this saturation"

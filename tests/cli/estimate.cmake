@@ -10,7 +10,7 @@ set(golden_E "^5642891196\\.535(7[1-9]|80)")
 granum_cli_test("estimate: golden numbers" EXIT 0 JSON "uniform_strain/K=${golden_K}" "uniform_stress/K=${golden_K}"
   "uniform_strain/G_vh=${golden_G}" "uniform_strain/G_hh=${golden_G}" "uniform_strain/C44=${golden_G}"
   "uniform_strain/C66=${golden_G}" "uniform_strain/E_v=${golden_E}" "uniform_strain/E_h=${golden_E}"
-  ARGS estimate ${golden})
+  STDERR "so many contacts, 5\\.6 at most" ARGS estimate ${golden})
 
 # k_n = 2 G a/(1-nu) of a flat punch at every stress: K = C_n k_n/(6 pi R (1+e)), G = C_n (k_n+1.5 k_t)/(10 pi R (1+e)).
 foreach(pressure 0Pa 100kPa)
@@ -45,7 +45,7 @@ foreach(case "cone --slope 0.4=0\\.(5$|50000000000000|4999999999999)" "sphere=0\
 endforeach()
 string(REPLACE "--contact;sphere" "--contact;power-law;--alpha;2;--profile-constant;1000" parabola "${golden}")
 granum_cli_test("estimate: alpha = 2 and A = 1/(2R) is the sphere" EXIT 0 JSON "uniform_strain/K=${golden_K}"
-  ARGS estimate ${parabola})
+  STDERR "so many contacts" ARGS estimate ${parabola})
 
 # limits: numbers, never NaN
 set(moduli C11 C33 C12 C13 C44 C66 K G_hh G_vh E_v E_h)
@@ -98,7 +98,7 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
 # Where contacts are not given, bounds and rungs take those of the answer, and the relaxed rung is the answer: at C_n and z*
 # of the answer each column is the same again.
 granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
-  STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.488\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
+  STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.489\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
 add_test(NAME "cli: estimate: rungs at contacts that are given and at those of the answer"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_rungs.cmake")
@@ -227,7 +227,7 @@ granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDE
 granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 STDERR "not met" JSON "ladder/rungs/1/verdict=^inputs_missing$"
   "ladder/rungs/2/missing/0=fabric" "ladder/rungs/0/missing=^\\[ *\\]$" ARGS estimate ${dense} --tolerance 5% --json)
 granum_cli_test("estimate: the error of contacts that nobody counted" EXIT 4 STDERR "10 % is not met"
-  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 51 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
+  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 50 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
 granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
@@ -260,15 +260,15 @@ granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_st
   ARGS ${dense} --coordination-number 5.73 --json)
 granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\.35.*C_u = 1\\.704.*<l\\^2>"
   STDERR "contacts of unequal grains" ARGS ${dense} --sizes lognormal:0.35)
-granum_cli_test("estimate: a sieve curve" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --sieve sieve.csv --json)
+granum_cli_test("estimate: a sieve curve" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d10=^0\\.0002(0|$)" ARGS ${dense} --grain-shape sphere --sieve sieve.csv --json)
 granum_cli_test("estimate: --uniformity with --d50" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/uniformity=^2\\.(5|4999999|5000000)"
-  ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
+  ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
 granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
-  ARGS ${dense} --uniformity 2.5 --d50 0.5mm --json)
+  ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
 granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0 STDERR "contacts of unequal grains"
-  STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --uniformity 2.5)
+  STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
 granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDERR "contacts of unequal grains"
-  JSON "answer/stated_deviations/d50=^0\\.0001" ARGS ${dense} --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm --json)
+  JSON "answer/stated_deviations/d50=^0\\.0001" ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm --json)
 granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"
   ARGS ${dense} --sieve sieve_cut.csv)
 granum_cli_test("estimate: no sieve curve" EXIT 3 STDERR "no_such.csv.*cannot be read" ARGS ${dense} --sieve no_such.csv)

@@ -38,13 +38,13 @@ set(flat sweep --contact flat --punch-radius 50um --void-ratio 0.558 --coordinat
 granum_cli_test("sweep: fabric of rungs 0 and 1" EXIT 0 ${far_fabric} JSON "states/1/rung1/E_v=^5264800774\\.0791"
   "states/1/rung1/E_h=^3312112348\\.5494" "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0.5)
 granum_cli_test("sweep: rung 0 without fabric" EXIT 0 JSON "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0)
-granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error\n10000,"
+granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,"
   ARGS ${iso} --rungs uniform-stress,0)
 granum_cli_test("sweep: assumptions are noted" EXIT 0 STDOUT "# note: assumed --grain-shear-modulus 30 GPa \\+- 9 GPa.*# note: assumed --fabric 0 \\+- 0\\.05"
   ARGS ${iso})
 # Every state of a path has the answer, and its rungs the contacts of it: they grow where none is told.
 granum_cli_test("sweep: the answer of a preparation in water, all of its columns" EXIT 0
-  STDOUT "\np_Pa,[^\n]*,a,G_answer_Pa,[^\n]*,K_answer_Pa,[^\n]*,density_low_kg/m3,[^\n]*,C_n_high,n_answer,[^\n]*,s_high,G_hh_rung3_Pa,[^\n]*,notes,error\n10000,0,0,10000,10000,0\\.56,5\\.[0-9]*,0,[1-9]"
+  STDOUT "\np_Pa,[^\n]*,a,G_answer_Pa,[^\n]*,K_answer_Pa,[^\n]*,density_low_kg/m3,[^\n]*,C_n_high,[^\n]*n_answer,[^\n]*,s_high,[^\n]*G_hh_rung3_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,0,0,10000,10000,0\\.56,5\\.[0-9]*,0,[1-9]"
   ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2 --preparation dense --saturation 100% --grain-density 2700kg/m3
     --columns all --rungs 3)
 granum_cli_test("sweep: the same in JSON" EXIT 0 JSON "states/0/answer/preparation=^dense$" "states/0/answer/saturation=^1(\\.0)?$"
@@ -56,7 +56,7 @@ granum_cli_test("sweep: notes of states" EXIT 0 STDOUT "coordination number exce
   ARGS sweep --void-ratio 0.6 --coordination-number 13 --from 10kPa --to 1MPa --points 3)
 granum_cli_test("sweep: notes fail under --strict" EXIT 4 STDOUT "p_Pa,q_Pa" STDERR "^granum: error: 3 of 3 states lie"
   ARGS sweep --void-ratio 0.6 --coordination-number 13 --from 10kPa --to 1MPa --points 3 --strict)
-granum_cli_test("sweep: a state that fails leaves the others" EXIT 1 STDOUT "\n100000,0,0,100000,100000,[^\n]*,,\n33334[^\n]*,,,,[^\n]*,\"ratio of vertical to horizontal"
+granum_cli_test("sweep: a state that fails leaves the others" EXIT 1 STDOUT "\n100000,0,0,100000,100000,[^\n]*,,sphere\n33334[^\n]*,,,,[^\n]*,\"ratio of vertical to horizontal"
   STDERR "^granum: error: 1 of 2 states failed, see error; state 2: ratio of vertical"
   ARGS sweep ${packing} --path rtxc --from 100kPa --eta 2.9999 --points 2)
 granum_cli_test("sweep: no shear stiffness has empty exponents" EXIT 0 JSON "states/0/uniform_stress/s=^$"
@@ -66,7 +66,7 @@ granum_cli_test("sweep: no shear stiffness has empty exponents" EXIT 0 JSON "sta
 set(table sweep --table sweep_states.csv --rungs 2)
 set(four_of_nine "2 of 9 states lie outside[^\n]*\ngranum: error: 4 of 9 states failed, see error; line 5: stress_h = -100000")
 foreach(line "sample,contact,e,C_n,a,sigma_v_kPa,sigma_h_kPa,slope,G_answer_Pa,G_low_Pa,G_high_Pa,V_s_answer_m/s,[^\n]*,z_star_high,s_answer,s_low,s_high,G_hh_rung2_Pa" "\"S1, top\",sphere,0\\.558,5\\.73,0\\.1,200,100,,2"
-    "S3,[^\n]*\"stress_h = -100000 Pa is outside" "S4,sphere,0\\.558,,0,100,100,,[0-9.]+,[0-9.]+,[0-9.]+,[^\n]*,,\n" "S5,[^\n]*contact 'egg' is not one of cone"
+    "S3,[^\n]*\"stress_h = -100000 Pa is outside" "S4,sphere,0\\.558,,0,100,100,,[0-9.]+,[0-9.]+,[0-9.]+,[^\n]*,,sphere," "S5,[^\n]*contact 'egg' is not one of cone"
     "S6,[^\n]*expected a finite number in column 'e', found 'dense'" "S7,[^\n]*--slope goes with --contact cone"
     "S8,[^\n]*coordination number exceeds 12" "S1[^\n]*\nS2[^\n]*\nS3[^\n]*\nS4[^\n]*\nS5[^\n]*\nS6[^\n]*\nS7[^\n]*\nS8[^\n]*\nS9[^\n]*\n$"
     "# note: columns that are no inputs: sample\n")
@@ -77,12 +77,12 @@ granum_cli_test("sweep: table as JSON" EXIT 1 BELOW "states/" JSON
   STDERR "${four_of_nine}"
     ARGS ${table} --json)
 granum_cli_test("sweep: a table has the answers alone unless rungs are asked for" EXIT 0
-  STDOUT "\np_kPa,e,[^\n]*,V_p_high_m/s,z_star_answer,z_star_low,z_star_high,s_answer,s_low,s_high,notes,error\n" ARGS sweep --table sweep_few.csv)
-granum_cli_test("sweep: all columns of a table" EXIT 0 STDOUT ",rattlers_high,C_n_answer,[^\n]*,s_high,G_hh_rung0_Pa,[^\n]*,G_hv_rung3_Pa,[^\n]*,s_uniform_stress,notes,error\n"
+  STDOUT "\np_kPa,e,[^\n]*,V_p_high_m/s,z_star_answer,z_star_low,z_star_high,s_answer,s_low,s_high,notes,error,grain_shape" ARGS sweep --table sweep_few.csv)
+granum_cli_test("sweep: all columns of a table" EXIT 0 STDOUT ",rattlers_high,C_n_answer,[^\n]*,s_high,[^\n]*G_hh_rung0_Pa,[^\n]*,G_hv_rung3_Pa,[^\n]*,s_uniform_stress,notes,error,grain_shape"
   ARGS sweep --table sweep_few.csv --columns all)
 
 # Headings and numbers as people write them: a byte order mark, CRLF, semicolons, decimal commas, units in brackets.
-set(people sweep --table sweep_people.csv)
+set(people sweep --table sweep_people.csv --grain-shape sphere)
 granum_cli_test("sweep: a table of a spreadsheet" EXIT 0 STDOUT "\nA;0,65;100;50;;;dense;;1[0-9,]+;[^\n]*\nB;0,7;1,5e2;75;5,2;;;;"
   STDERR "1 of 5 states lie outside [^\n]*line 4: contacts of unequal grains" ARGS ${people})
 granum_cli_test("sweep: rung 3 and preparation of rows" EXIT 0 STDERR "1 of 5" JSON "states/3/rung3/G_hv=^[1-9]" "states/0/rung3/G_hv=^[1-9]"

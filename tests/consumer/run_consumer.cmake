@@ -39,6 +39,22 @@ works(theory ${hidden} -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
 works(packing ${hidden})
 run(${configure} -B "${build}/optional" -DUSE=optional ${hidden})
 
+# Without CMake, by what pkg-config says; its words are quoted for a shell.
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  file(GLOB_RECURSE file "${prefix}/*/granum.pc")
+  get_filename_component(folder "${file}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} "${folder}")
+  execute_process(COMMAND "${pkg_config}" --cflags --libs "granum = ${VERSION}" OUTPUT_VARIABLE flags
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  file(MAKE_DIRECTORY "${build}")
+  run("${CXX}" -std=c++20 "-DGRANUM_EXPECTED_VERSION=\"${VERSION}\"" "${CMAKE_CURRENT_LIST_DIR}/use_granum.cpp"
+    -o "${build}/by_pkg_config" ${flags})
+  get_filename_component(libraries "${folder}" DIRECTORY)
+  run("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${libraries}" "${build}/by_pkg_config")
+endif()
+
 # refused(<use> <text> <option>...): a consumer is refused, with words that say what is wrong.
 function(refused use text)
   execute_process(COMMAND ${configure} -B "${build}/refused_${use}" -DUSE=${use} ${ARGN}

@@ -2,6 +2,7 @@
 #include <granum/estimate/answer.hpp>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -152,6 +153,26 @@ TEST_CASE("answer: rattlers of equal grains tell z*, those of unequal ones do no
   }
   CHECK(z_of(few) == doctest::Approx(z_of(many)).epsilon(0.01));
   CHECK(has(estimate::answer(few).validity(), "unequal grains"));
+}
+
+TEST_CASE("answer: of one share of rattlers, looser is never stiffer, also where no packing of spheres is so "
+          "loose") {
+  for (const double rattlers : {0.001, 0.013, 0.05, 0.2}) {
+    double before = std::numeric_limits<double>::infinity();
+    for (double e = 0.4; e < 1.3; e += 0.01) {
+      Question q = grains_of(2, 0, 150e3, 150e3);
+      q.state.void_ratio = e;
+      q.rattler_fraction = rattlers;
+      const estimate::Answer answer = estimate::answer(q);
+      const estimate::Range G = answer[Field::shear_modulus];
+      CAPTURE(e);
+      CAPTURE(rattlers);
+      REQUIRE(G.value <= before * (1 + 1e-9));
+      REQUIRE(G.low <= G.value);
+      REQUIRE(G.value <= G.high);
+      before = G.value;
+    }
+  }
 }
 
 TEST_CASE("answer: dense and loose are the ends of what is not known") {

@@ -228,6 +228,18 @@ TEST_CASE("s alone on the isotropic path") {
   }
 }
 
+TEST_CASE("moduli that fall as stresses grow bring a note, those that rise do not") {
+  const auto notes_of = [](double s, double noise) {
+    std::vector<MeasuredModulus> rows = measured(equation(900, s / 2, s / 2), isotropic_path());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k].shear_modulus *= k % 2 == 0 ? 1 + noise : 1 - noise;
+    return fit_exponent_sum(rows, {.atmospheric_pressure = pa}).fit().validity.notes;
+  };
+  CHECK(notes_of(-0.44, 0.01).size() == 1);
+  CHECK(notes_of(0.44, 0.01).empty());
+  CHECK(notes_of(-0.001, 0.1).empty()); // nobody can tell
+}
+
 TEST_CASE("stresses that hardly tell m from n bring a note and wide errors, not silence") {
   auto states = isotropic_path();
   for (std::size_t k = 0; k < states.size(); ++k)

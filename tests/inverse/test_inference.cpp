@@ -183,6 +183,38 @@ TEST_CASE("inference: another packing, prepared alike") {
   CHECK(there < 0.9 * answer.together->predict(Quantity::G_vh, looser).value);
 }
 
+TEST_CASE("inference: another packing, prepared as one that is looser than packings of spheres") {
+  for (const double z : {4.2, 5.3}) {
+    const State known = beads(1e6, 1e6, 0.85);
+    const Observation one = measurement(Quantity::G_vh, known, z, 0.02);
+    const auto answer = infer(std::span(&one, 1), options_with());
+    const auto z_at = [&](double void_ratio) {
+      return answer.together->packing(beads(1e6, 1e6, void_ratio), inverse::AskedPacking::prepared_alike)
+          .mechanical_coordination_number.value;
+    };
+    CHECK(z_at(0.85) == relative(z, 1e-9));
+    CHECK(z_at(0.6) > z);
+    CHECK(z_at(0.6) < 9);
+  }
+}
+
+TEST_CASE("inference: measurements that contradict each other by more than any packing are no usage error") {
+  Observation soft = measurement(Quantity::G_hh, beads(1e5, 1e5, 0.6), 5, 0.02);
+  soft.value = {1e3, 1e-3};
+  const std::vector<Observation> both{measurement(Quantity::V_s, beads(1e5, 1e5, 0.6), 5, 0.02), soft};
+  CHECK_THROWS_AS(static_cast<void>(infer(both, options_with())), granum::NotConverged);
+}
+
+TEST_CASE("inference: a speed whose modulus no number holds is named") {
+  for (const double speed : {1e200, 1e-200}) {
+    const Observation one{Quantity::V_s, {speed, 0.02 * speed}, beads(1e5, 1e5, 0.6)};
+    InferenceOptions options;
+    options.grain_density = 2500;
+    CHECK_THROWS_WITH_AS(static_cast<void>(infer(std::span(&one, 1), options)), doctest::Contains("V_s = "),
+                         granum::InvalidArgument);
+  }
+}
+
 TEST_CASE("inference: contacts that no packing of that void ratio has") {
   const Observation many = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.72), 7.5, 0.02);
   const auto answer = infer(std::span(&many, 1), options_with());

@@ -11,7 +11,8 @@ set(floor_stress 1)
 set(floor_elastic 1)
 set(floor_fabric 1)
 set(floor_effective 2)
-set(floor_hardin 2)
+set(floor_sands 2)
+set(floor_hardin 3)
 set(floor_packing 2)
 set(floor_estimate 3)
 set(floor_inverse 4)
@@ -37,7 +38,7 @@ set(studies_floor_report 3)
 set(studies_floor_reproduce 4)
 
 # Modules whose headers a user without Eigen can include.
-set(modules_without_eigen core contact sizes stress fabric hardin packing)
+set(modules_without_eigen core contact sizes stress fabric sands hardin packing)
 # Libraries that stay an affair of the sources.
 set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat)\\.h")
 # What only the program may do: print and exit.
@@ -48,7 +49,7 @@ set(writing_source src/io/output_file.cpp)
 set(writing_means "std::(basic_)?o?fstream|O_(WRONLY|RDWR|CREAT)|(^|[^A-Za-z0-9_])(fopen|freopen|creat|mkstemp|rename|copy_file)[ \t]*\\(")
 
 # Exceptions of the closed forms are caught in one source alone, so that targets that cannot catch leave one source out.
-set(theory_modules core contact sizes stress elastic fabric effective estimate rock_physics)
+set(theory_modules core contact sizes stress elastic fabric effective sands estimate rock_physics)
 set(catching_source src/estimate/uncertain_answer.cpp)
 
 # Whose private headers, named by their path below src, a module may include: its own, and of these modules.

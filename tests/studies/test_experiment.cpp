@@ -305,3 +305,15 @@ TEST_CASE("a scene that no experiment can have is refused") {
   scene.specimen.walls = true;
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
 }
+
+TEST_CASE("experiment: between walls as many grains as leave some inside, said before anything runs") {
+  Scene scene = small_scene();
+  scene.specimen.walls = true;
+  scene.study.grains = 153; // of the densest packing in a box of ten radii: 1000/(4/3 pi 1.55) = 154.02
+  CHECK_THROWS_AS(require_valid(scene), InvalidArgument);
+  scene.study.grains = 155;
+  CHECK_NOTHROW(require_valid(scene));
+  scene.study.grains = 100;
+  scene.specimen.walls = false;
+  CHECK_NOTHROW(require_valid(scene));
+}

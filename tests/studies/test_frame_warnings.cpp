@@ -91,6 +91,19 @@ TEST_CASE("frame warnings: few digits are judged by what they leave of the overl
   CHECK(warns(six, "forces are no function of the overlap as the law has it", cones));
 }
 
+TEST_CASE("frame warnings: grains that touch without a force") {
+  const auto none = changed([](packing::Assembly& a) {
+    for (packing::Contact& c : a.contacts)
+      c.normal_force = 0, c.tangential_force = {};
+  });
+  CHECK(warns(none, "all forces are 0"));
+  const auto one = changed([](packing::Assembly& a) {
+    for (std::size_t k = 1; k < a.contacts.size(); ++k)
+      a.contacts[k].normal_force = 0, a.contacts[k].tangential_force = {};
+  });
+  CHECK_FALSE(warns(one, "all forces are 0"));
+}
+
 TEST_CASE("frame warnings: a row twice") {
   const packing::Assembly& a = specimen();
   std::string contacts = dump_contacts(a, 7);

@@ -23,14 +23,13 @@ using relaxation::Numbers;
 using relaxation::Observation;
 using relaxation::Packing;
 
-constexpr double largest_overlap = 0.01;
 constexpr int size = 10;      ///< of the coefficients of contacts
 constexpr int rattlers_n = 3; ///< of those of rattlers
 
 /// Isotropic, never loaded more, overlaps as the half-space allows.
 inline bool usable(const Packing& p) {
   return p.isotropic() && p.preparation == relaxation::unsheared(p.preparation) && p.preparation != "cycle" &&
-         p.relative_overlap < largest_overlap;
+         p.relative_overlap < kernel::largest_overlap;
 }
 inline bool from_gas(const Packing& p) { return p.preparation.starts_with("gas"); }
 /// Without friction, or as loose as its friction allows.
@@ -60,10 +59,8 @@ T by_friction(const Packing& p, const kernel::ContactCoefficients<T>& c) {
 /// z* of `later` from that of `first`, the same specimen at another pressure.
 template <class T>
 T by_carrying(const Packing& first, const Packing& later, const kernel::ContactCoefficients<T>& c) {
-  const T e = rigid(first, c);
-  const T missing = kernel::densest_contacts<T>(e, first.relative_overlap, c) - first.mechanical_coordination;
-  return kernel::densest_contacts<T>(e, later.relative_overlap, c) -
-         kernel::missing_contacts<T>(missing, e, first.relative_overlap, later.relative_overlap, c);
+  return kernel::carried_contacts<T>(first.mechanical_coordination, rigid(first, c), first.relative_overlap,
+                                     later.relative_overlap, c);
 }
 
 /// What a recipe tells of its packing: the line, or friction.

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/hardin/measured_sands.hpp>
 #include <granum/plot/chart.hpp>
+#include <granum/sands/measured_sands.hpp>
 
 #include "../claims.hpp"
 #include "curves.hpp"
@@ -51,14 +51,14 @@ std::vector<Curve> holding(const std::vector<Curve>& all, double void_ratio) {
 // ---- the tables ----
 
 /// What sands have by their published law.
-hardin::SandModulus of_sands(double void_ratio, double uniformity) {
-  return hardin::shear_modulus(hardin::measured_law("wichtmann-triantafyllidis"),
-                               {void_ratio, pressure, uniformity});
+sands::SandModulus of_sands(double void_ratio, double uniformity) {
+  return sands::shear_modulus(sands::measured_law("wichtmann-triantafyllidis"),
+                              {void_ratio, pressure, uniformity});
 }
 
 /// In brackets beyond the tests of that law.
 std::string measured_text(double void_ratio, double uniformity) {
-  const hardin::SandModulus sand = of_sands(void_ratio, uniformity);
+  const sands::SandModulus sand = of_sands(void_ratio, uniformity);
   const std::string text = short_text(sand.shear_modulus / 1e6, 3);
   return sand.validity.ok() ? text : "(" + text + ")";
 }

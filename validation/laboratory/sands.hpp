@@ -11,8 +11,8 @@
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/hardin/measured_sands.hpp>
 #include <granum/plot/chart.hpp>
+#include <granum/sands/measured_sands.hpp>
 
 #include "specimens.hpp"
 
@@ -34,13 +34,13 @@ struct Range {
 /// G of the laws whose tests reach that state [Pa].
 inline Range measured_range(double void_ratio, double pressure) {
   Range range;
-  for (const granum::hardin::MeasuredLaw& law : granum::hardin::measured_laws()) {
-    const granum::hardin::TestedRange& tested = law.tested;
+  for (const granum::sands::MeasuredLaw& law : granum::sands::measured_laws()) {
+    const granum::sands::TestedRange& tested = law.tested;
     if (void_ratio < tested.void_ratio_low || void_ratio > tested.void_ratio_high ||
         pressure < tested.stress_low || pressure > tested.stress_high)
       continue;
-    range.add(granum::hardin::shear_modulus(law, {.void_ratio = void_ratio, .mean_stress = pressure})
-                  .shear_modulus);
+    range.add(
+        granum::sands::shear_modulus(law, {.void_ratio = void_ratio, .mean_stress = pressure}).shear_modulus);
   }
   return range;
 }
@@ -95,9 +95,9 @@ inline void print_sands() {
     const Range sand = measured_range(e, 100e3);
     const Range sphere = model_range(false, e, 100e3), cone = model_range(true, e, 100e3);
     Range s;
-    for (const granum::hardin::MeasuredLaw& law : granum::hardin::measured_laws()) {
+    for (const granum::sands::MeasuredLaw& law : granum::sands::measured_laws()) {
       const auto G = [&](double p) {
-        return granum::hardin::shear_modulus(law, {.void_ratio = e, .mean_stress = p}).shear_modulus;
+        return granum::sands::shear_modulus(law, {.void_ratio = e, .mean_stress = p}).shear_modulus;
       };
       s.add(std::log(G(highest_stress) / G(lowest_stress)) / std::log(highest_stress / lowest_stress));
     }

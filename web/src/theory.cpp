@@ -13,6 +13,7 @@
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include "exports.hpp"
 
@@ -98,8 +99,12 @@ void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, doub
   web::numbers() = two ? std::vector{first_number, found} : std::vector{found};
 }
 
-/// The exponents s of G ~ p^s that laboratories measure on sands, from uniform to widely graded ones.
-GRANUM_EXPORT(sand_exponents) void sand_exponents() { web::numbers() = {0.4, 0.6}; }
+/// The exponents s of G ~ p^s that laboratories measure on sands, from uniform ones to the widest gradings
+/// that were tested.
+GRANUM_EXPORT(sand_exponents) void sand_exponents() {
+  for (const double uniformity : {1.0, sands::largest_tested_uniformity})
+    web::numbers().push_back(sands::growth_exponent({.uniformity = uniformity}, 1e5).value);
+}
 
 /// E(gamma; a) over E(gamma; 0) at `points` equal steps of gamma from 0 to 90 degrees.
 GRANUM_EXPORT(fabric_curve) void fabric_curve(double anisotropy, double points) {

@@ -48,7 +48,8 @@ struct ContactPrior {
   ContactCounts densest; ///< the most
   /// Standard deviation of z* of packings about each; larger where no packing of spheres exists [1].
   double coordination_error = 0;
-  double rattler_error = 0; ///< that of ln x_0 [1]
+  double packing_scatter = 0; ///< what it is where packings of spheres exist [1]
+  double rattler_error = 0;   ///< that of ln x_0 [1]
   /// Overlap of the mean force over the diameter, in the middle: what decides how z* grows [1].
   double relative_overlap = 0;
   Validity validity;
@@ -58,8 +59,9 @@ struct ContactPrior {
 /// Friction both holds grains apart and lets them rest on fewer contacts. Grains compressed from a gas end on
 /// the densest line, where each void ratio has its friction and its z*; shaken or tapped denser, they keep
 /// the few contacts of their friction. Without preparation the range goes from friction 0.5, the most that
-/// smooth minerals have, to that line. Less friction than the void ratio needs means the line as well. Of
-/// unequal grains, which pack denser, the line is an upper bound, and many more rattle.
+/// smooth minerals have, to that line. Less friction than the void ratio needs means the line as well. At
+/// one preparation and pressure a denser packing is never softer. Of unequal grains, which pack denser, the
+/// line is an upper bound, and many more rattle.
 /// Assumes   equal spheres, isotropic stress that has not been larger before, no cement.
 /// \param    state         law, radius, void_ratio, stresses and contacts; its coordination number is not
 ///                         used

@@ -59,6 +59,8 @@ class Answer {
 
   /// The packing with the contacts that the answer takes, C_n and z*: for the rungs of effective/rungs.hpp.
   [[nodiscard]] const effective::State& state() const { return state_; }
+  /// What the grains were taken to be.
+  [[nodiscard]] GrainShape grain_shape() const { return grain_shape_; }
   /// Which inputs make the range of G_vh, largest first; empty where nothing is open.
   [[nodiscard]] std::vector<Share> shares() const;
   /// What each input makes of the numbers, one after the other.
@@ -70,9 +72,11 @@ class Answer {
 
  private:
   friend Answer answer(const Question& question, std::span<const Spread> spreads);
+  friend Answer sand_answer(const Question& question, std::span<const Spread> spreads);
   explicit Answer(effective::State state) : state_(std::move(state)) {}
 
   effective::State state_;
+  GrainShape grain_shape_ = GrainShape::sphere;
   Values middle_{};
   std::vector<Effect> effects_;
   std::array<std::optional<Range>, field_count> ranges_;
@@ -90,11 +94,22 @@ class Answer {
 /// stay.
 /// Assumes   as relaxed, contact_prior and saturated; air in the pores of a saturation below 1 makes them
 ///           nearly as soft as dry ones.
+/// Below e = 0.5 and above 0.75 no sphere packing was calibrated: the range of a stiffness there reaches what
+/// is measured on sands.
+/// Of a sand (grain_shape) the same fields come from what was measured: G by sands::pooled_shear_modulus at
+/// the mean stress, and as n and m share its exponent where stresses differ; Poisson's ratio by
+/// sands::poisson_ratio, and with it K, E, V_p; the range is that of sands::stated_factor and of the other
+/// deviations there. z* and the softness of contacts are inferred: those at which rung 3 has this ratio and
+/// this G; neither is known by itself, and no other contact number is stated.
 /// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,
-///           if C_n, z* and x_0 are all given, and if the moduli are beyond what a double holds
+///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and
+///           x_0 are all given, and if the moduli are beyond what a double holds
 /// Accuracy  of the middle as relaxed at its z*; of s where contacts grow 1e-7. No number is NaN, and each
 ///           lies in its range. Checked by tests/estimate/test_answer.cpp, tests/attack
 [[nodiscard]] Answer answer(const Question& question, std::span<const Spread> spreads = {});
+
+/// Largest C_u of spheres that the answer stands for.
+inline constexpr double sphere_uniformity_limit = 4;
 
 /// The same with inputs that functions move. A side that no packing can have is moved by a half, a quarter
 /// and so on, down to 1/32 of the deviation, and else not at all.

@@ -26,11 +26,15 @@ enum class Field : std::size_t {
   mechanical_coordination_number,
   rattler_fraction,
   coordination_number,
+  contact_softness,
   vertical_exponent,
   horizontal_exponent,
-  stress_exponent
+  stress_exponent,
+  strained_shear_modulus,
+  modulus_ratio,
+  damping_ratio
 };
-inline constexpr std::size_t field_count = 17;
+inline constexpr std::size_t field_count = 21;
 
 /// Which packings a number is shown of.
 enum class Shown {

@@ -62,7 +62,7 @@ struct Ladder {
 /// contacts, or no stress on contacts that need it) rung 0 is exact.
 /// \param    tolerance   > 0, of the largest stated error among K, G_hh and G_vh, 0.05 for 5 % [1]
 /// \return   without stated errors (verdict error_unknown) where z* is at or below the isostatic point
-/// \throws   InvalidArgument unless tolerance is positive
+/// \throws   InvalidArgument unless tolerance is positive, and for the answer of a sand
 /// Accuracy  of stated errors see validation/ladder. Checked by tests/estimate/test_ladder.cpp
 [[nodiscard]] Ladder choose(const Answer& answer, double tolerance);
 

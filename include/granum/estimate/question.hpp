@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,9 +9,21 @@
 
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 /// What is known of a packing whose stiffness is asked for.
 namespace granum::estimate {
+
+/// What the grains are: the model is spheres, and sands are none.
+enum class GrainShape {
+  sphere, ///< rung 3 of the model
+  sand    ///< what was measured on sands, with mechanics beside
+};
+inline constexpr std::array all_grain_shapes{GrainShape::sphere, GrainShape::sand};
+/// The name of the enumerator.
+[[nodiscard]] std::string_view name(GrainShape shape);
+/// \throws   InvalidArgument with all names for another text
+[[nodiscard]] GrainShape grain_shape_of(std::string_view text);
 
 /// A packing at one stress. Its contacts may be unknown, or known by one or two of C_n, z* and the share of
 /// rattlers.
@@ -20,6 +33,10 @@ struct Question {
   std::optional<double> rattler_fraction = std::nullopt; ///< x_0 in [0, 1), where it is known [1]
   std::optional<double> grain_density = std::nullopt;    ///< [kg/m3] > 0; without it no wave speeds
   double saturation = 0; ///< share of the pores' volume that is water, in [0, 1] [1]
+  GrainShape grain_shape = GrainShape::sphere;
+  sands::Sand sand = {}; ///< of sands: what is known besides the state
+  /// Amplitude of a shear strain at which G is asked for as well, of sands, in (0, 0.05] [1].
+  std::optional<double> shear_strain = std::nullopt;
 
   /// Whether a number of contacts or of rattlers is known.
   [[nodiscard]] bool knows_contacts() const {

@@ -22,6 +22,9 @@ namespace granum::plot {
 /// Plain texts as a list.
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items);
 
+/// Plain text line by line as it is, in letters of one width.
+[[nodiscard]] std::string html_preformatted(std::string_view text);
+
 /// A section under a heading, which `id` names for links.
 [[nodiscard]] std::string html_section(const std::string& id, std::string_view title,
                                        const std::string& content);

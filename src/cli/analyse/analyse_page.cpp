@@ -10,7 +10,6 @@
 #include <granum/core/units.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/plot/page.hpp>
-#include <granum/plot/svg_text.hpp>
 
 #include "analyse_fields.hpp"
 
@@ -301,17 +300,6 @@ std::string states_section(const AnalyseAnswer& answer) {
                                           plot::html_element("div", out, "trio"));
 }
 
-/// Line by line, since line ends are no characters that an element of SVG may have.
-std::string escaped_lines(std::string_view text) {
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    out += plot::svg_escaped(text.substr(0, end)) + "\n";
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return out;
-}
-
 std::string warnings(const AnalyseAnswer& answer) {
   std::vector<std::string> all;
   for (const FrameAnswer& frame : answer.frames)
@@ -462,10 +450,8 @@ std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) 
                               first_sentences(answer), first) +
       states_section(answer) + pictures(answer) + warnings(answer) +
       plot::html_section("rungs", "Every rung", rungs_table(last.rungs)) +
-      plot::html_section(
-          "all", "All that was found",
-          plot::html_folded("As the terminal shows it",
-                            plot::html_element("div", "<pre>" + escaped_lines(table) + "</pre>\n", "wide")));
+      plot::html_section("all", "All that was found",
+                         plot::html_folded("As the terminal shows it", plot::html_preformatted(table)));
   return plot::html_page("granum analyse: how stiff is this packing", body);
 }
 

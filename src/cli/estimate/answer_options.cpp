@@ -10,6 +10,7 @@
 
 #include "cli/frame/contradictions.hpp"
 #include "cli/options/likely_mistakes.hpp"
+#include "cli/options/size_options.hpp"
 
 namespace granum::cli {
 
@@ -35,16 +36,34 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
     return;
   if (packing.void_ratio.given() || packing.porosity.given() || packing.solid_fraction.given())
     throw InvalidArgument(said_twice::density);
-  if (!o.least_void_ratio.given() || !o.largest_void_ratio.given())
-    throw InvalidArgument(
-        o.sand != nullptr
-            ? fmt::format("{} has no limits of its void ratio here: --relative-density needs "
-                          "--least-void-ratio and --largest-void-ratio",
-                          o.sand->name)
-            : "--relative-density needs --least-void-ratio and --largest-void-ratio, or --sand");
-  set_unless_given(packing.void_ratio, hardin::void_ratio_of_relative_density(
-                                           require_share(o.relative_density, 1.2), o.least_void_ratio.value,
-                                           o.largest_void_ratio.value));
+  const double D_r = require_share(o.relative_density, 1.2);
+  if (o.least_void_ratio.given() != o.largest_void_ratio.given())
+    throw InvalidArgument("--least-void-ratio and --largest-void-ratio go together: give both, or neither");
+  o.usual_limits = !o.least_void_ratio.given();
+  if (o.usual_limits && told_shape(packing, o) != estimate::GrainShape::sand)
+    throw InvalidArgument("--relative-density of spheres needs --least-void-ratio and --largest-void-ratio");
+  set_unless_given(packing.void_ratio,
+                   o.usual_limits ? sands::void_ratio_of_relative_density(D_r, sands::usual_least_void_ratio,
+                                                                          sands::usual_largest_void_ratio)
+                                  : sands::void_ratio_of_relative_density(D_r, o.least_void_ratio.value,
+                                                                          o.largest_void_ratio.value));
+}
+
+/// sigma_h of sigma_v and K_0.
+void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
+  const Number& k0 = o.earth_pressure_at_rest;
+  if (!k0.given())
+    return;
+  require_positive(k0.name, k0.value);
+  if (packing.stress_h.given()) {
+    if (k0.in_table || packing.stress_h.preset)
+      return; // a row that says both, or made of it already
+    throw InvalidArgument("--k0 makes --stress-h of --stress-v: give one of the two");
+  }
+  if (!packing.stress_v.given())
+    throw InvalidArgument("--k0 needs --stress-v");
+  packing.stress_h.value = k0.value * packing.stress_v.value;
+  packing.stress_h.preset = true;
 }
 
 // ---- uncertain inputs
@@ -57,6 +76,8 @@ double assumed_fabric(const PackingOptions& packing) {
 /// What granum takes for the deviation of a number that is not given, or that a mineral's name gives.
 double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, const Number& number) {
   const estimate::AssumedDeviations& assumed = estimate::assumed_deviations;
+  if (&number == &packing.void_ratio && o.usual_limits)
+    return sands::usual_void_ratio_deviation;
   if (&number == &packing.grain_shear_modulus && o.mineral != nullptr && number.preset)
     return o.mineral->modulus_spread * number.value;
   if (number.given())
@@ -118,6 +139,52 @@ std::vector<Setting> settings_of(const std::vector<std::string>& texts,
 
 } // namespace
 
+std::optional<estimate::GrainShape> told_shape(const PackingOptions& packing, const AnswerOptions& o) {
+  using estimate::GrainShape;
+  if (o.grain_shape)
+    return o.grain_shape;
+  if (o.sand != nullptr)
+    return GrainShape::sand;
+  const std::string_view mineral = o.mineral != nullptr ? o.mineral->key : "";
+  if (mineral == "glass" || mineral == "steel")
+    return GrainShape::sphere;
+  const bool soil = packing.graded || o.relative_density.given() || o.least_void_ratio.given() ||
+                    o.largest_void_ratio.given() || o.strain.given();
+  if (soil)
+    return GrainShape::sand;
+  const bool of_the_model = packing.contact_given() || packing.coordination_number.given() ||
+                            packing.mechanical_coordination_number.given() ||
+                            packing.rattler_fraction.given() || packing.tangential_ratio.given();
+  if (of_the_model)
+    return GrainShape::sphere;
+  return o.ground ? std::optional(GrainShape::sand) : std::nullopt;
+}
+
+sands::Sand sand_of(const PackingOptions& packing, const AnswerOptions& o) {
+  sands::Sand sand;
+  if (packing.sizes) {
+    const sizes::Gradation grading = sizes::gradation(*packing.sizes, resolve_radius(packing));
+    sand.uniformity = grading.uniformity();
+    if (packing.sizes->mean_radius() || packing.d50.given() || packing.radius.given())
+      sand.d50 = grading.d50;
+  } else if (packing.d50.given() || packing.radius.given())
+    sand.d50 = 2 * resolve_radius(packing);
+  if (o.sand != nullptr) {
+    if (!packing.sizes)
+      sand.uniformity = o.sand->uniformity;
+    sand.tests = o.sand->tests;
+  }
+  const auto given = [](const Number& number) {
+    return number.given() ? std::optional(number.value) : std::nullopt;
+  };
+  sand.least_void_ratio = given(o.least_void_ratio);
+  sand.largest_void_ratio = given(o.largest_void_ratio);
+  sand.relative_density = given(o.relative_density);
+  sand.quartz = o.mineral == nullptr || std::string_view(o.mineral->key) == "quartz" ||
+                std::string_view(o.mineral->key) == "feldspar";
+  return sand;
+}
+
 std::string key_of(const Number& number) { return number.name.substr(2); }
 
 std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
@@ -148,16 +215,25 @@ void add_answer_options(Command& command, AnswerOptions& o) {
         .synonyms = {{"mineral material solid"}}},
        {.name = "--sand",
         .value =
-            read_by([&o](const std::string& text) { o.sand = &hardin::known_sand(in_small_letters(text)); },
-                    keys_of(hardin::known_sands())),
+            read_by([&o](const std::string& text) { o.sand = &sands::known_sand(in_small_letters(text)); },
+                    keys_of(sands::known_sands())),
         .group = grains_group,
         .meaning =
             "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far "
             "as a source says"},
+       {.name = "--grain-shape",
+        .value = read_by(
+            [&o](const std::string& text) {
+              o.grain_shape = estimate::grain_shape_of(in_small_letters(text));
+            },
+            std::vector<std::string>{"sphere", "sand"}),
+        .group = grains_group,
+        .meaning = "What the grains are: sand, by what was measured on sands, or sphere, by the model; by "
+                   "default what other options imply, and else both"},
        {.name = "--relative-density",
         .value = number_without_default(o.relative_density),
         .group = state_group,
-        .meaning = "D_r instead of --void-ratio, 60%; with its limits or --sand",
+        .meaning = "D_r instead of --void-ratio, 60%; better with its limits or --sand",
         .synonyms = {{"dr id rd densityindex"}}},
        {.name = "--least-void-ratio",
         .value = number_without_default(o.least_void_ratio),
@@ -182,9 +258,27 @@ void add_answer_options(Command& command, AnswerOptions& o) {
         .synonyms = {{"s sr"}}}});
 }
 
+void add_state_options(Command& command, AnswerOptions& o) {
+  command.add({.name = "--k0",
+               .value = number_without_default(o.earth_pressure_at_rest),
+               .group = state_group,
+               .meaning = "K_0, makes --stress-h of --stress-v",
+               .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}});
+  command.add(strain_row(o));
+}
+
+OptionRow strain_row(AnswerOptions& o) {
+  return {.name = "--strain",
+          .value = number_without_default(o.strain),
+          .group = state_group,
+          .meaning = "Shear strain at which a sand's G is asked for as well, 0.01%; small strain is 0.001% "
+                     "and less",
+          .synonyms = {{"shearstrain"}}};
+}
+
 void apply_presets(PackingOptions& packing, AnswerOptions& o) {
   if (o.sand != nullptr) {
-    const hardin::KnownSand& sand = *o.sand;
+    const sands::KnownSand& sand = *o.sand;
     if (o.mineral == nullptr)
       o.mineral = &contact::mineral(sand.mineral);
     const bool sized =
@@ -196,12 +290,15 @@ void apply_presets(PackingOptions& packing, AnswerOptions& o) {
     if (sand.largest_void_ratio)
       set_unless_given(o.largest_void_ratio, *sand.largest_void_ratio);
   }
+  if (o.mineral == nullptr && told_shape(packing, o) == estimate::GrainShape::sand)
+    o.mineral = &contact::mineral("quartz");
   if (o.mineral != nullptr) {
     set_unless_given(packing.grain_shear_modulus, o.mineral->material.shear_modulus);
     set_unless_given(packing.grain_poisson_ratio, o.mineral->material.poisson_ratio);
     set_unless_given(o.grain_density, o.mineral->density);
   }
   apply_relative_density(packing, o);
+  apply_earth_pressure(packing, o);
 }
 
 OptionRow uncertainty_row(std::vector<std::string>& settings) {
@@ -225,7 +322,10 @@ estimate::Question question_of(const PackingOptions& packing, const AnswerOption
                                   ? std::nullopt
                                   : std::optional(require_share(packing.rattler_fraction)),
           .grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3"),
-          .saturation = require_share(o.saturation)};
+          .saturation = require_share(o.saturation),
+          .grain_shape = told_shape(packing, o).value_or(estimate::GrainShape::sphere),
+          .sand = sand_of(packing, o),
+          .shear_strain = o.strain.given() ? std::optional(o.strain.value) : std::nullopt};
 }
 
 std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& given,

@@ -6,7 +6,7 @@
 
 #include <granum/contact/minerals.hpp>
 #include <granum/estimate/answer.hpp>
-#include <granum/hardin/known_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include "cli/options/packing_options.hpp"
 
@@ -17,15 +17,24 @@ namespace granum::cli {
 struct AnswerOptions {
   effective::Preparation preparation;
   const contact::Mineral* mineral = nullptr; ///< of the grains, if it was named
-  const hardin::KnownSand* sand = nullptr;   ///< if it was named
-  Number relative_density{0, Dimension::dimensionless, "D_r Dr"};
-  Number least_void_ratio{0, Dimension::dimensionless, "e_min"};
-  Number largest_void_ratio{0, Dimension::dimensionless, "e_max"};
+  const sands::KnownSand* sand = nullptr;    ///< if it was named
+  Number relative_density{0, Dimension::dimensionless, "D_r Dr I_D ID"};
+  Number least_void_ratio{0, Dimension::dimensionless, "e_min emin"};
+  Number largest_void_ratio{0, Dimension::dimensionless, "e_max emax"};
   Number grain_density{2650, Dimension::density, "rho_s"};
   Number saturation{0, Dimension::dimensionless, "S_r Sr"};
+  Number earth_pressure_at_rest{0, Dimension::dimensionless, "K_0 K0", "--k0"}; ///< makes sigma_h of sigma_v
+  Number strain{0, Dimension::dimensionless, "shear_strain gamma", "--strain"};
+  std::optional<estimate::GrainShape> grain_shape = {}; ///< as told
+  bool usual_limits = false; ///< the void ratio is that of D_r between limits that sands usually have
+  bool ground = false;       ///< the question is of the ground, which is soil
 };
 
 void add_answer_options(Command& command, AnswerOptions& options);
+/// --k0 and --strain, for states.
+void add_state_options(Command& command, AnswerOptions& options);
+/// --strain.
+[[nodiscard]] OptionRow strain_row(AnswerOptions& options);
 /// --uncertainty, key=sd.
 [[nodiscard]] OptionRow uncertainty_row(std::vector<std::string>& settings);
 
@@ -33,9 +42,18 @@ void add_answer_options(Command& command, AnswerOptions& options);
 /// \throws   InvalidArgument where a relative density lacks its limits, or the density is given twice
 void apply_presets(PackingOptions& packing, AnswerOptions& options);
 
-/// The question that the options ask.
+/// What the grains are, as far as the options say or imply: a name, a relative density, limits of the void
+/// ratio, a sieve curve or C_u of a soil, a shear strain and the ground imply a sand; glass, steel, numbers
+/// of contacts and their shape imply spheres; nothing where neither is implied.
+[[nodiscard]] std::optional<estimate::GrainShape> told_shape(const PackingOptions& packing,
+                                                             const AnswerOptions& options);
+
+/// The question that the options ask; of spheres, where they do not say what the grains are.
 /// \throws   InvalidArgument as resolve_state
 [[nodiscard]] estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& options);
+
+/// What is known of a sand besides its state.
+[[nodiscard]] sands::Sand sand_of(const PackingOptions& packing, const AnswerOptions& options);
 
 /// The option of a number without its hyphens: the name of an uncertain input.
 [[nodiscard]] std::string key_of(const Number& number);

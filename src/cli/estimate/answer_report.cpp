@@ -18,22 +18,6 @@ using estimate::FieldRow;
 using estimate::Range;
 using nlohmann::ordered_json;
 
-constexpr double uniform_sand = 1.5; ///< C_u of the measured laws where none is told
-
-std::vector<SandAnswer> measured_sands(const hardin::SandState& sand) {
-  std::vector<SandAnswer> answers;
-  if (!(sand.mean_stress > 0))
-    return answers;
-  for (const hardin::MeasuredLaw& law : hardin::measured_laws()) {
-    answers.push_back({&law, std::nullopt});
-    try {
-      answers.back().modulus = hardin::shear_modulus(law, sand);
-    } catch (const InvalidArgument&) { // a void ratio at which the law has reached zero
-    }
-  }
-  return answers;
-}
-
 /// "assumed --grain-shear-modulus 30 GPa +- 9 GPa, as ...".
 std::vector<std::string> with_deviations(std::vector<std::string> notes, const PackingOptions& packing,
                                          const AnswerOptions& options, const AnswerCase& c) {
@@ -76,11 +60,11 @@ bool is_shown(const FieldRow& row, bool by_direction) {
   return row.shown == estimate::Shown::always || (row.shown == estimate::Shown::by_direction && by_direction);
 }
 
-std::string moduli_text(const AnswerCase& c) {
+std::string moduli_text(const AnswerCase& c, const Answer& answer) {
   const bool wet = c.question.saturation > 0, by_direction = anisotropic(c.question);
   std::string text = fmt::format("  {:<7}{:>11}{:>12}{:>12}\n", "", "answer", "low", "high");
   for (const FieldRow& row : estimate::fields()) {
-    const std::optional<Range>& range = c.answer.find(row.field);
+    const std::optional<Range>& range = answer.find(row.field);
     if (!range || !is_shown(row, by_direction))
       continue;
     text +=
@@ -101,62 +85,13 @@ std::string shares_text(const Answer& answer) {
 }
 
 std::string preparation_remark(const AnswerCase& c) {
-  if (c.question.knows_contacts())
+  if (c.question.knows_contacts() || c.question.grain_shape == estimate::GrainShape::sand)
     return "";
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
     return fmt::format("  contacts of the preparation {}, as sphere packings have them\n",
                        preparation_text(c.question.preparation));
   return "  how the grains came together is not known: from friction 0.5 to the densest contacts of "
          "this void ratio; --preparation, --rattler-fraction or --mechanical-coordination-number narrow it\n";
-}
-
-/// What the laws say that were tested at this void ratio and stress; of all, if none was.
-Range tested_range(const std::vector<SandAnswer>& sands) {
-  const auto over = [&](bool tested) {
-    Range range{.value = 0, .low = INFINITY, .high = 0};
-    for (const SandAnswer& sand : sands)
-      if (sand.modulus && (!tested || sand.modulus->validity.ok())) {
-        range.low = std::min(range.low, sand.modulus->shear_modulus);
-        range.high = std::max(range.high, sand.modulus->shear_modulus);
-      }
-    return range;
-  };
-  const Range tested = over(true);
-  return tested.high > 0 ? tested : over(false);
-}
-
-/// How spheres compare with sands, and why they may differ.
-std::string comparison_text(const Range& G, const std::vector<SandAnswer>& sands) {
-  constexpr double alike = 1.25;
-  const Range sand = tested_range(sands);
-  if (!(sand.high > 0 && G.value > 0))
-    return "";
-  const double ratio = std::sqrt(sand.low * sand.high) / G.value;
-  if (ratio > alike)
-    return fmt::format("they are {} times stiffer than these spheres: angular grains hardly roll, and keep\n"
-                       "    more contacts in so loose a packing\n",
-                       short_text(ratio, 2));
-  if (ratio < 1 / alike)
-    return fmt::format(
-        "they are {} times softer than these spheres: rough grains touch at small asperities,\n"
-        "    and poured ones at fewer places\n",
-        short_text(1 / ratio, 2));
-  return "these spheres are as stiff\n";
-}
-
-std::string sands_text(const AnswerCase& c) {
-  if (c.sands.empty())
-    return "";
-  const auto& s = c.question.state;
-  std::string text =
-      fmt::format("\n  G of measured sands at e = {}, p = {}, C_u = {}{}; each scatters by a factor of 1.6\n",
-                  short_text(s.void_ratio), pressure(s.mean_stress()), short_text(c.uniformity),
-                  c.uniformity_assumed ? " assumed" : "");
-  for (const SandAnswer& sand : c.sands)
-    text += fmt::format("    {:<26}{:>11}  {}{}\n", sand.law->key,
-                        sand.modulus ? pressure(sand.modulus->shear_modulus) : "none", sand.law->sand,
-                        sand.modulus && sand.modulus->validity.ok() ? "" : " (not tested here)");
-  return text + "    " + comparison_text(c.answer[Field::shear_modulus], c.sands);
 }
 
 } // namespace
@@ -172,7 +107,7 @@ std::string field_text(const FieldRow& row, double value) {
   }
 }
 
-io::Columns<Answer> answer_columns(bool all) {
+io::Columns<Answer> answer_columns(bool all, const std::string& before) {
   constexpr Field usual[] = {Field::shear_modulus, Field::shear_wave_speed, Field::compression_wave_speed,
                              Field::mechanical_coordination_number, Field::stress_exponent};
   io::Columns<Answer> columns;
@@ -182,11 +117,12 @@ io::Columns<Answer> answer_columns(bool all) {
     const std::string unit(si_symbol(row.dimension));
     for (const auto& [name, part] :
          {std::pair{"answer", &Range::value}, {"low", &Range::low}, {"high", &Range::high}})
-      columns.emplace_back(fmt::format("{}_{}{}{}", row.column, name, unit.empty() ? "" : "_", unit), "",
-                           [field = row.field, part = part](const Answer& answer) {
-                             const std::optional<Range>& range = answer.find(field);
-                             return range ? std::optional((*range).*part) : std::nullopt;
-                           });
+      columns.emplace_back(
+          fmt::format("{}{}_{}{}{}", before, row.column, name, unit.empty() ? "" : "_", unit), "",
+          [field = row.field, part = part](const Answer& answer) {
+            const std::optional<Range>& range = answer.find(field);
+            return range ? std::optional((*range).*part) : std::nullopt;
+          });
   }
   return columns;
 }
@@ -195,47 +131,67 @@ AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& optio
                        const std::vector<std::string>& uncertainties) {
   estimate::Question question = question_of(packing, options);
   std::vector<estimate::UncertainInput> inputs = uncertain_inputs_of(packing, options, uncertainties);
+  std::optional<estimate::Answer> of_sand;
+  if (!told_shape(packing, options)) {
+    AnswerOptions sand = options;
+    sand.grain_shape = estimate::GrainShape::sand;
+    PackingOptions of_quartz = packing;
+    apply_presets(of_quartz, sand);
+    try {
+      of_sand =
+          estimate::answer(question_of(of_quartz, sand), uncertain_inputs_of(of_quartz, sand, uncertainties));
+    } catch (const InvalidArgument&) { // no sand is so; a packing of spheres may be, and slips are named
+    }
+  }
   estimate::Answer answer = estimate::answer(question, inputs);
-  return {.question = std::move(question), .inputs = std::move(inputs), .answer = std::move(answer)};
+  return {.question = std::move(question),
+          .inputs = std::move(inputs),
+          .answer = std::move(answer),
+          .sand_answer = std::move(of_sand)};
 }
 
 AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
                         const std::vector<std::string>& uncertainties) {
   AnswerCase c = bare_answer(packing, options, uncertainties);
   const auto& s = c.question.state;
-  const std::optional<double> of_sand = options.sand != nullptr ? options.sand->uniformity : std::nullopt;
-  c.uniformity =
-      packing.sizes ? sizes::gradation(*packing.sizes, 1).uniformity() : of_sand.value_or(uniform_sand);
-  c.uniformity_assumed = !packing.sizes && !of_sand;
-  c.sands = measured_sands(
-      {.void_ratio = s.void_ratio, .mean_stress = s.mean_stress(), .uniformity = c.uniformity});
-  c.assumptions = assumed_grains(packing, s);
+  add_measured_laws(c);
+  if (c.question.grain_shape == estimate::GrainShape::sphere)
+    c.assumptions = assumed_grains(packing, s);
   if (!options.grain_density.given())
     c.assumptions.push_back(
         fmt::format("assumed --grain-density {}", pretty(options.grain_density.value, Dimension::density)));
   c.assumptions = with_deviations(std::move(c.assumptions), packing, options, c);
   if (options.mineral != nullptr)
     c.assumptions.push_back(fmt::format("grains of {} [{}]", options.mineral->name, options.mineral->source));
-  if (options.sand != nullptr)
-    c.assumptions.push_back(
-        fmt::format("{} [{}]: grains are taken to be equal spheres; --uniformity makes them unequal",
-                    options.sand->name, options.sand->source));
+  for (const std::string& note : sand_notes(c, options))
+    c.assumptions.push_back(note);
   if (c.question.saturation > 0 && c.question.saturation < 1)
     c.assumptions.emplace_back(
         "air and water share one pressure in the pores; menisci between grains are left out");
   return c;
 }
 
-ordered_json answer_json(const AnswerCase& c) {
+namespace {
+
+/// The numbers of an answer, and what makes the range of G.
+ordered_json fields_json(const Answer& answer) {
   ordered_json json = ordered_json::object();
   for (const FieldRow& row : estimate::fields())
-    json[row.key] = json_of(c.answer.find(row.field));
+    json[row.key] = json_of(answer.find(row.field));
+  json["shares"] = ordered_json::object();
+  for (const estimate::Share& share : answer.shares())
+    json["shares"][share.input] = share.share;
+  return json;
+}
+
+} // namespace
+
+ordered_json answer_json(const AnswerCase& c) {
+  ordered_json json = fields_json(c.answer);
+  json["grain_shape"] = name(c.question.grain_shape);
   json.update({{"preparation", preparation_text(c.question.preparation)},
                {"grain_density", *c.question.grain_density},
                {"saturation", c.question.saturation}});
-  json["shares"] = ordered_json::object();
-  for (const estimate::Share& share : c.answer.shares())
-    json["shares"][share.input] = share.share;
   json["assumed_deviations"] = ordered_json::object();
   json["stated_deviations"] = ordered_json::object();
   for (const estimate::UncertainInput& input : c.inputs)
@@ -244,22 +200,40 @@ ordered_json answer_json(const AnswerCase& c) {
   return json;
 }
 
-ordered_json sands_json(const AnswerCase& c) {
-  ordered_json json = ordered_json::array();
-  for (const SandAnswer& sand : c.sands) {
-    json.push_back(
-        {{"law", sand.law->key},
-         {"sand", sand.law->sand},
-         {"source", sand.law->source},
-         {"formula", sand.law->formula},
-         {"shear_modulus", sand.modulus ? ordered_json(sand.modulus->shear_modulus) : ordered_json()},
-         {"notes", sand.modulus ? ordered_json(sand.modulus->validity.notes) : ordered_json::array()}});
-  }
+ordered_json sand_answer_json(const AnswerCase& c) {
+  if (!c.sand_answer)
+    return {};
+  ordered_json json = fields_json(*c.sand_answer);
+  json["grain_shape"] = name(estimate::GrainShape::sand);
   return json;
 }
 
 std::string range_text(const AnswerCase& c) { return shares_text(c.answer) + preparation_remark(c); }
 
-std::string answer_table(const AnswerCase& c) { return moduli_text(c) + range_text(c) + sands_text(c); }
+namespace {
+
+/// Both answers in a line each, named.
+std::string both_text(const AnswerCase& c) {
+  using estimate::GrainShape;
+  std::string text = "  nothing says what the grains are; --grain-shape sand or sphere does\n";
+  for (const auto& [shape, answer] :
+       {std::pair{GrainShape::sand, &*c.sand_answer}, {GrainShape::sphere, &c.answer}}) {
+    const Range& G = (*answer)[Field::shear_modulus];
+    text += fmt::format("  {:<29} G = {} ({} to {})\n", title_of(shape), pressure(G.value), pressure(G.low),
+                        pressure(G.high));
+  }
+  return text + "\n";
+}
+
+} // namespace
+
+std::string answer_table(const AnswerCase& c) {
+  if (!c.sand_answer)
+    return fmt::format("{}\n", title_of(c.question.grain_shape)) + moduli_text(c, c.answer) + range_text(c) +
+           sands_text(c);
+  return both_text(c) + title_of(estimate::GrainShape::sand) + "\n" + moduli_text(c, *c.sand_answer) +
+         shares_text(*c.sand_answer) + sands_text(c) + "\n" + title_of(estimate::GrainShape::sphere) + "\n" +
+         moduli_text(c, c.answer) + range_text(c);
+}
 
 } // namespace granum::cli

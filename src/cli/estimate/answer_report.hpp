@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <granum/estimate/answer.hpp>
-#include <granum/hardin/measured_sands.hpp>
 #include <granum/io/csv/columns.hpp>
+#include <granum/sands/measured_sands.hpp>
 #include <nlohmann/json.hpp>
 
 #include "answer_options.hpp"
@@ -16,19 +16,30 @@ namespace granum::cli {
 
 /// What a law of measured sands gives here; nothing where it has no value.
 struct SandAnswer {
-  const hardin::MeasuredLaw* law;
-  std::optional<hardin::SandModulus> modulus;
+  const sands::MeasuredLaw* law;
+  std::optional<sands::SandModulus> modulus;
 };
 
 struct AnswerCase {
   estimate::Question question;
   std::vector<estimate::UncertainInput> inputs;
   estimate::Answer answer;
+  /// That of a sand, where nothing says what the grains are; `answer` is then that of spheres.
+  std::optional<estimate::Answer> sand_answer = std::nullopt;
   double uniformity = 0; ///< C_u of the measured laws [1]
   bool uniformity_assumed = false;
   std::vector<SandAnswer> sands = {};        ///< empty without stress
   std::vector<std::string> assumptions = {}; ///< of shape, grains and fabric, with their deviations
 };
+
+/// Adds what published laws give.
+void add_measured_laws(AnswerCase& answer);
+/// Which of them were tested here, in the order of sands::measured_laws().
+[[nodiscard]] std::vector<bool> laws_tested(const AnswerCase& answer);
+/// From the lowest to the highest of some of them, or of all where none is named; the geometric mean of these
+/// ends in between. Nothing without stress.
+[[nodiscard]] std::optional<estimate::Range> range_of_laws(const AnswerCase& answer,
+                                                           const std::vector<bool>& some);
 
 /// Works out the answer, without what measured sands give and without assumptions.
 /// \throws   InvalidArgument as estimate::answer
@@ -41,15 +52,30 @@ struct AnswerCase {
 
 /// The object "answer", SI.
 [[nodiscard]] nlohmann::ordered_json answer_json(const AnswerCase& answer);
+/// The object "sand_answer", SI: that of a sand where nothing says what the grains are, else null.
+[[nodiscard]] nlohmann::ordered_json sand_answer_json(const AnswerCase& answer);
 /// The array "measured_sands", SI.
 [[nodiscard]] nlohmann::ordered_json sands_json(const AnswerCase& answer);
+/// The array "strain_laws": G/G0 at the strain that was asked for; empty without one.
+[[nodiscard]] nlohmann::ordered_json strain_laws_json(const AnswerCase& answer);
+/// The answer of a sand, where there is one.
+[[nodiscard]] const estimate::Answer* answer_of_sand(const AnswerCase& answer);
+/// "sand (measured laws)" or "beads (spheres of the model)".
+[[nodiscard]] const char* title_of(estimate::GrainShape shape);
+/// Published laws beside an answer, and what strain laws say.
+[[nodiscard]] std::string sands_text(const AnswerCase& answer);
+/// What the answer of a sand is made of, one sentence each.
+[[nodiscard]] std::vector<std::string> sand_notes(const AnswerCase& answer, const AnswerOptions& options);
 /// Columns of a table, each number with the ends of its range.
+/// \param    before   of the headings: "sand_" for the answer of a sand beside that of spheres
 /// \param    all   every number; else G, V_s, V_p, z* and s alone
-[[nodiscard]] io::Columns<estimate::Answer> answer_columns(bool all);
+[[nodiscard]] io::Columns<estimate::Answer> answer_columns(bool all, const std::string& before = "");
 /// A number in the unit of a screen, with the unit: "118 MPa".
 [[nodiscard]] std::string field_text(const estimate::FieldRow& row, double value);
 /// What makes the range of G, and how it narrows.
 [[nodiscard]] std::string range_text(const AnswerCase& answer);
+/// One row: state, grain_shape, all numbers of the answer, and of the sand's beside it.
+[[nodiscard]] std::string answer_csv(const AnswerCase& answer, const nlohmann::ordered_json& packing);
 [[nodiscard]] std::string answer_table(const AnswerCase& answer);
 
 } // namespace granum::cli

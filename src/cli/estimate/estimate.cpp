@@ -2,12 +2,18 @@
 #include "estimate.hpp"
 
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/plot/chart.hpp>
 
 #include "answer_options.hpp"
-#include "answer_report.hpp"
+#include "answer_page.hpp"
+#include "answer_picture.hpp"
+#include "cement_report.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
@@ -26,8 +32,9 @@ struct Options {
   AnswerOptions answer;
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
-  Number tolerance;
-  bool bounds = false; ///< show the uniform fields and rung 3 side by side
+  Number tolerance, cement;
+  std::string picture, report; ///< files; empty for none
+  bool bounds = false;         ///< show the uniform fields and rung 3 side by side
 };
 
 /// A line for each note, none twice: what the answer assumes, and what the rungs do.
@@ -50,12 +57,16 @@ Validity slips_of(const Options& o, const State& state) {
 }
 
 ExitCode run(Options o) {
+  require_free(o.output, o.picture);
+  require_free({.json = false, .strict = false, .force = o.output.force, .out = o.report}, "");
+  if (!o.report.empty() && !o.report.ends_with(".html"))
+    throw InvalidArgument("--report = '" + o.report + "' must end in .html");
   apply_presets(o.packing, o.answer);
   const AnswerCase answer = solve_answer(o.packing, o.answer, o.uncertain);
   const State& state = answer.answer.state();
   const Bounds bounds = bounds_of(answer);
   const ordered_json packing = packing_json(o.packing, state);
-  std::string table = state_text(packing, state) + answer_table(answer);
+  std::string table = state_text(packing, answer) + answer_table(answer);
   if (o.bounds)
     table += "\n" + bounds_table(state, bounds);
   table += notes_text(answer.assumptions, o.bounds ? bounds.assumptions : std::vector<std::string>{});
@@ -63,14 +74,34 @@ ExitCode run(Options o) {
   Validity validity = slips_of(o, state);
   validity.merge(bounds.validity);
   validity.merge(answer.answer.validity());
+  if (answer.sand_answer)
+    for (const std::string& note : answer.sand_answer->validity().notes)
+      validity.add("sand: " + note);
   if (o.tolerance.given()) {
     const estimate::Ladder ladder = estimate::choose(answer.answer, o.tolerance.value);
     table += ladder_table(ladder);
     json["ladder"] = ladder_json(ladder);
     validity.merge(ladder.validity);
   }
+  if (o.cement.given()) {
+    const CementAnswer cemented = cement_answer(answer, o.cement.value);
+    table += cement_table(cemented);
+    json["cemented"] = cement_json(cemented);
+    validity.merge(cemented.validity);
+  }
   validity.keep_each_once();
-  return deliver(o.output, within_width(table), json, validity);
+  const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
+  std::optional<plot::Chart> chart;
+  if (!o.picture.empty() || !o.report.empty())
+    chart = answer_chart(o.packing, o.answer, o.uncertain, answer);
+  const std::string text = within_width(table);
+  const ExitCode code = deliver(o.output, csv ? answer_csv(answer, packing) : text, json, validity);
+  const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
+  if (!o.picture.empty())
+    io::write_file(o.picture, plot::svg(*chart), existing);
+  if (!o.report.empty())
+    io::write_file(o.report, answer_page(answer, *chart, text, validity), existing);
+  return code;
 }
 
 } // namespace
@@ -87,6 +118,7 @@ Command make_estimate() {
                   .run = [options] { return run(*options); }};
   add_packing_options(command, options->packing);
   add_answer_options(command, options->answer);
+  add_state_options(command, options->answer);
   command.add(
       {{.name = "--bounds",
         .value = flag(options->bounds),
@@ -96,8 +128,22 @@ Command make_estimate() {
         .value = number_without_default(options->tolerance),
         .group = "More results",
         .meaning = "Choose the cheapest rung whose stated error is no larger, e.g. 5%"},
+       {.name = "--cement",
+        .value = number_without_default(options->cement),
+        .group = "More results",
+        .meaning = "Share of the volume that is cement, 2%: the packing with a little of its pores cemented",
+        .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
   add_output_options(command, options->output);
+  add_picture(command, options->picture,
+              "Draw G and its range over the mean stress, or over the shear strain with --strain");
+  command.add({.name = "--report",
+               .value = path(options->report, "FILE.html"),
+               .group = output_group,
+               .meaning = "Write the answer as a page: range, assumptions, sources by key, and the picture"});
+  OptionRow& force = command.row("--force");
+  force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
+  force.meaning = "Let --out, --picture and --report replace existing files";
   return command;
 }
 

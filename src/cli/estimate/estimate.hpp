@@ -36,7 +36,7 @@ struct Bounds {
 [[nodiscard]] nlohmann::ordered_json estimate_json(const nlohmann::ordered_json& packing,
                                                    const Bounds& bounds, const AnswerCase& answer);
 /// Contact, grains, packing and stress.
-[[nodiscard]] std::string state_text(const nlohmann::ordered_json& packing, const effective::State& state);
+[[nodiscard]] std::string state_text(const nlohmann::ordered_json& packing, const AnswerCase& answer);
 /// Uniform strain, uniform stress and the relaxed rung side by side.
 [[nodiscard]] std::string bounds_table(const effective::State& state, const Bounds& bounds);
 

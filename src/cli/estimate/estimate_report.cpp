@@ -122,7 +122,7 @@ Bounds bounds_of(const AnswerCase& c) {
   if (*state.coordination_number == 0)
     bounds.assumptions.emplace_back(
         "m, n and s do not exist: without contacts every modulus is 0 at any stress");
-  if (!c.question.state.coordination_number) {
+  if (!c.question.state.coordination_number && c.question.grain_shape == estimate::GrainShape::sphere) {
     const estimate::Range& C_n = c.answer[estimate::Field::coordination_number];
     bounds.assumptions.push_back(fmt::format(
         "bounds and rungs use the estimated C_n = {} (range {} to {}); override with --coordination-number",
@@ -131,7 +131,42 @@ Bounds bounds_of(const AnswerCase& c) {
   return bounds;
 }
 
-std::string state_text(const ordered_json& packing, const State& s) {
+namespace {
+
+/// "e = 0.802, D_r = 50 %, C_u = 1.39, d50 = 200 um": what of a sand is known.
+std::string sand_line(const sands::Sand& sand, double void_ratio) {
+  std::string text = "e = " + short_text(void_ratio);
+  if (sand.least_void_ratio && sand.largest_void_ratio)
+    text += fmt::format(" between {} and {}", short_text(*sand.least_void_ratio),
+                        short_text(*sand.largest_void_ratio));
+  else if (sand.relative_density)
+    text += ", D_r = " + percent_text(*sand.relative_density);
+  if (sand.uniformity)
+    text += ", C_u = " + short_text(*sand.uniformity, 3);
+  if (sand.d50)
+    text += ", d50 = " + pretty(*sand.d50, Dimension::length);
+  return text;
+}
+
+std::string stress_line(const State& s) {
+  return fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
+                     pretty(s.stress_h, Dimension::pressure));
+}
+
+} // namespace
+
+std::string state_text(const ordered_json& packing, const AnswerCase& c) {
+  const State& s = c.question.state;
+  if (c.question.grain_shape == estimate::GrainShape::sand) {
+    std::string text = fmt::format("Small-strain stiffness of a sand\n\n  sand      {}\n",
+                                   sand_line(c.question.sand, s.void_ratio));
+    text += fmt::format("  grains    G_g = {}, nu_g = {}\n",
+                        pretty(s.law.grain().shear_modulus, Dimension::pressure),
+                        short_text(s.law.grain().poisson_ratio));
+    if (c.question.shear_strain)
+      text += fmt::format("  strain    {}\n", percent_text(*c.question.shear_strain));
+    return text + stress_line(s);
+  }
   std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains\n\n",
                                  packing.contains("sizes") ? "un" : "");
   text +=
@@ -149,9 +184,7 @@ std::string state_text(const ordered_json& packing, const State& s) {
   }
   text += fmt::format("  packing   e = {}, fabric a = {}\n", short_text(s.void_ratio),
                       short_text(s.fabric_anisotropy));
-  text += fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
-                      pretty(s.stress_h, Dimension::pressure));
-  return text;
+  return text + stress_line(s);
 }
 
 ordered_json estimate_json(const ordered_json& packing, const Bounds& bounds, const AnswerCase& answer) {
@@ -162,7 +195,9 @@ ordered_json estimate_json(const ordered_json& packing, const Bounds& bounds, co
   json["inputs"].update({{"stress_v", state.stress_v}, {"stress_h", state.stress_h}});
   for (const ShownForm& form : bounds.forms)
     json[form.key] = json_of(form.answer);
+  json["sand_answer"] = sand_answer_json(answer);
   json["measured_sands"] = sands_json(answer);
+  json["strain_laws"] = strain_laws_json(answer);
   json["notes"] = answer.assumptions;
   for (const std::vector<std::string>& more : {bounds.assumptions, bounds.validity.notes})
     for (const std::string& note : more)

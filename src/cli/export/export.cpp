@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_request.hpp>
 #include <granum/io/lammps/deck.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/stress/shear_path.hpp>
@@ -12,6 +13,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/stop_signal.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
@@ -91,19 +93,21 @@ io::LammpsExperiment experiment_of(const studies::Scene& scene, const Specimen& 
           .path = path_of(options)};
 }
 
-dem::Specimen start_state(const studies::Scene& scene, const Specimen& specimen, io::LammpsStart start) {
+dem::Specimen start_state(const studies::Scene& scene, const Specimen& specimen, io::LammpsStart start,
+                          const StopRequest& stop_requested) {
   const triaxial::SpecimenRecipe recipe = studies::recipe(scene, contact::Shape::sphere, specimen.seed);
   if (start == io::LammpsStart::scattered)
     return triaxial::scattered_specimen(recipe);
-  return triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, specimen.density,
-                                        recipe);
+  return triaxial::start_of_compression(triaxial::frictionless_specimen(recipe, stop_requested).state,
+                                        specimen.density, recipe, stop_requested);
 }
 
 std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& specimen,
-                                  const ExportOptions& options) {
+                                  const ExportOptions& options, const StopRequest& stop_requested = {}) {
+  throw_if_stopped(stop_requested);
   const io::LammpsExperiment experiment = experiment_of(scene, specimen, options);
   packing::Assembly grains =
-      dem::contact_network(start_state(scene, specimen, start_of(options)),
+      dem::contact_network(start_state(scene, specimen, start_of(options), stop_requested),
                            studies::recipe(scene, contact::Shape::sphere, specimen.seed).material);
   std::vector<io::DeckFile> files = io::lammps_deck(grains, experiment);
   nlohmann::ordered_json manifest = json_head("export lammps");
@@ -135,6 +139,7 @@ ExitCode run(const ExportOptions& options) {
   if (refuses(slips, options.strict))
     return ExitCode::not_converged;
   prepare_folders(scene, options);
+  const StopRequest stop_requested = [&stop = listen_for_stop()] { return stop.load(); };
 
   nlohmann::ordered_json json = json_head("export lammps");
   json["scene"] = json_of(scene);
@@ -142,7 +147,7 @@ ExitCode run(const ExportOptions& options) {
   std::string table;
   for (const Specimen& specimen : specimens_of(scene)) {
     const fs::path folder = fs::path(options.out) / specimen.folder();
-    for (const io::DeckFile& file : deck_of(scene, specimen, options)) {
+    for (const io::DeckFile& file : deck_of(scene, specimen, options, stop_requested)) {
       io::write_file(folder / file.name, file.text,
                      options.force ? io::Existing::replace : io::Existing::keep);
       json["files"].push_back((folder / file.name).string());

@@ -28,15 +28,17 @@ hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::
 
 ExitCode run(FitQuestion question) {
   require_free(question.output, question.picture);
+  const auto rows = read_rows(question);
   const hardin::VoidRatioFunction function = hardin::void_ratio_function(question.void_ratio_function);
-  const auto rows = read_rows(question, function);
   const hardin::FitOptions options{.atmospheric_pressure = question.atmospheric_pressure,
                                    .void_ratio_function = function,
                                    .weights = question.weights == "absolute" ? hardin::Weights::absolute
                                                                              : hardin::Weights::relative};
   const hardin::FitReport report = fitted(question, rows, options);
+  Validity validity = question.remarks;
+  validity.merge(report.fit().validity);
   const ExitCode code = deliver(question.output, within_width(fit_table(question, report)),
-                                fit_json(question, report), report.fit().validity);
+                                fit_json(question, report), validity);
   if (!question.picture.empty())
     io::write_file(question.picture, plot::svg(fit_chart(question, report.fit(), rows)),
                    question.output.force ? io::Existing::replace : io::Existing::keep);
@@ -70,23 +72,26 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
   std::vector<std::string> functions;
   for (const hardin::VoidRatioFunction function : hardin::all_void_ratio_functions())
     functions.emplace_back(hardin::name(function));
-  command.add({{.name = "--sum-only",
-                .value = flag(question.sum_only),
-                .group = group,
-                .meaning = "Fit C and s = m + n only, for paths of one stress ratio"},
-               {.name = "--void-ratio-function",
-                .value = choice(functions, question.void_ratio_function),
-                .group = group,
-                .meaning = "f(e)"},
-               {.name = "--atmospheric-pressure",
-                .value = quantity(question.atmospheric_pressure, Dimension::pressure),
-                .group = group,
-                .meaning = "p_a, for which C holds",
-                .synonyms = {{"pa patm pref referencepressure"}}},
-               {.name = "--weights",
-                .value = choice({"relative", "absolute"}, question.weights),
-                .group = group,
-                .meaning = "Equal errors of ln G (relative) or of G (absolute)"}});
+  Value function = choice(functions, [&question](const std::string& text) {
+    question.void_ratio_function = text;
+    question.void_ratio_function_given = true;
+  });
+  function.by_default = question.void_ratio_function;
+  command.add(
+      {{.name = "--sum-only",
+        .value = flag(question.sum_only),
+        .group = group,
+        .meaning = "Fit C and s = m + n only, for paths of one stress ratio"},
+       {.name = "--void-ratio-function", .value = std::move(function), .group = group, .meaning = "f(e)"},
+       {.name = "--atmospheric-pressure",
+        .value = quantity(question.atmospheric_pressure, Dimension::pressure),
+        .group = group,
+        .meaning = "p_a, for which C holds",
+        .synonyms = {{"pa patm pref referencepressure"}}},
+       {.name = "--weights",
+        .value = choice({"relative", "absolute"}, question.weights),
+        .group = group,
+        .meaning = "Equal errors of ln G (relative) or of G (absolute)"}});
 }
 
 } // namespace

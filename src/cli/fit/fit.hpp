@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/core/validity.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
@@ -24,14 +25,16 @@ struct FitQuestion {
   std::string weights = "relative";
   double atmospheric_pressure = 100e3; ///< [Pa]
   bool sum_only = false;
+  bool void_ratio_function_given = false, void_ratio_column_given = false;
+  Validity remarks; ///< rows left out, likely slips, what was taken instead of what is missing
   std::string picture;
   OutputOptions output;
 };
 
-/// Reads the rows, and fills in which columns hold them. A file with one mean stress, p, allows s alone.
+/// Reads the rows, and fills in which columns hold them. A file with one mean stress, p, allows s alone; one
+/// without a void ratio has f(e) = 1. Rows with an empty cell among these columns are left out.
 /// \throws   FileError for what cannot be read, a missing column, or a row that no fit can take
-[[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question,
-                                                             hardin::VoidRatioFunction function);
+[[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question);
 
 [[nodiscard]] nlohmann::ordered_json fit_json(const FitQuestion& question, const hardin::FitReport& report);
 [[nodiscard]] std::string fit_table(const FitQuestion& question, const hardin::FitReport& report);

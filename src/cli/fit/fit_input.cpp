@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -16,11 +17,13 @@ using Names = std::vector<std::string>;
 
 /// What people call a column; the first is what errors name.
 const Names modulus_names = {"G", "G_max", "Gmax", "G_0", "G0", "G_hv", "G_vh", "G_hh", "Ghv", "Gvh", "Ghh"};
-const Names vertical_names = {"sigma_v", "sigma'_v", "sigma_v'", "sigma_1", "sigma1", "sigma_a", "sigma_z"};
-const Names horizontal_names = {"sigma_h", "sigma'_h", "sigma_h'", "sigma_3", "sigma3", "sigma_r", "sigma_x"};
+const Names vertical_names = {"sigma_v", "sigma'_v", "sigma_v'", "sigma'v", "sigmav",
+                              "s'_v",    "sigma_1",  "sigma1",   "sigma_a", "sigma_z"};
+const Names horizontal_names = {"sigma_h", "sigma'_h", "sigma_h'", "sigma'h", "sigmah",
+                                "s'_h",    "sigma_3",  "sigma3",   "sigma_r", "sigma_x"};
 const Names mean_names = {"p",       "p'",      "p0",      "p_0",    "p'_0",  "p0'",    "sigma_0", "sigma0",
                           "sigma_c", "sigma_m", "sigma_3", "sigma3", "sigma", "sigma'", "stress"};
-const Names void_ratio_names = {"e", "void_ratio", "e_0", "e0"};
+const Names void_ratio_names = {"e", "void_ratio", "void ratio", "Void ratio", "e_0", "e0"};
 
 /// The first of the names that the table has a column of; empty if none.
 std::string found_in(const io::CsvTable& table, const Names& names) {
@@ -60,6 +63,7 @@ char direction_of(const std::string& modulus, std::size_t place) {
 }
 
 void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
+  question.void_ratio_column_given = !question.void_ratio_column.empty();
   for (std::string* column : {&question.modulus_column, &question.stress_i_column, &question.stress_j_column})
     *column = quantity_of(table, *column, Dimension::pressure);
   question.void_ratio_column = quantity_of(table, question.void_ratio_column, Dimension::dimensionless);
@@ -82,31 +86,76 @@ void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
   fill(question.stress_j_column, names_of(direction_of(question.modulus_column, 1)));
 }
 
-std::vector<double> void_ratios(const io::CsvTable& table, const FitQuestion& question,
-                                hardin::VoidRatioFunction function) {
+/// Numbers of a column, nothing where a cell is empty.
+std::vector<std::optional<double>> numbers_in(const io::CsvTable& table, const std::string& quantity,
+                                              Dimension dimension) {
+  const io::CsvTable::Place column = table.column(quantity, dimension);
+  std::vector<std::optional<double>> out;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string_view field = trimmed(table.fields(row)[column.index]);
+    const std::optional<double> value = parse_number(field);
+    if (!value && !field.empty())
+      throw FileError(
+          table.name(), table.line(row),
+          fmt::format("expected a number in column '{}', found '{}'", table.headings()[column.index], field));
+    out.push_back(value ? std::optional(*value * column.factor) : std::nullopt);
+  }
+  return out;
+}
+
+/// 1 in every row where no void ratio is in the table: f(e) = 1.
+std::vector<std::optional<double>> void_ratios(const io::CsvTable& table, FitQuestion& question) {
   if (table.has(question.void_ratio_column))
-    return table.numbers(question.void_ratio_column, Dimension::dimensionless);
-  if (function == hardin::VoidRatioFunction::none)
-    return std::vector<double>(table.row_count(), 1.0); // any value does where f(e) = 1
-  throw FileError(
-      question.file, 0,
-      fmt::format("expected a column '{}' of the void ratio; --void-ratio-column names another, and "
-                  "--void-ratio-function none does without",
-                  question.void_ratio_column));
+    return numbers_in(table, question.void_ratio_column, Dimension::dimensionless);
+  const bool none = question.void_ratio_function == "none";
+  if (!none && (question.void_ratio_function_given || question.void_ratio_column_given))
+    throw FileError(
+        question.file, 0,
+        fmt::format("expected a column '{}' of the void ratio; --void-ratio-column names another, and "
+                    "--void-ratio-function none does without",
+                    question.void_ratio_column));
+  if (!none)
+    question.remarks.add(
+        "the table has no void ratio: f(e) = 1 is taken, as of one specimen that hardly compacts");
+  question.void_ratio_function = "none";
+  return std::vector<std::optional<double>>(table.row_count(), 1.0);
+}
+
+/// A sand at 100 kPa has some 100 MPa; where all rows are a thousandth of that or less, units were mixed up.
+void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion& question) {
+  constexpr double softest = 2e6, hardest = 100e9, least_stress = 10e3; // [Pa]
+  double largest = 0;
+  for (const hardin::MeasuredModulus& row : rows)
+    if (std::min(row.state.stress_i, row.state.stress_j) >= least_stress)
+      largest = std::max(largest, row.shear_modulus);
+  if (largest > 0 && largest < softest)
+    question.remarks.add(fmt::format("{} of at most {}: no sand is so soft; was {} meant?",
+                                     question.modulus_column, pretty(largest, Dimension::pressure),
+                                     pretty(1e3 * largest, Dimension::pressure)));
+  else if (largest > hardest)
+    question.remarks.add(fmt::format("{} of {}: no sand is so stiff; was {} meant?", question.modulus_column,
+                                     pretty(largest, Dimension::pressure),
+                                     pretty(largest / 1e3, Dimension::pressure)));
 }
 
 } // namespace
 
-std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question, hardin::VoidRatioFunction function) {
+std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question) {
   const io::CsvTable table = io::read_csv(question.file);
   fill_in_columns(table, question);
-  const auto modulus = table.numbers(question.modulus_column, Dimension::pressure);
-  const auto stress_i = table.numbers(question.stress_i_column, Dimension::pressure);
-  const auto stress_j = table.numbers(question.stress_j_column, Dimension::pressure);
-  const auto void_ratio = void_ratios(table, question, function);
+  const auto modulus = numbers_in(table, question.modulus_column, Dimension::pressure);
+  const auto stress_i = numbers_in(table, question.stress_i_column, Dimension::pressure);
+  const auto stress_j = numbers_in(table, question.stress_j_column, Dimension::pressure);
+  const auto void_ratio = void_ratios(table, question);
+  const hardin::VoidRatioFunction function = hardin::void_ratio_function(question.void_ratio_function);
   std::vector<hardin::MeasuredModulus> rows;
+  std::size_t left_out = 0;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
-    rows.push_back({modulus[k], {stress_i[k], stress_j[k], void_ratio[k]}});
+    if (!modulus[k] || !stress_i[k] || !stress_j[k] || !void_ratio[k]) {
+      ++left_out;
+      continue;
+    }
+    rows.push_back({*modulus[k], {*stress_i[k], *stress_j[k], *void_ratio[k]}});
     try {
       hardin::require_valid(rows.back(), function);
     } catch (const InvalidArgument& error) {
@@ -115,6 +164,10 @@ std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question, hardin::Vo
                                   question.stress_i_column, question.stress_j_column));
     }
   }
+  if (left_out > 0)
+    question.remarks.add(
+        fmt::format("{} of {} rows have an empty cell and are left out", left_out, table.row_count()));
+  judge_modulus(rows, question);
   return rows;
 }
 

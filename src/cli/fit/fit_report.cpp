@@ -23,6 +23,24 @@ std::optional<double> alpha_of(const hardin::Fit& fit) {
   return s > 0 && s <= 0.5 ? std::optional(1 / s - 1) : std::nullopt;
 }
 
+/// What an exponent may come from. Mechanics of each: docs/theory.md.
+std::string meaning_of(const Measured& s) {
+  const double error = s.standard_error;
+  const auto below = [&](double number) { return s.value + 2 * error < number; };
+  const auto above = [&](double number) { return s.value - 2 * error > number; };
+  std::string text =
+      fmt::format("measured sands have s = 0.40 C_u^0.18 +- 0.05, 0.43 where they are uniform. ");
+  if (below(1.0 / 3))
+    return text +
+           "s below 1/3: contacts that do not stiffen as the stress grows, as bonds and cement make them.";
+  if (!above(1.0 / 3))
+    return text + "s of 1/3: smooth spheres whose contacts stay the same in number.";
+  return text + (above(0.5)
+                     ? "s above 1/2: contacts form as the stress grows, or f(e) leaves a part of it to s."
+                     : "s between 1/3 and 1/2: contacts form as the stress grows, or grains are rough, or "
+                       "touch at angular tips; s alone cannot tell which, V_p beside V_s would.");
+}
+
 io::ShownColumn shown(std::string label, int digits, std::string meaning = "") {
   return {.heading = std::move(label), .digits = digits, .fixed = true, .meaning = std::move(meaning)};
 }
@@ -49,8 +67,7 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
   for (const auto& [name, alpha] : contact_shapes)
     io::add_item(list, std::string("one_over_one_plus_alpha/") + name, 1 / (1 + alpha),
                  shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, none new", name)));
-  io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr,
-               shown("alpha", 2, "of such contacts with this s"));
+  io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr);
   if (fit.exponent_i)
     io::add_item(list, "", fit.correlation(), shown("correlation of m and n", 3));
   io::add_item(list, "covariance/parameters", fit.parameters);
@@ -61,7 +78,10 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
   io::add_item(list, "residuals", fit.residuals);
   io::add_item(list, "degrees_of_freedom", fit.degrees_of_freedom, shown("degrees of freedom", 0));
   io::add_item(list, "iterations", report.iterations(), shown("iterations", 0));
-  io::add_item(list, "notes", fit.validity.notes);
+  std::vector<std::string> notes = question.remarks.notes;
+  notes.insert(notes.end(), fit.validity.notes.begin(), fit.validity.notes.end());
+  io::add_item(list, "notes", notes);
+  io::add_item(list, "meaning", meaning_of(fit.exponent_sum));
   return list;
 }
 
@@ -89,13 +109,11 @@ std::string fit_table(const FitQuestion& question, const hardin::FitReport& repo
   const std::string stresses = fit.exponent_i ? fmt::format("({}/p_a)^m ({}/p_a)^n", i, j)
                                : i == j       ? fmt::format("({}/p_a)^s", i)
                                               : fmt::format("(sqrt({} {})/p_a)^s", i, j);
-  const bool forms = !alpha_of(fit) && fit.exponent_sum.value > 0.5;
-  return fmt::format(
-      "{} = C p_a f(e) {}\n{} rows of {}; p_a = {}, f(e) {}, {} residuals\n\n{}{}", question.modulus_column,
-      stresses, fit.residuals.size(), question.file,
-      pretty(question.atmospheric_pressure, Dimension::pressure), question.void_ratio_function,
-      question.weights, io::list_text(fit_items(question, report), io::Only{}),
-      forms ? "\ns above 0.5: contacts form as the stress grows, or f(e) leaves a part of it to s\n" : "");
+  return fmt::format("{} = C p_a f(e) {}\n{} rows of {}; p_a = {}, f(e) {}, {} residuals\n\n{}\n{}\n",
+                     question.modulus_column, stresses, fit.residuals.size(), question.file,
+                     pretty(question.atmospheric_pressure, Dimension::pressure), question.void_ratio_function,
+                     question.weights, io::list_text(fit_items(question, report), io::Only{}),
+                     meaning_of(fit.exponent_sum));
 }
 
 plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,

@@ -23,6 +23,13 @@ struct OtherNames {
   const char* command;
 };
 
+/// What granum does not model, and what is said where somebody asks for it.
+constexpr Synonyms not_modelled[] = {
+    {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
+    {"ocr overconsolidation age ageing",
+     "overconsolidation and age are not modelled; granum infer takes a measured speed of the ground"},
+};
+
 /// Other programs' and other people's words for the commands.
 const std::vector<OtherNames>& other_command_names() {
   static const std::vector<OtherNames> table = {
@@ -132,7 +139,13 @@ Names near_scene_keys(const Command& command, const std::string& name) {
 
 /// What an option was meant to be, as the end of a sentence; empty if nobody knows.
 std::string meant_option(const Command& program, const Command& command, const std::string& typed) {
+  if (const std::string small = "--" + in_small_letters(without_hyphens(typed));
+      command.find(small) != nullptr)
+    return fmt::format("; did you mean {}?", small);
   const std::string word = known_word(program, bare(typed));
+  for (const auto& [words, remark] : not_modelled)
+    if (has_word(words, word))
+      return fmt::format(": {}", remark);
   if (const auto [options, remark] = called_so(command, word); !options.empty())
     return fmt::format("; did you mean {}?{}", fmt::join(options, " or "),
                        remark.empty() ? "" : " (" + remark + ")");

@@ -67,6 +67,7 @@ std::vector<std::string> growth_names() {
   std::vector<std::string> names;
   for (const inverse::GrowthRule growth : inverse::all_growth_rules)
     names.emplace_back(name(growth));
+  names.emplace_back(sand_growth_name);
   return names;
 }
 
@@ -85,16 +86,18 @@ void add_prediction_options(Command& command, InferOptions& o) {
                     (void)parse_quantity(name, text, Dimension::pressure);
                     o.predict_pressure.push_back(text);
                   }};
+  Value growth = choice(growth_names(), o.growth);
+  growth.by_default = "sand for sands, packings for spheres";
   OptionRow uncertainty = uncertainty_row(o.uncertain);
   uncertainty.group = group;
   uncertainty.meaning = "Standard deviation of an input that all measurements share, may be repeated: "
                         "grain-shear-modulus=5%, void-ratio=0.01";
   command.add(
       {{.name = "--growth",
-        .value = choice(growth_names(), o.growth),
+        .value = std::move(growth),
         .group = group,
-        .meaning = "z* at other stresses: as it grows in packings of spheres, fixed, or fitted to the "
-                   "measurements"},
+        .meaning = "At other stresses: as measured sands grow; z* as it grows in packings of spheres, or "
+                   "fixed; or fitted to the measurements"},
        {.name = "--contacts",
         .value = choice(contact_names(), o.contacts),
         .group = group,
@@ -146,26 +149,82 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
   return question.measurements.front().quantity;
 }
 
+/// The answer of a sand alone.
+ExitCode run_sand(const InferOptions& o, const InferCase& question, const inverse::SandInference& sand,
+                  Quantity of_picture) {
+  Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
+  validity.merge(likely_mistakes(o.grains.grain_density));
+  validity.merge(sand.validity());
+  for (const PredictedState& predicted : question.predicted) {
+    const Validity there = estimate::answer(sand.question(predicted.state)).validity();
+    for (const std::string& note : there.notes)
+      validity.add("prediction at p = " + pretty(predicted.state.mean_stress(), Dimension::pressure) + ": " +
+                   note);
+  }
+  std::string text = sand_inference_text(question, sand) + "\n";
+  for (const std::string& note : question.assumptions)
+    text += "note: " + note + "\n";
+  nlohmann::ordered_json json = json_head("infer");
+  json["grain_shape"] = name(estimate::GrainShape::sand);
+  json["sand"] = sand_inference_json(question, sand);
+  json["inputs"] = question.packing;
+  json["notes"] = question.assumptions;
+  const bool csv = !o.output.out.empty() && !o.output.json;
+  const ExitCode code =
+      deliver(o.output, csv ? sand_inference_csv(question, sand) : within_width(text), json, validity);
+  if (!o.picture.empty())
+    io::write_file(o.picture,
+                   plot::svg(infer_chart(
+                       question, of_picture,
+                       [&](const effective::State& state, inverse::AskedPacking) {
+                         return sand.predict(of_picture, state);
+                       },
+                       [&](double) { return question.measurements.front().state.void_ratio; })),
+                   o.output.force ? io::Existing::replace : io::Existing::keep);
+  return code;
+}
+
 ExitCode run(const InferOptions& o) {
   require_free(o.output, o.picture);
   InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
+  std::optional<inverse::SandInference> sand;
+  if (question.sand)
+    sand = inverse::infer_sand(question.measurements, *question.sand, question.sand_growth);
+  if (!question.of_spheres)
+    return run_sand(o, question, *sand, of_picture);
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(answer.validity);
   if (answer.together)
     validity.merge(complete_predictions(question, *answer.together));
+  std::string text = infer_table(question, answer);
+  nlohmann::ordered_json json = infer_json(question, answer);
+  json["grain_shape"] = name(estimate::GrainShape::sphere);
+  json["sand"] = nullptr;
+  if (sand) {
+    text = "Nothing says what the grains are; --grain-shape sand or sphere does\n\n" +
+           sand_inference_text(question, *sand) + "\nbeads (spheres of the model)\n\n" + text;
+    json["sand"] = sand_inference_json(question, *sand);
+    for (const std::string& note : sand->validity().notes)
+      validity.add("sand: " + note);
+  }
   const bool csv = !o.output.out.empty() && !o.output.json;
   const ExitCode code =
-      deliver(o.output, csv ? infer_csv(question, answer) : within_width(infer_table(question, answer)),
-              infer_json(question, answer), validity);
+      deliver(o.output, csv ? infer_csv(question, answer) : within_width(text), json, validity);
   if (!answer.together) {
     say("error", "nothing measured can be explained by contacts between these grains");
     return code == ExitCode::ok ? ExitCode::fell_short : code;
   }
   if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(infer_chart(question, *answer.together, of_picture)),
+    io::write_file(o.picture,
+                   plot::svg(infer_chart(
+                       question, of_picture,
+                       [&](const effective::State& state, inverse::AskedPacking specimen) {
+                         return answer.together->predict(of_picture, state, specimen);
+                       },
+                       [&](double p) { return answer.together->void_ratio_at(p); })),
                    o.output.force ? io::Existing::replace : io::Existing::keep);
   return code;
 }

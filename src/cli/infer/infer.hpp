@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <granum/inverse/inference.hpp>
+#include <granum/inverse/sand_inference.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
@@ -37,7 +39,7 @@ struct InferOptions {
   Number measurement_error;            ///< relative, of those that state none
   AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
-  std::string growth{name(inverse::GrowthRule::packings)};
+  std::string growth;                        ///< empty: of measured sands for a sand, of packings for spheres
   std::string contacts = "given";            ///< which are asked for
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
@@ -57,6 +59,10 @@ struct PredictedState {
 struct InferCase {
   std::vector<inverse::Observation> measurements;
   inverse::InferenceOptions options;
+  /// The sand, and how it grows with stress, unless the grains are told to be spheres.
+  std::optional<estimate::Question> sand = {};
+  inverse::SandGrowth sand_growth = inverse::SandGrowth::measured;
+  bool of_spheres = true; ///< unless the grains are told to be a sand
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
   std::vector<std::string> assumptions; ///< what was not given, one sentence each
@@ -82,12 +88,27 @@ struct InferCase {
 /// Checked by tests/cli/infer.cmake
 [[nodiscard]] Validity complete_predictions(InferCase& question, const inverse::Inference& fit);
 
+/// What --growth calls that of measured sands.
+inline constexpr std::string_view sand_growth_name = "sand";
+
+/// What the measurements say of a sand, in words and in JSON.
+[[nodiscard]] std::string sand_inference_text(const InferCase& question, const inverse::SandInference& sand);
+[[nodiscard]] nlohmann::ordered_json sand_inference_json(const InferCase& question,
+                                                         const inverse::SandInference& sand);
+/// "p = 100 kPa, e = 0.6".
+[[nodiscard]] std::string place_text(const effective::State& state);
+
 [[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
 [[nodiscard]] std::string infer_csv(const InferCase& question, const inverse::InferenceAnswer& answer);
 [[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,
                                                 const inverse::InferenceAnswer& answer);
+[[nodiscard]] std::string sand_inference_csv(const InferCase& question, const inverse::SandInference& sand);
+/// What is foretold of a state, whoever does it.
+using Forecast = std::function<Measured(const effective::State& state, inverse::AskedPacking specimen)>;
 /// Data, fit and its band over the mean stress.
-[[nodiscard]] plot::Chart infer_chart(const InferCase& question, const inverse::Inference& fit,
-                                      inverse::Quantity quantity);
+/// \param    void_ratio_at   of the measured packing at another mean stress
+[[nodiscard]] plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity,
+                                      const Forecast& forecast,
+                                      const std::function<double(double mean_stress)>& void_ratio_at);
 
 } // namespace granum::cli

@@ -27,13 +27,34 @@ PackingOptions without_contacts(PackingOptions o) {
   return o;
 }
 
-double share_of(const Number& number) {
-  return number.given() ? require_non_negative(number.name, number.value) : 0;
+/// Errors of measurements that state none: picks of arrivals, and moduli of them.
+constexpr double assumed_speed_error = 0.02, assumed_modulus_error = 0.04;
+
+/// What stands between a number and its error.
+const std::string error_signs[] = {"+-", "\u00b1"};
+
+bool states_error(const std::string& text) {
+  return std::any_of(std::begin(error_signs), std::end(error_signs),
+                     [&](const std::string& sign) { return text.find(sign) != std::string::npos; });
+}
+
+double share_of(const Number& number, Dimension dimension) {
+  if (number.given())
+    return require_non_negative(number.name, number.value);
+  return dimension == Dimension::speed ? assumed_speed_error : assumed_modulus_error;
+}
+
+/// What is said where a measurement states no error.
+void note_assumed_error(const InferOptions& o, InferCase& question, bool stated) {
+  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is stated";
+  if (!stated && !o.measurement_error.given() &&
+      std::find(question.assumptions.begin(), question.assumptions.end(), note) == question.assumptions.end())
+    question.assumptions.push_back(note);
 }
 
 // ---- measurements
 
-std::vector<Observation> measurements_of_options(const InferOptions& o) {
+std::vector<Observation> measurements_of_options(const InferOptions& o, InferCase& question) {
   std::vector<Observation> all;
   for (std::size_t k = 0; k < o.measured.size(); ++k) {
     if (o.measured[k].empty())
@@ -43,8 +64,10 @@ std::vector<Observation> measurements_of_options(const InferOptions& o) {
         option.option, std::find(option.option, option.option + std::string_view(option.option).size(), ','));
     const State state = resolve_state(o.packing, resolve_stresses(o.packing));
     all.push_back({option.quantity,
-                   parse_measured(name, o.measured[k], option.dimension(), share_of(o.measurement_error)),
+                   parse_measured(name, o.measured[k], option.dimension(),
+                                  share_of(o.measurement_error, option.dimension())),
                    state});
+    note_assumed_error(o, question, states_error(o.measured[k]));
   }
   if (all.empty())
     throw InvalidArgument(
@@ -126,9 +149,13 @@ PackingOptions read_table(const InferOptions& o, InferCase& question) {
         if (!value)
           continue;
         const auto error = column.error ? number_in(table, k, *column.error) : std::nullopt;
-        question.measurements.push_back({column.quantity,
-                                         {*value, error.value_or(share_of(o.measurement_error) * *value)},
-                                         resolve_state(packing, resolve_stresses(packing))});
+        note_assumed_error(o, question, error.has_value());
+        const Dimension unit =
+            inverse::row_of(column.quantity).speed ? Dimension::speed : Dimension::pressure;
+        question.measurements.push_back(
+            {column.quantity,
+             {*value, error.value_or(share_of(o.measurement_error, unit) * *value)},
+             resolve_state(packing, resolve_stresses(packing))});
       }
     } catch (const InvalidArgument& error) {
       throw FileError(o.table, table.line(k), error.what());
@@ -272,10 +299,39 @@ std::vector<PredictedState> predicted_states(const InferOptions& o, const State&
 
 } // namespace
 
+namespace {
+
+const std::string fitted_growth(name(inverse::GrowthRule::fitted));
+
+bool of_spheres_alone(const std::string& growth) {
+  return growth == name(inverse::GrowthRule::packings) || growth == name(inverse::GrowthRule::fixed);
+}
+
+/// Sand, spheres or both, and the sand as far as it is known.
+void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCase& question) {
+  using estimate::GrainShape;
+  std::optional<GrainShape> shape = told_shape(packing, o.grains);
+  if (o.growth == sand_growth_name)
+    shape = GrainShape::sand;
+  else if (of_spheres_alone(o.growth))
+    shape = GrainShape::sphere;
+  question.of_spheres = shape != GrainShape::sand;
+  if (shape == GrainShape::sphere)
+    return;
+  question.sand = {.state = question.measurements.front().state,
+                   .grain_density = o.grains.grain_density.value,
+                   .saturation = require_share(o.grains.saturation),
+                   .grain_shape = GrainShape::sand,
+                   .sand = sand_of(packing, o.grains)};
+  question.sand_growth =
+      o.growth == fitted_growth ? inverse::SandGrowth::fitted : inverse::SandGrowth::measured;
+}
+
+} // namespace
+
 Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                         double relative_error) {
-  const std::string signs[] = {"+-", "\u00b1"};
-  for (const std::string& sign : signs) {
+  for (const std::string& sign : error_signs) {
     const std::size_t split = text.find(sign);
     if (split == std::string::npos)
       continue;
@@ -325,17 +381,21 @@ InferCase infer_case(const InferOptions& given) {
   InferCase question;
   const PackingOptions packing = o.table.empty() ? o.packing : read_table(o, question);
   if (o.table.empty())
-    question.measurements = measurements_of_options(o);
+    question.measurements = measurements_of_options(o, question);
   const State& first = question.measurements.front().state;
-  for (const std::string& note : assumed_grains(packing, first))
-    question.assumptions.push_back(note);
+  resolve_shape(o, packing, question);
+  if (question.of_spheres)
+    for (const std::string& note : assumed_grains(packing, first))
+      question.assumptions.push_back(note);
   if (!o.grains.grain_density.given())
     question.assumptions.push_back("assumed --grain-density " +
                                    pretty(o.grains.grain_density.value, Dimension::density));
   question.packing = packing_json(packing, first);
   question.options = {.grain_density = o.grains.grain_density.value,
                       .pore_density = elastic::water_density * require_share(o.grains.saturation),
-                      .growth = inverse::growth_rule_of(o.growth),
+                      .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
+                                    ? inverse::growth_rule_of(o.growth)
+                                    : inverse::GrowthRule::packings,
                       .inputs = uncertain_inputs_of(o, packing, question.assumptions),
                       .contacts = inverse::unknown_contacts(o.contacts)};
   if (o.contacts != "given" && o.packing.contact != contact::Shape::sphere)

@@ -54,13 +54,7 @@ std::string with_error(const Measured& number, int digits) {
   return fmt::format("{} +- {}", short_text(number.value, digits), short_text(number.standard_error, 2));
 }
 
-std::string place(const State& s) {
-  std::string text = s.stress_v == s.stress_h
-                         ? "p = " + pretty(s.stress_v, Dimension::pressure)
-                         : fmt::format("sigma_v = {}, sigma_h = {}", pretty(s.stress_v, Dimension::pressure),
-                                       pretty(s.stress_h, Dimension::pressure));
-  return text + ", e = " + short_text(s.void_ratio);
-}
+std::string place(const State& s) { return place_text(s); }
 
 // ---- screen
 
@@ -269,6 +263,14 @@ constexpr std::size_t curve_points = 60;
 
 } // namespace
 
+std::string place_text(const State& s) {
+  std::string text = s.stress_v == s.stress_h
+                         ? "p = " + pretty(s.stress_v, Dimension::pressure)
+                         : fmt::format("sigma_v = {}, sigma_h = {}", pretty(s.stress_v, Dimension::pressure),
+                                       pretty(s.stress_h, Dimension::pressure));
+  return text + ", e = " + short_text(s.void_ratio);
+}
+
 bool is_told(const InferCase& question, const QuantityRow& row) {
   const bool compression = row.quantity == inverse::Quantity::V_p || row.quantity == inverse::Quantity::V_p_h;
   return !compression || question.options.pore_density == 0;
@@ -353,7 +355,8 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
   return io::csv_text(csv);
 }
 
-plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse::Quantity quantity) {
+plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, const Forecast& forecast,
+                        const std::function<double(double)>& void_ratio_at) {
   const QuantityRow& row = inverse::row_of(quantity);
   plot::Chart chart{.title = std::string(row.meaning),
                     .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
@@ -385,7 +388,7 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
     data.y_error.push_back(m.value.standard_error);
   }
   for (const auto& [state, specimen] : question.predicted) {
-    const Measured value = fit.predict(quantity, state, specimen);
+    const Measured value = forecast(state, specimen);
     least = std::min(least, state.mean_stress());
     most = std::max(most, state.mean_stress());
     points.x.push_back(state.mean_stress());
@@ -420,8 +423,8 @@ plot::Chart infer_chart(const InferCase& question, const Inference& fit, inverse
     State state = first;
     state.stress_v *= p / first.mean_stress();
     state.stress_h *= p / first.mean_stress();
-    state.void_ratio = fit.void_ratio_at(p);
-    const Measured value = fit.predict(quantity, state);
+    state.void_ratio = void_ratio_at(p);
+    const Measured value = forecast(state, inverse::AskedPacking::same);
     for (plot::Series* series : {&curve, &low, &high})
       series->x.push_back(p);
     curve.y.push_back(value.value);

@@ -14,13 +14,21 @@ namespace {
 
 constexpr double kilo = 1e3, mega = 1e6, milli = 1e-3;
 
-/// Sands with shells or mica reach 2; no packing of grains is denser than 0.1.
+/// Sands with shells or mica reach 2; no packing of grains is denser than 0.1, and only wide gradings are
+/// denser than 0.4, where porosities lie.
 void judge_void_ratio(const PackingOptions& o, const effective::State& state, Validity& validity) {
   constexpr double loosest = 3, densest = 0.1, least_per_cent = 10;
   const double e = state.void_ratio;
-  if (!o.void_ratio.given() || (e <= loosest && e >= densest))
+  const bool as_porosity = e < 0.40 && e >= 0.25 && !o.sizes;
+  if (!o.void_ratio.given() || o.void_ratio.preset || (e <= loosest && e >= densest && !as_porosity))
     return;
   const std::string value = short_text(e);
+  if (as_porosity) {
+    validity.add(
+        fmt::format("--void-ratio {}: denser than sands of one size are; is it a porosity, --porosity {}?",
+                    value, value));
+    return;
+  }
   if (e >= least_per_cent && e < 100)
     validity.add(fmt::format("--void-ratio {}: is it per cent, {}%, or a porosity, --porosity {}%?", value,
                              value, value));
@@ -32,7 +40,8 @@ void judge_void_ratio(const PackingOptions& o, const effective::State& state, Va
 }
 
 void judge_contacts(const PackingOptions& o, const effective::State& state, Validity& validity) {
-  const Number& z = o.mechanical_coordination_number;
+  const bool by_z = o.mechanical_coordination_number.given();
+  const Number& z = by_z ? o.mechanical_coordination_number : o.coordination_number;
   constexpr double deviations = 3, largest_error = 0.3; // where no packing is so loose the prior's is larger
   if (!z.given() || o.sizes || !(state.void_ratio > 0))
     return;
@@ -40,7 +49,8 @@ void judge_contacts(const PackingOptions& o, const effective::State& state, Vali
       effective::contact_prior(state, {.kind = effective::Preparation::Kind::dense});
   const double most = prior.densest.mechanical_coordination_number +
                       deviations * std::min(prior.coordination_error, largest_error);
-  if (z.value > most)
+  constexpr double beside_counts = 1.2, possible = 12; // C_n is often of other codes; beyond 12 others speak
+  if (z.value > (by_z ? most : beside_counts * most) && (by_z || z.value <= possible))
     validity.add(
         fmt::format("{} {}: no packing of equal spheres of void ratio {} has so many contacts, {} at most "
                     "at this stress; is it of another packing, or does it count near neighbours?",
@@ -48,14 +58,14 @@ void judge_contacts(const PackingOptions& o, const effective::State& state, Vali
 }
 
 void judge_stress(const Number& number, Validity& validity) {
-  constexpr double least = 100, most = 100e6; // [Pa]
+  constexpr double least = 150, most = 100e6; // [Pa]
   const double p = number.value;
   if (!number.given() || p <= 0 || (p >= least && p <= most))
     return;
   const std::string value = pretty(p, number.dimension);
   if (p < least)
-    validity.add(fmt::format("{} {} is less than a millimetre or so of sand weighs: was {} meant?",
-                             number.name, value, pretty(p * kilo, number.dimension)));
+    validity.add(fmt::format("{} {} is less than a centimetre of sand weighs: was {} meant?", number.name,
+                             value, pretty(p * kilo, number.dimension)));
   else
     validity.add(fmt::format("{} {}: grains break before that; was {} meant?", number.name, value,
                              pretty(p / (p > most * kilo ? mega : kilo), number.dimension)));
@@ -73,11 +83,13 @@ void judge_length(const Number& number, Validity& validity) {
 
 /// Quartz has 30 to 45 GPa, plastics 1 GPa, diamond 500 GPa.
 void judge_modulus(const Number& number, Validity& validity) {
-  constexpr double softest = 10e6, hardest = 1e12; // [Pa]
+  constexpr double rubber = 10e6, softest = 200e6, hardest = 1e12; // [Pa]
   double meant = number.value;
   if (!number.given() || meant <= 0 || (meant >= softest && meant <= hardest))
     return;
-  const std::string kind = meant < softest ? "softer than rubber" : "harder than diamond";
+  const std::string kind = meant < rubber    ? "softer than rubber"
+                           : meant < softest ? "as soft as rubber"
+                                             : "harder than diamond";
   while (meant < softest)
     meant *= kilo;
   while (meant > hardest)

@@ -102,7 +102,15 @@ void NumberColumns::take(std::size_t row) const {
       number->value = by_default;
       continue;
     }
-    const auto value = parse_number(field);
+    std::string text(trimmed(field));
+    double share = 1;
+    if (number->dimension == Dimension::dimensionless && text.ends_with('%')) {
+      text.pop_back();
+      share = number->per_cent ? 1 : 0.01; // the sign in the cell says what that of the heading says
+    }
+    auto value = parse_number(trimmed(text));
+    if (value)
+      *value *= share;
     if (!value || !std::isfinite(*value * column.factor))
       throw InvalidArgument(fmt::format("expected a finite number in column '{}', found '{}'",
                                         table_.headings()[column.index], field));

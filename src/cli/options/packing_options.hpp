@@ -46,6 +46,7 @@ struct PackingOptions {
   Number radius{0.5e-3, Dimension::length};
   Number d50{0, Dimension::length};
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
+  bool graded = false;                           ///< sizes are told as those of a soil: a sieve curve or C_u
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;

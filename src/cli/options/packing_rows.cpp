@@ -10,8 +10,11 @@ namespace granum::cli {
 
 PackingRows::PackingRows(const io::CsvTable& table, const PackingOptions& options)
     : table_(table), row_(options), contact_by_default_(options.contact), columns_(table) {
-  for (Number* number : numbers(row_))
-    columns_.bind(*number);
+  for (Number* number : numbers(row_)) {
+    const bool told = columns_.bind(*number) || number->given();
+    const bool stress = number == &row_.pressure || number == &row_.stress_v || number == &row_.stress_h;
+    tells_stress_ = tells_stress_ || (stress && told);
+  }
   contact_ = columns_.text("contact", row_.contact_given());
   sizes_ = columns_.text("sizes", row_.sizes.has_value());
   uniformity_ = {0, Dimension::dimensionless, "C_u Cu", "--uniformity"};
@@ -40,6 +43,8 @@ void PackingRows::take_sizes(const std::vector<std::string>& fields) {
   const bool told = sizes_ && !trimmed(fields[*sizes_]).empty();
   if (told && uniformity_.in_table)
     throw InvalidArgument("sizes and uniformity say the same: give one of them");
+  if (sizes_in_table_)
+    row_.graded = uniformity_.in_table;
   if (told)
     row_.sizes = sizes::parse_distribution(fields[*sizes_]);
   else if (uniformity_.in_table)

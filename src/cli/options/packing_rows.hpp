@@ -26,6 +26,9 @@ class PackingRows {
   /// \throws   InvalidArgument
   const PackingOptions& packing(std::size_t row);
 
+  /// Whether options or columns tell a stress.
+  [[nodiscard]] bool tells_stress() const { return tells_stress_; }
+
   /// For what else is read of the table.
   [[nodiscard]] NumberColumns& columns() { return columns_; }
   [[nodiscard]] const NumberColumns& columns() const { return columns_; }
@@ -39,7 +42,7 @@ class PackingRows {
   NumberColumns columns_;
   Number uniformity_;
   std::optional<std::size_t> contact_, sizes_;
-  bool sizes_in_table_ = false;
+  bool sizes_in_table_ = false, tells_stress_ = false;
 };
 
 } // namespace granum::cli

@@ -38,6 +38,7 @@ void add_size_options(Command& command, PackingOptions& o) {
         .value = read_by(
             [&o](const std::string& path) {
               set_sizes(o, sizes::Distribution::sieve(io::read_sieve_curve(path)));
+              o.graded = true;
             },
             "FILE"),
         .group = sizes_group,
@@ -50,6 +51,7 @@ void add_size_options(Command& command, PackingOptions& o) {
             [&o](const std::string& text) {
               set_sizes(o, sizes::Distribution::uniformity(
                                parse_quantity("--uniformity", text, Dimension::dimensionless)));
+              o.graded = true;
             },
             "NUMBER"),
         .group = sizes_group,

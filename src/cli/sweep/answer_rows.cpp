@@ -1,19 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "answer_rows.hpp"
 
+#include <iterator>
+
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
 namespace granum::cli {
 
-AnswerRows::AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer)
-    : table_(table), packings_(table, packing), answer_(answer) {
+AnswerRows::AnswerRows(const io::CsvTable& table, const SweepOptions& options, RowsOf rows)
+    : table_(table), packings_(table, options.packing), answer_(options.answer), ground_(options.ground) {
   NumberColumns& columns = packings_.columns();
-  for (Number* number : {&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
-                         &answer_.grain_density, &answer_.saturation})
+  const bool layers = rows == RowsOf::layers;
+  answer_.ground = layers || (!packings_.tells_stress() && columns.bind(ground_.row_depth));
+  std::vector<Number*> all{&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
+                           &answer_.grain_density,    &answer_.saturation,       &answer_.strain};
+  Number* const of_ground[] = {&ground_.unit_weight, &ground_.saturated_unit_weight,
+                               &ground_.earth_pressure_at_rest};
+  if (answer_.ground)
+    all.insert(all.end(), std::begin(of_ground), std::end(of_ground));
+  else
+    all.push_back(&answer_.earth_pressure_at_rest);
+  if (answer_.ground && !layers)
+    all.insert(all.end(), {&ground_.water_table, &ground_.surcharge});
+  for (Number* number : all)
     columns.bind(*number);
-  preparation_ = columns.text("preparation", answer.preparation != effective::Preparation{});
-  grain_ = columns.text("grain", answer.mineral != nullptr);
-  sand_ = columns.text("sand", answer.sand != nullptr);
+  if (layers && !columns.bind(ground_.top))
+    throw FileError(table.name(), table.heading_line(),
+                    "lacks a column top_m, the depth where a layer begins");
+  for (const Number* number : {&ground_.unit_weight, &ground_.saturated_unit_weight, &ground_.water_table,
+                               &ground_.earth_pressure_at_rest, &ground_.surcharge})
+    if (!answer_.ground && number->given())
+      throw InvalidArgument(number->name +
+                            " goes with --depth, or with a table that has a column depth_m and no stress");
+  preparation_ = columns.text("preparation", answer_.preparation != effective::Preparation{});
+  grain_ = columns.text("grain", answer_.mineral != nullptr);
+  sand_ = columns.text("sand", answer_.sand != nullptr);
+  grain_shape_ = columns.text("grain_shape", answer_.grain_shape.has_value());
 }
 
 AnswerRow AnswerRows::row(std::size_t row) {
@@ -22,13 +45,15 @@ AnswerRow AnswerRows::row(std::size_t row) {
   const auto text = [&](const std::optional<std::size_t>& column) {
     return column ? std::string(trimmed(fields[*column])) : std::string();
   };
-  AnswerRow both{packing, answer_};
+  AnswerRow both{packing, answer_, ground_};
   if (const std::string said = text(preparation_); !said.empty())
     both.answer.preparation = effective::preparation_of(said);
   if (const std::string said = text(grain_); !said.empty())
     both.answer.mineral = &contact::mineral(said);
   if (const std::string said = text(sand_); !said.empty())
-    both.answer.sand = &hardin::known_sand(said);
+    both.answer.sand = &sands::known_sand(said);
+  if (const std::string said = text(grain_shape_); !said.empty())
+    both.answer.grain_shape = estimate::grain_shape_of(said);
   apply_presets(both.packing, both.answer);
   return both;
 }

@@ -8,6 +8,7 @@
 
 #include "cli/estimate/answer_options.hpp"
 #include "cli/options/packing_rows.hpp"
+#include "sweep.hpp"
 
 /// Questions that stand in the rows of a table.
 namespace granum::cli {
@@ -16,14 +17,23 @@ namespace granum::cli {
 struct AnswerRow {
   PackingOptions packing;
   AnswerOptions answer;
+  GroundOptions ground;
+};
+
+/// What the rows are.
+enum class RowsOf {
+  states, ///< stresses; or depths in the ground, where a column tells these and none a stress
+  layers  ///< of ground, from their tops down
 };
 
 /// The packings of a table, and what else of the answer's options it holds: preparation, grain, sand,
 /// relative density and its limits, density of the grains, saturation.
 class AnswerRows {
  public:
-  /// \throws   as PackingRows
-  AnswerRows(const io::CsvTable& table, const PackingOptions& packing, const AnswerOptions& answer);
+  /// \throws   as PackingRows; InvalidArgument for options of the ground beside rows that have their stress
+  AnswerRows(const io::CsvTable& table, const SweepOptions& options, RowsOf rows = RowsOf::states);
+  /// Whether each row is a depth, or a layer, of the ground.
+  [[nodiscard]] bool in_ground() const { return answer_.ground; }
 
   /// A row, with the numbers that grain, sand and relative density decide.
   /// \throws   InvalidArgument
@@ -35,7 +45,8 @@ class AnswerRows {
   const io::CsvTable& table_;
   PackingRows packings_;
   AnswerOptions answer_;
-  std::optional<std::size_t> preparation_, grain_, sand_;
+  GroundOptions ground_;
+  std::optional<std::size_t> preparation_, grain_, sand_, grain_shape_;
 };
 
 } // namespace granum::cli

@@ -8,21 +8,46 @@
 
 #include "sweep.hpp"
 
-/// The ground of granum sweep --depth.
+/// The ground of granum sweep --depth, and of tables whose rows are depths.
 namespace granum::cli {
 
 /// The ground that the options describe.
 struct GroundCase {
   stress::Ground ground;
-  double saturation = 0;      ///< of the pores above the water table
-  std::vector<double> depths; ///< [m]
+  double saturation = 0; ///< of the pores above the water table
   std::vector<std::string> assumptions;
   Validity validity; ///< where weights and void ratio contradict each other
 };
 
+/// A layer of the ground: ground of its own, under what lies above it.
+struct Layer {
+  double top = 0;       ///< depth where it begins [m]
+  SweepOptions options; ///< of its soil
+  GroundCase ground;    ///< depths and water table from its top down, the layers above as surcharge
+};
+
+/// An answer in the ground.
+struct GroundState {
+  stress::GroundStress stress;
+  SweptState state;
+};
+
 void add_ground_options(Command& command, GroundOptions& options);
+
+/// The depths of --depth [m].
+/// \throws   InvalidArgument
+[[nodiscard]] std::vector<double> depths_of(const SweepOptions& options);
 
 /// \throws   InvalidArgument for options that contradict one another or are out of range
 [[nodiscard]] GroundCase resolve_ground(const SweepOptions& options);
+
+/// The layers of --layers from the surface down; without it one.
+/// \throws   as resolve_ground; FileError for a table whose tops do not begin at 0 and grow
+[[nodiscard]] std::vector<Layer> layers_of(const SweepOptions& options);
+
+/// The answer of granum estimate at the stresses and in the water of a depth.
+/// \param    depth   from the top of the ground [m]
+[[nodiscard]] GroundState state_in_ground(const SweepOptions& options, const GroundCase& ground, double depth,
+                                          const Rungs& rungs);
 
 } // namespace granum::cli

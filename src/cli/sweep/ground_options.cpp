@@ -17,6 +17,8 @@ namespace {
 /// Of a unit weight, what void ratio and density of the grains may contradict it by, unsaid.
 constexpr double unit_weight_tolerance = 0.02;
 
+} // namespace
+
 std::vector<double> depths_of(const SweepOptions& o) {
   const std::string& text = o.ground.depth;
   const auto ends = ends_of_range(text);
@@ -29,6 +31,8 @@ std::vector<double> depths_of(const SweepOptions& o) {
     throw InvalidArgument(fmt::format("--depth = '{}' must end below its beginning", text));
   return spread(first, last, o.points, false);
 }
+
+namespace {
 
 /// The mass of the packing by its void ratio.
 struct PackingMass {
@@ -108,9 +112,9 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
 
 void add_ground_options(Command& command, GroundOptions& o) {
   constexpr const char* group = "Ground";
-  const std::vector<Need> in_ground = {{"--depth", "--depth"}};
-  const std::vector<Need> below_water = {{"--depth", "--depth"},
-                                         {"--water-table", "--water-table, below which it holds"}};
+  const std::vector<Need> in_ground = {{"--depth --table", "--depth"}};
+  const std::vector<Need> below_water = {{"--depth --table", "--depth"},
+                                         {"--water-table --table", "--water-table, below which it holds"}};
   Value depth = text(o.depth, "FROM..TO");
   depth.joins_units = true;
   command.add(
@@ -120,6 +124,14 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .meaning = "Go down into level ground, between two depths: 0m..30m",
         .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
         .synonyms = {{"z"}}},
+       {.name = "--layers",
+        .value = path(o.layers, "FILE.csv"),
+        .group = group,
+        .meaning =
+            "Layers of the ground, a row each from its top_m down, with columns as of --table: e or D_r, "
+            "unit_weight, saturated_unit_weight, k0, sand, S_r",
+        .needs = {{"--depth", "--depth"}},
+        .synonyms = {{"profile soil strata"}}},
        {.name = "--unit-weight",
         .value = number_without_default(o.unit_weight),
         .group = group,
@@ -158,7 +170,7 @@ void add_ground_options(Command& command, GroundOptions& o) {
 }
 
 GroundCase resolve_ground(const SweepOptions& o) {
-  GroundCase c{.ground = {}, .depths = depths_of(o), .assumptions = {}, .validity = {}};
+  GroundCase c;
   constexpr double any_stress = 1e5; // the density does not depend on it
   const PackingMass mass{.grain_density =
                              require_positive("--grain-density", o.answer.grain_density.value, "kg/m3"),

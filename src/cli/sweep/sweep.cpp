@@ -93,21 +93,27 @@ void add_table_options(Command& command, SweepOptions& o) {
   rungs.delimiter = ',';
   Value columns = choice({"usual", "all"}, [&o](const std::string& text) { o.all_columns = text == "all"; });
   columns.by_default = "usual";
-  command.add({{.name = "--table",
-                .value = path(o.table, "FILE.csv"),
-                .group = group,
-                .meaning = "States from the rows of this CSV file",
-                .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
-                .synonyms = {{"csv file input data"}}},
-               {.name = "--rungs",
-                .value = std::move(rungs),
-                .group = group,
-                .meaning = "Closed forms, separated by commas"},
-               {.name = "--columns",
-                .value = std::move(columns),
-                .group = group,
-                .meaning = "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and "
-                           "speeds, and every rung of a table"}});
+  command.add(
+      {{.name = "--table",
+        .value = path(o.table, "FILE.csv"),
+        .group = group,
+        .meaning = "States from the rows of this CSV file",
+        .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
+        .synonyms = {{"csv file input data"}}},
+       {.name = "--rungs",
+        .value = std::move(rungs),
+        .group = group,
+        .meaning = "Closed forms, separated by commas"},
+       {.name = "--laws",
+        .value = flag(o.law_columns),
+        .group = group,
+        .meaning = "Published laws of sands too: a column each, and their range in the picture of G along a "
+                   "path or over depth"},
+       {.name = "--columns",
+        .value = std::move(columns),
+        .group = group,
+        .meaning = "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and "
+                   "speeds, and every rung of a table"}});
 }
 
 /// Stresses are of a table: a path and the ground have their own.
@@ -121,6 +127,7 @@ void restrict_stresses(Command& command) {
 void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   add_answer_options(command, o.answer);
+  command.add(strain_row(o.answer));
   add_path_options(command, o);
   add_ground_options(command, o.ground);
   add_table_options(command, o);
@@ -140,9 +147,11 @@ void add_sweep_options(Command& command, SweepOptions& o) {
 
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
+  o.answer.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
-  apply_presets(o.packing, o.answer);
+  if (o.ground.layers.empty()) // layers have their own
+    apply_presets(o.packing, o.answer);
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 

@@ -16,7 +16,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/estimate/answer_report.hpp"
+#include "cli/estimate/answer_picture.hpp"
 #include "cli/frame/frame.hpp"
 
 /// What granum sweep works out, state by state, and how it leaves the program: along a path, over depth and
@@ -25,13 +25,16 @@ namespace granum::cli {
 
 /// Level ground, for a sweep over depth.
 struct GroundOptions {
-  std::string depth; ///< "0m..30m"; empty for another sweep
-  Number unit_weight{0, Dimension::unit_weight};
-  Number saturated_unit_weight{0, Dimension::unit_weight};
+  std::string depth;  ///< "0m..30m"; empty for another sweep
+  std::string layers; ///< file; empty for ground that is one layer
+  Number unit_weight{0, Dimension::unit_weight, "gamma"};
+  Number saturated_unit_weight{0, Dimension::unit_weight, "gamma_sat"};
   Number water_table{0, Dimension::length};
   Number water_unit_weight{elastic::water_density * standard_gravity, Dimension::unit_weight};
-  Number earth_pressure_at_rest{0.5};
+  Number earth_pressure_at_rest{0.5, Dimension::dimensionless, "K_0 K0"};
   Number surcharge{0, Dimension::pressure};
+  Number row_depth{0, Dimension::length, "z", "--depth"}; ///< of a table's row
+  Number top{0, Dimension::length, "top_depth", "--top"}; ///< of a layer
 };
 
 struct SweepOptions {
@@ -39,6 +42,7 @@ struct SweepOptions {
   AnswerOptions answer;
   GroundOptions ground;
   bool all_columns = false;
+  bool law_columns = false; ///< published laws of sands as columns
   OutputOptions output;
   std::vector<std::string> rungs; ///< keys
   std::string path = "iso";
@@ -127,9 +131,11 @@ class SweepOutput {
                                             const std::vector<std::string>& remarks) const;
 
  private:
+  void add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const;
+
   const SweepOptions& options_;
   Rungs rungs_;
-  io::Columns<estimate::Answer> columns_;
+  io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter where nothing says what grains are
   std::vector<std::string> headings_;
   io::CsvManner manner_;
   std::string rows_;
@@ -153,18 +159,9 @@ ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
 /// Goes down into the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
-/// Options with the stresses of a state in place of their own.
-[[nodiscard]] PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress);
-
-/// n values from first to last, both to the bit.
-[[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
-
-/// A line in the middle of its band.
-struct Band {
-  std::vector<double> at;
-  std::vector<estimate::Range> ranges;
-};
-/// \param    sideways   numbers to the right, places downwards, as over depth
-void add_band(plot::Chart& chart, const Band& band, bool sideways);
+/// The range of the published laws behind what the chart shows, where --laws asks for them.
+/// \param    at   the place of each state, as add_band takes them
+void add_law_band(plot::Chart& chart, const SweepOptions& options, const std::vector<double>& at,
+                  const std::vector<const SweptState*>& states, bool sideways);
 
 } // namespace granum::cli

@@ -18,20 +18,26 @@ using estimate::Field;
 using estimate::Range;
 using nlohmann::ordered_json;
 
-/// A depth and the stresses there.
+/// A depth, its layer and the stresses there.
 struct DepthPoint {
   double depth = 0; ///< [m]
+  const Layer* layer = nullptr;
   stress::GroundStress stress;
 };
 
-io::Columns<DepthPoint> depth_columns() {
-  return {{"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }},
-          {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; }},
-          {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
-          {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; }},
-          {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }},
-          {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }},
-          {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }}};
+/// \param    layered   whether the ground has layers, which are columns then
+io::Columns<DepthPoint> depth_columns(bool layered) {
+  io::Columns<DepthPoint> columns{
+      {"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }},
+      {"total_sigma_v_Pa", "total_stress_v", [](const DepthPoint& at) { return at.stress.total.v; }},
+      {"total_sigma_h_Pa", "total_stress_h", [](const DepthPoint& at) { return at.stress.total.h; }},
+      {"pore_pressure_Pa", "pore_pressure", [](const DepthPoint& at) { return at.stress.pore_pressure; }},
+      {"sigma_v_Pa", "stress_v", [](const DepthPoint& at) { return at.stress.effective.v; }},
+      {"sigma_h_Pa", "stress_h", [](const DepthPoint& at) { return at.stress.effective.h; }},
+      {"p_Pa", "mean_stress", [](const DepthPoint& at) { return at.stress.effective.mean(); }}};
+  if (layered)
+    columns.emplace_back("layer_top_m", "layer_top", [](const DepthPoint& at) { return at.layer->top; });
+  return columns;
 }
 
 struct DepthState {
@@ -39,45 +45,69 @@ struct DepthState {
   SweptState state;
 };
 
-/// The answer of granum estimate at the stresses and in the water of that depth.
-DepthState state_at(const SweepOptions& o, const GroundCase& ground, double depth) {
-  DepthState at{.point = {depth, stress::stress_at(ground.ground, depth)}, .state = {}};
-  AnswerOptions answer = o.answer;
-  const auto& table = ground.ground.water_table;
-  answer.saturation.value = table && depth > *table ? 1.0 : ground.saturation;
-  answer.saturation.in_table = true;
-  at.state = swept(at_stress(o.packing, at.point.stress.effective), answer, {});
-  if (!at.state.answer)
-    throw InvalidArgument(fmt::format("at {}: {}", pretty(depth, Dimension::length), at.state.error));
-  return at;
+/// The layer that a depth lies in: at a boundary the lower one.
+const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
+  const auto next = std::find_if(layers.begin() + 1, layers.end(),
+                                 [depth](const Layer& layer) { return layer.top > depth; });
+  return *(next - 1);
 }
 
-std::vector<DepthState> states_at(const SweepOptions& o, const GroundCase& ground,
-                                  const std::vector<double>& depths) {
+DepthState state_at(const std::vector<Layer>& layers, double depth) {
+  const Layer& layer = layer_at(layers, depth);
+  GroundState at = state_in_ground(layer.options, layer.ground, depth - layer.top, {});
+  if (!at.state.answer)
+    throw InvalidArgument(fmt::format("at {}: {}", pretty(depth, Dimension::length), at.state.error));
+  return {.point = {depth, &layer, at.stress}, .state = std::move(at.state)};
+}
+
+std::vector<DepthState> states_at(const std::vector<Layer>& layers, const std::vector<double>& depths) {
   std::vector<DepthState> states;
   for (const double depth : depths)
-    states.push_back(state_at(o, ground, depth));
+    states.push_back(state_at(layers, depth));
   return states;
 }
 
 // ---- screen
 
-std::string ground_text(const GroundCase& c) {
-  const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
-  std::string text = fmt::format("  ground    {}, {} % of the pores water", weight(c.ground.unit_weight),
-                                 short_text(100 * c.saturation, 3));
-  if (const auto& table = c.ground.water_table)
-    text += fmt::format("; below {} m {}, full", short_text(*table), weight(c.ground.saturated_unit_weight));
-  text += fmt::format("\n  at rest   K_0 = {}", short_text(c.ground.earth_pressure_at_rest));
-  if (c.ground.surcharge > 0)
-    text += fmt::format(", under {}", pretty(c.ground.surcharge, Dimension::pressure));
-  return text + "\n\n";
-}
-
 /// Three digits, or all before the point: 0.512, 85.1, 1649.
 std::string brief(double number, int digits) {
   return number < std::pow(10, digits) - 0.5 ? fmt::format("{:.{}g}", number, digits)
                                              : fmt::format("{:.0f}", number);
+}
+
+std::string ground_text(const GroundCase& c) {
+  const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
+  std::string text = fmt::format("{}, {} % of the pores water", weight(c.ground.unit_weight),
+                                 short_text(100 * c.saturation, 3));
+  if (const auto& table = c.ground.water_table)
+    text += fmt::format("; below {} m {}, full", short_text(*table), weight(c.ground.saturated_unit_weight));
+  return text;
+}
+
+std::string rest_text(const stress::Ground& ground) {
+  std::string text = fmt::format("K_0 = {}", short_text(ground.earth_pressure_at_rest));
+  if (ground.surcharge > 0)
+    text += fmt::format(", under {}", pretty(ground.surcharge, Dimension::pressure));
+  return text;
+}
+
+double void_ratio_of(const Layer& layer) {
+  constexpr stress::AxialStress any{1e5, 1e5}; // the density does not depend on it
+  return resolve_state(layer.options.packing, any).void_ratio;
+}
+
+/// "void ratio 0.7648", or a line for each layer.
+std::string layers_text(const std::vector<Layer>& layers, const AnswerCase& last) {
+  if (layers.size() == 1)
+    return fmt::format("Stiffness of level ground, void ratio {}: {}\n\n  ground    {}\n  at rest   {}\n\n",
+                       short_text(last.question.state.void_ratio), title_of(last.question.grain_shape),
+                       ground_text(layers.front().ground), rest_text(layers.front().ground.ground));
+  std::string text =
+      "Stiffness of level ground in layers; water, and what lies above, from their tops down\n\n";
+  for (const Layer& layer : layers)
+    text += fmt::format("  {:>5} m   e = {}, {}, {}\n", brief(layer.top, 4), short_text(void_ratio_of(layer)),
+                        ground_text(layer.ground), rest_text(layer.ground.ground));
+  return text + "\n";
 }
 
 /// To the right of its column, with a blank in front where it fills a column that is not the first.
@@ -134,12 +164,10 @@ std::string line_of(const Text& text) {
   return line + "\n";
 }
 
-std::string table_of(const GroundCase& ground, const std::vector<DepthState>& states,
+std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthState>& states,
                      const std::vector<std::string>& remarks) {
   const AnswerCase& last = *states.back().state.answer;
-  std::string text = fmt::format("Small-strain stiffness of level ground of void ratio {}\n\n",
-                                 short_text(last.question.state.void_ratio));
-  text += ground_text(ground);
+  std::string text = layers_text(layers, last);
   text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
   text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
   for (const DepthState& at : states)
@@ -167,8 +195,20 @@ ordered_json ground_json(const GroundCase& c) {
           {"surcharge", g.surcharge}};
 }
 
+/// The ground, or its layers from their tops down.
+ordered_json ground_json(const std::vector<Layer>& layers) {
+  if (layers.size() == 1)
+    return ground_json(layers.front().ground);
+  ordered_json json = ordered_json::array();
+  for (const Layer& layer : layers) {
+    json.push_back({{"top", layer.top}, {"void_ratio", void_ratio_of(layer)}});
+    json.back().update(ground_json(layer.ground));
+  }
+  return json;
+}
+
 SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& states) {
-  const io::Columns<DepthPoint> columns = depth_columns();
+  const io::Columns<DepthPoint> columns = depth_columns(!o.ground.layers.empty());
   std::vector<std::string> headings;
   for (const io::Column<DepthPoint>& column : columns)
     headings.push_back(column.heading);
@@ -181,18 +221,71 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
   return output;
 }
 
-std::vector<std::string> depth_remarks(const SweepOptions& o, const GroundCase& ground,
-                                       const AnswerCase& first, const std::vector<DepthState>& states) {
-  std::vector<std::string> remarks = ground.assumptions;
-  for (const std::string& note : remarks_on(o, first.assumptions))
-    remarks.push_back(note);
-  if (ground.ground.earth_pressure_at_rest != 1)
+/// What a layer assumes: its ground, and its answers, as at its bottom.
+std::vector<std::string> assumptions_of(const Layer& layer, double bottom) {
+  std::vector<std::string> all = layer.ground.assumptions;
+  const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
+  const AnswerCase solved =
+      solve_answer(at_stress(layer.options.packing, stress.effective), layer.options.answer, {});
+  for (const std::string& note : remarks_on(layer.options, solved.assumptions))
+    all.push_back(note);
+  return all;
+}
+
+/// What all layers down to the deepest depth assume, and then what single ones do.
+std::vector<std::string> assumptions_of(const std::vector<Layer>& layers, double deepest) {
+  std::vector<std::pair<const Layer*, std::vector<std::string>>> said;
+  for (auto layer = layers.begin(); layer != layers.end() && layer->top < deepest; ++layer) {
+    const double end = layer + 1 == layers.end() ? deepest : (layer + 1)->top;
+    said.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest)));
+  }
+  const auto everywhere = [&](const std::string& note) {
+    return std::all_of(said.begin(), said.end(), [&](const auto& one) {
+      return std::find(one.second.begin(), one.second.end(), note) != one.second.end();
+    });
+  };
+  std::vector<std::string> all, of_layers;
+  for (const auto& [layer, notes] : said)
+    for (const std::string& note : notes)
+      if (!everywhere(note))
+        of_layers.push_back(fmt::format("from {} m: {}", short_text(layer->top), note));
+      else if (layer == said.front().first)
+        all.push_back(note);
+  all.insert(all.end(), of_layers.begin(), of_layers.end());
+  return all;
+}
+
+bool is_sand(const DepthState& at) {
+  return at.state.answer->question.grain_shape == estimate::GrainShape::sand;
+}
+
+std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
+                                       const std::vector<DepthState>& states) {
+  std::vector<std::string> remarks = assumptions_of(layers, states.back().point.depth);
+  const bool sand = std::any_of(states.begin(), states.end(), is_sand),
+             spheres = !std::all_of(states.begin(), states.end(), is_sand);
+  const bool unequal = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+    return layer.ground.ground.earth_pressure_at_rest != 1;
+  });
+  if (unequal && sand)
+    remarks.emplace_back(
+        "unequal stresses share the exponent of G in a vertical plane, m of sigma_h and n of sigma_v");
+  if (unequal && spheres)
     remarks.emplace_back(
         "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
         "no contacts: --fabric is that of the ground as it lies");
+  const auto shallow = [](const DepthState& at) {
+    const double p = at.point.stress.effective.mean();
+    return is_sand(at) && p > 0 && p < sands::least_tested_stress;
+  };
+  if (const auto last = std::find_if(states.rbegin(), states.rend(), shallow); last != states.rend())
+    remarks.push_back(
+        fmt::format("no sand was tested below p' = 25 kPa, here at {} m and less: the range is wider "
+                    "there, up to a factor of 1.6",
+                    short_text(last->point.depth)));
   if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
-        "without stress spheres have no stiffness: at the surface G and V_s are 0, where suction "
+        "without stress grains have no stiffness: at the surface G and V_s are 0, where suction "
         "and cement would hold real ground");
   return remarks;
 }
@@ -233,43 +326,53 @@ plot::Chart stress_panel(const std::vector<DepthState>& states) {
   return chart;
 }
 
-plot::Chart field_panel(const std::vector<DepthState>& states, Field field, const std::string& x,
-                        double unit) {
+plot::Chart field_panel(const SweepOptions& o, const std::vector<DepthState>& states, Field field,
+                        const std::string& x, double unit) {
   plot::Chart chart = panel(estimate::row_of(field).meaning, x, unit);
   Band band;
+  std::vector<const SweptState*> all;
   for (const DepthState& at : states) {
     band.at.push_back(at.point.depth);
     band.ranges.push_back(at.state.answer->answer[field]);
+    all.push_back(&at.state);
   }
+  if (field == Field::shear_modulus)
+    add_law_band(chart, o, band.at, all, true);
   add_band(chart, band, true);
   return chart;
 }
 
-/// Depths close enough for smooth curves, with the jump at the water table.
-std::vector<double> picture_depths(const GroundCase& c) {
+/// Depths close enough for smooth curves, with the jumps at the water table and between layers.
+std::vector<double> picture_depths(const std::vector<double>& asked, const std::vector<Layer>& layers) {
   constexpr std::size_t count = 121;
-  const double first = c.depths.front(), last = c.depths.back();
+  const double first = asked.front(), last = asked.back();
   std::vector<double> depths = spread(first, last, count, false);
-  const auto& table = c.ground.water_table;
-  if (table && *table > first && *table < last) {
-    depths.push_back(*table);
-    depths.push_back(std::nextafter(*table, last));
-  }
+  const auto add_jump = [&](double above, double below) {
+    if (above > first && below < last)
+      depths.insert(depths.end(), {above, below});
+  };
+  if (const auto& table = layers.front().ground.ground.water_table)
+    add_jump(*table, std::nextafter(*table, last));
+  for (const Layer& layer : layers)
+    add_jump(std::nextafter(layer.top, first), layer.top);
   std::sort(depths.begin(), depths.end());
   return depths;
 }
 
-std::vector<plot::Chart> picture_of(const SweepOptions& o, const GroundCase& ground) {
+std::vector<plot::Chart> picture_of(const SweepOptions& o, const std::vector<double>& depths,
+                                    const std::vector<Layer>& layers) {
   if (o.picture.empty())
     return {};
-  const std::vector<DepthState> states = states_at(o, ground, picture_depths(ground));
-  return {stress_panel(states), field_panel(states, Field::shear_modulus, "G [MPa]", 1e6),
-          field_panel(states, Field::shear_wave_speed, "V_s [m/s]", 1),
-          field_panel(states, Field::compression_wave_speed, "V_p [m/s]", 1)};
+  const std::vector<DepthState> states = states_at(layers, picture_depths(depths, layers));
+  return {stress_panel(states), field_panel(o, states, Field::shear_modulus, "G [MPa]", 1e6),
+          field_panel(o, states, Field::shear_wave_speed, "V_s [m/s]", 1),
+          field_panel(o, states, Field::compression_wave_speed, "V_p [m/s]", 1)};
 }
 
-Validity validity_of(const GroundCase& ground, const std::vector<DepthState>& states) {
-  Validity validity = ground.validity;
+Validity validity_of(const std::vector<Layer>& layers, const std::vector<DepthState>& states) {
+  Validity validity;
+  for (const Layer& layer : layers)
+    validity.merge(layer.ground.validity);
   Tally tally;
   for (const DepthState& at : states)
     tally.count(at.state, pretty(at.point.depth, Dimension::length));
@@ -281,20 +384,20 @@ Validity validity_of(const GroundCase& ground, const std::vector<DepthState>& st
 
 ExitCode sweep_depth(const SweepOptions& o) {
   require_free(o.output, o.picture);
-  const GroundCase ground = resolve_ground(o);
-  const std::vector<DepthState> states = states_at(o, ground, ground.depths);
-  const AnswerCase& last = *states.back().state.answer;
-  const AnswerCase solved =
-      solve_answer(at_stress(o.packing, states.back().point.stress.effective), o.answer, {});
-  const std::vector<std::string> remarks = depth_remarks(o, ground, solved, states);
-  const ordered_json packing = packing_json(o.packing, last.question.state);
+  const std::vector<double> depths = depths_of(o);
+  const std::vector<Layer> layers = layers_of(o);
+  const std::vector<DepthState> states = states_at(layers, depths);
+  const std::vector<std::string> remarks = depth_remarks(layers, states);
+  const DepthState& last = states.back();
+  const ordered_json packing =
+      packing_json(last.point.layer->options.packing, last.state.answer->question.state);
+  const ordered_json ground = ground_json(layers);
   const SweepOutput output = output_of(o, states);
   return deliver_sweep(
-      o, within_width(table_of(ground, states, remarks)),
-      output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground_json(ground), -1)}},
-                 remarks),
-      output.json({{"inputs", packing}, {"ground", ground_json(ground)}}, remarks),
-      validity_of(ground, states), picture_of(o, ground));
+      o, within_width(table_of(layers, states, remarks)),
+      output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground, -1)}}, remarks),
+      output.json({{"inputs", packing}, {"ground", ground}}, remarks), validity_of(layers, states),
+      picture_of(o, depths, layers));
 }
 
 } // namespace granum::cli

@@ -94,8 +94,9 @@ Path make_path(const SweepOptions& o) {
   return o.path == "iso" ? isotropic_path(o) : path_to_ratio(o);
 }
 
-plot::Chart chart_of(const Path& path, const std::vector<SweptState>& states, const Rungs& rungs,
-                     const SweptQuantity& quantity) {
+plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<SweptState>& states,
+                     const Rungs& rungs) {
+  const SweptQuantity& quantity = swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of);
   const plot::Scale scale = path.logarithmic ? plot::Scale::logarithmic : plot::Scale::linear;
   plot::Chart chart{
       .title = path.text, .x = {.title = "\u03b7 = q/p'"}, .y = {.title = quantity.name}, .series = {}};
@@ -106,6 +107,15 @@ plot::Chart chart_of(const Path& path, const std::vector<SweptState>& states, co
   const auto place = [&](std::size_t k) {
     return path.isotropic ? path.points[k].stress.mean() : path.points[k].eta;
   };
+  if (quantity.field == estimate::Field::shear_modulus) {
+    std::vector<double> places;
+    std::vector<const SweptState*> all;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      places.push_back(place(k));
+      all.push_back(&states[k]);
+    }
+    add_law_band(chart, o, places, all, false);
+  }
   Band band;
   for (std::size_t k = 0; k < states.size(); ++k)
     if (const auto* answer = states[k].answer ? &states[k].answer->answer : nullptr;
@@ -113,6 +123,17 @@ plot::Chart chart_of(const Path& path, const std::vector<SweptState>& states, co
       band.at.push_back(place(k));
       band.ranges.push_back((*answer)[quantity.field]);
     }
+  if (const std::vector<SweptState>& all = states; std::any_of(
+          all.begin(), all.end(), [](const SweptState& s) { return s.answer && s.answer->sand_answer; })) {
+    Band of_sand;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (const auto* sand = all[k].answer ? answer_of_sand(*all[k].answer) : nullptr;
+          sand != nullptr && sand->find(quantity.field)) {
+        of_sand.at.push_back(place(k));
+        of_sand.ranges.push_back((*sand)[quantity.field]);
+      }
+    add_band(chart, of_sand, false, "sand", plot::Colour::measured);
+  }
   add_band(chart, band, false);
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
@@ -161,10 +182,10 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   }
   const std::vector<std::string> remarks = remarks_on(o, first.assumptions);
   const ordered_json packing = packing_json(o.packing, first.question.state);
-  const ExitCode code = deliver_sweep(
-      o, "", output.csv({{"inputs", json_text(packing, -1)}, {"path", path.text}}, remarks),
-      output.json({{"inputs", packing}, {"path", path.text}}, remarks), tally.validity(),
-      {chart_of(path, states, rungs, swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of))});
+  const ExitCode code =
+      deliver_sweep(o, "", output.csv({{"inputs", json_text(packing, -1)}, {"path", path.text}}, remarks),
+                    output.json({{"inputs", packing}, {"path", path.text}}, remarks), tally.validity(),
+                    {chart_of(o, path, states, rungs)});
   return tally.conclude(code);
 }
 

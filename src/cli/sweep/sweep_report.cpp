@@ -107,6 +107,7 @@ const SweptQuantity& swept_quantity(std::string_view name) {
 SweptState swept(const PackingOptions& packing, const AnswerOptions& options, const Rungs& rungs) {
   try {
     SweptState state{.answer = bare_answer(packing, options)};
+    add_measured_laws(*state.answer);
     state.notes = state.answer->answer.validity().notes;
     Validity slips = likely_mistakes(packing, state.answer->question.state);
     slips.merge(likely_mistakes(options.grain_density));
@@ -159,6 +160,9 @@ ExitCode Tally::conclude(ExitCode code) const {
 SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
                          io::CsvManner manner)
     : options_(options), rungs_(std::move(rungs)), columns_(answer_columns(options.all_columns)),
+      sand_columns_(told_shape(options.packing, options.answer)
+                        ? io::Columns<estimate::Answer>{}
+                        : answer_columns(options.all_columns, "sand_")),
       headings_(std::move(headings)), manner_(manner) {}
 
 std::vector<std::string> SweepOutput::result_headings() const {
@@ -170,6 +174,12 @@ std::vector<std::string> SweepOutput::result_headings() const {
       all.push_back(heading(quantity, *rung));
   all.emplace_back("notes");
   all.emplace_back("error");
+  all.emplace_back("grain_shape");
+  for (const io::Column<estimate::Answer>& column : sand_columns_)
+    all.push_back(column.heading);
+  if (options_.law_columns)
+    for (const sands::MeasuredLaw& law : sands::measured_laws())
+      all.push_back(fmt::format("G_{}_Pa", law.key));
   return all;
 }
 
@@ -178,6 +188,9 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
     place["answer"] = state.answer ? answer_json(*state.answer) : ordered_json();
     if (state.answer)
       place["answer"].erase("notes");
+    place["sand_answer"] = state.answer ? sand_answer_json(*state.answer) : ordered_json();
+    if (options_.law_columns)
+      place["measured_sands"] = state.answer ? sands_json(*state.answer) : ordered_json();
     for (std::size_t k = 0; k < rungs_.size(); ++k)
       place[rungs_[k]->column] = rung_json(state.rungs[k]);
     place["notes"] = remarks_of(state);
@@ -194,7 +207,25 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
       cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
   cells.emplace_back(joined(remarks_of(state)));
   cells.emplace_back(state.error);
+  add_sand_cells(cells, state);
   rows_ += io::csv_line(cells, manner_);
+}
+
+/// What the grains are, the answer of a sand, and published laws.
+void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
+  cells.emplace_back(state.answer ? std::string(name(state.answer->question.grain_shape)) : "");
+  const estimate::Answer* of_sand = state.answer ? answer_of_sand(*state.answer) : nullptr;
+  if (of_sand != nullptr)
+    io::add_cells(cells, sand_columns_, *of_sand);
+  else
+    cells.insert(cells.end(), sand_columns_.size(), nothing);
+  if (!options_.law_columns)
+    return;
+  for (std::size_t k = 0; k < sands::measured_laws().size(); ++k) {
+    const auto* modulus =
+        state.answer && k < state.answer->sands.size() ? &state.answer->sands[k].modulus : nullptr;
+    cells.emplace_back(modulus != nullptr && *modulus ? (*modulus)->shear_modulus : nothing);
+  }
 }
 
 std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>& remarks) const {
@@ -243,56 +274,33 @@ ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const s
 std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::string> assumptions) {
   const bool counted = o.packing.coordination_number.given() || o.packing.rattler_fraction.given() ||
                        o.packing.mechanical_coordination_number.given();
+  if (told_shape(o.packing, o.answer) == estimate::GrainShape::sand) {
+    assumptions.emplace_back("void ratio and sand are the same at every state");
+    return assumptions;
+  }
   assumptions.emplace_back(
       counted ? "void ratio and contacts are the same at every state"
               : "void ratio and preparation are the same at every state; contacts grow with p'");
   return assumptions;
 }
 
-PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress) {
-  for (const auto& [number, value] :
-       {std::pair{&packing.stress_v, stress.v}, {&packing.stress_h, stress.h}}) {
-    number->value = value;
-    number->in_table = true;
+void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<double>& at,
+                  const std::vector<const SweptState*>& states, bool sideways) {
+  if (!o.law_columns)
+    return;
+  std::vector<bool> tested(sands::measured_laws().size()); // at any of the states: a band without steps
+  for (const SweptState* state : states) {
+    const std::vector<bool> here = state->answer ? laws_tested(*state->answer) : std::vector<bool>{};
+    for (std::size_t k = 0; k < here.size(); ++k)
+      tested[k] = tested[k] || here[k];
   }
-  return packing;
-}
-
-std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(n - 1);
-    values.push_back(logarithmic ? first * std::pow(last / first, share) : first + (last - first) * share);
-  }
-  values.back() = last;
-  return values;
-}
-
-void add_band(plot::Chart& chart, const Band& band, bool sideways) {
-  plot::Series line{.name = "answer",
-                    .mark = plot::Mark::line,
-                    .x = {},
-                    .y = {},
-                    .style = 0,
-                    .colour = plot::Colour::closed_form};
-  plot::Series area{.name = "range",
-                    .mark = plot::Mark::area,
-                    .x = {},
-                    .y = {},
-                    .style = 0,
-                    .colour = plot::Colour::closed_form};
-  const auto put = [sideways](plot::Series& series, double at, double number) {
-    series.x.push_back(sideways ? number : at);
-    series.y.push_back(sideways ? at : number);
-  };
-  for (std::size_t k = 0; k < band.at.size(); ++k) {
-    put(line, band.at[k], band.ranges[k].value);
-    put(area, band.at[k], band.ranges[k].low);
-  }
-  for (std::size_t k = band.at.size(); k-- > 0;)
-    put(area, band.at[k], band.ranges[k].high);
-  chart.series.push_back(std::move(area));
-  chart.series.push_back(std::move(line));
+  Band band;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (const auto range = states[k]->answer ? range_of_laws(*states[k]->answer, tested) : std::nullopt) {
+      band.at.push_back(at[k]);
+      band.ranges.push_back(*range);
+    }
+  add_band(chart, band, sideways, "published laws", plot::Colour::power_law);
 }
 
 } // namespace granum::cli

@@ -2,10 +2,12 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "answer_rows.hpp"
-#include "sweep.hpp"
+#include "cli/frame/json_members.hpp"
+#include "depth.hpp"
 
 namespace granum::cli {
 
@@ -14,6 +16,19 @@ namespace {
 using estimate::Field;
 using io::CsvTable;
 using nlohmann::ordered_json;
+
+/// Stresses at a row that is a depth in the ground; none where the row failed.
+using RowStress = std::optional<stress::GroundStress>;
+
+io::Columns<RowStress> stress_columns() {
+  const auto of = [](double (*number)(const stress::GroundStress&)) {
+    return [number](const RowStress& at) { return at ? std::optional(number(*at)) : std::nullopt; };
+  };
+  return {{"pore_pressure_Pa", "pore_pressure", of([](const auto& at) { return at.pore_pressure; })},
+          {"sigma_v_Pa", "stress_v", of([](const auto& at) { return at.effective.v; })},
+          {"sigma_h_Pa", "stress_h", of([](const auto& at) { return at.effective.h; })},
+          {"p_Pa", "mean_stress", of([](const auto& at) { return at.effective.mean(); })}};
+}
 
 /// A point of the picture.
 struct RowPoint {
@@ -25,10 +40,13 @@ struct RowPoint {
 class TableSweep {
  public:
   TableSweep(const SweepOptions& options, const Rungs& rungs)
-      : options_(options), rungs_(rungs), table_(io::read_csv(options.table)),
-        reader_(table_, options.packing, options.answer),
-        output_(options, rungs, table_.headings(), table_.manner()) {
-    for (const std::string& heading : output_.result_headings())
+      : options_(options), rungs_(rungs), table_(io::read_csv(options.table)), reader_(table_, options),
+        stresses_(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}),
+        output_(options_of_rows(), rungs, leading_headings(), table_.manner()) {
+    std::vector<std::string> results = output_.result_headings();
+    for (const io::Column<RowStress>& column : stresses_)
+      results.push_back(column.heading);
+    for (const std::string& heading : results)
       if (std::find(table_.headings().begin(), table_.headings().end(), heading) != table_.headings().end())
         throw FileError(options.table, 0, "has a column '" + heading + "' already, a name of the results");
     for (std::size_t row = 0; row < table_.row_count(); ++row)
@@ -43,9 +61,44 @@ class TableSweep {
   [[nodiscard]] const std::vector<RowPoint>& points() const { return points_; }
 
  private:
-  SweptState state_of(std::size_t row) {
+  /// Rows that are depths are of soil.
+  const SweepOptions& options_of_rows() {
+    options_.answer.ground = reader_.in_ground();
+    return options_;
+  }
+
+  [[nodiscard]] std::vector<std::string> leading_headings() const {
+    std::vector<std::string> all = table_.headings();
+    for (const io::Column<RowStress>& column : stresses_)
+      all.push_back(column.heading);
+    return all;
+  }
+
+  /// The answer at a depth in ground of its own.
+  SweptState state_at_depth(const AnswerRow& question, RowStress& stress) {
+    SweepOptions here = options_;
+    here.packing = question.packing;
+    here.answer = question.answer;
+    here.ground = question.ground;
+    const GroundCase ground = resolve_ground(here);
+    const double depth = require_non_negative("depth", question.ground.row_depth.value, "m");
+    GroundState at = state_in_ground(here, ground, depth, rungs_);
+    stress = at.stress;
+    if (!assumptions_) {
+      assumptions_ = ground.assumptions;
+      const AnswerCase solved = solve_answer(at_stress(here.packing, at.stress.effective), here.answer, {});
+      assumptions_->insert(assumptions_->end(), solved.assumptions.begin(), solved.assumptions.end());
+    }
+    for (const std::string& note : ground.validity.notes)
+      at.state.notes.push_back(note);
+    return at.state;
+  }
+
+  SweptState state_of(std::size_t row, RowStress& stress) {
     try {
       const AnswerRow question = reader_.row(row);
+      if (reader_.in_ground())
+        return state_at_depth(question, stress);
       if (!assumptions_)
         assumptions_ = solve_answer(question.packing, question.answer, {}).assumptions;
       return swept(question.packing, question.answer, rungs_);
@@ -55,7 +108,8 @@ class TableSweep {
   }
 
   void add(std::size_t row) {
-    const SweptState state = state_of(row);
+    RowStress stress;
+    const SweptState state = state_of(row, stress);
     tally_.count(state, fmt::format("line {}", table_.line(row)));
     if (state.answer && !options_.picture.empty()) {
       const effective::State& packing = state.answer->answer.state();
@@ -64,7 +118,12 @@ class TableSweep {
                          .shear_modulus = state.answer->answer[Field::shear_modulus]});
     }
     const std::vector<std::string>& fields = table_.fields(row);
-    output_.add({fields.begin(), fields.end()}, {{"line", table_.line(row)}}, state);
+    std::vector<io::CsvCell> cells(fields.begin(), fields.end());
+    io::add_cells(cells, stresses_, stress);
+    ordered_json place = {{"line", table_.line(row)}};
+    if (!stresses_.empty())
+      place.update(members(stresses_, stress));
+    output_.add(std::move(cells), std::move(place), state);
   }
 
   [[nodiscard]] ordered_json inputs() const {
@@ -79,10 +138,11 @@ class TableSweep {
     return remarks;
   }
 
-  const SweepOptions& options_;
+  SweepOptions options_;
   const Rungs& rungs_;
   CsvTable table_;
   AnswerRows reader_;
+  io::Columns<RowStress> stresses_; ///< where rows are depths
   SweepOutput output_;
   std::optional<std::vector<std::string>> assumptions_; ///< of the first row that is a packing
   std::vector<RowPoint> points_;

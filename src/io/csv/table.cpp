@@ -19,19 +19,22 @@ namespace {
 /// The separator of the fields that stands outside of quotes in the first record.
 /// \throws   FileError if commas and semicolons do
 char separator_in(std::string_view text, const std::string& name, std::size_t line) {
-  bool comma = false, semicolon = false, quoted = false;
+  bool comma = false, semicolon = false, tab = false, quoted = false;
   for (const char c : text) {
     if (c == '\n' && !quoted)
       break;
     quoted = quoted != (c == '"');
     comma = comma || (c == ',' && !quoted);
     semicolon = semicolon || (c == ';' && !quoted);
+    tab = tab || (c == '\t' && !quoted);
   }
   if (comma && semicolon)
     throw FileError(
         name, line,
         "commas and semicolons stand between the headings: put quotes around a heading that holds "
         "one of them");
+  if (tab && !comma && !semicolon)
+    return '\t'; // as cells that are copied from a spreadsheet
   return semicolon ? ';' : ',';
 }
 
@@ -214,8 +217,8 @@ std::string field_text(const CsvCell& cell, CsvManner manner) {
     return with_decimal_sign(std::move(text), manner);
   if (is_formula(text))
     text.insert(0, 1, '\'');
-  if (text.find_first_of(manner.separator == ';' ? ";,\"\r\n" : ",\"\r\n") == std::string::npos &&
-      trimmed(text) == text && !text.starts_with('#'))
+  const std::string special = std::string(",\"\r\n") + manner.separator;
+  if (text.find_first_of(special) == std::string::npos && trimmed(text) == text && !text.starts_with('#'))
     return text;
   std::string quoted = "\"";
   for (const char c : text)
@@ -232,7 +235,8 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   if (!cursor.seek_record())
     throw FileError(name_, 0, "is empty; expected a heading line such as G_MPa,sigma_v_kPa,sigma_h_kPa,e");
   heading_line_ = cursor.line();
-  const bool decimal_commas = cursor.find_separator() == ';';
+  const char separator = cursor.find_separator();
+  const bool decimal_commas = separator != ',';
   headings_ = cursor.record();
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
@@ -254,7 +258,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
         points.take(rows_.back().fields[k], headings_[k], line);
   }
   points.require_none_of_thousands(name_);
-  manner_ = {.separator = decimal_commas ? ';' : ',', .decimal_sign = points.found() ? ',' : '.'};
+  manner_ = {.separator = separator, .decimal_sign = points.found() ? ',' : '.'};
   if (rows_.empty())
     throw FileError(name_, heading_line_, "there are no rows below the heading line");
 }

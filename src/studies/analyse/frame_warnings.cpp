@@ -129,6 +129,10 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
   if (forces.distribution.in_tension > 0)
     out.push_back(std::to_string(forces.distribution.in_tension) +
                   " contacts are in tension: forces with viscous or cohesive parts");
+  if (forces.distribution.pressing + forces.distribution.in_tension == 0)
+    out.emplace_back(
+        "all forces are 0, though grains touch: the files were written before forces were computed, "
+        "or their column is another one; stress and stiffness are 0");
   if (!forces.unbalance)
     return;
   double left = forces.unbalance->force_ratio;

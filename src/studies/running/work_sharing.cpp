@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
+#include <set>
 #include <thread>
+#include <utility>
 
 namespace granum::studies {
 
@@ -32,12 +34,17 @@ namespace {
 class Queue {
  public:
   explicit Queue(const std::vector<Job>& jobs)
-      : jobs_(jobs), chain_(jobs.size()), state_(jobs.size(), State::waiting) {
+      : jobs_(jobs), chain_(jobs.size()), followers_(jobs.size()), waiting_(jobs.size()) {
     for (std::size_t k = jobs.size(); k-- > 0;) {
       chain_[k] += jobs[k].cost;
-      if (const auto before = jobs[k].after)
+      if (const auto before = jobs[k].after) {
         chain_.at(*before) = std::max(chain_.at(*before), chain_[k]);
+        followers_[*before].push_back(k);
+      }
     }
+    for (std::size_t k = 0; k < jobs.size(); ++k)
+      if (!jobs[k].after)
+        may_begin_.emplace(-chain_[k], k);
   }
 
   void work_off() {
@@ -58,14 +65,14 @@ class Queue {
   }
 
  private:
-  enum class State { waiting, taken, done };
-
-  /// A job that may begin, as soon as there is one; nothing when none is left.
+  /// The head of the costliest chain, as soon as a job may begin; nothing when none is left.
   std::optional<std::size_t> take() {
     std::unique_lock lock(mutex_);
-    while (!error_ && std::count(state_.begin(), state_.end(), State::waiting) > 0) {
-      if (const std::optional<std::size_t> next = head_of_longest_chain()) {
-        state_[*next] = State::taken;
+    while (!error_ && waiting_ > 0) {
+      if (!may_begin_.empty()) {
+        const std::size_t next = may_begin_.begin()->second;
+        may_begin_.erase(may_begin_.begin());
+        --waiting_;
         return next;
       }
       finished_.wait(lock);
@@ -73,20 +80,10 @@ class Queue {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::optional<std::size_t> head_of_longest_chain() const {
-    std::optional<std::size_t> best;
-    for (std::size_t k = 0; k < jobs_.size(); ++k) {
-      const bool may_begin =
-          state_[k] == State::waiting && (!jobs_[k].after || state_[*jobs_[k].after] == State::done);
-      if (may_begin && (!best || chain_[k] > chain_[*best]))
-        best = k;
-    }
-    return best;
-  }
-
   void finish(std::size_t k, const std::exception_ptr& error) {
     const std::lock_guard lock(mutex_);
-    state_[k] = State::done;
+    for (const std::size_t follower : followers_[k])
+      may_begin_.emplace(-chain_[follower], follower);
     if (!error_)
       error_ = error;
     finished_.notify_all();
@@ -94,8 +91,10 @@ class Queue {
 
   const std::vector<Job>& jobs_;
   std::vector<double> chain_; ///< cost of a job and of the costliest chain of jobs that wait for it
-  std::vector<State> state_;
-  std::exception_ptr error_; ///< the first
+  std::vector<std::vector<std::size_t>> followers_;
+  std::set<std::pair<double, std::size_t>> may_begin_; ///< less the cost of its chain, and a job
+  std::size_t waiting_;                                ///< jobs that no thread has taken
+  std::exception_ptr error_;                           ///< the first
   std::mutex mutex_;
   std::condition_variable finished_;
 };

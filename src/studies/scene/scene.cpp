@@ -134,6 +134,18 @@ void require_overlap(const Scene& scene, contact::Shape shape, double pressure) 
                                            "close"));
 }
 
+/// What is measured between walls lies two diameters inside: as many grains as leave a diameter there, packed
+/// as densely as they can be.
+void require_inside(const Scene& scene) {
+  constexpr double edge = 2 * 4 + 2, densest = 0.55; // in radii
+  const double volume = 4 * std::numbers::pi / 3 * scene.grain.sizes.moment(3) * (1 + densest);
+  const double least = std::ceil(edge * edge * edge / volume);
+  if (scene.specimen.walls && static_cast<double>(scene.study.grains) < least)
+    throw InvalidArgument("study.grains", static_cast<double>(scene.study.grains), "",
+                          "numbers of at least " + short_text(least) +
+                              ": with specimen.boundary = walls all is measured two diameters inside");
+}
+
 } // namespace
 
 void require_periodic_cell(const Scene& scene) {
@@ -147,6 +159,7 @@ void require_valid(const Scene& scene) {
     require_in_range(key, scene);
   require_lists(scene.study);
   require_distinct("shear.paths", scene.shear.paths);
+  require_inside(scene);
   triaxial::require_valid({.mean_stress = scene.study.pressures.back(),
                            .inertial_number = scene.shear.inertial_number,
                            .eta_step = scene.shear.eta_step,

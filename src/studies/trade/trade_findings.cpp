@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <map>
 #include <string>
 
 #include <granum/core/number.hpp>
@@ -124,12 +127,16 @@ std::optional<Deviation> difference_of_means(const Group& group, const Group& re
 }
 
 std::optional<Deviation> mean_of_differences(const Group& group, const Group& reference, Figure figure) {
+  std::multimap<std::uint64_t, double> finest;
+  for (const TradeSample* sample : reference)
+    if (const std::optional<double> value = figure(*sample))
+      finest.emplace(sample->seed, *value);
   std::vector<double> differences;
   for (const TradeSample* sample : group)
-    for (const TradeSample* other : reference) {
-      const std::optional<double> a = figure(*sample), b = figure(*other);
-      if (sample->seed == other->seed && a && b)
-        differences.push_back(*a - *b);
+    if (const std::optional<double> value = figure(*sample)) {
+      const auto [first, last] = finest.equal_range(sample->seed);
+      std::transform(first, last, std::back_inserter(differences),
+                     [&](const auto& other) { return *value - other.second; });
     }
   if (differences.size() < 2)
     return std::nullopt;

@@ -212,10 +212,8 @@ class Runner {
       const double cost = predicted_work(trade_, work_, part);
       const auto run = [this, cost, &part, &what, &work] {
         const ThreadClock clock;
-        part.failure = failure_or_stop_of([&] {
-          throw_if_stopped(meter_.stop_request());
-          work(part);
-        });
+        part.failure =
+            meter_.stopped() ? words(dem::Outcome::stopped) : failure_or_stop_of([&] { work(part); });
         part.cpu_seconds = clock.seconds();
         meter_.add(cost, what);
       };

@@ -14,16 +14,17 @@
 
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
 /// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
-/// decimal comma. A text that a spreadsheet would take for a formula, as it begins with = + - or @ and is no
-/// number, is written behind an apostrophe, which is dropped again when it is read. A byte order mark, lines
-/// that begin with '#' and blank lines are skipped.
+/// decimal comma; so do tabs where no commas and semicolons stand between the headings. A text that a
+/// spreadsheet would take for a formula, as it begins with = + - or @ and is no number, is written behind an
+/// apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#' and blank
+/// lines are skipped.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
 /// How a table is written: what separates its fields, and the decimal sign of its numbers.
 struct CsvManner {
   char separator = ',';
-  char decimal_sign = '.'; ///< a comma only where semicolons separate the fields
+  char decimal_sign = '.'; ///< a comma only where semicolons or tabs separate the fields
 };
 
 /// A table that was read. Every row has one field for each heading.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/hardin/known_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include <cmath>
 #include <set>
@@ -10,7 +10,7 @@
 #include <granum/core/error.hpp>
 
 using namespace granum;
-using namespace granum::hardin;
+using namespace granum::sands;
 
 TEST_CASE("known sands: keys are unique, numbers possible, minerals known") {
   std::set<std::string> keys;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/hardin/measured_sands.hpp>
+#include <granum/sands/measured_sands.hpp>
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 #include <relative.hpp>
 
 using namespace granum;
-using namespace granum::hardin;
+using namespace granum::sands;
 
 namespace {
 

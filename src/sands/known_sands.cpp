@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/hardin/known_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include <array>
 #include <string>
@@ -9,20 +9,22 @@
 #include <granum/core/error.hpp>
 #include <granum/core/near_miss.hpp>
 
-namespace granum::hardin {
+#include "constants.hpp"
+
+namespace granum::sands {
 
 namespace {
 
-constexpr double mm = 1e-3;
-
-const std::array<KnownSand, 6> table{{
+const std::array<KnownSand, 7> table{{
     {.key = "toyoura",
      .name = "Toyoura sand",
      .source = "CubrinovskiIshihara2002; YangSze2011",
      .mineral = "quartz",
      .d50 = 0.20 * mm,
+     .uniformity = 1.39,
      .least_void_ratio = 0.616,
-     .largest_void_ratio = 0.988},
+     .largest_void_ratio = 0.988,
+     .tests = SandTests{94.8 * MPa, 1.09, 0.395, 25, 0.70, 0.93}},
     // Densities of 1754 and 1457 kg/m3, of grains of 2650.
     {.key = "ottawa",
      .name = "Ottawa F-65 sand",
@@ -31,11 +33,24 @@ const std::array<KnownSand, 6> table{{
      .d50 = 0.20 * mm,
      .least_void_ratio = 0.511,
      .largest_void_ratio = 0.819},
+    {.key = "ottawa-20-30",
+     .name = "Ottawa 20-30 sand",
+     .source = "Lo2021",
+     .mineral = "quartz",
+     .d50 = 0.619 * mm,
+     .uniformity = 1.46,
+     .least_void_ratio = 0.502,
+     .largest_void_ratio = 0.742,
+     .tests = SandTests{51.9 * MPa, 1.19, 0.426, 18, 0.52, 0.67}},
     {.key = "hostun",
      .name = "Hostun sand",
-     .source = "Azeiteiro2017",
+     .source = "Azeiteiro2017; Lo2021",
      .mineral = "quartz",
-     .d50 = 0.33 * mm},
+     .d50 = 0.33 * mm,
+     .uniformity = 1.40,
+     .least_void_ratio = 0.660,
+     .largest_void_ratio = 1.000,
+     .tests = SandTests{76.5 * MPa, 0.75, 0.484, 20, 0.66, 0.79}},
     {.key = "ticino",
      .name = "Ticino sand",
      .source = "Fioravante2015",
@@ -79,4 +94,4 @@ double void_ratio_of_relative_density(double relative_density, double least, dou
   return require_positive("void_ratio", largest - relative_density * (largest - least));
 }
 
-} // namespace granum::hardin
+} // namespace granum::sands

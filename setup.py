@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hands the compiled part of the package to CMake; everything else stands in pyproject.toml."""
+"""Hands the compiled part of the package to CMake; everything else stands in pyproject.toml.
 
+What stands in the variable CMAKE_ARGS goes to CMake as well, as with other packages that CMake builds.
+"""
+
+import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-HERE = pathlib.Path(__file__).resolve().parent
-SOURCE = HERE.parent
+SOURCE = pathlib.Path(__file__).resolve().parent
 
 
 def version():
@@ -28,11 +32,20 @@ def alone():
         import fcntl
     except ImportError:  # no POSIX: one at a time is up to the caller
         return None
-    folder = HERE / "build"
+    folder = SOURCE / "build"
     folder.mkdir(exist_ok=True)
     lock = (folder / "lock").open("w")
     fcntl.flock(lock, fcntl.LOCK_EX)
     return lock
+
+
+def pybind11_folder():
+    """Where pip's pybind11 keeps its files for CMake; none where CMake has to look for the system's."""
+    try:
+        import pybind11
+    except ImportError:
+        return {}
+    return {"pybind11_DIR": pybind11.get_cmake_dir()}
 
 
 class CMakeBuild(build_ext):
@@ -49,11 +62,14 @@ class CMakeBuild(build_ext):
             "GRANUM_BUILD_TESTS": "OFF",
             "GRANUM_BUILD_EXAMPLES": "OFF",
             "GRANUM_BUILD_DOCS": "OFF",
+            "GRANUM_INSTALL": "OFF",
             "GRANUM_PYTHON": sys.executable,
             "GRANUM_PYTHON_FOLDER": module.parent.parent,
+            **pybind11_folder(),
         }
         configure = ["cmake", "-S", SOURCE, "-B", tree, "-G", "Ninja"]
         configure += [f"-D{name}={value}" for name, value in options.items()]
+        configure += shlex.split(os.environ.get("CMAKE_ARGS", ""))
         subprocess.run(configure, check=True)
         subprocess.run(["cmake", "--build", tree, "--target", "granum_python"], check=True)
 

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 
 /// Sands that laboratories test again and again.
-namespace granum::hardin {
+namespace granum::sands {
+
+/// What tests of one sand say of it: G = level F^power at 100 kPa, F = (2.17-e)^2/(1+e), and its exponent.
+struct SandTests {
+  double level = 0;      ///< [Pa]
+  double power = 0;      ///< of F [1]
+  double exponent = 0;   ///< s of G ~ p^s [1]
+  std::size_t count = 0; ///< of tests
+  double void_ratio_low = 0, void_ratio_high = 0;
+
+  bool operator==(const SandTests&) const = default;
+};
 
 /// A sand as far as a source says. Batches of one name differ.
 struct KnownSand {
@@ -18,15 +30,17 @@ struct KnownSand {
   std::optional<double> uniformity = {};         ///< C_u [1]
   std::optional<double> least_void_ratio = {};   ///< e_min [1]
   std::optional<double> largest_void_ratio = {}; ///< e_max [1]
+  std::optional<SandTests> tests = {};           ///< of resonant columns and bender elements
 };
 
-/// Toyoura, Ottawa F-65, Hostun, Ticino, Nevada and Longstone sand.
+/// Toyoura, Ottawa F-65, Ottawa 20-30, Hostun, Ticino, Nevada and Longstone sand. Tests are those of [Lo2021]
+/// whose limits of the void ratio are theirs: the table names no sands.
 /// [CubrinovskiIshihara2002; YangSze2011; CareyStoneKutter2020; Azeiteiro2017; Fioravante2015]
-/// [Arulmoli1992; Tsomokos2010]
+/// [Arulmoli1992; Tsomokos2010; Lo2021]
 [[nodiscard]] std::span<const KnownSand> known_sands();
 /// The one of that key.
 /// \throws   InvalidArgument for an unknown key; the text lists the known ones
-/// Checked by tests/hardin/test_known_sands.cpp
+/// Checked by tests/sands/test_known_sands.cpp
 [[nodiscard]] const KnownSand& known_sand(std::string_view key);
 
 /// e of a relative density D_r, e_max - D_r (e_max - e_min).
@@ -34,8 +48,8 @@ struct KnownSand {
 /// \param    least_void_ratio     e_min > 0 [1]
 /// \param    largest_void_ratio   e_max > e_min [1]
 /// \throws   InvalidArgument outside of these ranges
-/// Accuracy  2 ulp of e_max.  Checked by tests/hardin/test_known_sands.cpp
+/// Accuracy  2 ulp of e_max.  Checked by tests/sands/test_known_sands.cpp
 [[nodiscard]] double void_ratio_of_relative_density(double relative_density, double least_void_ratio,
                                                     double largest_void_ratio);
 
-} // namespace granum::hardin
+} // namespace granum::sands

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "answer_page.hpp"
+
+#include <utility>
+
+#include <fmt/core.h>
+#include <granum/plot/page.hpp>
+
+namespace granum::cli {
+
+namespace {
+
+using estimate::Field;
+using Named = std::pair<std::string, const estimate::Answer*>;
+
+/// The answers with their names: that of a sand first, where there are two.
+std::vector<Named> answers_of(const AnswerCase& c) {
+  std::vector<Named> all;
+  if (c.sand_answer)
+    all.emplace_back(title_of(estimate::GrainShape::sand), &*c.sand_answer);
+  all.emplace_back(title_of(c.question.grain_shape), &c.answer);
+  return all;
+}
+
+std::string sentence(const Named& named) {
+  const auto& [title, answer] = named;
+  std::string text = title + ": ";
+  for (const Field field : {Field::shear_modulus, Field::shear_wave_speed, Field::modulus_ratio}) {
+    const estimate::FieldRow& row = estimate::row_of(field);
+    if (const std::optional<estimate::Range>& range = answer->find(field))
+      text += fmt::format("{}{} is {} ({} to {})", text.ends_with(": ") ? "" : ", ", row.symbol,
+                          field_text(row, range->value), field_text(row, range->low),
+                          field_text(row, range->high));
+  }
+  return text + "; in brackets one standard deviation to each side.";
+}
+
+std::string numbers(const Named& named) {
+  std::vector<std::vector<std::string>> rows;
+  for (const estimate::FieldRow& row : estimate::fields())
+    if (const std::optional<estimate::Range>& range = named.second->find(row.field))
+      rows.push_back({row.symbol, field_text(row, range->value), field_text(row, range->low),
+                      field_text(row, range->high), row.meaning});
+  return plot::html_paragraph(named.first) +
+         plot::html_table({"", "answer", "low", "high", "what it is"}, rows);
+}
+
+} // namespace
+
+std::string answer_page(const AnswerCase& c, const plot::Chart& picture, const std::string& table,
+                        const Validity& validity) {
+  std::vector<std::string> sentences;
+  std::string all_numbers;
+  for (const Named& named : answers_of(c)) {
+    sentences.push_back(sentence(named));
+    all_numbers += numbers(named);
+  }
+  const plot::PageFigure figure{.caption = "The shear modulus around this state, with its range.",
+                                .pictures = {{.svg = plot::svg_in_page(picture)}}};
+  std::string body =
+      plot::html_first_screen("How stiff is it, and how well is that known?", sentences, figure) +
+      plot::html_section("numbers", "Every number", all_numbers) +
+      plot::html_section("assumptions", "What was assumed, and from where", plot::html_list(c.assumptions));
+  if (!validity.ok())
+    body += plot::html_section("warnings", "What to be careful about", plot::html_list(validity.notes));
+  body += plot::html_section("all", "All that was found",
+                             plot::html_folded("As the terminal shows it", plot::html_preformatted(table)));
+  return plot::html_page("granum estimate", body);
+}
+
+} // namespace granum::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What measurements say of a sand, in words and in JSON.
+#include <cmath>
+
+#include <fmt/core.h>
+#include <granum/core/number.hpp>
+#include <granum/core/version.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "infer.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+using estimate::Field;
+using inverse::Quantity;
+using inverse::SandInference;
+using nlohmann::ordered_json;
+
+constexpr Quantity foretold[] = {Quantity::G_vh, Quantity::V_s, Quantity::V_p, Quantity::K};
+
+/// Wet pores: the frame's wave is none that can be measured.
+bool is_foretold(const InferCase& question, Quantity quantity) {
+  return is_told(question, inverse::row_of(quantity));
+}
+
+Dimension unit_of(Quantity quantity) {
+  return inverse::row_of(quantity).speed ? Dimension::speed : Dimension::pressure;
+}
+
+std::string number_line(const char* name, const Measured& number, const char* meaning) {
+  return fmt::format("  {:<6} {:>11} +- {:<7} {}\n", name, short_text(number.value, 3),
+                     short_text(number.standard_error, 2), meaning);
+}
+
+ordered_json measured_json(const Measured& number) {
+  return {{"value", number.value}, {"standard_error", number.standard_error}};
+}
+
+ordered_json range_json(const estimate::Range& range) {
+  return {{"value", range.value}, {"low", range.low}, {"high", range.high}};
+}
+
+std::string contacts_text(const SandInference& sand, const effective::State& at) {
+  const auto range = [&](Field field) {
+    const estimate::Range r = sand.contacts(field, at);
+    return fmt::format("{} ({} to {})", short_text(r.value, 3), short_text(r.low, 3), short_text(r.high, 3));
+  };
+  return fmt::format("  contacts  z* {}, k/k_H {}: inferred{}\n",
+                     range(Field::mechanical_coordination_number), range(Field::contact_softness),
+                     sand.tells_contacts() ? ""
+                                           : ";\n            few contacts and soft ones cannot be told apart "
+                                             "from these\n            measurements, V_p beside V_s would");
+}
+
+} // namespace
+
+std::string sand_inference_text(const InferCase& question, const SandInference& sand) {
+  const effective::State& first = question.measurements.front().state;
+  std::string text = fmt::format("sand (measured laws)\n\nmeasured\n");
+  for (std::size_t k = 0; k < question.measurements.size(); ++k) {
+    const inverse::Observation& m = question.measurements[k];
+    const inverse::FittedObservation& fitted = sand.measurements()[k];
+    text += fmt::format("  {:<6} {:>11} +- {:<6} at {}\n         together: {}, off by {:+.1f} s.e.\n",
+                        inverse::row_of(m.quantity).key, pretty(m.value.value, unit_of(m.quantity)),
+                        percent_text(m.value.standard_error / m.value.value), place_text(m.state),
+                        pretty(fitted.value.value, unit_of(m.quantity)),
+                        std::round(10 * fitted.deviation) / 10 + 0.0);
+  }
+  text +=
+      "\nthis sand\n" + number_line("level", sand.level(), "G over that of sands of this density and stress");
+  text += number_line("s", sand.exponent(), "exponent of p' in G");
+  text += number_line("nu", sand.poisson_ratio(), "Poisson's ratio, drained");
+  if (sand.degrees_of_freedom() > 0)
+    text +=
+        fmt::format("  chi^2 {} at {} degrees of freedom, probability {}\n", short_text(sand.chi_square(), 3),
+                    sand.degrees_of_freedom(), short_text(sand.probability(), 2));
+  text += contacts_text(sand, first);
+  for (const auto& [state, specimen] : question.predicted) {
+    text += fmt::format("\npredicted at {}\n", place_text(state));
+    for (const Quantity quantity : foretold)
+      if (is_foretold(question, quantity)) {
+        const Measured value = sand.predict(quantity, state);
+        text += fmt::format("  {:<6} {:>11} +- {}\n", inverse::row_of(quantity).key,
+                            pretty(value.value, unit_of(quantity)),
+                            percent_text(value.standard_error / value.value));
+      }
+  }
+  return text;
+}
+
+ordered_json sand_inference_json(const InferCase& question, const SandInference& sand) {
+  const effective::State& first = question.measurements.front().state;
+  ordered_json json = {{"level", measured_json(sand.level())},
+                       {"stress_exponent", measured_json(sand.exponent())},
+                       {"poisson_ratio", measured_json(sand.poisson_ratio())}};
+  for (const Field field : {Field::mechanical_coordination_number, Field::contact_softness})
+    json[estimate::row_of(field).key] = range_json(sand.contacts(field, first));
+  json.update({{"tells_contacts", sand.tells_contacts()},
+               {"chi_square", sand.chi_square()},
+               {"degrees_of_freedom", sand.degrees_of_freedom()},
+               {"probability", sand.probability()},
+               {"widening", sand.widening()}});
+  json["measurements"] = ordered_json::array();
+  for (std::size_t k = 0; k < question.measurements.size(); ++k)
+    json["measurements"].push_back({{"quantity", inverse::row_of(question.measurements[k].quantity).key},
+                                    {"fitted", measured_json(sand.measurements()[k].value)},
+                                    {"deviation", sand.measurements()[k].deviation}});
+  json["predictions"] = ordered_json::array();
+  for (const auto& [state, specimen] : question.predicted) {
+    ordered_json one = {
+        {"stress_v", state.stress_v}, {"stress_h", state.stress_h}, {"void_ratio", state.void_ratio}};
+    for (const inverse::QuantityRow& row : inverse::quantities())
+      if (is_told(question, row))
+        one[row.key] = measured_json(sand.predict(row.quantity, state));
+    json["predictions"].push_back(std::move(one));
+  }
+  return json;
+}
+
+std::string sand_inference_csv(const InferCase& question, const SandInference& sand) {
+  io::CsvContent csv;
+  csv.notes = {{"program", fmt::format("granum {} infer", version())},
+               {"grain_shape", "sand"},
+               {"inputs", json_text(question.packing, -1)},
+               {"signs", "compression positive; z is the vertical axis v"}};
+  for (const std::string& note : question.assumptions)
+    csv.notes.emplace_back("note", note);
+  csv.headings = {"kind", "p_Pa", "sigma_v_Pa", "sigma_h_Pa", "e"};
+  for (const inverse::QuantityRow& row : inverse::quantities())
+    if (is_told(question, row))
+      for (const char* what : {"_measured", "_measured_error", "", "_error"})
+        csv.headings.push_back(fmt::format("{}{}_{}", row.key, what, si_symbol(unit_of(row.quantity))));
+  const auto add = [&](const char* kind, const effective::State& s, const inverse::Observation* m) {
+    auto& cells = csv.rows.emplace_back();
+    cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};
+    for (const inverse::QuantityRow& row : inverse::quantities()) {
+      if (!is_told(question, row))
+        continue;
+      const bool here = m != nullptr && m->quantity == row.quantity;
+      const Measured value = sand.predict(row.quantity, s);
+      for (const double number : {here ? m->value.value : nothing, here ? m->value.standard_error : nothing,
+                                  value.value, value.standard_error})
+        cells.emplace_back(number);
+    }
+  };
+  for (const inverse::Observation& m : question.measurements)
+    add("measured", m.state, &m);
+  for (const auto& [state, specimen] : question.predicted)
+    add("predicted", state, nullptr);
+  return io::csv_text(csv);
+}
+
+} // namespace granum::cli

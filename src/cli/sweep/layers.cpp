@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/core/error.hpp>
+#include <granum/io/csv/table.hpp>
+
+#include "answer_rows.hpp"
+#include "depth.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+/// The ground below a depth at which the layers above end with this effective stress.
+GroundCase below(GroundCase ground, double top, double effective_stress_v) {
+  ground.ground.surcharge = effective_stress_v;
+  if (ground.ground.water_table)
+    *ground.ground.water_table -= top; // above the top it stands as water on the layer
+  return ground;
+}
+
+Layer layer_of(const SweepOptions& o, const AnswerRow& row) {
+  Layer layer{.top = row.ground.top.value, .options = o, .ground = {}};
+  layer.options.packing = row.packing;
+  layer.options.answer = row.answer;
+  layer.options.ground = row.ground;
+  layer.ground = resolve_ground(layer.options);
+  return layer;
+}
+
+} // namespace
+
+std::vector<Layer> layers_of(const SweepOptions& o) {
+  if (o.ground.layers.empty())
+    return {{.top = 0, .options = o, .ground = resolve_ground(o)}};
+  const io::CsvTable table = io::read_csv(o.ground.layers);
+  AnswerRows rows(table, o, RowsOf::layers);
+  std::vector<Layer> layers;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    try {
+      Layer layer = layer_of(o, rows.row(k));
+      if (layers.empty() ? layer.top != 0 : !(layer.top > layers.back().top))
+        throw InvalidArgument(layers.empty() ? "the first layer begins at top 0 m"
+                                             : "tops of layers grow downwards, line by line");
+      if (!layers.empty()) {
+        const Layer& above = layers.back();
+        const stress::GroundStress end = stress::stress_at(above.ground.ground, layer.top - above.top);
+        layer.ground = below(std::move(layer.ground), layer.top, end.effective.v);
+      }
+      layers.push_back(std::move(layer));
+    } catch (const InvalidArgument& error) {
+      throw FileError(o.ground.layers, table.line(k), error.what());
+    }
+  }
+  return layers;
+}
+
+GroundState state_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
+                            const Rungs& rungs) {
+  const stress::GroundStress stress = stress::stress_at(ground.ground, depth);
+  AnswerOptions answer = o.answer;
+  const auto& table = ground.ground.water_table;
+  answer.saturation.value = table && depth > *table ? 1.0 : ground.saturation;
+  answer.saturation.in_table = true;
+  return {stress, swept(at_stress(o.packing, stress.effective), answer, rungs)};
+}
+
+} // namespace granum::cli

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sand_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <granum/sands/strain.hpp>
+
+#include "contacts.hpp"
+#include "ranges.hpp"
+
+namespace granum::estimate {
+
+namespace {
+
+using elastic::TransverselyIsotropic;
+using sands::Sand;
+
+/// How far each law of sands is moved from its middle.
+struct Moved {
+  double shear_factor = 1;      ///< on G
+  double poisson_ratio = 0;     ///< added
+  double exponent = 0;          ///< added to s
+  double horizontal_share = 0;  ///< added to m/s
+  double shear_anisotropy = 0;  ///< added to G_hh/G_vh
+  double young_anisotropy = 0;  ///< added to E_h/E_v
+  double log_modulus_ratio = 0; ///< added to ln(G/G0)
+};
+
+/// The isotropic stress that acts on G_vh as these do: sigma_v^n sigma_h^m of one exponent.
+double shear_stress_equivalent(const effective::State& s) {
+  return s.stress_v == s.stress_h
+             ? s.stress_v
+             : std::pow(s.stress_v, sands::vertical_share) * std::pow(s.stress_h, sands::horizontal_share);
+}
+
+/// Poisson's ratio, as far as an isotropic skeleton can have it.
+double poisson_ratio(const Question& q, const Moved& moved) {
+  return std::clamp(sands::poisson_ratio(q.sand, q.state.mean_stress()).value + moved.poisson_ratio, 0.0,
+                    0.45);
+}
+
+double oedometric(double G, double nu) { return G * 2 * (1 - nu) / (1 - 2 * nu); }
+
+/// Equal spheres of these grains under the mean stress.
+effective::State spheres_of(const Question& q) {
+  effective::State state = q.state;
+  state.contacts = {};
+  state.fabric_anisotropy = 0;
+  state.stress_v = state.stress_h = q.state.mean_stress();
+  return state;
+}
+
+/// Contacts that rung 3 needs for this Poisson's ratio, and how stiff they must be over those of the model
+/// for this G.
+void infer_contacts(Values& all, const Question& q, double G, double nu) {
+  const effective::State state = spheres_of(q);
+  const auto stiffness = [&](double z) {
+    effective::State there = state;
+    there.coordination_number = there.mechanical_coordination_number = z;
+    return effective::relaxed(there, z).stiffness;
+  };
+  // nu falls as z* grows.
+  const auto missing = [&](double z) { return nu - stiffness(z).nu_vh(); };
+  const double least = effective::isostatic_coordination_number(state.tangential_ratio) + 0.05, most = 12;
+  double z = least;
+  const double at_least = missing(least), at_most = missing(most);
+  if (at_most <= 0)
+    z = most;
+  else if (at_least < 0) {
+    std::uintmax_t rounds = 60;
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        missing, least, most, at_least, at_most, [](double a, double b) { return b - a <= 1e-10 * b; },
+        rounds);
+    z = (left + right) / 2;
+  }
+  at(all, Field::mechanical_coordination_number) = z;
+  at(all, Field::contact_softness) = G / stiffness(z).G_vh();
+}
+
+void set_strain(Values& all, const Question& q, const Moved& moved) {
+  const sands::StrainAnswer strained = sands::strained({.strain = *q.shear_strain,
+                                                        .void_ratio = q.state.void_ratio,
+                                                        .mean_stress = q.state.mean_stress(),
+                                                        .sand = q.sand});
+  const double ratio = std::min(1.0, strained.ratio * std::exp(moved.log_modulus_ratio));
+  at(all, Field::modulus_ratio) = ratio;
+  at(all, Field::strained_shear_modulus) = ratio * at(all, Field::shear_modulus);
+  at(all, Field::damping_ratio) = sands::damping_ratio(ratio);
+}
+
+bool is_strained(const Question& q) { return q.shear_strain && q.state.mean_stress() > 0; }
+
+Values sand_values(const Question& q, const Moved& moved = {}) {
+  Values all{};
+  const effective::State& s = q.state;
+  const auto G = [&](double stress) {
+    return moved.shear_factor * sands::pooled_shear_modulus(q.sand, s.void_ratio, stress);
+  };
+  const double nu = poisson_ratio(q, moved), by_young = 2 * (1 + nu);
+  const double G_vh = G(shear_stress_equivalent(s)), mean = G(s.mean_stress());
+  const double K = mean * by_young / (3 * (1 - 2 * nu));
+  at(all, Field::shear_modulus) = G_vh;
+  at(all, Field::horizontal_shear_modulus) =
+      (sands::shear_anisotropy + moved.shear_anisotropy) * G(s.stress_h);
+  at(all, Field::bulk_modulus) = K;
+  at(all, Field::young_modulus) = by_young * G(s.stress_v);
+  at(all, Field::horizontal_young_modulus) =
+      (sands::young_anisotropy + moved.young_anisotropy) * by_young * G(s.stress_h);
+  at(all, Field::poisson_ratio) = nu;
+  if (mean > 0)
+    infer_contacts(all, q, mean, nu);
+  const double exponent = sands::growth_exponent(q.sand, shear_stress_equivalent(s)).value + moved.exponent;
+  at(all, Field::stress_exponent) = exponent;
+  at(all, Field::horizontal_exponent) = (sands::horizontal_share + moved.horizontal_share) * exponent;
+  at(all, Field::vertical_exponent) = (sands::vertical_share - moved.horizontal_share) * exponent;
+  if (is_strained(q))
+    set_strain(all, q, moved);
+  if (q.grain_density) {
+    TransverselyIsotropic c{.C11 = oedometric(G(s.stress_h), nu),
+                            .C33 = oedometric(G(s.stress_v), nu),
+                            .C12 = 0,
+                            .C13 = 0,
+                            .C44 = G_vh};
+    c.C12 = c.C11 - 2 * all[static_cast<std::size_t>(Field::horizontal_shear_modulus)];
+    c.C13 = (9 * K - 2 * c.C11 - c.C33 - 2 * c.C12) / 4;
+    set_speeds(all, q, c);
+  }
+  require_finite_values(all);
+  return all;
+}
+
+/// Whether a sand has that number here.
+bool has(const FieldRow& row, const Question& q) {
+  switch (row.field) {
+  case Field::rattler_fraction:
+  case Field::coordination_number:
+    return false; // not even inferred: rattlers are unknown
+  case Field::mechanical_coordination_number:
+  case Field::contact_softness:
+  case Field::vertical_exponent:
+  case Field::horizontal_exponent:
+  case Field::stress_exponent:
+    return q.state.stress_v > 0 && q.state.stress_h > 0;
+  case Field::strained_shear_modulus:
+  case Field::modulus_ratio:
+  case Field::damping_ratio:
+    return is_strained(q);
+  default:
+    return !row.needs_density || q.grain_density;
+  }
+}
+
+} // namespace
+
+Answer sand_answer(const Question& q, std::span<const Spread> spreads) {
+  effective::State beside = q.state;
+  if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
+    beside.contacts = {};
+  Question spheres = q;
+  spheres.state = beside;
+  const effective::ContactCounts counts = contacts_of(spheres).middle;
+  beside.coordination_number = beside.coordination_number.value_or(counts.coordination_number());
+  beside.mechanical_coordination_number = counts.mechanical_coordination_number;
+
+  Answer all(std::move(beside));
+  all.grain_shape_ = GrainShape::sand;
+  all.middle_ = sand_values(q);
+  const auto add = [&](const char* input, bool assumed, const Moved& less, const Moved& more) {
+    all.effects_.push_back(
+        effect_of(input, assumed, all.middle_, sand_values(q, less), sand_values(q, more)));
+  };
+  const double p = q.state.mean_stress();
+  const double factor = sands::stated_factor(q.sand, q.state.void_ratio, p);
+  const double nu = sands::poisson_ratio(q.sand, p).deviation;
+  const double s = sands::growth_exponent(q.sand, shear_stress_equivalent(q.state)).deviation;
+  add("sand to sand", true, {.shear_factor = 1 / factor}, {.shear_factor = factor});
+  add("Poisson's ratio", true, {.poisson_ratio = -nu}, {.poisson_ratio = nu});
+  add("exponent", true, {.exponent = -s}, {.exponent = s});
+  add("exponent", true, {.horizontal_share = -sands::share_deviation},
+      {.horizontal_share = sands::share_deviation});
+  add("anisotropy", true, {.shear_anisotropy = -sands::shear_anisotropy_deviation},
+      {.shear_anisotropy = sands::shear_anisotropy_deviation});
+  add("anisotropy", true, {.young_anisotropy = -sands::young_anisotropy_deviation},
+      {.young_anisotropy = sands::young_anisotropy_deviation});
+  if (is_strained(q)) {
+    const sands::StrainAnswer strained = sands::strained(
+        {.strain = *q.shear_strain, .void_ratio = q.state.void_ratio, .mean_stress = p, .sand = q.sand});
+    add("strain", true, {.log_modulus_ratio = -strained.log_deviation},
+        {.log_modulus_ratio = strained.log_deviation});
+    all.validity_.merge(strained.validity);
+  }
+  for (const Spread& spread : spreads)
+    all.effects_.push_back(effect_of(spread.input, spread.assumed, all.middle_, sand_values(spread.less),
+                                     sand_values(spread.more)));
+  for (const FieldRow& row : fields())
+    if (has(row, q))
+      all.ranges_[static_cast<std::size_t>(row.field)] = range_of(row, all.middle_, all.effects_);
+  all.validity_.merge(sands::outside_of_tests(q.sand, q.state.void_ratio, p));
+  all.validity_.keep_each_once();
+  return all;
+}
+
+} // namespace granum::estimate

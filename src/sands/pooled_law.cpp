@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/sands/pooled_law.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <granum/core/check.hpp>
+#include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
+#include <granum/sands/measured_sands.hpp>
+
+#include "constants.hpp"
+
+namespace granum::sands {
+
+namespace {
+
+constexpr double knee = 50 * kPa; ///< below, sands soften faster
+
+// Where the tests lie.
+constexpr double low_stress_exponent = 0.50; ///< s below the knee
+constexpr double noted_above =
+    2 * MPa; ///< up to here, and below least_tested_stress, the range widens, no more
+constexpr double least_e = 0.40, largest_e = 0.93;
+constexpr double gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< where sand ends
+
+double largest(double a, double b, double c) { return std::max({a, b, c}); }
+
+/// How far outside of [low, high] a number lies, of logarithms or differences; 0 within.
+double beyond(double value, double low, double high) { return largest(low - value, value - high, 0); }
+
+void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
+  require_positive("void_ratio", void_ratio);
+  require_non_negative("mean_stress", mean_stress, "Pa");
+  if (sand.uniformity)
+    require_closed("uniformity", *sand.uniformity, 1, 1e3);
+  if (sand.d50)
+    require_positive("d50", *sand.d50, "m");
+  require_positive("level_factor", sand.level_factor);
+  require_finite("exponent_shift", sand.exponent_shift);
+  require_finite("poisson_shift", sand.poisson_shift);
+  if (sand.relative_density)
+    require_closed("relative_density", *sand.relative_density, 0, 1.2);
+  if (sand.least_void_ratio && sand.largest_void_ratio)
+    require_positive("largest_void_ratio - least_void_ratio",
+                     *sand.largest_void_ratio - require_positive("least_void_ratio", *sand.least_void_ratio));
+}
+
+/// D_r of a void ratio between its limits.
+double density_between(const Sand& sand, double e) {
+  return (*sand.largest_void_ratio - e) / (*sand.largest_void_ratio - *sand.least_void_ratio);
+}
+
+/// G at 100 kPa [Pa].
+double level(const Sand& sand, double e) {
+  switch (form_of(sand)) {
+  case PooledForm::own_tests:
+    return sand.tests->level * std::pow(hardin_richart_factor(2.17, e), sand.tests->power);
+  case PooledForm::density_and_limits:
+    return 92.7 * MPa * std::pow(10, 0.294 * density_between(sand, e) - 0.287 * *sand.least_void_ratio);
+  case PooledForm::grading:
+    return 39.4 * MPa * hardin_richart_factor(2.97, e) * std::pow(*sand.uniformity, -0.252);
+  case PooledForm::relative_density:
+    return 69.2 * MPa * std::pow(10, 0.241 * *sand.relative_density);
+  case PooledForm::void_ratio:
+    break;
+  }
+  return 33.6 * MPa * hardin_richart_factor(2.97, e);
+}
+
+/// s from 50 kPa on.
+double exponent(const Sand& sand) {
+  const double known =
+      sand.tests ? sand.tests->exponent : 0.40 * std::pow(sand.uniformity.value_or(uniform_sand), 0.18);
+  return known + sand.exponent_shift;
+}
+
+} // namespace
+
+Sand sand_of(const KnownSand& known) {
+  return {.uniformity = known.uniformity,
+          .d50 = known.d50,
+          .least_void_ratio = known.least_void_ratio,
+          .largest_void_ratio = known.largest_void_ratio,
+          .tests = known.tests,
+          .quartz = std::string_view(known.mineral) == "quartz"};
+}
+
+PooledForm form_of(const Sand& sand) {
+  if (sand.tests)
+    return PooledForm::own_tests;
+  if (sand.least_void_ratio && sand.largest_void_ratio)
+    return PooledForm::density_and_limits;
+  if (sand.uniformity)
+    return PooledForm::grading;
+  return sand.relative_density ? PooledForm::relative_density : PooledForm::void_ratio;
+}
+
+const char* formula(PooledForm fit) {
+  switch (fit) {
+  case PooledForm::own_tests:
+    return "level F^power (p/p_a)^s of its own tests, F = (2.17-e)^2/(1+e)";
+  case PooledForm::density_and_limits:
+    return "92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p/p_a)^s";
+  case PooledForm::grading:
+    return "39.4 MPa (2.97-e)^2/(1+e) C_u^-0.252 (p/p_a)^s";
+  case PooledForm::relative_density:
+    return "69.2 MPa 10^(0.241 D_r) (p/p_a)^s";
+  case PooledForm::void_ratio:
+    break;
+  }
+  return "33.6 MPa (2.97-e)^2/(1+e) (p/p_a)^s";
+}
+
+GrowthExponent growth_exponent(const Sand& sand, double mean_stress) {
+  return mean_stress < knee ? GrowthExponent{low_stress_exponent + sand.exponent_shift, 0.07}
+                            : GrowthExponent{exponent(sand), 0.05};
+}
+
+double growth_factor(const Sand& sand, double mean_stress) {
+  const double to_knee = std::pow(std::max(mean_stress, knee) / reference_stress, exponent(sand));
+  return mean_stress < knee
+             ? to_knee * std::pow(mean_stress / knee, low_stress_exponent + sand.exponent_shift)
+             : to_knee;
+}
+
+double forecast_variance(const Sand& sand, double from, double to) {
+  const double low = std::min(from, to), high = std::max(from, to);
+  const double above = high > knee ? std::log(high / std::max(low, knee)) : 0;
+  const double below = low < knee ? std::log(std::min(high, knee) / low) : 0;
+  const double by_s =
+      growth_exponent(sand, knee).deviation * above + growth_exponent(sand, 0).deviation * below;
+  return scatter_within_a_sand * scatter_within_a_sand + by_s * by_s;
+}
+
+double pooled_shear_modulus(const Sand& sand, double void_ratio, double mean_stress) {
+  require_valid(sand, void_ratio, mean_stress);
+  return sand.level_factor * level(sand, void_ratio) * growth_factor(sand, mean_stress);
+}
+
+double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
+  constexpr double most = 1.6;
+  const bool unusual = sand.uniformity.value_or(uniform_sand) > largest_tested_uniformity || !sand.quartz ||
+                       sand.d50.value_or(mm) > gravel;
+  if (unusual)
+    return most;
+  double within = 1.3;
+  if (sand.tests)
+    within = 1.15;
+  else if (form_of(sand) == PooledForm::density_and_limits)
+    within = 1.25;
+  const double p = std::max(mean_stress, 1.0); // without stress there is no modulus to be off
+  const double by_stress =
+      0.3 * beyond(std::log(p), std::log(least_tested_stress), std::log(largest_tested_stress));
+  const double by_density = 3 * beyond(void_ratio, least_e, largest_e);
+  return std::min(most, std::exp(std::hypot(std::log(within), by_stress, by_density)));
+}
+
+Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress) {
+  Validity notes;
+  const auto note = [&](const char* what, double value, double low, double high, const char* unit) {
+    if (value < low || value > high)
+      notes.add(std::string(what) + " of " + short_text(value) + unit +
+                " lies outside of the sands tested, " + short_text(low) + " to " + short_text(high) + unit);
+  };
+  note("a void ratio", void_ratio, least_e, largest_e, "");
+  if (mean_stress > noted_above)
+    notes.add("a mean stress of " + pretty(mean_stress, Dimension::pressure) +
+              " lies far outside of the sands tested, 25 to 500 kPa");
+  if (sand.uniformity)
+    note("a C_u", *sand.uniformity, 1, largest_tested_uniformity, "");
+  if (sand.d50)
+    note("a d50", *sand.d50 / mm, least_d50 / mm, gravel / mm, " mm");
+  if (!sand.quartz)
+    notes.add("the sands tested are of quartz; other grains scatter by a factor of 1.6");
+  return notes;
+}
+
+PoissonRatio poisson_ratio(const Sand& sand, double mean_stress) {
+  const double p = std::clamp(mean_stress, 10 * kPa, 10 * MPa);
+  const bool graded = sand.uniformity.value_or(uniform_sand) > 3;
+  const double nu = 0.20 - 0.05 * std::log10(p / reference_stress) + (graded ? 0.05 : 0);
+  return {std::clamp(nu, 0.08, 0.35) + sand.poisson_shift, graded ? 0.08 : 0.06};
+}
+
+} // namespace granum::sands

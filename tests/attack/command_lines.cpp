@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random command lines over all options that the commands have, as their own tables list them, run in this
+// process and held against what must be true of any answer:
+//   attack_command_lines <lines> <seed> <data of tests/cli> <scratch folder>
+// Exit code 1, with the first lines that broke a promise, if any did.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "command_lines.hpp"
+
+namespace {
+
+using namespace granum;
+using attack::Line;
+using attack::Lines;
+using attack::Random;
+using nlohmann::json;
+
+struct Ended {
+  int code = 0;
+  std::string out, said;
+};
+
+/// A standard stream that goes to a file of this process, and can be read.
+class Caught {
+ public:
+  Caught(int stream, const std::string& path)
+      : file_(open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND, 0600)) {
+    if (file_ < 0 || dup2(file_, stream) < 0)
+      std::abort();
+  }
+  std::string take() {
+    std::string text(static_cast<std::size_t>(lseek(file_, 0, SEEK_END)), '\0');
+    const auto size = pread(file_, text.data(), text.size(), 0);
+    if (size != static_cast<long>(text.size()) || ftruncate(file_, 0) != 0)
+      std::abort();
+    return text;
+  }
+
+ private:
+  int file_;
+};
+
+class Attack {
+ public:
+  Attack(std::uint64_t seed, const std::string& data, const std::string& scratch)
+      : random_(seed), lines_(random_, data), report_(fdopen(dup(STDOUT_FILENO), "w")),
+        out_(STDOUT_FILENO, scratch + "/out"), said_(STDERR_FILENO, scratch + "/said"),
+        row_(scratch + "/row.csv") {}
+
+  void one() {
+    const Line line = lines_.any();
+    const Ended ended = run(line);
+    judge(ended);
+    if (ended.code == 0 && line.name == "estimate")
+      compare(line, ended);
+  }
+
+  [[nodiscard]] int report() const {
+    for (const auto& [name, codes] : codes_) {
+      std::fprintf(report_, "%-8s", name.c_str());
+      for (const auto& [code, count] : codes)
+        std::fprintf(report_, "  %d: %zu", code, count);
+      std::fprintf(report_, "\n");
+    }
+    std::fprintf(report_, "%zu runs, %zu comparisons, %zu promises broken\n", runs_, comparisons_, broken_);
+    for (const auto& [promise, count] : count_)
+      std::fprintf(report_, "%9zu  %s\n", count, promise.c_str());
+    bool answered = true; // of each command a fifth or more of the lines has an answer
+    for (const auto& [name, codes] : codes_) {
+      std::size_t all = 0, good = 0;
+      for (const auto& [code, count] : codes) {
+        all += count;
+        good += code == 0 ? count : 0;
+      }
+      answered = answered && (5 * good >= all || all < 50);
+    }
+    std::fflush(report_);
+    return broken_ == 0 && answered ? 0 : 1;
+  }
+
+ private:
+  Ended run(const Line& line) {
+    here_ = &line;
+    ++runs_;
+    std::vector<std::string> words{"granum", line.name};
+    words.insert(words.end(), line.words.begin(), line.words.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+      argv.push_back(word.data());
+    Ended ended;
+    std::string error;
+    try {
+      ended.code = static_cast<int>(cli::parse_and_run(static_cast<int>(argv.size()), argv.data()));
+    } catch (const InvalidArgument& e) {
+      ended.code = 2;
+      error = e.what();
+    } catch (const FileError& e) {
+      ended.code = 3;
+      error = e.what();
+    } catch (const NotConverged& e) {
+      ended.code = 4;
+      error = e.what();
+    } catch (const std::exception& e) {
+      ended.code = 1;
+      error = e.what();
+      demand(false, "ends in what is no error of granum: " + error.substr(0, 60));
+    }
+    ended.out = out_.take();
+    ended.said = said_.take() + error;
+    ++codes_[line.name][ended.code];
+    return ended;
+  }
+
+  /// What is true of any run.
+  void judge(const Ended& ended) {
+    demand(ended.code >= 0 && ended.code <= 4, "an exit code that no page lists");
+    demand(ended.code != 3, "no file can have failed: " + ended.said.substr(0, 60));
+    demand(ended.code != 0 || !ended.out.empty(), "an answer without a word");
+    demand(ended.code == 0 || !ended.said.empty(), "an error without a word");
+    demand(ended.code != 2 || ended.out.empty(), "a usage error with an answer");
+    for (const std::string* text : {&ended.out, &ended.said})
+      demand(!attack::speaks_of_no_number(*text), "nan or inf is printed");
+    if (!here_->json || ended.out.empty())
+      return;
+    const json answer = json::parse(ended.out, nullptr, false);
+    demand(!answer.is_discarded(), "what --json prints is no JSON");
+    attack::check_numbers(answer, "",
+                          [&](bool holds, const std::string& promise) { demand(holds, promise); });
+  }
+
+  /// The same packing asked in another way, or with one number larger.
+  void compare(const Line& line, const Ended& ended) {
+    if (!line.json)
+      return;
+    const json answer = json::parse(ended.out).at("answer");
+    const double G = answer.at("shear_modulus").at("value");
+    const bool rigid = G > 0.01 * answer.at("bulk_modulus").at("value").get<double>();
+    ++comparisons_;
+    switch (random_.below(5)) {
+    case 0:
+      return same_row(line, answer);
+    case 1:
+      // At a C_n that is told fewer rattlers mean fewer contacts of the others: flat ones soften by 1e-4. Of
+      // unequal grains near the isostatic point flat ones lose up to 6 %, which rung 3 has to mend.
+      if (!line.has("--coordination-number") && !line.has("--uniformity") && !line.has("--sizes"))
+        stiffer(line.with("--pressure", line.pressure * (1 + random_.decades(-3, 1)), "kPa"), "shear_modulus",
+                G, "more pressure softens");
+      return;
+    case 2:
+      if (line.has("--mechanical-coordination-number"))
+        stiffer(line.with("--mechanical-coordination-number", line.contacts * (1 + random_.decades(-3, -0.5)),
+                          ""),
+                "shear_modulus", G, "more contacts soften");
+      return;
+    case 3:
+      // At the edge of rigidity overlaps, which grow with e, decide by 1e-3 of a contact.
+      if (line.has("--void-ratio") && rigid)
+        stiffer(line.with("--void-ratio", line.void_ratio / (1 + random_.decades(-3, -0.5)), ""),
+                "shear_modulus", G, "denser is softer");
+      return;
+    default:
+      const double density = answer.at("bulk_density").at("value");
+      return stiffer(line.with("--saturation", 1, ""), "bulk_density", density, "water has no weight");
+    }
+  }
+
+  void stiffer(const Line& more, const std::string& key, double before, const std::string& promise) {
+    const Ended ended = run(more);
+    judge(ended);
+    if (ended.code == 0)
+      demand(json::parse(ended.out).at("answer").at(key).at("value").get<double>() >= before * (1 - 1e-9),
+             promise);
+  }
+
+  /// A row of a table has the bits of the answer.
+  void same_row(const Line& line, const json& answer) {
+    if (!line.has("--void-ratio") || line.has("--uncertainty") || line.has("--tolerance") ||
+        line.has("--bounds"))
+      return;
+    std::ofstream(row_) << "e,p_kPa\n" << line.value("--void-ratio") << ',' << line.pressure_text << '\n';
+    Line row = line.without("--void-ratio").without("--pressure");
+    row.name = "sweep";
+    row.json = false;
+    row.words.erase(std::remove(row.words.begin(), row.words.end(), "--json"), row.words.end());
+    row.words.insert(row.words.end(), {"--table", row_});
+    const Ended ended = run(row);
+    judge(ended);
+    demand(ended.code == 0, "a row of a table is refused where estimate answers");
+    if (ended.code != 0)
+      return;
+    const std::map<std::string, double> cells = attack::cells_of_last_row(ended.out);
+    for (const auto& [heading, key, member] : attack::cells_of_answer)
+      if (const auto cell = cells.find(heading); cell != cells.end() && answer.contains(key))
+        demand(cell->second == answer.at(key).at(member).get<double>(),
+               "a row differs from estimate: " + heading);
+  }
+
+  void demand(bool holds, const std::string& promise) {
+    if (holds)
+      return;
+    ++broken_;
+    if (++count_[promise] > 3)
+      return;
+    std::fprintf(report_, "%s\n ", promise.c_str());
+    std::fprintf(report_, " granum %s", here_->name.c_str());
+    for (const std::string& word : here_->words)
+      std::fprintf(report_, " %s", word.c_str());
+    std::fprintf(report_, "\n");
+    std::fflush(report_);
+  }
+
+  Random random_;
+  Lines lines_;
+  std::FILE* report_;
+  Caught out_, said_;
+  std::string row_;
+  const Line* here_ = nullptr;
+  std::size_t runs_ = 0, comparisons_ = 0, broken_ = 0;
+  std::map<std::string, std::size_t> count_;
+  std::map<std::string, std::map<int, std::size_t>> codes_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::fprintf(stderr, "usage: %s <lines> <seed> <data of tests/cli> <scratch folder>\n", argv[0]);
+    return 2;
+  }
+  std::filesystem::create_directories(argv[4]);
+  Attack attack(std::strtoull(argv[2], nullptr, 10), argv[3], argv[4]);
+  for (std::uint64_t k = std::strtoull(argv[1], nullptr, 10); k > 0; --k)
+    attack.one();
+  return attack.report();
+}

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "samples.hpp"
+
+/// Random command lines of the commands that answer at once, and what must be true of what they print.
+namespace attack {
+
+/// A line without the name of the program.
+struct Line {
+  std::string name;               ///< of the command
+  std::vector<std::string> words; ///< after it
+  bool json = false;
+  double pressure = 0; ///< [kPa]
+  std::string pressure_text;
+  double void_ratio = 0, contacts = 0;
+
+  [[nodiscard]] bool has(const std::string& option) const {
+    return std::find(words.begin(), words.end(), option) != words.end();
+  }
+  [[nodiscard]] std::string value(const std::string& option) const {
+    return *std::next(std::find(words.begin(), words.end(), option));
+  }
+  [[nodiscard]] Line without(const std::string& option) const {
+    Line line = *this;
+    const auto found = std::find(line.words.begin(), line.words.end(), option);
+    if (found != line.words.end())
+      line.words.erase(found, found + 2);
+    return line;
+  }
+  [[nodiscard]] Line with(const std::string& option, double value, const std::string& unit) const {
+    Line line = without(option);
+    line.words.insert(line.words.end(), {option, granum::exact_text(value) + unit});
+    return line;
+  }
+};
+
+/// Where most values of an option are taken from, by its name; others are of the decades of their type.
+struct Usual {
+  const char* option;
+  double low, high;
+};
+inline constexpr std::array usual{
+    Usual{"--void-ratio", 0.3, 1.3},
+    Usual{"--porosity", 0.2, 0.6},
+    Usual{"--solid-fraction", 0.4, 0.8},
+    Usual{"--relative-density", 0, 1.1},
+    Usual{"--least-void-ratio", 0.3, 0.6},
+    Usual{"--largest-void-ratio", 0.6, 1.2},
+    Usual{"--saturation", 0, 1},
+    Usual{"--coordination-number", 3, 9},
+    Usual{"--mechanical-coordination-number", 3.9, 9},
+    Usual{"--rattler-fraction", 0, 0.3},
+    Usual{"--fabric", -0.6, 0.6},
+    Usual{"--grain-poisson-ratio", 0, 0.5},
+    Usual{"--tangential-ratio", 0, 1},
+    Usual{"--slope", 0.01, 2},
+    Usual{"--alpha", 1, 6},
+    Usual{"--profile-constant", 0.1, 1000},
+    Usual{"--uniformity", 1, 12},
+    Usual{"--tolerance", 0.001, 1},
+    Usual{"--eta", 0.1, 1.2},
+    Usual{"--k0", 0.3, 2},
+    Usual{"--measurement-error", 0, 0.2},
+    Usual{"--predict-stress-ratio", 0.3, 2},
+    Usual{"--predict-void-ratio", 0.4, 1},
+    Usual{"--error", 0.001, 0.2},
+};
+
+/// Of a kind of numbers, as help calls it.
+struct OfType {
+  const char* type;
+  double low, high; ///< of its decades
+  const char* unit;
+};
+inline constexpr std::array types{
+    OfType{"PRESSURE", 3, 7, "Pa"},   OfType{"LENGTH", -5, -2, "m"},         OfType{"SPEED", 1.5, 3.3, "m/s"},
+    OfType{"DENSITY", 3, 4, "kg/m3"}, OfType{"UNIT_WEIGHT", 4, 4.4, "N/m3"}, OfType{"ANGLE", 0.5, 1.7, "deg"},
+    OfType{"NUMBER", -2, 1, ""},
+};
+
+class Lines {
+ public:
+  Lines(Random& random, std::string data)
+      : random_(random), data_(std::move(data)), program_(cli::make_program()) {}
+
+  Line any() {
+    constexpr std::array names{"estimate", "estimate", "estimate", "sweep",  "sweep",
+                               "infer",    "fit",      "plan",     "analyse"};
+    Line line{.name = names[random_.below(names.size())], .words = {}, .pressure_text = {}};
+    begin(line);
+    const cli::Command& command = *std::find_if(program_->within.begin(), program_->within.end(),
+                                                [&](const cli::Command& c) { return c.name == line.name; });
+    for (std::uint64_t more = random_.below(random_.one_in(8) ? 9 : 4); more > 0; --more)
+      add_option(line, command);
+    line.json = random_.below(3) != 0;
+    if (line.json)
+      line.words.emplace_back("--json");
+    return line;
+  }
+
+ private:
+  /// What the command cannot do without.
+  void begin(Line& line) {
+    if (line.name == "fit")
+      line.words = {data_ + (random_.one_in(2) ? "/isotropic.csv" : "/hv_dense_cone.csv")};
+    else if (line.name == "analyse")
+      line.words = {data_ + "/../../io/data/lammps_chain.atoms",
+                    data_ + "/../../io/data/lammps_chain.contacts"};
+    else if (line.name != "plan")
+      begin_packing(line);
+  }
+
+  void begin_packing(Line& line) {
+    line.void_ratio = random_.between(0.45, 0.95);
+    line.pressure = random_.decades(0.5, 4);
+    line.pressure_text = granum::exact_text(line.pressure);
+    line.words = {"--void-ratio", granum::exact_text(line.void_ratio)};
+    if (line.name == "sweep") {
+      if (random_.one_in(2))
+        line.words.insert(line.words.end(), {"--from", "10kPa", "--to", line.pressure_text + "MPa"});
+      else
+        line.words.insert(line.words.end(),
+                          {"--depth", "1m.." + granum::exact_text(random_.between(2, 200)) + "m"});
+      line.words.insert(line.words.end(), {"--points", std::to_string(2 + random_.below(6))});
+      return;
+    }
+    line.words.insert(line.words.end(), {"--pressure", line.pressure_text + "kPa"});
+    if (line.name == "infer") // between what few and what many contacts give spheres of quartz
+      line.words.insert(line.words.end(), {"--vs", granum::exact_text(std::pow(line.pressure / 100, 1 / 6.0) *
+                                                                      random_.between(180, 360)) +
+                                                       "m/s"});
+  }
+
+  void add_option(Line& line, const cli::Command& command) {
+    const cli::OptionRow& row = command.options[random_.below(command.options.size())];
+    if (row.positional())
+      return;
+    const std::string name = long_name(row);
+    // Files are for files.sh and exit_codes.txt; the others print something else, or stand there already.
+    for (const char* other : {"--out", "--picture", "--scene", "--force", "--help", "--version", "--table",
+                              "--sieve", "--column-map", "--paraview", "--json", "--points", "--material",
+                              "--window", "--box", "--stress", "--depth", "--set"})
+      if (name == other)
+        return;
+    if (line.has(name))
+      return;
+    if (row.value.flag()) {
+      line.words.push_back(name);
+      return;
+    }
+    const std::string value = value_of(name, row.value, command);
+    if (value.empty())
+      return;
+    if (name == "--mechanical-coordination-number")
+      line.contacts = std::strtod(value.c_str(), nullptr);
+    line.words.insert(line.words.end(), {name, value});
+  }
+
+  static std::string long_name(const cli::OptionRow& row) {
+    const std::vector<std::string> names = cli::names_of(row);
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [](const std::string& name) { return name.starts_with("--"); });
+    return found == names.end() ? row.name : *found;
+  }
+
+  static std::string number(double value) { return granum::exact_text(value); }
+
+  std::string value_of(const std::string& name, const cli::Value& value, const cli::Command& command) {
+    if (!value.choices.empty())
+      return choice(value.choices);
+    const std::string type = value.type.substr(0, value.type.find("[+-"));
+    const bool error = type != value.type;
+    if (type == "N")
+      return std::to_string(random_.below(random_.one_in(2) ? 5 : 2000));
+    if (type == "DISTRIBUTION")
+      return choice({"equal", "bidisperse:2:0.5", "uniform:1:3", "lognormal:0.4", "power-law:2.5:4"});
+    if (type == "KEY=SD")
+      return deviation(command);
+    for (const OfType& of : types)
+      if (type == of.type)
+        return quantity(name, of) +
+               (error && random_.one_in(2) ? "+-" + number(random_.between(0.1, 20)) + "%" : "");
+    return {};
+  }
+
+  std::string quantity(const std::string& name, const OfType& of) {
+    if (random_.one_in(12)) // wild
+      return (random_.one_in(3) ? "-" : "") + number(random_.one_in(4) ? 0 : random_.decades(-12, 12)) +
+             of.unit;
+    if (name == "--grain-shear-modulus")
+      return number(random_.decades(0, 2)) + "GPa";
+    if (name == "--punch-radius")
+      return number(random_.between(1, 100)) + "um";
+    for (const Usual& u : usual)
+      if (name == u.option)
+        return number(random_.between(u.low, u.high));
+    return number(random_.decades(of.low, of.high)) + of.unit;
+  }
+
+  std::string choice(const std::vector<std::string>& words) {
+    const std::string& word = words[random_.below(words.size())];
+    const std::size_t colon = word.find(":NUMBER");
+    return colon == std::string::npos ? word : word.substr(0, colon + 1) + number(random_.decades(-3, 0.5));
+  }
+
+  /// Of an option of the command that takes a number.
+  std::string deviation(const cli::Command& command) {
+    for (int tries = 0; tries < 20; ++tries) {
+      const cli::OptionRow& row = command.options[random_.below(command.options.size())];
+      if (row.value.number != nullptr)
+        return long_name(row).substr(2) + "=" + number(random_.decades(-3, 2)) + "%";
+    }
+    return {};
+  }
+
+  Random& random_;
+  std::string data_;
+  std::unique_ptr<cli::Command> program_;
+};
+
+// ---- what must be true of what is printed; `demand` takes whether it is, and the promise in words
+
+using Demand = std::function<void(bool, const std::string&)>;
+
+/// "nan" or "inf" where a number should be.
+inline bool speaks_of_no_number(const std::string& text) {
+  static const std::regex open_end(R"(, inf[)\]])"); // of a range that an error names
+  static const std::regex no_number(R"((^|[^A-Za-z_./-])-?(nan|inf|infinity)($|[^A-Za-z_.]))");
+  return std::regex_search(std::regex_replace(text, open_end, ""), no_number);
+}
+
+/// The ranges that the meaning of a number leaves it.
+struct Bounds {
+  const char* ending; ///< of its key
+  double low, high;
+};
+inline constexpr std::array bounds{
+    Bounds{"modulus", 0, INFINITY},
+    Bounds{"wave_speed", 0, INFINITY},
+    Bounds{"density", 0, INFINITY},
+    Bounds{"poisson_ratio", -1, 1}, // solids with an axis of symmetry go beyond 0.5
+    Bounds{"coordination_number", 0, INFINITY},
+    Bounds{"rattler_fraction", 0, 1},
+    Bounds{"saturation", 0, 1},
+    Bounds{"void_ratio", 0, INFINITY},
+};
+
+inline bool is_number(const nlohmann::json& json, const char* key) {
+  return json.contains(key) && json.at(key).is_number();
+}
+
+/// All numbers below a key are finite, each range in order and where its meaning lets it be.
+inline void check_numbers(const nlohmann::json& json, const std::string& key, const Demand& demand) {
+  if (json.is_number_float())
+    demand(std::isfinite(json.get<double>()), "not finite: " + key);
+  if (json.is_string())
+    demand(!speaks_of_no_number(json.get<std::string>()), "a text speaks of no number: " + key);
+  if (json.is_object() && is_number(json, "value") && is_number(json, "low") && is_number(json, "high")) {
+    const double low = json.at("low"), value = json.at("value"), high = json.at("high");
+    demand(low <= value && value <= high, "not within its range: " + key);
+    for (const Bounds& b : bounds)
+      if (key.ends_with(b.ending))
+        demand(low >= b.low && high <= b.high, "beyond what it can be: " + key);
+  }
+  if (json.is_object())
+    for (const auto& [name, member] : json.items())
+      check_numbers(member, name, demand);
+  if (json.is_array())
+    for (const nlohmann::json& member : json)
+      check_numbers(member, key, demand);
+}
+
+/// Headings of a row of `sweep --table`, and the keys of estimate's answer that have the same numbers.
+inline const std::array<std::array<std::string, 3>, 8> cells_of_answer{
+    {{"G_answer_Pa", "shear_modulus", "value"},
+     {"G_low_Pa", "shear_modulus", "low"},
+     {"G_high_Pa", "shear_modulus", "high"},
+     {"V_s_answer_m/s", "shear_wave_speed", "value"},
+     {"V_s_low_m/s", "shear_wave_speed", "low"},
+     {"V_s_high_m/s", "shear_wave_speed", "high"},
+     {"V_p_answer_m/s", "compression_wave_speed", "value"},
+     {"V_p_high_m/s", "compression_wave_speed", "high"}}};
+
+/// By heading, those that are numbers; comments begin with #.
+inline std::map<std::string, double> cells_of_last_row(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream text(csv);
+  for (std::string line; std::getline(text, line);)
+    if (!line.starts_with("#")) {
+      std::istringstream fields(line);
+      rows.emplace_back();
+      for (std::string field; std::getline(fields, field, ',');)
+        rows.back().push_back(field);
+    }
+  std::map<std::string, double> cells;
+  if (rows.size() < 2)
+    return cells;
+  // Notes come last and may hold commas of their own.
+  for (std::size_t k = 0; k < std::min(rows.front().size(), rows.back().size()); ++k)
+    if (!rows.back()[k].empty())
+      cells[rows.front()[k]] = std::strtod(rows.back()[k].c_str(), nullptr);
+  return cells;
+}
+
+} // namespace attack

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answer of a sand against states that were measured, and against the laws that it is made of.
+#include <granum/estimate/answer.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/contact/minerals.hpp>
+#include <granum/contact/power_law.hpp>
+#include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
+#include <relative.hpp>
+
+using namespace granum;
+using estimate::Field;
+using estimate::Range;
+
+namespace {
+
+estimate::Question quartz(double e, double stress_v, double stress_h, const sands::Sand& sand = {}) {
+  const contact::GrainMaterial grain = contact::mineral("quartz").material;
+  return {.state = {.law = contact::PowerLaw::sphere(grain, 0.2e-3),
+                    .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                    .radius = 0.2e-3,
+                    .void_ratio = e,
+                    .stress_v = stress_v,
+                    .stress_h = stress_h},
+          .grain_density = 2650,
+          .grain_shape = estimate::GrainShape::sand,
+          .sand = sand};
+}
+
+Range field(const estimate::Question& q, Field wanted) { return estimate::answer(q)[wanted]; }
+
+} // namespace
+
+// The rows of tests/sands/data/sand_states.csv; forecasts are in tests/inverse.
+TEST_CASE("a sand: states that were measured lie where the table of states wants them") {
+  const auto holds = [](const Range& range, double measured, double deviations) {
+    const double off = std::log(measured / range.value);
+    const double one = off > 0 ? std::log(range.high / range.value) : std::log(range.value / range.low);
+    return std::abs(off) <= deviations * one;
+  };
+  const Range toyoura =
+      field(quartz(0.801, 1e5, 1e5, {.tests = sands::known_sand("toyoura").tests}), Field::shear_modulus);
+  CHECK(std::abs(std::log(98e6 / toyoura.value)) < std::log(1.15));
+  CHECK(toyoura.high / toyoura.low <= 1.4);
+  const Range unnamed = field(quartz(0.801, 1e5, 1e5, {.uniformity = 1.39}), Field::shear_modulus);
+  CHECK(holds(unnamed, 98e6, 1));
+  CHECK(unnamed.high / unnamed.low > 1.5);
+  CHECK(unnamed.high / unnamed.low < 2);
+  const Range hostun = field(quartz(0.659, 2e5, 2e5, {.uniformity = 1.40}), Field::shear_modulus);
+  CHECK(std::abs(std::log(134.4e6 / hostun.value)) < std::log(1.2));
+  CHECK(holds(hostun, 134.4e6, 1));
+  CHECK(holds(field(quartz(0.594, 1e5, 1e5, {.uniformity = 1.46}), Field::shear_modulus), 90e6, 2));
+  const Range graded = field(quartz(0.443, 1e5, 1e5, {.uniformity = 8}), Field::shear_modulus);
+  CHECK(std::abs(std::log(114.3e6 / graded.value)) < std::log(1.2));
+  // Poisson's ratio of dry sand at 10.34 MPa, below that at 100 kPa.
+  const Range nu = field(quartz(0.61, 10.34e6, 10.34e6), Field::poisson_ratio);
+  CHECK(std::abs(nu.value - 0.082) < 0.06);
+  CHECK(nu.value < field(quartz(0.61, 1e5, 1e5), Field::poisson_ratio).value);
+  // V_p grows as p^0.23 (+- 0.04), more slowly than V_s.
+  const auto slope = [](Field speed) {
+    return std::log(field(quartz(0.6, 2e6, 2e6), speed).value / field(quartz(0.6, 2e5, 2e5), speed).value) /
+           std::log(10.0);
+  };
+  CHECK(std::abs(slope(Field::compression_wave_speed) - 0.23) < 0.04);
+  CHECK(slope(Field::compression_wave_speed) < slope(Field::shear_wave_speed));
+  // G/G0 at 0.01 %.
+  estimate::Question strained = quartz(0.7, 1e5, 1e5, {.uniformity = 1.5});
+  strained.shear_strain = 1e-4;
+  const Range ratio = field(strained, Field::modulus_ratio);
+  CHECK(ratio.low < 0.76);
+  CHECK(ratio.high > 0.87);
+}
+
+TEST_CASE("a sand: G is that of the pooled law to the bit, and the moduli belong together") {
+  const sands::Sand sand{.uniformity = 2};
+  const estimate::Answer a = estimate::answer(quartz(0.6, 3e5, 3e5, sand));
+  CHECK(a[Field::shear_modulus].value == sands::pooled_shear_modulus(sand, 0.6, 3e5));
+  const double G = a[Field::shear_modulus].value, nu = a[Field::poisson_ratio].value;
+  CHECK(a[Field::young_modulus].value == relative(2 * G * (1 + nu), 1e-14));
+  CHECK(a[Field::bulk_modulus].value == relative(2 * G * (1 + nu) / (3 * (1 - 2 * nu)), 1e-14));
+  const double rho = 2650 / 1.6;
+  CHECK(a[Field::shear_wave_speed].value == relative(std::sqrt(G / rho), 1e-14));
+  CHECK(a[Field::compression_wave_speed].value ==
+        relative(std::sqrt(2 * G * (1 - nu) / (1 - 2 * nu) / rho), 1e-14));
+  CHECK_FALSE(a.find(Field::coordination_number));
+  CHECK_FALSE(a.find(Field::modulus_ratio));
+}
+
+TEST_CASE("a sand: rung 3 at the inferred contacts has this Poisson's ratio and, with the softness, this G") {
+  const estimate::Question q = quartz(0.65, 2e5, 2e5);
+  const estimate::Answer a = estimate::answer(q);
+  const double z = a[Field::mechanical_coordination_number].value;
+  effective::State spheres = q.state;
+  spheres.coordination_number = spheres.mechanical_coordination_number = z;
+  const auto c = effective::relaxed(spheres, z).stiffness;
+  CHECK(c.nu_vh() == relative(a[Field::poisson_ratio].value, 1e-8));
+  CHECK(c.G_vh() * a[Field::contact_softness].value == relative(a[Field::shear_modulus].value, 1e-12));
+  // Many contacts that are soft, or few: the range says that neither is known alone.
+  CHECK(a[Field::contact_softness].high / a[Field::contact_softness].low > 1.5);
+}
+
+TEST_CASE("a sand: exponents are the slopes of G_vh by each stress") {
+  const auto G = [](double v, double h) { return field(quartz(0.6, v, h), Field::shear_modulus).value; };
+  const estimate::Answer a = estimate::answer(quartz(0.6, 3e5, 1.5e5));
+  const double step = 1e-4, up = std::exp(step), down = std::exp(-step);
+  CHECK(std::log(G(3e5 * up, 1.5e5) / G(3e5 * down, 1.5e5)) / (2 * step) ==
+        relative(a[Field::vertical_exponent].value, 1e-7));
+  CHECK(std::log(G(3e5, 1.5e5 * up) / G(3e5, 1.5e5 * down)) / (2 * step) ==
+        relative(a[Field::horizontal_exponent].value, 1e-7));
+  CHECK(a[Field::vertical_exponent].value + a[Field::horizontal_exponent].value ==
+        relative(a[Field::stress_exponent].value, 1e-14));
+  CHECK(a[Field::shear_modulus].value > a[Field::horizontal_shear_modulus].value / 1.2);
+  const estimate::Answer equal = estimate::answer(quartz(0.6, 3e5, 3e5));
+  CHECK(equal[Field::horizontal_shear_modulus].value ==
+        relative(1.1 * equal[Field::shear_modulus].value, 1e-14));
+}
+
+TEST_CASE("a sand: full of water V_p is that of water, V_s only heavier") {
+  estimate::Question q = quartz(0.6, 1e5, 1e5);
+  const double dry = field(q, Field::shear_wave_speed).value;
+  q.saturation = 1;
+  CHECK(field(q, Field::compression_wave_speed).value > 1500);
+  CHECK(field(q, Field::compression_wave_speed).value < 1900);
+  CHECK(field(q, Field::shear_wave_speed).value < dry);
+}
+
+TEST_CASE("a sand: without stress no stiffness, no exponents, no inferred contacts") {
+  estimate::Question q = quartz(0.6, 0, 0);
+  q.shear_strain = 1e-4;
+  const estimate::Answer a = estimate::answer(q);
+  CHECK(a[Field::shear_modulus] == Range{0, 0, 0});
+  for (const Field none : {Field::stress_exponent, Field::mechanical_coordination_number,
+                           Field::contact_softness, Field::modulus_ratio})
+    CHECK_FALSE(a.find(none));
+}
+
+TEST_CASE("a sand: an uncertain void ratio widens the range") {
+  const estimate::Question q = quartz(0.6, 1e5, 1e5);
+  const estimate::UncertainInput e{.input = "void-ratio", .deviation = 0.1, .moved = [&](double change) {
+                                     estimate::Question moved = q;
+                                     moved.state.void_ratio += change;
+                                     return moved;
+                                   }};
+  const estimate::Answer known = estimate::answer(q), open = estimate::answer(q, std::span(&e, 1));
+  CHECK(open[Field::shear_modulus].high > known[Field::shear_modulus].high);
+  CHECK(open[Field::shear_modulus].value == known[Field::shear_modulus].value);
+}
+
+TEST_CASE("spheres beyond their calibration reach what is measured, without a jump, or are refused") {
+  const auto spheres = [](double e) {
+    estimate::Question q = quartz(e, 1e5, 1e5);
+    q.grain_shape = estimate::GrainShape::sphere;
+    return q;
+  };
+  for (const double e : {0.82, 0.9}) {
+    const Range G = field(spheres(e), Field::shear_modulus);
+    CHECK(G.high >= sands::pooled_shear_modulus({}, e, 1e5));
+  }
+  CHECK(field(spheres(0.44), Field::shear_modulus).low <= sands::pooled_shear_modulus({}, 0.44, 1e5));
+  CHECK(field(spheres(0.75), Field::shear_modulus).high ==
+        relative(field(spheres(0.7500001), Field::shear_modulus).high, 1e-4));
+  estimate::Question graded = spheres(0.6);
+  graded.sand.uniformity = 10;
+  CHECK_THROWS_AS((void)estimate::answer(graded), InvalidArgument);
+  estimate::Question strained = spheres(0.6);
+  strained.shear_strain = 1e-4;
+  CHECK_THROWS_AS((void)estimate::answer(strained), InvalidArgument);
+}
+
+TEST_CASE("grain shapes have names") {
+  for (const estimate::GrainShape shape : estimate::all_grain_shapes)
+    CHECK(estimate::grain_shape_of(estimate::name(shape)) == shape);
+  CHECK_THROWS_AS((void)estimate::grain_shape_of("cube"), InvalidArgument);
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/sand_inference.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/contact/minerals.hpp>
+#include <granum/contact/power_law.hpp>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::inverse;
+using estimate::Field;
+
+namespace {
+
+estimate::Question quartz(const sands::Sand& sand = {}) {
+  const contact::GrainMaterial grain = contact::mineral("quartz").material;
+  return {.state = {.law = contact::PowerLaw::sphere(grain, 0.2e-3),
+                    .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                    .radius = 0.2e-3,
+                    .void_ratio = 0.58,
+                    .stress_v = 1e5,
+                    .stress_h = 1e5},
+          .grain_density = 2650,
+          .grain_shape = estimate::GrainShape::sand,
+          .sand = sand};
+}
+
+effective::State at(double p) {
+  effective::State state = quartz().state;
+  state.stress_v = state.stress_h = p;
+  return state;
+}
+
+Observation measured(Quantity quantity, double value, double error, double p) {
+  return {.quantity = quantity, .value = {value, error * value}, .state = at(p)};
+}
+
+} // namespace
+
+TEST_CASE("a sand's own law gives level 1, its exponent and its ratio back") {
+  const estimate::Question sand = quartz({.uniformity = 1.48});
+  const double G = estimate::answer(sand)[Field::shear_modulus].value;
+  const SandInference found = infer_sand(std::vector{measured(Quantity::G_vh, G, 0.01, 1e5)}, sand);
+  CHECK(found.level().value == relative(1, 1e-9));
+  CHECK(found.exponent().value == relative(sands::growth_exponent(sand.sand, 1e5).value, 1e-9));
+  CHECK_FALSE(found.tells_contacts());
+  CHECK(found.degrees_of_freedom() == 0);
+}
+
+TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are foretold from 68.3 at 50 within two stated errors") {
+  const SandInference found =
+      infer_sand(std::vector{measured(Quantity::G_vh, 68.3e6, 0, 50e3)}, quartz({.uniformity = 1.48}));
+  const Measured there = found.predict(Quantity::G_vh, at(500e3));
+  const double error = there.standard_error / there.value;
+  CHECK(std::abs(std::log(222.1e6 / there.value)) < 2 * error);
+  CHECK(error == relative(0.125, 0.02)); // a factor of 1.13
+}
+
+TEST_CASE("from one measurement the error is that of forecasts and of the measurement") {
+  const sands::Sand sand{.uniformity = 2};
+  for (const double p : {20e3, 100e3, 150e3, 800e3}) {
+    const SandInference found =
+        infer_sand(std::vector{measured(Quantity::G_vh, 90e6, 0.03, 100e3)}, quartz(sand));
+    const Measured there = found.predict(Quantity::G_vh, at(p));
+    if (p >= 50e3) // below, the deviation of s is taken as that of the measurement's side
+      CHECK(there.standard_error / there.value ==
+            relative(std::sqrt(sands::forecast_variance(sand, 100e3, p) + 0.03 * 0.03), 1e-6));
+    CHECK(there.value ==
+          relative(90e6 * sands::growth_factor(sand, p) / sands::growth_factor(sand, 100e3), 1e-9));
+    const Measured speed = found.predict(Quantity::V_s, at(p));
+    CHECK(speed.standard_error / speed.value == relative(there.standard_error / there.value / 2, 1e-6));
+  }
+}
+
+TEST_CASE("forecasts do not jump with the pressure they are for") {
+  const SandInference found = infer_sand(std::vector{measured(Quantity::V_s, 250, 0.02, 80e3)}, quartz());
+  Measured last = found.predict(Quantity::V_s, at(30e3));
+  for (double p = 30e3; p < 200e3; p *= 1.01) {
+    const Measured next = found.predict(Quantity::V_s, at(p));
+    CHECK(std::abs(std::log(next.value / last.value)) < 0.006);
+    CHECK(std::abs(std::log(next.standard_error / last.standard_error)) < 0.03);
+    last = next;
+  }
+}
+
+TEST_CASE("several pressures move the exponent, as far as they are fitted wholly") {
+  const double s = 0.55;
+  std::vector<Observation> all;
+  for (const double p : {50e3, 100e3, 200e3, 400e3})
+    all.push_back(measured(Quantity::G_vh, 80e6 * std::pow(p / 1e5, s), 0.01, p));
+  const SandInference held = infer_sand(all, quartz()), free = infer_sand(all, quartz(), SandGrowth::fitted);
+  CHECK(free.exponent().value == relative(s, 1e-6));
+  CHECK(held.exponent().value > 0.48);
+  CHECK(held.exponent().value < s);
+  CHECK(held.widening() > 1); // s of 0.55 is 2.4 deviations off
+  CHECK(free.exponent().standard_error > held.exponent().standard_error / held.widening());
+  CHECK_THROWS_AS((void)infer_sand(std::span(all).first(1), quartz(), SandGrowth::fitted), InvalidArgument);
+}
+
+TEST_CASE("a contradiction widens the errors and says so") {
+  const std::vector alike{measured(Quantity::G_vh, 90e6, 0.02, 1e5),
+                          measured(Quantity::G_vh, 92e6, 0.02, 1e5)};
+  const std::vector apart{measured(Quantity::G_vh, 90e6, 0.02, 1e5),
+                          measured(Quantity::G_vh, 140e6, 0.02, 1e5)};
+  const SandInference good = infer_sand(alike, quartz()), bad = infer_sand(apart, quartz());
+  CHECK(good.widening() == 1);
+  CHECK(good.validity().ok());
+  CHECK(bad.widening() > 3);
+  CHECK(bad.probability() < 0.01);
+  CHECK_FALSE(bad.validity().ok());
+  CHECK(bad.level().standard_error / bad.level().value >
+        3 * good.level().standard_error / good.level().value);
+}
+
+TEST_CASE("V_p beside V_s tells contacts, V_s alone does not") {
+  const double nu = 0.12;
+  const double ratio = std::sqrt(2 * (1 - nu) / (1 - 2 * nu));
+  const std::vector both{measured(Quantity::V_s, 250, 0.01, 1e5),
+                         measured(Quantity::V_p, 250 * ratio, 0.01, 1e5)};
+  const SandInference found = infer_sand(both, quartz());
+  CHECK(found.tells_contacts());
+  CHECK(found.poisson_ratio().value > nu);
+  CHECK(found.poisson_ratio().value < 0.16);
+  const estimate::Range z = found.contacts(Field::mechanical_coordination_number, at(1e5));
+  CHECK(z.value > estimate::answer(quartz())[Field::mechanical_coordination_number].value);
+  CHECK_FALSE(infer_sand(std::span(both).first(1), quartz()).tells_contacts());
+}
+
+TEST_CASE("far above what contacts have: bonded") {
+  const SandInference found = infer_sand(std::vector{measured(Quantity::V_s, 700, 0.02, 1e5)}, quartz());
+  REQUIRE_FALSE(found.validity().ok());
+  CHECK(found.validity().notes.front().find("cemented") != std::string::npos);
+}
+
+TEST_CASE("what tells nothing is refused") {
+  CHECK_THROWS_AS((void)infer_sand({}, quartz()), InvalidArgument);
+  estimate::Question wet = quartz();
+  wet.saturation = 1;
+  CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::V_p, 1700, 0.02, 1e5)}, wet),
+                  InvalidArgument);
+  estimate::Question light = quartz();
+  light.grain_density.reset();
+  CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::V_s, 250, 0.02, 1e5)}, light),
+                  InvalidArgument);
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/sands/pooled_law.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+using namespace granum;
+using namespace granum::sands;
+
+namespace {
+
+const double ulps = 4e-15;
+const Sand uniform{.uniformity = 1.5};
+
+double G(const Sand& sand, double e, double p) { return pooled_shear_modulus(sand, e, p); }
+
+} // namespace
+
+TEST_CASE("pooled law: values worked by hand at 100 kPa") {
+  const double F = (2.97 - 0.7) * (2.97 - 0.7) / 1.7;
+  CHECK(G({}, 0.7, 100e3) == relative(33.6e6 * F, ulps));
+  CHECK(G({.uniformity = 4}, 0.7, 100e3) == relative(39.4e6 * F * std::pow(4, -0.252), ulps));
+  CHECK(G({.relative_density = 0.6}, 0.7, 100e3) == relative(69.2e6 * std::pow(10, 0.241 * 0.6), ulps));
+  const Sand limits{.uniformity = 4, .least_void_ratio = 0.6, .largest_void_ratio = 1.0};
+  CHECK(G(limits, 0.7, 100e3) == relative(92.7e6 * std::pow(10, 0.294 * 0.75 - 0.287 * 0.6), 2 * ulps));
+  // Toyoura by its own tests: 123, 99 and 79 MPa as they were fitted.
+  const Sand toyoura{.tests = known_sand("toyoura").tests};
+  CHECK(G(toyoura, 0.7, 100e3) == relative(123e6, 0.005));
+  CHECK(G(toyoura, 0.8, 100e3) == relative(99e6, 0.005));
+  CHECK(G(toyoura, 0.9, 100e3) == relative(79e6, 0.005));
+}
+
+TEST_CASE("pooled law: the best known input decides") {
+  CHECK(form_of({}) == PooledForm::void_ratio);
+  CHECK(form_of({.relative_density = 0.5}) == PooledForm::relative_density);
+  CHECK(form_of({.uniformity = 2, .relative_density = 0.5}) == PooledForm::grading);
+  CHECK(form_of({.uniformity = 2, .least_void_ratio = 0.5}) == PooledForm::grading); // one limit is none
+  CHECK(form_of({.uniformity = 2, .least_void_ratio = 0.5, .largest_void_ratio = 0.9}) ==
+        PooledForm::density_and_limits);
+  CHECK(form_of({.least_void_ratio = 0.5, .largest_void_ratio = 0.9, .tests = known_sand("hostun").tests}) ==
+        PooledForm::own_tests);
+}
+
+TEST_CASE("pooled law: its exponent is the slope of the law, on both sides of 50 kPa, without a jump") {
+  for (const Sand& sand :
+       {Sand{}, uniform, Sand{.uniformity = 8}, Sand{.tests = known_sand("toyoura").tests}})
+    for (const double p : {1e3, 20e3, 49.9e3, 50.1e3, 100e3, 1e6}) {
+      const double step = 1e-4;
+      const double slope =
+          std::log(G(sand, 0.6, p * std::exp(step)) / G(sand, 0.6, p * std::exp(-step))) / (2 * step);
+      CHECK(slope == relative(growth_exponent(sand, p).value, 1e-9));
+    }
+  CHECK(G(uniform, 0.6, 50e3 * (1 - 1e-12)) == relative(G(uniform, 0.6, 50e3), 1e-11));
+  CHECK(growth_exponent(uniform, 100e3).value == relative(0.40 * std::pow(1.5, 0.18), ulps));
+  CHECK(growth_exponent({}, 100e3).value == growth_exponent(uniform, 100e3).value);
+  CHECK(growth_exponent(uniform, 20e3).value == 0.5);
+  CHECK(G(uniform, 0.6, 0) == 0);
+}
+
+TEST_CASE("pooled law: wider gradings are softer at one void ratio") {
+  double last = G({.uniformity = 1.2}, 0.45, 100e3);
+  for (const double C_u : {2.0, 4.0, 8.0}) {
+    const double next = G({.uniformity = C_u}, 0.45, 100e3);
+    CHECK(next < last);
+    last = next;
+  }
+}
+
+TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyond 1.6") {
+  CHECK(stated_factor({}, 0.7, 100e3) == relative(1.3, ulps));
+  CHECK(stated_factor({.least_void_ratio = 0.5, .largest_void_ratio = 0.9}, 0.7, 100e3) ==
+        relative(1.25, ulps));
+  CHECK(stated_factor({.tests = known_sand("toyoura").tests}, 0.7, 100e3) == relative(1.15, ulps));
+  CHECK(stated_factor({.uniformity = 10}, 0.4, 100e3) == 1.6);
+  CHECK(stated_factor({.quartz = false}, 0.7, 100e3) == 1.6);
+  CHECK(stated_factor({.d50 = 10e-3}, 0.7, 100e3) == 1.6);
+  CHECK(stated_factor({}, 0.7, 1e6) == relative(1.4, 0.01));
+  CHECK(stated_factor({}, 0.7, 500e3) == stated_factor({}, 0.7, 25e3));
+  CHECK(stated_factor({}, 0.7, 20e3) > 1.3);
+  CHECK(stated_factor({}, 1.2, 100e3) == 1.6);
+  CHECK(stated_factor({}, 0.7, 100e6) == 1.6);
+}
+
+TEST_CASE("pooled law: what lies outside of the tests is said") {
+  CHECK(outside_of_tests(uniform, 0.7, 100e3).ok());
+  CHECK(outside_of_tests(uniform, 0.7, 0).ok());
+  CHECK(outside_of_tests(uniform, 0.7, 500).ok()); // such stresses are in every ground: the range is wider
+  CHECK(stated_factor(uniform, 0.7, 500) == 1.6);
+  CHECK(outside_of_tests({.uniformity = 12, .d50 = 10e-3, .quartz = false}, 0.3, 5e6).notes.size() == 5);
+}
+
+TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less a decade, held at its ends") {
+  CHECK(poisson_ratio({}, 100e3).value == relative(0.20, ulps));
+  CHECK(poisson_ratio({}, 1e6).value == relative(0.15, ulps));
+  CHECK(poisson_ratio({}, 10e6).value == relative(0.10, ulps));
+  CHECK(poisson_ratio({}, 1e9).value == poisson_ratio({}, 10e6).value);
+  CHECK(poisson_ratio({}, 0).value == poisson_ratio({}, 10e3).value);
+  CHECK(poisson_ratio({.uniformity = 5}, 100e3).value == relative(0.25, ulps));
+  CHECK(poisson_ratio({.uniformity = 5}, 100e3).deviation == 0.08);
+}
+
+TEST_CASE("pooled law: what no sand can be is refused") {
+  CHECK_THROWS_AS((void)G({}, 0, 100e3), InvalidArgument);
+  CHECK_THROWS_AS((void)G({}, 3, 100e3), InvalidArgument);
+  CHECK_THROWS_AS((void)G({}, 0.7, -1), InvalidArgument);
+  CHECK_THROWS_AS((void)G({.uniformity = 0.5}, 0.7, 100e3), InvalidArgument);
+  CHECK_THROWS_AS((void)G({.least_void_ratio = 0.9, .largest_void_ratio = 0.5}, 0.7, 100e3), InvalidArgument);
+  CHECK_THROWS_AS((void)G({.relative_density = 60}, 0.7, 100e3), InvalidArgument);
+  CHECK_THROWS_AS((void)G({.d50 = 0}, 0.7, 100e3), InvalidArgument);
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Laws of the small-strain shear modulus of sands against a table of tests that the user has.
+//     sands <table.csv>
+// Columns: sand (a number or name), C_u, p_kPa, e, G_MPa; D50_mm, e_min and e_max where they are known.
+// Prints, for each law and each form of the pooled one, bias, root mean square of log10 and the share of
+// tests within factors, each sand with the same weight; then the pooled law by sand, forecasts from one test
+// to another of one sand, and by how much they miss. Exit code 0 unless the table cannot be read.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/table.hpp>
+#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/pooled_law.hpp>
+
+namespace {
+
+using namespace granum;
+
+struct Test {
+  std::string sand;
+  sands::Sand known;
+  double void_ratio, mean_stress, shear_modulus;
+};
+
+std::vector<Test> read_tests(const std::string& file) {
+  const io::CsvTable table = io::read_csv(file);
+  const auto number = [&](std::size_t row, const char* name, Dimension dimension) -> std::optional<double> {
+    if (!table.has(name))
+      return std::nullopt;
+    const io::CsvTable::Place place = table.column(name, dimension);
+    const auto value = parse_number(table.fields(row)[place.index]);
+    return value ? std::optional(*value * place.factor) : std::nullopt;
+  };
+  std::size_t names = 0;
+  while (names < table.headings().size() && table.headings()[names] != "sand")
+    ++names;
+  if (names == table.headings().size())
+    throw FileError(file, 0, "has no column 'sand'");
+  std::vector<Test> tests;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto p = number(row, "p", Dimension::pressure), G = number(row, "G", Dimension::pressure),
+               e = number(row, "e", Dimension::dimensionless);
+    if (!p || !G || !e)
+      continue;
+    tests.push_back({table.fields(row)[names],
+                     {.uniformity = number(row, "C_u", Dimension::dimensionless),
+                      .d50 = number(row, "D50", Dimension::length),
+                      .least_void_ratio = number(row, "e_min", Dimension::dimensionless),
+                      .largest_void_ratio = number(row, "e_max", Dimension::dimensionless)},
+                     *e,
+                     *p,
+                     *G});
+  }
+  return tests;
+}
+
+/// log10 of estimate over measured, sand by sand.
+using Misses = std::map<std::string, std::vector<double>>;
+
+struct Score {
+  double bias, rms;
+};
+
+Score score_of(const Misses& misses) {
+  double mean = 0, square = 0;
+  for (const auto& [sand, values] : misses) {
+    double sum = 0, squares = 0;
+    for (const double value : values) {
+      sum += value;
+      squares += value * value;
+    }
+    mean += sum / static_cast<double>(values.size());
+    square += squares / static_cast<double>(values.size());
+  }
+  const auto n = static_cast<double>(misses.size());
+  return {std::pow(10, mean / n), std::sqrt(square / n)};
+}
+
+double covered(const Misses& misses, double factor) {
+  double share = 0;
+  for (const auto& [sand, values] : misses) {
+    std::size_t within = 0;
+    for (const double value : values)
+      within += std::abs(value) <= std::log10(factor);
+    share += static_cast<double>(within) / static_cast<double>(values.size());
+  }
+  return share / static_cast<double>(misses.size());
+}
+
+void print(const char* name, const Misses& misses) {
+  if (misses.empty())
+    return;
+  const Score score = score_of(misses);
+  std::size_t tests = 0;
+  for (const auto& [sand, values] : misses)
+    tests += values.size();
+  std::printf("  %-28s %3zu %5zu   %5.3f   %5.3f   %3.0f %% %3.0f %% %3.0f %%\n", name, misses.size(), tests,
+              score.bias, score.rms, 100 * covered(misses, 1.15), 100 * covered(misses, 1.3),
+              100 * covered(misses, 1.6));
+}
+
+Misses misses_of(const std::vector<Test>& tests,
+                 const std::function<std::optional<double>(const Test&)>& estimate) {
+  Misses misses;
+  for (const Test& test : tests)
+    if (const auto G = estimate(test))
+      misses[test.sand].push_back(std::log10(*G / test.shear_modulus));
+  return misses;
+}
+
+void print_levels(const std::vector<Test>& tests) {
+  std::printf("                             sands tests    bias     rms   within 1.15, 1.3, 1.6\n");
+  const auto pooled = [&](const char* name,
+                          const std::function<std::optional<sands::Sand>(const Test&)>& known) {
+    print(name, misses_of(tests, [&](const Test& t) -> std::optional<double> {
+            const std::optional<sands::Sand> sand = known(t);
+            return sand ? std::optional(sands::pooled_shear_modulus(*sand, t.void_ratio, t.mean_stress))
+                        : std::nullopt;
+          }));
+  };
+  pooled("pooled: e alone", [](const Test&) { return std::optional(sands::Sand{}); });
+  pooled("pooled: e, C_u",
+         [](const Test& t) { return std::optional(sands::Sand{.uniformity = t.known.uniformity}); });
+  const auto limited = [](const Test& t) { return t.known.least_void_ratio && t.known.largest_void_ratio; };
+  pooled("pooled: D_r", [&](const Test& t) -> std::optional<sands::Sand> {
+    if (!limited(t))
+      return std::nullopt;
+    const double D_r = (*t.known.largest_void_ratio - t.void_ratio) /
+                       (*t.known.largest_void_ratio - *t.known.least_void_ratio);
+    return D_r >= 0 && D_r <= 1.2 ? std::optional(sands::Sand{.relative_density = D_r}) : std::nullopt;
+  });
+  pooled("pooled: e, e_min, e_max", [&](const Test& t) {
+    return limited(t) ? std::optional(sands::Sand{.least_void_ratio = t.known.least_void_ratio,
+                                                  .largest_void_ratio = t.known.largest_void_ratio})
+                      : std::nullopt;
+  });
+  pooled("pooled: all of these",
+         [&](const Test& t) { return limited(t) ? std::optional(t.known) : std::nullopt; });
+  for (const sands::MeasuredLaw& law : sands::measured_laws())
+    print(law.key, misses_of(tests, [&](const Test& t) {
+            sands::SandState state{.void_ratio = t.void_ratio, .mean_stress = t.mean_stress};
+            state.uniformity = t.known.uniformity.value_or(state.uniformity);
+            state.d50 = t.known.d50.value_or(state.d50);
+            return std::optional(sands::shear_modulus(law, state).shear_modulus);
+          }));
+}
+
+/// How many of the biases lie within a factor.
+std::size_t within(const std::vector<double>& biases, double factor) {
+  return static_cast<std::size_t>(std::count_if(
+      biases.begin(), biases.end(), [factor](double bias) { return std::max(bias, 1 / bias) <= factor; }));
+}
+
+void print_sands(const std::vector<Test>& tests) {
+  std::printf("\nby sand: bias and rms of log10, of e and C_u, and of all that is known\n");
+  std::map<std::string, std::vector<Test>> by_sand;
+  for (const Test& test : tests)
+    by_sand[test.sand].push_back(test);
+  std::vector<double> biases, best_biases;
+  for (const auto& [name, of_sand] : by_sand) {
+    const auto score = [&](bool all) {
+      return score_of(misses_of(of_sand, [all](const Test& t) {
+        const sands::Sand known = all ? t.known : sands::Sand{.uniformity = t.known.uniformity};
+        return std::optional(sands::pooled_shear_modulus(known, t.void_ratio, t.mean_stress));
+      }));
+    };
+    const Score graded = score(false), best = score(true);
+    biases.push_back(graded.bias);
+    best_biases.push_back(best.bias);
+    std::printf("  %-10s C_u %4.2f  %3zu tests  %5.3f  %5.3f   %5.3f  %5.3f\n", name.c_str(),
+                of_sand.front().known.uniformity.value_or(0), of_sand.size(), graded.bias, graded.rms,
+                best.bias, best.rms);
+  }
+  for (const double factor : {1.08, 1.15, 1.25, 1.3})
+    std::printf("  bias within %.2f: %2zu, %2zu of %zu sands\n", factor, within(biases, factor),
+                within(best_biases, factor), biases.size());
+}
+
+/// From each test of a sand to each other at nearly the same void ratio.
+void print_forecasts(const std::vector<Test>& tests) {
+  constexpr double edges[] = {1.4, 2.1, 3.3, 6, 33}, same = 0.01;
+  std::printf("\nforecasts from one pressure to another of one sand at one void ratio\n"
+              "  p ratio      pairs   rms of log10, stated, rms over stated\n");
+  for (std::size_t k = 0; k + 1 < std::size(edges); ++k) {
+    Misses misses;
+    std::map<std::string, double> stated;
+    std::size_t pairs = 0;
+    for (const Test& from : tests)
+      for (const Test& to : tests) {
+        const double ratio = std::max(to.mean_stress / from.mean_stress, from.mean_stress / to.mean_stress);
+        if (from.sand != to.sand || std::abs(from.void_ratio - to.void_ratio) > same || ratio < edges[k] ||
+            ratio >= edges[k + 1])
+          continue;
+        const sands::Sand sand{.uniformity = from.known.uniformity};
+        const double G = from.shear_modulus * sands::growth_factor(sand, to.mean_stress) /
+                         sands::growth_factor(sand, from.mean_stress);
+        misses[from.sand].push_back(std::log10(G / to.shear_modulus));
+        stated[from.sand] += sands::forecast_variance(sand, from.mean_stress, to.mean_stress);
+        ++pairs;
+      }
+    if (misses.empty())
+      continue;
+    double variance = 0;
+    for (const auto& [sand, sum] : stated)
+      variance += sum / static_cast<double>(misses[sand].size());
+    const double error = std::sqrt(variance / static_cast<double>(stated.size())) / std::log(10.0);
+    const double rms = score_of(misses).rms;
+    std::printf("  %4.1f to %-4.1f %6zu   %5.3f  %5.3f  %4.2f\n", edges[k], edges[k + 1], pairs, rms, error,
+                rms / error);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: sands <table.csv>\n");
+    return 2;
+  }
+  try {
+    const std::vector<Test> tests = read_tests(argv[1]);
+    if (tests.empty())
+      throw FileError(argv[1], 0, "holds no test with p, e and G");
+    print_levels(tests);
+    print_sands(tests);
+    print_forecasts(tests);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sands: %s\n", error.what());
+    return 2;
+  }
+}
