@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
+#include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/packing/bodies.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/density.hpp>
 #include <granum/packing/fabric_tensor.hpp>
+#include <granum/packing/force_moments.hpp>
 
 namespace granum::analysis {
 
@@ -320,10 +323,25 @@ class Measuring {
                            .contacts = out_.sizes.contacts};
     try {
       effective::require_valid(state);
+      state.forces = counted_forces(state);
       out_.state = state;
     } catch (const InvalidArgument& error) {
       out_.notes.push_back(std::string("no closed forms: ") + error.what());
     }
+  }
+
+  /// What rung 3 takes from the forces: of the whole of a periodic packing under its own stress alone.
+  [[nodiscard]] std::optional<effective::CountedForces> counted_forces(const effective::State& state) const {
+    const auto bears = [](const packing::Contact& c) { return c.normal_force > 0; };
+    if (wanted_.window || given_.stress || !forces_known_ || !assembly_.wall_contacts.empty() ||
+        !std::ranges::all_of(assembly_.contacts, bears))
+      return std::nullopt;
+    packing::Assembly assembly = assembly_;
+    if (given_.stiffness_from || !contacts_have_stiffness())
+      set_stiffness(assembly);
+    const double closed = effective::uniform_strain(state).stiffness.bulk_modulus();
+    return effective::CountedForces{.strain_share = bulk_modulus_bounds(assembly).upper / closed,
+                                    .scatter = normal_force_moment(assembly_, 2) - 1};
   }
 
   [[nodiscard]] bool contacts_have_stiffness() const {
@@ -350,9 +368,8 @@ class Measuring {
     }
   }
 
-  /// The assembly with k_n and k_t of its contacts by the law.
-  packing::Assembly with_stiffness() {
-    packing::Assembly assembly = assembly_;
+  /// k_n and k_t of the contacts by the law; whether from forces or from overlaps.
+  packing::StiffnessFrom set_stiffness(packing::Assembly& assembly) const {
     const bool by_forces = rounded_ > rough && forces_known_;
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
@@ -362,6 +379,12 @@ class Measuring {
       assign_stiffness_by_size(assembly, *out_.law, tangential_ratio(), from);
     else
       assign_stiffness(assembly, *out_.law, tangential_ratio(), from);
+    return from;
+  }
+
+  packing::Assembly with_stiffness() {
+    packing::Assembly assembly = assembly_;
+    const packing::StiffnessFrom from = set_stiffness(assembly);
     out_.notes.emplace_back(from == packing::StiffnessFrom::force ? "k_n of the network from the forces"
                                                                   : "k_n of the network from the overlaps");
     return assembly;

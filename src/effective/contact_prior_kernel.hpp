@@ -21,7 +21,8 @@ using RattlerCoefficients = std::array<T, 3>;
 
 /// z* of rigid grains without friction, and the least that grains with much friction can have.
 inline constexpr double most_rigid_contacts = frictionless_isostatic;
-inline constexpr double fewest_rigid_contacts = shear_coefficients[7];
+/// The isostatic point of the relaxation fit that contact_prior_coefficients.hpp were fitted beside.
+inline constexpr double fewest_rigid_contacts = 3.95375863;
 /// The relative overlap at which friction is said to have decided z*: that of quartz at some 10 kPa.
 inline constexpr double reference_overlap = 5e-5;
 /// Of the packings of the fit.

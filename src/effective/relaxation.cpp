@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <Eigen/Core>
@@ -28,11 +29,13 @@ struct RelaxingFactor {
   double error = 0;           ///< relative standard error
   double by_coordination = 0; ///< d value/d z*
   double by_ratio = 0;        ///< d value/d r
+  double by_scatter = 0;      ///< d value/d of the scatter of forces
 };
 
 struct RelaxingFactors {
   RelaxingFactor shear;
   RelaxingFactor bulk;
+  double share = 1; ///< of uniform strain, summed over contacts over closed form
 };
 
 /// ln of the stretch along the axis.
@@ -51,13 +54,13 @@ constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
 /// Of the lengths of branches over their mean: C_u = 4.
 constexpr double largest_branch_deviation = 0.51;
 
-/// A factor with its slopes by its n coefficients, then by z* and r.
+/// A factor with its slopes by its n coefficients, then by z*, r and the scatter of forces.
 template <std::size_t n>
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 2, 1>>;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 3, 1>>;
 
 template <std::size_t n>
 Dual<n> variable(double value, std::size_t index) {
-  return {value, static_cast<int>(n) + 2, static_cast<int>(index)};
+  return {value, static_cast<int>(n) + 3, static_cast<int>(index)};
 }
 
 template <std::size_t n>
@@ -86,7 +89,8 @@ RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][
   return {.value = h,
           .error = std::sqrt(by_coefficients.dot(matrix * by_coefficients)) / h,
           .by_coordination = slopes[size],
-          .by_ratio = slopes[size + 1]};
+          .by_ratio = slopes[size + 1],
+          .by_scatter = slopes[size + 2]};
 }
 
 /// The same with the scatter of recipes, and of the packings of a recipe, which act on a variable of the
@@ -110,27 +114,80 @@ RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& s
   return factor;
 }
 
-RelaxingFactor shear_factor(double z, double r, double b) {
-  constexpr std::size_t n = kernel::shear_coefficients.size();
-  const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
-                                             variables(kernel::shear_coefficients));
-  const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
-  return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
+/// The same with what the forces of a packing leave unknown that were not counted: their scatter, which acts
+/// on factor and share with the slope `leverage`, and the share itself.
+RelaxingFactor with_unknown_forces(RelaxingFactor factor, double leverage, double b) {
+  if (factor.value > 0)
+    factor.error = std::hypot(factor.error, kernel::force_scatter * leverage / factor.value,
+                              kernel::share_scatter * b * (1 - b));
+  return factor;
 }
 
-RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance) {
+/// What is known of the forces: both numbers, and whether they were counted.
+struct Forces {
+  double scatter = 0;
+  double share = 0;
+  bool counted = false;
+};
+
+Forces forces_of(const std::optional<CountedForces>& counted, double z, double b, double branch_variance) {
+  if (counted)
+    return {.scatter = kernel::scatter_of_equal(counted->scatter, branch_variance),
+            .share = counted->strain_share,
+            .counted = true};
+  const double scatter = kernel::expected_scatter(z, 0, kernel::force_coefficients);
+  return {.scatter = scatter, .share = kernel::expected_share(b, scatter, branch_variance)};
+}
+
+/// Slope of ln of the expected share by the scatter.
+double share_slope(double b, double branch_variance) {
+  return std::log(kernel::expected_share(b, 1.0, branch_variance));
+}
+
+/// What a factor is asked for.
+struct Asked {
+  double z, r, b, branch_variance;
+  Forces forces;
+};
+
+template <std::size_t n>
+kernel::NetworkInputs<Dual<n>> inputs(const Asked& at, double z) {
+  return {.z = variable<n>(z, n),
+          .r = variable<n>(at.r, n + 1),
+          .b = constant<n>(at.b),
+          .scatter = variable<n>(at.forces.scatter, n + 2)};
+}
+
+RelaxingFactor shear_factor(const Asked& at) {
+  constexpr std::size_t n = kernel::shear_coefficients.size();
+  const double of_equal = kernel::coordination_of_equal(at.z, at.branch_variance);
+  const Dual<n> h = kernel::shear_relaxation(inputs<n>(at, of_equal), variables(kernel::shear_coefficients));
+  RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
+  factor = with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
+  factor = with_size_scatter(factor, kernel::shear_sizes, kernel::looseness(at.z) * kernel::size_shift_error,
+                             factor.by_coordination, at.branch_variance);
+  if (!at.forces.counted)
+    factor = with_unknown_forces(
+        factor, factor.by_scatter + factor.value * share_slope(at.b, at.branch_variance), at.b);
+  return factor;
+}
+
+RelaxingFactor bulk_factor(const Asked& at) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
   const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
-  const Dual<n> Z = variable<n>(z, n), B = constant<n>(b);
-  const Dual<n> equal = kernel::bulk_relaxation(Z, variable<n>(r, n + 1), B, coefficients);
+  const kernel::NetworkInputs<Dual<n>> in = inputs<n>(at, at.z);
+  const Dual<n> equal = kernel::bulk_relaxation(in, coefficients);
   const Dual<n> share =
-      kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
+      kernel::size_bulk_share(in.z, constant<n>(kernel::size_loss), at.branch_variance, coefficients);
   RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
-  factor = with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
-  factor.error = std::hypot(factor.error, kernel::bulk_codes * kernel::looseness(z));
+  factor = with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, at.r * factor.by_ratio);
+  factor.error = std::hypot(factor.error, kernel::bulk_codes * kernel::looseness(at.z));
   const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
   factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
-  factor.error = std::hypot(factor.error, kernel::bulk_size_measure(branch_variance) * kernel::bulk_sizes);
+  factor.error = std::hypot(factor.error, kernel::bulk_size_measure(at.branch_variance) * kernel::bulk_sizes);
+  if (!at.forces.counted)
+    factor = with_unknown_forces(
+        factor, factor.by_scatter + factor.value * share_slope(at.b, at.branch_variance), at.b);
   return factor;
 }
 
@@ -187,7 +244,7 @@ void note_state(const State& s, double z, Validity& validity) {
         overlap));
   if (const double b = kernel::local_exponent(s); b > largest_calibrated_exponent)
     validity.add(detail::formatted(
-        "contacts stiffen as f^%.3g: the relaxation factors are calibrated up to f^0.5, and taken from there",
+        "contacts stiffen as f^%.3g: the relaxation factors are calibrated up to f^1, and taken from there",
         b));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
@@ -216,30 +273,35 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
         100 * excess));
 }
 
-/// Both factors at z* >= 0, r >= 0, 0 <= b <= 0.5, not checked.
+/// Both factors at z* >= 0, r >= 0, 0 <= b <= 1, not checked.
 /// \param    branch_variance   as the kernel's function of that name; 0 of equal grains
-RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance) {
+RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance,
+                                 const std::optional<CountedForces>& counted) {
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
-  const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
-  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b);
-  shear = with_size_scatter(shear, kernel::shear_sizes, kernel::looseness(near_z) * kernel::size_shift_error,
-                            shear.by_coordination, branch_variance);
-  return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
+  const Asked at{.z = near_z,
+                 .r = near_r,
+                 .b = b,
+                 .branch_variance = branch_variance,
+                 .forces = forces_of(counted, near_z, b, branch_variance)};
+  return {.shear = shear_factor(at), .bulk = bulk_factor(at), .share = at.forces.share};
 }
 
 /// The same for a state, the errors complete with what unequal stresses add.
 RelaxingFactors relaxing_factors(const State& s, double z) {
-  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, kernel::calibrated_exponent(s),
-                                             kernel::branch_variance(s.contacts));
+  const double variance = kernel::branch_variance(s.contacts);
+  RelaxingFactors factors =
+      relaxing_factors(z, s.tangential_ratio, kernel::calibrated_exponent(s), variance, s.forces);
   const double stresses = std::abs(log_stress_ratio(s));
   factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
   factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
   return factors;
 }
 
-RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
+RelaxationFactor published(const RelaxingFactor& factor, double share) {
+  return {factor.value * share, factor.error};
+}
 
 } // namespace
 
@@ -272,14 +334,16 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, largest_calibrated_exponent);
-  const RelaxingFactors factors = relaxing_factors(z, r, b, 0);
-  return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
+  const RelaxingFactors factors = relaxing_factors(z, r, b, 0, std::nullopt);
+  return {.shear = published(factors.shear, factors.share),
+          .bulk = published(factors.bulk, factors.share),
+          .validity = notes_of(z, r)};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {
   const Estimate uniform = uniform_strain(state);
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
-  const auto [shear, bulk] = relaxing_factors(state, z);
+  const auto [shear, bulk, share] = relaxing_factors(state, z);
   const Stretch stretch = stretch_of(state, shear.value);
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
   estimate.validity.merge(notes_of(z, state.tangential_ratio));
@@ -288,7 +352,8 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
   if (!(shear.value > 0))
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;
-  const kernel::RelaxedConstants<double> strained{u.C11, u.C33, u.C12, u.C13, u.C44};
+  const kernel::RelaxedConstants<double> strained{share * u.C11, share * u.C33, share * u.C12, share * u.C13,
+                                                  share * u.C44};
   const kernel::RelaxedConstants<double> c =
       kernel::relax(strained, bulk.value, shear.value, stretch.logarithm);
   note_bound(strained, kernel::unbounded_relax(strained, bulk.value, shear.value, stretch.logarithm),

@@ -11,35 +11,45 @@ namespace granum::effective::kernel {
 template <class T>
 using ShearCoefficients = std::array<T, 8>;
 template <class T>
-using BulkCoefficients = std::array<T, 6>;
+using BulkCoefficients = std::array<T, 7>;
 template <class T>
 using StretchCoefficients = std::array<T, 2>;
 
 inline constexpr std::array<double, 8> shear_coefficients{
-    0.368985207, 0.208283469, 3.48105895, 0.135047061, 1.49166538, 1.09466552, 2.39875522, 3.95375863};
+    0.394886158, 0.0979591203, 4.00190029, 0.182883796, 1.64754254, 2.17691838, 3.93019512, 0.901719668};
 inline constexpr double shear_covariance[8][8] = {
-    {3.0913e-05, 9.1261e-05, -0.00011149, -3.0723e-05, 8.2431e-06, -2.026e-05, -6.822e-05, 1.7251e-07},
-    {9.1261e-05, 0.0028658, -0.0078217, -0.00097168, -0.0035694, 0.00018966, 0.0017089, 0.00032051},
-    {-0.00011149, -0.0078217, 0.028645, 0.0040917, 0.0092779, 6.7356e-05, -0.0058206, -0.00040112},
-    {-3.0723e-05, -0.00097168, 0.0040917, 0.00070529, 0.00086717, -8.1274e-05, -0.00059306, 9.812e-06},
-    {8.2431e-06, -0.0035694, 0.0092779, 0.00086717, 0.0061526, -0.00054305, -0.0031062, -0.00058997},
-    {-2.026e-05, 0.00018966, 6.7356e-05, -8.1274e-05, -0.00054305, 0.0025736, 0.00025563, 3.329e-05},
-    {-6.822e-05, 0.0017089, -0.0058206, -0.00059306, -0.0031062, 0.00025563, 0.0024363, 0.00020902},
-    {1.7251e-07, 0.00032051, -0.00040112, 9.812e-06, -0.00058997, 3.329e-05, 0.00020902, 9.084e-05}};
-inline constexpr std::array<double, 6> bulk_coefficients{
-    0.253319417, 3.45765967, 0.171392567, 2.92733103, 0.00484897423, 0.964571974};
-inline constexpr double bulk_covariance[6][6] = {
-    {6.5591e-05, -0.00015425, -8.2329e-05, 0.0002245, -1.7654e-06, 0.0004134},
-    {-0.00015425, 0.0010194, 0.00014982, -0.00069195, 1.4978e-06, 0.0010817},
-    {-8.2329e-05, 0.00014982, 0.000303, -0.0010974, 7.7209e-08, -0.00024114},
-    {0.0002245, -0.00069195, -0.0010974, 0.0047334, 7.7794e-06, -0.00060418},
-    {-1.7654e-06, 1.4978e-06, 7.7209e-08, 7.7794e-06, 1.9249e-07, -1.41e-05},
-    {0.0004134, 0.0010817, -0.00024114, -0.00060418, -1.41e-05, 0.012944}};
+    {1.1782e-05, 4.9905e-05, -8.9202e-05, -7.5805e-06, -5.7009e-05, 3.1847e-05, 6.3011e-06, 1.6002e-05},
+    {4.9905e-05, 0.0020069, -0.006392, -0.00041097, -0.0031295, 0.001106, 0.00034453, 0.00012863},
+    {-8.9202e-05, -0.006392, 0.025906, 0.0024031, 0.0085198, -0.0032835, -0.00069532, -0.00077535},
+    {-7.5805e-06, -0.00041097, 0.0024031, 0.00034576, 0.00020573, -8.1758e-05, 2.1679e-05, -0.00011322},
+    {-5.7009e-05, -0.0031295, 0.0085198, 0.00020573, 0.0060921, -0.0021356, -0.00071452, -0.00025911},
+    {3.1847e-05, 0.001106, -0.0032835, -8.1758e-05, -0.0021356, 0.0010445, 0.00021381, 0.00019533},
+    {6.3011e-06, 0.00034453, -0.00069532, 2.1679e-05, -0.00071452, 0.00021381, 0.00010291, -2.9943e-05},
+    {1.6002e-05, 0.00012863, -0.00077535, -0.00011322, -0.00025911, 0.00019533, -2.9943e-05, 0.0011367}};
+inline constexpr std::array<double, 7> bulk_coefficients{
+    0.265292996, 3.46539399, 0.131842133, 3.05092423, 0.00453018283, 0.204114905, 1.98856498};
+inline constexpr double bulk_covariance[7][7] = {
+    {0.00016416, -0.00049142, -8.4899e-05, 0.00031156, -2.9647e-06, 0.00075212, -0.0009771},
+    {-0.00049142, 0.0018804, 0.00016925, -0.00084069, 6.1763e-06, -0.0023669, 0.0046357},
+    {-8.4899e-05, 0.00016925, 0.00028848, -0.001279, 7.2992e-07, 0.00051029, -0.0011731},
+    {0.00031156, -0.00084069, -0.001279, 0.0062994, 3.5344e-06, -0.003208, 0.0056049},
+    {-2.9647e-06, 6.1763e-06, 7.2992e-07, 3.5344e-06, 1.7705e-07, -2.7207e-05, 4.4065e-05},
+    {0.00075212, -0.0023669, 0.00051029, -0.003208, -2.7207e-05, 0.019384, -0.033867},
+    {-0.0009771, 0.0046357, -0.0011731, 0.0056049, 4.4065e-05, -0.033867, 0.070799}};
+/// Relative variance of the forces: at the isostatic point, its decay with z*, and what the relative
+/// variance of branches adds to it; its scatter.
+inline constexpr std::array<double, 3> force_coefficients{
+    0.705118281, 0.398407903, 13.230686};
+inline constexpr double force_scatter = 0.159027084;
+/// What that takes off the share, and what the variance of branches adds; scatter over b (1 - b).
+inline constexpr std::array<double, 2> share_coefficients{
+    0.659967698, 1.24120863};
+inline constexpr double share_scatter = 0.0862837165;
 inline constexpr std::array<double, 2> stretch_coefficients{
-    2.14153075, 0.697036906};
+    2.15083026, 0.78701326};
 inline constexpr double stretch_covariance[2][2] = {
-    {0.016959, -0.0067894},
-    {-0.0067894, 0.0042958}};
+    {0.017882, -0.0076709},
+    {-0.0076709, 0.0051696}};
 
 /// Relative scatter about a factor: base, and gain times d ln/dz* (shear) or d ln/d ln r (bulk), in
 /// quadrature; of recipes about the curve, and of the packings of one recipe.
@@ -47,27 +57,27 @@ struct Scatter {
   double base;
   double gain;
 };
-inline constexpr Scatter shear_recipes{0.0195759224, 0};
-inline constexpr Scatter shear_packings{0.0216562563, 0.00894248575};
-inline constexpr Scatter bulk_recipes{0, 0.178222977};
-inline constexpr Scatter bulk_packings{0.0130856473, 0.190067984};
+inline constexpr Scatter shear_recipes{0.0133055903, 0.0099771903};
+inline constexpr Scatter shear_packings{0.0165725217, 0.00923461211};
+inline constexpr Scatter bulk_recipes{0.00239704926, 0.26103524};
+inline constexpr Scatter bulk_packings{0.0119588824, 0.209036319};
 /// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
 /// lengths of branches.
-inline constexpr double size_shift = 1.63505719;
-inline constexpr double size_shift_error = 0.277644142;
+inline constexpr double size_shift = 2.62367043;
+inline constexpr double size_shift_error = 0.291816983;
 /// What unequal grains lose of K, and its standard error.
-inline constexpr double size_loss = 0.597944703;
-inline constexpr double size_loss_error = 0.0661497784;
+inline constexpr double size_loss = 0.345175525;
+inline constexpr double size_loss_error = 0.0316561444;
 /// What they add to the scatter: of G over the root of that variance, of K over bulk_size_measure.
-inline constexpr Scatter shear_sizes{0.0732320691, 0.144482586};
-inline constexpr double bulk_sizes = 0.159397562;
+inline constexpr Scatter shear_sizes{0.0675735789, 0.19192426};
+inline constexpr double bulk_sizes = 0.0602257875;
 /// Scatter of K between codes: this times the looseness.
-inline constexpr double bulk_codes = 0.179333251;
+inline constexpr double bulk_codes = 0.136406291;
 /// Scatter of ln C33/C11 over ln of the stretch.
-inline constexpr double stretch_scatter = 0.140960362;
+inline constexpr double stretch_scatter = 0.138279055;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.
-inline constexpr double shear_by_stress = 0.0603855213;
-inline constexpr double bulk_by_stress = 0.0471801532;
+inline constexpr double shear_by_stress = 0.0208167397;
+inline constexpr double bulk_by_stress = 0.0300479023;
 
 /// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard errors.
 // 0.0084, 1.7, 0.042, 0.048, 2.6, 0.37

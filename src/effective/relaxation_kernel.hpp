@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <granum/effective/state.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 #include "relaxation_coefficients.hpp"
@@ -18,7 +19,7 @@ namespace granum::effective::kernel {
 /// take off, since each spins freely about the line through them.
 template <class T>
 const T& frictional_isostatic(const ShearCoefficients<T>& c) {
-  return c[7];
+  return c[6];
 }
 /// The same for contacts without tangential stiffness.
 inline constexpr double frictionless_isostatic = 6;
@@ -44,6 +45,15 @@ T coordination_of_equal(const T& z, double variance) {
   return z + size_shift * variance * looseness(z);
 }
 
+/// What the relaxation of a network goes by.
+template <class T>
+struct NetworkInputs {
+  T z;       ///< z*; of G that of equal grains
+  T r;       ///< k_t/k_n
+  T b;       ///< of k_n ~ f^b
+  T scatter; ///< relative variance of the contact forces, <f^2>/<f>^2 - 1, of equal grains
+};
+
 /// Coefficients as numbers of another type, constants to it.
 template <class T, std::size_t n>
 std::array<T, n> constants(const std::array<double, n>& values) {
@@ -51,6 +61,34 @@ std::array<T, n> constants(const std::array<double, n>& values) {
   for (std::size_t k = 0; k < n; ++k)
     numbers[k] = T(values[k]);
   return numbers;
+}
+
+/// Relative variance of the forces of a packing that tells nothing of them: it fades for z -> infinity, and
+/// forces of unequal grains scatter more.
+template <class T>
+T expected_scatter(const T& z, double variance, const std::array<T, 3>& c) {
+  using std::exp;
+  const T power = -c[1] * (z - frictional_isostatic(shear_coefficients));
+  return c[0] * (1.0 + c[2] * variance) * T(exp(power));
+}
+/// As equal grains have it, of unequal ones.
+template <class T>
+T scatter_of_equal(const T& scatter, double variance) {
+  return scatter / (1.0 + force_coefficients[2] * variance);
+}
+
+/// K of uniform strain summed over contacts over that of the closed form, which takes k_n at the mean force:
+/// where forces scatter, the mean of f^b is less than that of f to the power b.
+/// \param    scatter   of equal grains
+template <class T>
+T expected_share(const T& b, const T& scatter, double variance, const std::array<T, 2>& c) {
+  using std::exp;
+  const T lost = -c[0] * (1.0 + c[1] * variance) * scatter * b * (1.0 - b);
+  return exp(lost);
+}
+template <class T>
+T expected_share(const T& b, const T& scatter, double variance) {
+  return expected_share(b, scatter, variance, constants<T>(share_coefficients));
 }
 
 /// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0: of
@@ -62,14 +100,14 @@ T frictionless_branch(const T& u, const T& slope, const T& floor) {
   return rise / damping;
 }
 
-/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b.
+/// G/G(uniform strain, summed over contacts) of a packing whose contacts are equally stiff.
 /// With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where g_0 is
 /// the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the isostatic
-/// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and b.
+/// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r.
 template <class T>
-T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T>& c) {
+T equal_stiffness_relaxation(const T& z, const T& r, const ShearCoefficients<T>& c) {
   using std::sqrt;
-  const auto& [slope, floor, strength, bend, hold, spread, reach, isostatic] = c;
+  const auto& [slope, floor, strength, bend, hold, reach, isostatic, roughness] = c;
   if (!(z > isostatic))
     return T(0.0);
   const T x = z - isostatic;
@@ -79,8 +117,7 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   const T root_ratio = sqrt(ratio);
   const T power = ratio * ratio * root_ratio;
   const T near_share = 1.0 / (1.0 + power);
-  const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
-  const T near_coupling = strength * (1.0 - spread * b * b) * growth;
+  const T near_coupling = strength * x / ((1.0 + bend * x) * (1.0 + hold * r));
   const T coupling = near_share * near_coupling + (1.5 + 2.25 * r) / (1.0 + 1.0 / power);
   const T product = r * coupling;
   const T square = g0 * g0 + 4.0 * product;
@@ -92,24 +129,27 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   return g / (1.0 + 1.5 * r);
 }
 
-/// What the scatter of forces costs K is divided by this.
+/// The same where stiffnesses scatter as f^b does, which lets the softest contacts yield.
 template <class T>
-T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
-  const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
-  return z - pole + stiffening * b;
+T shear_relaxation(const NetworkInputs<T>& in, const ShearCoefficients<T>& c) {
+  using std::exp;
+  const auto& [slope, floor, strength, bend, hold, reach, isostatic, roughness] = c;
+  const T h = equal_stiffness_relaxation(in.z, in.r, c);
+  const T power = -roughness * (1.0 - h) * in.scatter * in.b * in.b;
+  return h * T(exp(power));
 }
 
-/// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
-/// pressure, allow (the lower bound of bulk_modulus_bounds). Their scatter costs the first term, less of it
-/// where contacts stiffen with their force; their tangential part, the softer r is the more, the second. Both
-/// fade for z -> infinity; at the isostatic point K has a jump.
+/// K/K(uniform strain, summed over contacts): the network is nearly as stiff as its forces, scaled with the
+/// pressure, allow (the lower bound of bulk_modulus_bounds). Their normal part costs the first term, nothing
+/// where contacts stiffen as their forces (b = 1); their tangential part, the softer r is the more, the
+/// second. Both fade for z -> infinity; at the isostatic point K has a jump.
 template <class T>
-T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
-  const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
-  const T d1 = scatter_distance(z, b, c);
-  const T d2 = z - tangential_pole;
+T bulk_relaxation(const NetworkInputs<T>& in, const BulkCoefficients<T>& c) {
+  const auto& [normal, pole, tangential, tangential_pole, own, even, uneven] = c;
+  const T d2 = in.z - tangential_pole;
   const T square = d2 * d2;
-  const T lost = scatter / d1 + tangential / (square * (r + own * square));
+  const T by_exponent = (1.0 - in.b) * (1.0 - (even + uneven * in.scatter) * in.b);
+  const T lost = normal * by_exponent / (in.z - pole) + tangential / (square * (in.r + own * square));
   return 1.0 / (1.0 + lost);
 }
 
@@ -117,8 +157,33 @@ T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>&
 /// does in the first term of bulk_relaxation.
 /// \param    loss   size_loss, or what a fit tries in its place
 template <class T>
-T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
-  return 1.0 / (1.0 + loss * variance / scatter_distance(z, b, c));
+T size_bulk_share(const T& z, const T& loss, double variance, const BulkCoefficients<T>& c) {
+  return 1.0 / (1.0 + loss * variance / (z - c[1]));
+}
+
+/// What rung 3 multiplies the closed form of uniform strain with.
+template <class T>
+struct RelaxedFactors {
+  T share; ///< uniform strain summed over contacts over the closed form
+  T shear; ///< G over that
+  T bulk;  ///< K over that
+};
+
+/// Of a valid state of z* above the isostatic point; forces as they were counted, or as expected.
+template <class T>
+RelaxedFactors<T> relaxed_factors(const State& s, const T& z, const T& b) {
+  const double variance = branch_variance(s.contacts);
+  const T none = z * 0.0;
+  const T scatter = s.forces ? T(none + scatter_of_equal(s.forces->scatter, variance))
+                             : expected_scatter(z, 0, constants<T>(force_coefficients));
+  const T share = s.forces ? T(none + s.forces->strain_share) : expected_share(b, scatter, variance);
+  const NetworkInputs<T> in{.z = z, .r = T(none + s.tangential_ratio), .b = b, .scatter = scatter};
+  NetworkInputs<T> of_equal = in;
+  of_equal.z = coordination_of_equal(z, variance);
+  const auto of_bulk = constants<T>(bulk_coefficients);
+  return {.share = share,
+          .shear = shear_relaxation(of_equal, constants<T>(shear_coefficients)),
+          .bulk = bulk_relaxation(in, of_bulk) * size_bulk_share(z, T(none + size_loss), variance, of_bulk)};
 }
 
 /// What the scatter of K between unequal grains grows with: of the powers 1/2, 3/4 and 1 of the variance 3/4

@@ -32,8 +32,9 @@ Vector2d pressure_slopes(const State& s) {
 /// of the factor.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
   const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
-  const double per_pressure =
-      (1 - kernel::local_exponent(s)) * (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
+  const double per_pressure = (1 - kernel::local_exponent(s)) *
+                                  (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio)) +
+                              growth.strain_share;
   const Vector2d common = per_pressure * pressure_slopes(s);
   const auto growing = [&](const Dual& X) { return Dual(X.value(), X.derivatives() + X.value() * common); };
   return {growing(frozen.C11), growing(frozen.C33), growing(frozen.C12), growing(frozen.C13),
@@ -43,20 +44,17 @@ kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& g
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
-  const Dual r = constant(s.tangential_ratio), b = constant(kernel::calibrated_exponent(s));
-  const Dual shear =
-      kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
-                               b, kernel::constants<Dual>(kernel::shear_coefficients));
-  const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
-  const Dual bulk = kernel::bulk_relaxation(z_star, r, b, of_bulk) *
-                    kernel::size_bulk_share(z_star, b, constant(kernel::size_loss),
-                                            kernel::branch_variance(s.contacts), of_bulk);
+  const Dual b = constant(kernel::calibrated_exponent(s));
+  const kernel::RelaxedFactors<Dual> h = kernel::relaxed_factors(s, z_star, b);
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
-  const Dual stretch = kernel::log_stretch(shear, b, constant(std::log(F.F33 / F.F11)), log_stress,
+  const Dual stretch = kernel::log_stretch(h.shear, b, constant(std::log(F.F33 / F.F11)), log_stress,
                                            kernel::constants<Dual>(kernel::stretch_coefficients));
+  const kernel::RelaxedConstants<Dual> uniform = uniform_constants(s, growth);
   const kernel::RelaxedConstants<Dual> c =
-      kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
+      kernel::relax<Dual>({h.share * uniform.C11, h.share * uniform.C33, h.share * uniform.C12,
+                           h.share * uniform.C13, h.share * uniform.C44},
+                          h.bulk, h.shear, stretch);
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
 }
 
@@ -64,6 +62,7 @@ void require_finite(const Growth& growth) {
   granum::require_finite("growth.coordination_number", growth.coordination_number);
   granum::require_finite("growth.mechanical_coordination_number", growth.mechanical_coordination_number);
   granum::require_finite("growth.void_ratio", growth.void_ratio);
+  granum::require_finite("growth.strain_share", growth.strain_share);
 }
 
 constexpr ClosingGapLaw law_of(const std::array<double, 7>& c) {
@@ -88,6 +87,7 @@ void require_valid(const MeasuredPacking& packing) {
   require_positive("coordination_number", packing.coordination_number);
   require_positive("mechanical_coordination_number", packing.mechanical_coordination_number);
   require_positive("void_ratio", packing.void_ratio);
+  require_positive("strain_share", packing.strain_share);
 }
 
 } // namespace
@@ -102,7 +102,8 @@ Growth growth_between(const MeasuredPacking& first, const MeasuredPacking& secon
   return {.coordination_number = std::log(second.coordination_number / first.coordination_number) / step,
           .mechanical_coordination_number =
               (second.mechanical_coordination_number - first.mechanical_coordination_number) / step,
-          .void_ratio = (second.void_ratio - first.void_ratio) / step};
+          .void_ratio = (second.void_ratio - first.void_ratio) / step,
+          .strain_share = std::log(second.strain_share / first.strain_share) / step};
 }
 
 StressExponents relaxed_exponents(const State& state, double mechanical_coordination_number,

@@ -28,6 +28,10 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
     require_non_negative("coordination_number", *s.coordination_number);
   if (s.mechanical_coordination_number)
     require_non_negative("mechanical_coordination_number", *s.mechanical_coordination_number);
+  if (s.forces) {
+    require_positive("forces.strain_share", s.forces->strain_share);
+    require_non_negative("forces.scatter", s.forces->scatter);
+  }
   require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
   require_non_negative("stress_v", s.stress_v, "Pa");
   require_non_negative("stress_h", s.stress_h, "Pa");

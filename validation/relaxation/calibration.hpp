@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "code_scatter.hpp"
 #include "factor_fits.hpp"
+#include "force_fits.hpp"
 #include "scatter.hpp"
 #include "size_fits.hpp"
 
@@ -21,7 +23,7 @@ struct ClosingGaps {
 
   [[nodiscard]] double mechanical_coordination(const Packing& p) const {
     const auto& [initial, amplitude, exponent, spread] = growth.coefficients;
-    return initial + amplitude * (1 - spread * p.exponent()) * std::pow(p.relative_overlap, exponent);
+    return initial + amplitude * (1 - spread * p.exponent) * std::pow(p.relative_overlap, exponent);
   }
 };
 
@@ -36,7 +38,7 @@ inline ClosingGaps fit_closing_gaps(const std::vector<Packing>& packings, const 
     if (!belongs(p))
       continue;
     const Dual<4> log_overlap(std::log(p.relative_overlap));
-    const double b = p.exponent();
+    const double b = p.exponent;
     growth.push_back({[=](const Numbers<Dual<4>, 4>& c) {
                         const Dual<4> power = c[2] * log_overlap;
                         const Dual<4> amplitude = c[1] * (1.0 - c[3] * b);
@@ -77,6 +79,7 @@ struct Result {
   double shear_by_stress = 0; ///< further error of G under unequal stresses, over |ln(stress_v/stress_h)|
   double bulk_by_stress = 0;  ///< the same of K
   SizeEffect sizes = {};
+  ForcesFit forces = {};
   double bulk_codes = 0;      ///< scatter of K between codes, over kernel::looseness
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
@@ -92,9 +95,9 @@ inline RelaxedState relaxed_state(const Packing& p, const Network& n, const Resu
   const double h = shear_model(p, n, result.shear.coefficients);
   const double a = state.fabric_anisotropy;
   const double stretch =
-      kernel::log_stretch(h, p.exponent(), std::log((5 + a) / (5 - 3 * a)),
+      kernel::log_stretch(h, p.exponent, std::log((5 + a) / (5 - 3 * a)),
                           std::log(state.stress_v / state.stress_h), result.stretch.coefficients);
-  return {kernel::relax(constants_of(granum::effective::uniform_strain(state).stiffness),
+  return {kernel::relax(constants_of(granum::effective::uniform_strain(state).stiffness, p.strain_share),
                         bulk_model(p, n, result.bulk.coefficients), h, stretch),
           stretch};
 }
@@ -135,9 +138,12 @@ inline EqualFit equal_fit(const Result& result) {
 /// \param    gradations   further ones, for the scatter of K between them
 /// \param    of_codes     packings that other codes made
 inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
-                             const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes) {
-  Result result{.shear = fit_shear(packings, everything),
-                .bulk = fit_bulk(packings, everything),
+                             const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes,
+                             const std::vector<Packing>& exponents) {
+  std::vector<Packing> all = packings;
+  std::ranges::copy_if(exponents, std::back_inserter(all), is_fitted_seed);
+  Result result{.shear = fit_shear(all, everything),
+                .bulk = fit_bulk(all, everything),
                 .stretch = {},
                 .shear_scatter = {},
                 .bulk_scatter = {},
@@ -147,6 +153,7 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   result.shear_scatter = scatter_parts(residuals(packings, result.shear, shear_residual, everything));
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
+  result.forces = fit_forces(packings, unequal);
   result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
   return result;

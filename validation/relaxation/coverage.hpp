@@ -21,8 +21,7 @@ double coefficient_error(const Fit<n>& fit, const Packing& p, const Network& net
   Numbers<Dual<n>, n> c;
   for (int k = 0; k < n; ++k)
     c[static_cast<std::size_t>(k)] = Dual<n>(fit.coefficients[static_cast<std::size_t>(k)], n, k);
-  const Inputs<Dual<n>> in(p, network);
-  const Dual<n> h = model(in.z, in.r, in.b, c);
+  const Dual<n> h = model(inputs<Dual<n>>(p, network), c);
   const auto& slopes = h.derivatives();
   return std::sqrt(slopes.dot(fit.covariance * slopes)) / h.value();
 }

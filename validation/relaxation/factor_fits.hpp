@@ -11,12 +11,11 @@
 #include "effective/relaxation_kernel.hpp"
 #include "least_squares.hpp"
 #include "packings.hpp"
+#include "reading.hpp"
 
 namespace relaxation {
 
-namespace kernel = granum::effective::kernel;
-
-constexpr int shear_size = 8, bulk_size = 6, stretch_size = 2;
+constexpr int shear_size = 8, bulk_size = 7, stretch_size = 2;
 using ShearFit = Fit<shear_size>;
 using BulkFit = Fit<bulk_size>;
 using StretchFit = Fit<stretch_size>;
@@ -44,28 +43,29 @@ inline bool has_bulk_factor(const Packing& p, const Network& n) {
 
 /// The inputs of the formulas as constants of type T.
 template <class T>
-struct Inputs {
-  T z, r, b;
-  Inputs(const Packing& p, const Network& n) : z(p.mechanical_coordination), r(n.ratio), b(p.exponent()) {}
-};
+kernel::NetworkInputs<T> inputs(const Packing& p, const Network& n) {
+  return {
+      .z = T(p.mechanical_coordination), .r = T(n.ratio), .b = T(p.exponent), .scatter = T(p.equal_scatter)};
+}
 
 using Choice = std::function<bool(const Packing&)>;
 inline bool everything(const Packing&) { return true; }
 
 template <int n>
-std::vector<Observation<n>>
-observe(const std::vector<Packing>& packings, const Choice& chosen,
-        bool (*usable)(const Packing&, const Network&), double (*factor)(const Packing&, const Network&),
-        Dual<n> (*model)(const Dual<n>&, const Dual<n>&, const Dual<n>&, const Numbers<Dual<n>, n>&)) {
+using Model = Dual<n> (*)(const kernel::NetworkInputs<Dual<n>>&, const Numbers<Dual<n>, n>&);
+
+template <int n>
+std::vector<Observation<n>> observe(const std::vector<Packing>& packings, const Choice& chosen,
+                                    bool (*usable)(const Packing&, const Network&),
+                                    double (*factor)(const Packing&, const Network&), Model<n> model) {
   std::vector<Observation<n>> rows;
   for (const Packing& p : packings)
     for (const Network& network : p.networks) {
       if (!p.isotropic() || !chosen(p) || !usable(p, network))
         continue;
-      const Inputs<Dual<n>> in(p, network);
-      rows.push_back(
-          {[in, model](const Numbers<Dual<n>, n>& c) { return Dual<n>(log(model(in.z, in.r, in.b, c))); },
-           std::log(factor(p, network)), weight(network.ratio), p.recipe});
+      const auto in = inputs<Dual<n>>(p, network);
+      rows.push_back({[in, model](const Numbers<Dual<n>, n>& c) { return Dual<n>(log(model(in, c))); },
+                      std::log(factor(p, network)), weight(network.ratio) * p.weight, p.recipe});
     }
   return rows;
 }
@@ -73,25 +73,24 @@ observe(const std::vector<Packing>& packings, const Choice& chosen,
 inline ShearFit fit_shear(const std::vector<Packing>& packings, const Choice& chosen) {
   return least_squares<shear_size>(observe<shear_size>(packings, chosen, has_shear_factor, shear_factor,
                                                        kernel::shear_relaxation<Dual<shear_size>>),
-                                   {0.37, 0.25, 3.3, 0.1, 1.5, 1.2, 2.4, 3.95});
+                                   {0.36, 0.16, 3.4, 0.11, 1.5, 2.3, 3.94, 1});
 }
 inline BulkFit fit_bulk(const std::vector<Packing>& packings, const Choice& chosen) {
   return least_squares<bulk_size>(observe<bulk_size>(packings, chosen, has_bulk_factor, bulk_factor,
                                                      kernel::bulk_relaxation<Dual<bulk_size>>),
-                                  {0.23, 3.55, 0.17, 2.95, 0.005, 0.8});
+                                  {0.25, 3.48, 0.145, 3.0, 0.005, 0.14, 2});
 }
 
 inline double shear_model(const Packing& p, const Network& n, const Numbers<double, shear_size>& c) {
-  const Inputs<double> in(p, n);
-  return kernel::shear_relaxation(in.z, in.r, in.b, c);
+  return kernel::shear_relaxation(inputs<double>(p, n), c);
 }
 inline double bulk_model(const Packing& p, const Network& n, const Numbers<double, bulk_size>& c) {
-  const Inputs<double> in(p, n);
-  return kernel::bulk_relaxation(in.z, in.r, in.b, c);
+  return kernel::bulk_relaxation(inputs<double>(p, n), c);
 }
 
-inline kernel::RelaxedConstants<double> constants_of(const TransverselyIsotropic& c) {
-  return {c.C11, c.C33, c.C12, c.C13, c.C44};
+/// Times the share.
+inline kernel::RelaxedConstants<double> constants_of(const TransverselyIsotropic& c, double share) {
+  return {share * c.C11, share * c.C33, share * c.C12, share * c.C13, share * c.C44};
 }
 
 /// ln of the stretch that makes C33/C11 and G_hh/G_vh of the relaxed closed form those of the network.
@@ -106,13 +105,14 @@ inline StretchFit fit_stretch(const std::vector<Packing>& packings, const ShearF
       State state = p.state;
       state.tangential_ratio = network.ratio;
       const double h = shear_model(p, network, shear.coefficients);
-      const auto level = kernel::relax(constants_of(granum::effective::uniform_strain(state).stiffness),
-                                       bulk_model(p, network, bulk.coefficients), h, 0.0);
+      const auto level =
+          kernel::relax(constants_of(granum::effective::uniform_strain(state).stiffness, p.strain_share),
+                        bulk_model(p, network, bulk.coefficients), h, 0.0);
       const TransverselyIsotropic& c = network.stiffness;
       const double a = state.fabric_anisotropy;
       const D log_fabric(std::log((5 + a) / (5 - 3 * a))),
           log_stress(std::log(state.stress_v / state.stress_h));
-      const auto model = [=, b = D(p.exponent())](const Numbers<D, stretch_size>& k) {
+      const auto model = [=, b = D(p.exponent)](const Numbers<D, stretch_size>& k) {
         return kernel::log_stretch(D(h), b, log_fabric, log_stress, k);
       };
       rows.push_back({model, std::log(c.C33 / c.C11 / (level.C33 / level.C11)), 1, p.recipe});

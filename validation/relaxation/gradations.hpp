@@ -41,10 +41,14 @@ inline std::vector<Packing> read_gradations(const std::string& path) {
               .mechanical_coordination = row.at("z_star"),
               .rattler_fraction = row.at("rattler_fraction"),
               .uniformity = row.at("C_u"),
-              .affine_share = 1,
-              .strain_bulk_modulus = granum::effective::uniform_strain(state).stiffness.bulk_modulus(),
+              .strain_bulk_modulus = granum::effective::uniform_strain(state).stiffness.bulk_modulus() *
+                                     row.at("G_affine_Pa") / row.at("G_uniform_strain_Pa"),
               .networks = {}};
-    p.relative_overlap = detail::relative_overlap(state);
+    // Not recorded.
+    p.scatter_error = kernel::force_scatter;
+    p.force_scatter = kernel::expected_scatter(
+        p.mechanical_coordination, kernel::branch_variance(state.contacts), kernel::force_coefficients);
+    detail::complete(p);
     p.networks.push_back(
         {state.tangential_ratio,
          {.C11 = K + 4 * G / 3, .C33 = K + 4 * G / 3, .C12 = K - 2 * G / 3, .C13 = K - 2 * G / 3, .C44 = G}});

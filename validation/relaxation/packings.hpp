@@ -35,14 +35,19 @@ struct Packing {
   State state; ///< k_t/k_n of the specimen
   double mechanical_coordination = 0;
   double rattler_fraction = 0;
-  double uniformity = 1;   ///< C_u of the grains
-  double affine_share = 0; ///< uniform strain with the network's own k_n over the closed form: <f^b>/<f>^b of
-                           ///< equal grains; of unequal ones what long branches and the scatter of k_n do too
+  double uniformity = 1; ///< C_u of the grains
+  double strain_share =
+      0; ///< K of uniform strain summed over contacts over the closed form's: <f^b>/<f>^b of
+         ///< equal grains; of unequal ones what long branches and the scatter of k_n do too
+  double force_scatter = 0;       ///< <f^2>/<f>^2 - 1
+  double equal_scatter = 0;       ///< the same reduced to equal grains
+  double scatter_error = 0;       ///< of that, where it was not recorded
+  double exponent = 0;            ///< b of k_n ~ f^b of the networks
   double strain_bulk_modulus = 0; ///< K of the network under uniform strain [Pa]
   double relative_overlap = 0;    ///< of the mean force, over the diameter
+  double weight = 1;              ///< in the fits
   std::vector<Network> networks;
 
-  [[nodiscard]] double exponent() const { return state.law.constant_exponent().value(); }
   [[nodiscard]] bool isotropic() const { return stress_ratio == 0; }
 };
 
@@ -50,14 +55,12 @@ inline double isotropic_shear_modulus(const TransverselyIsotropic& c) {
   return (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15;
 }
 
-/// What uniform strain with the network's own stiffnesses makes too much of, times what that differs from the
-/// closed form: G over that of the closed form. Of equal grains the lengths of the branches drop out.
+/// Moduli of a network over those of uniform strain summed over its contacts.
 inline double shear_factor(const Packing& p, const Network& n) {
-  const double affine = 0.3 * p.strain_bulk_modulus * (2 + 3 * n.ratio);
-  return p.affine_share * isotropic_shear_modulus(n.stiffness) / affine;
+  return isotropic_shear_modulus(n.stiffness) / (0.3 * p.strain_bulk_modulus * (2 + 3 * n.ratio));
 }
 inline double bulk_factor(const Packing& p, const Network& n) {
-  return p.affine_share * n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
+  return n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
 }
 
 /// A shape that the fits leave out altogether, to see how they do between the others.

@@ -14,9 +14,12 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "effective/relaxation_kernel.hpp"
 #include "packings.hpp"
 
 namespace relaxation {
+
+namespace kernel = granum::effective::kernel;
 
 namespace detail {
 
@@ -88,6 +91,16 @@ inline double relative_overlap(const State& state) {
          (2 * state.radius * state.contacts.branch);
 }
 
+/// What follows from the other members.
+inline void complete(Packing& p) {
+  p.strain_share =
+      p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
+  p.exponent = p.state.law.constant_exponent().value();
+  p.relative_overlap = relative_overlap(p.state);
+  p.state.forces = {.strain_share = p.strain_share, .scatter = p.force_scatter};
+  p.equal_scatter = kernel::scatter_of_equal(p.force_scatter, kernel::branch_variance(p.state.contacts));
+}
+
 inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
                        const std::string& preparation) {
   static const std::map<std::string, double> ratios{
@@ -107,19 +120,60 @@ inline Packing packing(const Row& row, const std::string& sizes, const std::stri
             .mechanical_coordination = row.at("z_star"),
             .rattler_fraction = row.at("rattler_fraction"),
             .uniformity = row.count("C_u") > 0 ? row.at("C_u") : 1,
-            .affine_share = row.at("force_moment_b"),
+            .force_scatter = row.at("force_moment_2") - 1,
             .strain_bulk_modulus = stiffness(row, "affine").bulk_modulus(),
             .networks = {}};
-  if (sizes != "equal")
-    p.affine_share =
-        p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
-  p.relative_overlap = relative_overlap(p.state);
+  complete(p);
   for (const auto& [name, ratio] : ratios)
     p.networks.push_back({ratio, stiffness(row, name)});
   return p;
 }
 
 } // namespace detail
+
+/// Networks of exponents.csv: of every packing one for each b, with that b, whatever its own law.
+inline std::vector<Packing> read_exponents(const std::string& path) {
+  constexpr double count = 0.4; // beside the seven networks of other packings
+  static const std::map<std::string, double> exponents{{"0", 0},           {"0.333", 1.0 / 3}, {"0.5", 0.5},
+                                                       {"0.667", 2.0 / 3}, {"0.8", 0.8},       {"1", 1}};
+  static const std::map<std::string, double> ratios{{"0.3", 0.3}, {"0.6", 0.6}, {"0.919", 0.918918918918919}};
+  const granum::io::CsvTable table = granum::io::read_csv(path);
+  std::vector<Packing> packings;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    const detail::Row row = detail::numbers(table.headings(), table.fields(k));
+    for (const auto& [b_name, b] : exponents) {
+      Packing p{.contact = table.fields(k)[0],
+                .preparation = table.fields(k)[1],
+                .recipe = table.fields(k)[0] + " " + table.fields(k)[1] + " equal",
+                .specimen = table.fields(k)[0] + " " + table.fields(k)[1] + " " + table.fields(k)[2],
+                .seed = static_cast<int>(row.at("seed")),
+                .pressure = row.at("p_Pa"),
+                .friction_coefficient = row.at("friction_coefficient"),
+                .state = detail::state(row, table.fields(k)[0], ratios.at("0.919")),
+                .mechanical_coordination = row.at("z_star"),
+                .rattler_fraction = row.at("rattler_fraction"),
+                .force_scatter = row.at("force_moment_2") - 1,
+                .weight = count,
+                .networks = {}};
+      detail::complete(p);
+      p.exponent = b;
+      // The moduli are over those of the closed form; <f^b>/<f>^b follows from the scatter of the forces.
+      p.strain_share = p.strain_bulk_modulus = kernel::expected_share(b, p.force_scatter, 0);
+      for (const auto& [r_name, r] : ratios) {
+        const double K = row.at("K_" + b_name + "_" + r_name);
+        const double G = 0.3 * (2 + 3 * r) * row.at("G_" + b_name + "_" + r_name);
+        p.networks.push_back({r,
+                              {.C11 = K + 4 * G / 3,
+                               .C33 = K + 4 * G / 3,
+                               .C12 = K - 2 * G / 3,
+                               .C13 = K - 2 * G / 3,
+                               .C44 = G}});
+      }
+      packings.push_back(p);
+    }
+  }
+  return packings;
+}
 
 inline std::vector<Packing> read_packings(const std::string& path) {
   const granum::io::CsvTable table = granum::io::read_csv(path);

@@ -30,6 +30,10 @@ using namespace granum;
 
 inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; ///< k_t/k_n
 
+/// b of k_n ~ f^b, and k_t/k_n, of the networks that say what b does.
+inline constexpr double solved_exponents[] = {0, 1.0 / 3, 0.5, 2.0 / 3, 0.8, 1};
+inline constexpr double exponent_ratios[] = {0.3, 0.6, 0.918918918918919};
+
 /// A row in the making: headings and cells side by side.
 struct Row {
   std::string headings;
@@ -98,6 +102,37 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
   row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
 }
 
+/// The same of isotropic packings with k_n ~ f^b in place of their own law: packing and forces stay, and so
+/// does the stiffness at the mean force, which closed forms take. Adds the moduli over those of uniform strain
+/// with that stiffness at every contact.
+inline void add_exponents(Row& row, packing::Assembly assembly, const contact::NormalLaw& law) {
+  double mean = 0;
+  for (const packing::Contact& contact : assembly.contacts)
+    mean += contact.normal_force / static_cast<double>(assembly.contacts.size());
+  const double at_mean = law.stiffness_at_force(mean);
+  for (const double ratio : exponent_ratios) {
+    double strained_K = 0, strained_G = 0; // of b = 0, which comes first
+    for (const double b : solved_exponents) {
+      for (packing::Contact& contact : assembly.contacts) {
+        contact.normal_stiffness = at_mean * std::pow(contact.normal_force / mean, b);
+        contact.tangential_stiffness = ratio * contact.normal_stiffness;
+      }
+      const network::Response response = network::linear_response(assembly, {.iteration_limit = 20000});
+      if (!response.converged())
+        throw std::runtime_error("a network did not converge");
+      if (b == 0) {
+        const elastic::Isotropic strained = elastic::isotropic_projection(response.affine());
+        strained_K = strained.bulk_modulus();
+        strained_G = strained.shear_modulus();
+      }
+      const elastic::Isotropic relaxed = elastic::isotropic_projection(response.last_iterate());
+      const std::string suffix = "_" + short_number(b) + "_" + short_number(ratio);
+      row.add("K" + suffix, relaxed.bulk_modulus() / strained_K);
+      row.add("G" + suffix, relaxed.shear_modulus() / strained_G);
+    }
+  }
+}
+
 inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
   const analysis::Measurement measured =
       analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
@@ -135,6 +170,24 @@ inline void add_sizes(Row& row, const packing::Assembly& assembly, const analysi
   row.add("grain_volume", sizes.contacts.grain_volume);
   row.add("two_contact_share", two_contact_share(assembly, measured.counts.mechanical.rattler));
   row.add("force_by_branch", force_by_branch(assembly));
+}
+
+/// What one row of exponents.csv says of a frozen isotropic state.
+inline void describe_exponents(Row& row, const dem::Specimen& frozen, const dem::Material& material) {
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
+  const analysis::Measurement measured =
+      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
+  const analysis::Microstructure micro = measured.microstructure();
+  const Mat3& stress = measured.stress.value().symmetric;
+  row.add("e", dem::void_ratio(frozen));
+  row.add("C_n", micro.coordination_number);
+  row.add("z_star", micro.mechanical_coordination_number);
+  row.add("rattler_fraction", micro.rattler_fraction);
+  row.add("a", micro.fabric_anisotropy);
+  row.add("stress_v_Pa", stress(2, 2));
+  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
+  row.add("force_moment_2", normal_force_moment(assembly, 2));
+  add_exponents(row, assembly, material.law);
 }
 
 /// What one row says of a frozen state.

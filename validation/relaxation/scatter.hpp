@@ -43,21 +43,19 @@ struct Residual {
 /// What is hidden acts on G as a shift of z*.
 inline Residual shear_residual(const Packing& p, const Network& n, const ShearFit& fit) {
   const double h = shear_model(p, n, fit.coefficients);
-  const Inputs<double> in(p, n);
-  const Dual<1> z(in.z, 1, 0);
-  const Dual<1> slope =
-      kernel::shear_relaxation(z, Dual<1>(in.r), Dual<1>(in.b), kernel::constants<Dual<1>>(fit.coefficients));
+  kernel::NetworkInputs<Dual<1>> in = inputs<Dual<1>>(p, n);
+  in.z = Dual<1>(p.mechanical_coordination, 1, 0);
+  const Dual<1> slope = kernel::shear_relaxation(in, kernel::constants<Dual<1>>(fit.coefficients));
   return {p.recipe, std::log(h / shear_factor(p, n)), slope.derivatives()[0] / h};
 }
 
 /// ... and on K as a shift of ln r: the tangential forces that a packing carries are its own.
 inline Residual bulk_residual(const Packing& p, const Network& n, const BulkFit& fit) {
   const double h = bulk_model(p, n, fit.coefficients);
-  const Inputs<double> in(p, n);
-  const Dual<1> r(in.r, 1, 0);
-  const Dual<1> slope =
-      kernel::bulk_relaxation(Dual<1>(in.z), r, Dual<1>(in.b), kernel::constants<Dual<1>>(fit.coefficients));
-  return {p.recipe, std::log(h / bulk_factor(p, n)), in.r * slope.derivatives()[0] / h};
+  kernel::NetworkInputs<Dual<1>> in = inputs<Dual<1>>(p, n);
+  in.r = Dual<1>(n.ratio, 1, 0);
+  const Dual<1> slope = kernel::bulk_relaxation(in, kernel::constants<Dual<1>>(fit.coefficients));
+  return {p.recipe, std::log(h / bulk_factor(p, n)), n.ratio * slope.derivatives()[0] / h};
 }
 
 /// Residuals of the networks that are not much softer along their contacts than across.

@@ -18,6 +18,16 @@ struct Judged {
   double stated = 0;
 };
 
+/// What a scatter of forces that was not recorded leaves unknown of ln of a factor.
+template <class Fitted>
+double error_by_scatter(const Packing& p, const Network& n, const Fitted& fit,
+                        double (*model)(const Packing&, const Network&,
+                                        const decltype(Fitted::coefficients)&)) {
+  Packing more = p;
+  more.equal_scatter += p.scatter_error;
+  return std::log(model(more, n, fit.coefficients) / model(p, n, fit.coefficients));
+}
+
 inline Judged judged_shear(const Packing& p, const Network& n, const EqualFit& equal,
                            const SizeEffect& effect) {
   const double root = std::sqrt(branch_variance(p));
@@ -27,7 +37,7 @@ inline Judged judged_shear(const Packing& p, const Network& n, const EqualFit& e
                  deviation(equal.shear_scatter, G.sensitivity), root * effect.shear.base);
   const double by_shift =
       std::abs(G.sensitivity) * std::hypot(root * effect.shear.gain, unit_shift(p) * effect.shift_error);
-  return {G.error, std::hypot(stated, by_shift)};
+  return {G.error, std::hypot(stated, by_shift, error_by_scatter(p, n, equal.shear, shear_model))};
 }
 
 /// For a packing of granum: without the scatter between codes.
@@ -38,7 +48,8 @@ inline Judged judged_bulk(const Packing& p, const Network& n, const EqualFit& eq
       (1 - bulk_share<double>(p, equal.bulk, effect.loss)) / effect.loss * effect.loss_error;
   const double by_sizes = kernel::bulk_size_measure(branch_variance(p)) * effect.bulk;
   return {K.error, std::hypot(coefficient_error(equal.bulk, p, n, kernel::bulk_relaxation<Dual<bulk_size>>),
-                              deviation(equal.bulk_scatter, K.sensitivity), std::hypot(by_sizes, by_loss))};
+                              deviation(equal.bulk_scatter, K.sensitivity),
+                              std::hypot(by_sizes, by_loss, error_by_scatter(p, n, equal.bulk, bulk_model)))};
 }
 
 /// Errors of the chosen packings against what they are stated to be.

@@ -36,11 +36,12 @@ inline double unit_shift(const Packing& p) {
   return branch_variance(p) * kernel::looseness(p.mechanical_coordination);
 }
 
-/// G over that of the closed form, as equal grains of a shifted z* have it.
+/// G over that of uniform strain, as equal grains of a shifted z* have it.
 template <class T, int n>
 T shifted_shear(const Packing& p, const Network& n_, const Numbers<T, n>& c, const T& shift) {
-  const T z = T(p.mechanical_coordination) + shift * unit_shift(p);
-  return kernel::shear_relaxation(z, T(n_.ratio), T(p.exponent()), c);
+  kernel::NetworkInputs<T> in = inputs<T>(p, n_);
+  in.z += shift * unit_shift(p);
+  return kernel::shear_relaxation(in, c);
 }
 
 /// Isotropic states of usual contacts, which all fits and errors of this file are about.
@@ -80,7 +81,7 @@ inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& eq
 /// K of unequal grains over that of equal ones.
 template <class T>
 T bulk_share(const Packing& p, const BulkFit& equal, const T& loss) {
-  return kernel::size_bulk_share(T(p.mechanical_coordination), T(p.exponent()), loss, branch_variance(p),
+  return kernel::size_bulk_share(T(p.mechanical_coordination), loss, branch_variance(p),
                                  kernel::constants<T>(equal.coefficients));
 }
 

@@ -32,30 +32,31 @@ struct Relaxation {
 /// Accuracy  1 ulp of the formula.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double mechanical_coordination_number(double coordination_number, double rattler_fraction);
 
-/// z* at which a network of contacts loses its rigidity: 3.954, and 6 for r = 0.
+/// z* at which a network of contacts loses its rigidity: 3.930, and 6 for r = 0.
 /// [validation/relaxation]
 /// \param    tangential_ratio   r = k_t/k_n >= 0 [1]
 /// \throws   InvalidArgument if r is out of its range
-/// Accuracy  0.010, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
+/// Accuracy  0.011, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double isostatic_coordination_number(double tangential_ratio);
 
 /// Of the variance of G about its curve, far above the isostatic point, what all packings of one preparation
-/// share: how recipes scatter, beside the packings of one. 0.45. [validation/relaxation]
+/// share: how recipes scatter, beside the packings of one. 0.39. [validation/relaxation]
 /// Assumes   equal grains.
 /// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
 /// The largest b that the factors are calibrated with.
-inline constexpr double largest_calibrated_exponent = 0.5;
+inline constexpr double largest_calibrated_exponent = 1;
 
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
-/// depend weakly on the contact law, as the scatter of its stiffnesses does.
+/// depend on the contact law by the scatter of its stiffnesses alone: forces are taken to scatter as they do
+/// on average at that z*, and <f^b>/<f>^b is part of both factors.
 /// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
-/// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 0.5]
+/// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
@@ -90,10 +91,11 @@ struct RelaxedEstimate {
 /// the calibration that could raise K above that of uniform strain, its upper bound: then all constants are
 /// scaled down to it, with a note. Transversely
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
-/// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
-/// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
-/// for C_u = 2, more beyond. b is contact_exponent(state); beyond largest_calibrated_exponent the factors are
-/// those of that one, with a note.
+/// Unequal grains have G's factor of equal ones of a larger z*, by 2.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
+/// of state.contacts, K over 1 + 0.35 v/(z* - 3.47), and errors that grow with v: 6 % of G
+/// for C_u = 2, more beyond. b is contact_exponent(state). Where state.forces holds counted forces, their
+/// scatter and their share of uniform
+/// strain take the place of the expected ones, and errors are smaller.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

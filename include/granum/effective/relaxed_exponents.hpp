@@ -13,6 +13,7 @@ struct Growth {
   double coordination_number = 0;            ///< d ln C_n/d ln p [1]
   double mechanical_coordination_number = 0; ///< d z*/d ln p [1]
   double void_ratio = 0;                     ///< d e/d ln p [1], negative under compression
+  double strain_share = 0; ///< d ln share/d ln p of CountedForces [1], where forces even out
 };
 
 /// A packing as it was found at one mean stress.
@@ -21,6 +22,7 @@ struct MeasuredPacking {
   double coordination_number = State::unset;            ///< C_n > 0 [1]
   double mechanical_coordination_number = State::unset; ///< z* > 0 [1]
   double void_ratio = State::unset;                     ///< e > 0 [1]
+  double strain_share = 1;                              ///< of CountedForces, > 0 [1]
 };
 
 /// Mean growth between two pressures of a path.

@@ -11,6 +11,15 @@
 /// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
 
+/// What the forces of a counted packing say beyond numbers of contacts.
+struct CountedForces {
+  double strain_share =
+      std::numeric_limits<double>::quiet_NaN();              ///< K of uniform strain, (1/(9V)) sum k_n l^2
+                                                             ///< over contacts, over that of the closed
+                                                             ///< form, which takes k_n at the mean force, > 0
+  double scatter = std::numeric_limits<double>::quiet_NaN(); ///< <f^2>/<f>^2 - 1 of the normal forces, >= 0
+};
+
 /// What is known of a packing of nearly spherical grains. The fabric and the sizes have a default, no
 /// preferred direction and equal grains. Contacts may be unknown: a closed form that needs them refuses a
 /// state without them. Any other number that is left out stays NaN and is refused by name. Of unequal grains
@@ -30,6 +39,7 @@ struct State {
   double stress_h = unset;      ///< horizontal stress in both directions, compression positive [Pa]
   sizes::ContactMeans contacts =
       {}; ///< means over contacts of unequal grains, relative to those of equal ones
+  std::optional<CountedForces> forces = std::nullopt; ///< where they were counted; only rung 3 asks for them
 
   /// p = (stress_v + 2 stress_h)/3 [Pa].
   [[nodiscard]] double mean_stress() const { return (stress_v + 2 * stress_h) / 3; }
