@@ -92,6 +92,7 @@ from ._granum import (
     rose,
     RoseBin,
     rotate,
+    rough_sphere,
     Rung,
     RungAssessment,
     rungs,

@@ -77,9 +77,9 @@ void bind_normal_law(py::module_& module) {
   py::class_<NormalLaw> law(module, "NormalLaw",
                             R"(Normal contact of two equal elastic grains.
 
-Made by sphere, cone, flat_punch, power_law and, whatever the law, contact_law. The overlap d is the full
-approach of two grain centres; compression is positive. Methods take numbers or arrays. What only the power
-family f = c d^(1+1/alpha) has raises InvalidArgument for another law.)");
+Made by sphere, cone, flat_punch, power_law, rough_sphere and, whatever the law, contact_law. The overlap d
+is the full approach of two grain centres; compression is positive. Methods take numbers or arrays. What
+only the power family f = c d^(1+1/alpha) has raises InvalidArgument for another law.)");
   add_of_power_law(law, "alpha", &PowerLaw::alpha,
                    "Exponent of the profile z = A r^alpha [1]; inf: flat punch.");
   add_of_power_law(law, "coefficient", &PowerLaw::coefficient,

@@ -37,6 +37,7 @@ struct Given {
     pore_density,
     rattlers,
     growth,
+    contacts,
     quantities
   };
 };
@@ -102,6 +103,8 @@ py::object infer(const Arguments& a) {
     options.rattler_fraction = number_of("rattler_fraction", a[Given::rattlers]);
   if (a.given(Given::growth))
     options.growth = inverse::growth_rule_of(a.text(Given::growth));
+  if (a.given(Given::contacts))
+    options.contacts = inverse::unknown_contacts(a.text(Given::contacts));
   const MeasuredColumns measured = columns_of(a, law);
   const Columns columns(measured.arguments);
   std::vector<inverse::Observation> measurements;
@@ -219,6 +222,44 @@ Its numbers raise NotConverged where no contact number explains what was measure
           "growth_exponent", [](const Answer& a) { return together(a).growth_exponent(); },
           "Of growth = fitted; else None.")
       .def_property_readonly(
+          "contact_numbers",
+          [](const Answer& a) {
+            py::dict out;
+            if (const auto& implied = together(a).contacts())
+              for (const inverse::ImpliedNumber& number : implied->numbers)
+                out[py::str(number.key)] = number.value;
+            return out;
+          },
+          "z* and the numbers of the contact law that were asked for, by name; SI. Empty for contacts = "
+          "given.")
+      .def_property_readonly(
+          "undetermined",
+          [](const Answer& a) {
+            std::vector<std::string> out;
+            if (const auto& implied = together(a).contacts())
+              for (const inverse::ImpliedNumber& number : implied->numbers)
+                if (!number.determined())
+                  out.push_back(number.key);
+            return out;
+          },
+          "Those of contact_numbers that the measurements cannot tell.")
+      .def_property_readonly(
+          "would_determine",
+          [](const Answer& a) {
+            const auto& implied = together(a).contacts();
+            return implied && implied->would_determine
+                       ? std::optional<std::string>(inverse::row_of(*implied->would_determine).key)
+                       : std::nullopt;
+          },
+          "What would tell them, measured at the same states within 2 %; None where nothing would.")
+      .def_property_readonly(
+          "contact_law",
+          [](const Answer& a) {
+            const auto& implied = together(a).contacts();
+            return implied ? implied->law : std::nullopt;
+          },
+          "The law that is implied; None for contacts = given.")
+      .def_property_readonly(
           "chi_square", [](const Answer& a) { return together(a).chi_square(); },
           "Sum of squared deviations.")
       .def_property_readonly(
@@ -290,7 +331,8 @@ void bind_inverse(py::module_& module) {
                                 {"grain_density", "None"},
                                 {"pore_density", "0.0"},
                                 {"rattler_fraction", "None"},
-                                {"growth", "'packings'"}};
+                                {"growth", "'packings'"},
+                                {"contacts", "'given'"}};
   for (const inverse::QuantityRow& row : inverse::quantities())
     keywords.push_back({row.key, "None"});
   define(module, {"infer", keywords, &infer,
@@ -326,6 +368,9 @@ rattler_fraction : float, optional
     x_0 at the first measurement, where it is known [1].
 growth : str
     How z* follows the pressure: "packings", as in granum's own packings, "fixed", or "fitted".
+contacts : str
+    What is asked for besides z*, in the place of smooth spheres: "given" (nothing: the law stays), "rough"
+    (roughness), or "power-law" (softness, which is k_n over Hertz', and alpha).
 G, G_hh, K : array_like, optional
     Measured moduli [Pa]; NaN where there is none.
 V_s, V_s_hh, V_p, V_p_h : array_like, optional

@@ -96,6 +96,31 @@ def test_infer_finds_the_contacts_back(growth):
     assert (predicted.standard_error > 0).all()
 
 
+def test_contacts_that_speeds_imply_are_those_of_the_program(run_program, tmp_path):
+    table = tmp_path / "speeds.csv"
+    table.write_text("p_kPa,e,V_s_m/s,V_p_m/s\n50,0.6,200,330\n100,0.6,232,379\n200,0.6,268,434\n")
+    place = OPTIONS.index("--void-ratio")
+    options = OPTIONS[:place] + OPTIONS[place + 2 :]
+    said = run_program(
+        "infer", "--table", table, *options, "--fabric", "0", "--measurement-error", "2%", "--contacts", "power-law"
+    )
+    beads = {key: value for key, value in BEADS.items() if key != "void_ratio"}
+    measured = {"pressure": [50e3, 100e3, 200e3], "V_s": [200, 232, 268], "V_p": [330, 379, 434]}
+    found = granum.infer(
+        **beads, void_ratio=0.6, **measured, relative_error=0.02, grain_density=2500, contacts="power-law"
+    )
+    numbers = {number["key"]: number for number in said["contacts"]["numbers"]}
+    assert list(found.contact_numbers) == list(numbers) == ["z*", "softness", "alpha"]
+    for key, number in found.contact_numbers.items():
+        assert number.value == numbers[key]["value"]
+        assert (key in found.undetermined) == (not numbers[key]["determined"])
+    assert found.would_determine == said["contacts"]["would_determine"]
+    assert found.contact_law.alpha == pytest.approx(found.contact_numbers["alpha"].value, rel=1e-12)
+    assert granum.infer(**beads, void_ratio=0.6, **measured, relative_error=0.02, grain_density=2500).contact_law is None
+    with pytest.raises(granum.InvalidArgument, match="cubes"):
+        granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02, contacts="cubes")
+
+
 def test_a_hole_in_the_measurements_is_left_out():
     whole = granum.infer(**BEADS, pressure=[1e5], G=[150e6], relative_error=0.02)
     holes = granum.infer(

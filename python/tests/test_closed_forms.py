@@ -222,6 +222,8 @@ MATERIAL = {"shear_modulus": 30e9, "poisson_ratio": 0.15}
         ("cone", granum.cone, {"slope": 0.4}),
         ("flat", granum.flat_punch, {"punch_radius": 5.7e-6}),
         ("power-law", granum.power_law, {"alpha": 1.5, "profile_constant": 180}),
+        ("power-law", granum.power_law, {"alpha": 0.5, "profile_constant": 0.01}),
+        ("rough", granum.rough_sphere, {"radius": 0.5e-3, "roughness": 0}),
     ],
 )
 def test_laws_by_name_are_those_of_their_makers(shape, maker, numbers):
@@ -235,6 +237,21 @@ def test_laws_by_name_are_those_of_their_makers(shape, maker, numbers):
         granum.contact_law(shape, **MATERIAL, **missing)
     with pytest.raises(TypeError, match="colour"):
         granum.contact_law(shape, **MATERIAL, **numbers, colour=1)
+
+
+def test_rough_spheres_stiffen_as_their_force_under_little_of_it_and_as_spheres_under_much():
+    numbers = {**MATERIAL, "radius": 0.5e-3}
+    rough, smooth = granum.rough_sphere(**numbers, roughness=20e-9), granum.sphere(**numbers)
+    force = np.logspace(-7, 6, 40)
+    exponent, ratio = rough.exponent_at_force(force), rough.stiffness_at_force(force) / smooth.stiffness_at_force(force)
+    assert exponent[0] == pytest.approx(1, abs=1e-3)
+    assert exponent[-1] == pytest.approx(1 / 3, abs=1e-5)
+    assert (np.diff(exponent) < 0).all() and (np.diff(ratio) > 0).all()
+    assert rough.force(rough.overlap(0.1)) == pytest.approx(0.1, rel=1e-12)
+    with pytest.raises(granum.InvalidArgument, match="RoughSphere"):
+        rough.alpha
+    with pytest.raises(granum.InvalidArgument, match="roughness"):
+        granum.rough_sphere(**numbers, roughness=-1e-9)
 
 
 def test_a_law_that_is_none_is_refused_with_those_there_are():

@@ -77,6 +77,17 @@ Counts count(const packing::Assembly& assembly, std::size_t grains) {
   return out;
 }
 
+/// The contacts that bear something. Those of rough grains begin at next to no force: one that bears less
+/// than 1e-3 of the mean adds nothing to any modulus (validation/rough_contact), and would count as others.
+packing::Assembly bearing_part(const packing::Assembly& assembly) {
+  double mean = 0;
+  for (const packing::Contact& c : assembly.contacts)
+    mean += c.normal_force / static_cast<double>(assembly.contacts.size());
+  packing::Assembly bearing = assembly;
+  std::erase_if(bearing.contacts, [mean](const packing::Contact& c) { return c.normal_force < 1e-3 * mean; });
+  return bearing;
+}
+
 /// The contacts that press: moments of forces have no meaning in tension.
 packing::Assembly pressing_part(const packing::Assembly& assembly) {
   packing::Assembly pressing = assembly;
@@ -117,7 +128,8 @@ class Measuring {
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_);
-    out_.counts = count(moving(), assembly_.grain_count());
+    const bool rough_grains = given_.law && given_.law->rough_sphere() != nullptr && forces_known_;
+    out_.counts = count(rough_grains ? bearing_part(moving()) : moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
@@ -353,7 +365,8 @@ class Measuring {
   /// The assembly with k_n and k_t of its contacts by the law.
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
-    const bool by_forces = rounded_ > rough && forces_known_;
+    // Where the overlap of rough grains begins is a convention of their law; what a contact bears is not.
+    const bool by_forces = forces_known_ && (rounded_ > rough || out_.law->rough_sphere() != nullptr);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (!given_.materials.empty())

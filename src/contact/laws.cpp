@@ -24,7 +24,7 @@ LawRow cone() {
   row.source = "[Sneddon1965]";
   row.cpp_name = "PowerLaw::cone";
   row.header = power_law_header;
-  row.synonyms = {"conical", "rough"};
+  row.synonyms = {"conical"};
   row.parameters = {{.key = "cone_slope",
                      .name = "slope",
                      .symbol = "A_1",
@@ -86,26 +86,54 @@ LawRow power_law() {
   row.source = "The family that holds cones, spheres and flat punches. [Galin1946] [Sneddon1965]";
   row.cpp_name = "PowerLaw::general";
   row.header = power_law_header;
-  row.synonyms = {"rough"};
-  row.parameters = {{.key = "alpha",
-                     .name = "alpha",
-                     .symbol = "alpha",
-                     .help = ">= 1, of the profile A r^alpha",
-                     .value = 1.5,
-                     .low = 1,
-                     .high = 100,
-                     .reason = "beyond, the contact is flat within 1 %"},
-                    {.key = "profile_constant",
-                     .name = "profile_constant",
-                     .symbol = "A",
-                     .help = "of one grain",
-                     .unit = "m^(1-alpha)",
-                     .value = 180,
-                     .low = 1e-300,
-                     .high = 1e300,
-                     .reason = "its powers fit"}};
+  row.parameters = {
+      {.key = "alpha",
+       .name = "alpha",
+       .symbol = "alpha",
+       .help = "> 0, of the profile A r^alpha; simulations take 1 and more",
+       .value = 1.5,
+       .low = 1,
+       .high = 100,
+       .reason =
+           "beyond, the contact is flat within 1 %; below 1 it is a cusp, which closed forms alone take"},
+      {.key = "profile_constant",
+       .name = "profile_constant",
+       .symbol = "A",
+       .help = "of one grain",
+       .unit = "m^(1-alpha)",
+       .value = 180,
+       .low = 1e-300,
+       .high = 1e300,
+       .reason = "its powers fit"}};
   row.make = [](const GrainMaterial& grain, double, Numbers x) {
     return PowerLaw::general(grain, x[0], x[1]);
+  };
+  return row;
+}
+
+LawRow rough() {
+  LawRow row("rough");
+  row.plural = "rough spheres";
+  row.maker = "rough_sphere";
+  row.title =
+      "Contact of two equal spheres with rough surfaces, k_n ~ f under little force, Hertz under much.";
+  row.source = "1/k_n = u0/f + 1/(k_H sqrt(h)), h calibrated. [Persson2007] [Hertz1882]";
+  row.cpp_name = "RoughSphere";
+  row.header = "contact/rough_sphere.hpp";
+  row.synonyms = {"roughness", "rough-sphere", "rough-spheres"};
+  row.depends_on_size = true;
+  row.parameters = {{.key = "roughness",
+                     .name = "roughness",
+                     .symbol = "u0",
+                     .help = "about 0.4 of the rms height of both surfaces together; 0 is smooth",
+                     .dimension = Dimension::length,
+                     .value = 20e-9,
+                     .low = 0,
+                     .high = 1e-5,
+                     .reason = "beyond, few asperities touch",
+                     .within_grain = true}};
+  row.make = [](const GrainMaterial& grain, double radius, Numbers x) {
+    return RoughSphere(grain, radius, x[0]);
   };
   return row;
 }
@@ -154,7 +182,7 @@ std::string LawParameter::option() const {
 }
 
 std::span<const LawRow> laws() {
-  static const std::vector<LawRow> table{cone(), sphere(), flat(), power_law()};
+  static const std::vector<LawRow> table{cone(), sphere(), flat(), power_law(), rough()};
   return table;
 }
 

@@ -41,8 +41,10 @@ struct Exponent {
   double low;
 };
 
-/// x/(y+z), y >= z.
+/// x/(y+z).
 Exponent quotient(double x, double y, double z) {
+  if (y < z)
+    return quotient(x, z, y);
   const double sum = y + z;
   const double high = x / sum;
   const double remainder = std::fma(-high, sum, x) - high * (z - (sum - y));
@@ -90,11 +92,15 @@ PowerLaw PowerLaw::flat(const GrainMaterial& grain, double punch_radius) {
 
 PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double profile_constant) {
   const auto& [shear, nu] = checked(grain);
-  if (!(alpha >= 1) || std::isinf(alpha))
+  if (!(alpha > 0) || std::isinf(alpha))
     throw InvalidArgument("alpha", alpha, "",
-                          "[1, inf); infinite alpha is the flat punch (--contact flat, PowerLaw::flat)");
+                          "(0, inf); infinite alpha is the flat punch (--contact flat, PowerLaw::flat)");
   require_positive("profile_constant", profile_constant, "m^(1-alpha)");
   const double root = std::pow(profile_factor(alpha), 1 / alpha) * std::pow(profile_constant, -1 / alpha);
+  if (!(root > 0) || std::isinf(root)) // of cusps, whose exponent 1/alpha is large
+    throw InvalidArgument("profile_constant", profile_constant, "m^(1-alpha)",
+                          "what a contact of alpha = " + short_text(alpha) +
+                              " may have: forces exceed a double");
   return {grain, alpha, 2 * shear / (1 - nu) / (1 + 1 / alpha) * root};
 }
 
@@ -115,8 +121,8 @@ PowerLaw PowerLaw::of_pair_radius(double ratio) const {
 
 PowerLaw PowerLaw::of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers) {
   static_cast<void>(checked(grain));
-  if (!(numbers[0] >= 1))
-    throw InvalidArgument("alpha", numbers[0], "", "[1, inf]");
+  if (!(numbers[0] > 0))
+    throw InvalidArgument("alpha", numbers[0], "", "(0, inf]");
   return {grain, numbers[0], require_positive("coefficient", numbers[1])};
 }
 

@@ -241,12 +241,17 @@ void Engine::Data::choose_time_step() {
   const double omega_squared = frequency_bound.highest_squared(
       law, input, walls ? &*walls : nullptr,
       [this](const std::function<void(std::size_t)>& job) { each_chunk(job); });
+  // Rough spheres that hardly touch are softer than any that bear: one step of theirs would pass through the
+  // whole of the roughness.
+  const contact::RoughSphere* const rough = material.law.rough_sphere();
+  const double least =
+      rough != nullptr ? 20 * rough->stiffness_at_force(0x1p-10 * rough->transition_force()) / lightest : 0;
   if (omega_squared > 0) {
-    dt = time_step_fraction * 2 / std::sqrt(omega_squared);
+    dt = time_step_fraction * 2 / std::sqrt(std::max(omega_squared, least));
   } else if (dt == 0) {
     // Nothing touches yet: the stiffness that an overlap of 1e-4 R would have.
     const double k_n = material.law.stiffness_at_overlap(1e-4 * cold.radius);
-    dt = time_step_fraction * 2 / std::sqrt(20 * k_n / lightest);
+    dt = time_step_fraction * 2 / std::sqrt(std::max(20 * k_n / lightest, least));
   }
 }
 

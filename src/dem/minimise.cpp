@@ -299,6 +299,7 @@ RelaxReport minimise(Specimen& state, const contact::NormalLaw& law, std::option
     throw InvalidArgument("minimise: the state has no grains");
   require_positive("radius", state.radius, "m");
   require_valid_sizes(state);
+  require_simulable(law);
   clear_tangential(state);
   Minimiser minimiser(state, law, pressure, options);
   const RelaxReport report = minimiser.run();

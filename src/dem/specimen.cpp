@@ -72,7 +72,16 @@ std::vector<packing::Contact> wall_contacts(const Specimen& state, const Materia
 
 } // namespace
 
+void require_simulable(const contact::NormalLaw& law) {
+  if (const contact::PowerLaw* power = law.power_law(); power != nullptr && power->alpha() < 1)
+    throw InvalidArgument(
+        "alpha", power->alpha(), "",
+        "[1, inf] of simulations: below 1 grains would touch with cusps, whose overlaps under "
+        "little force are not small; closed forms and networks of given forces take it");
+}
+
 void require_valid(const Material& material) {
+  require_simulable(material.law);
   require_non_negative("tangential_ratio", material.tangential_ratio);
   require_positive("density", material.density, "kg/m^3");
   if (!(material.friction_coefficient >= 0))

@@ -50,6 +50,9 @@ constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
 /// Of the lengths of branches over their mean: C_u = 4.
 constexpr double largest_branch_deviation = 0.51;
+/// What the factors are off by at b = 1, where they are those of b = 1/2, growing evenly from there: G, over
+/// (1 - h)^2, too stiff; K. Of rough packings, z* from 5.0 to 6.3: validation/rough_contact/README.md.
+constexpr double shear_beyond = 2.0, bulk_beyond = 0.06;
 
 /// A factor with its slopes by its n coefficients, then by z* and r.
 template <std::size_t n>
@@ -186,9 +189,11 @@ void note_state(const State& s, double z, Validity& validity) {
         "as long as the diameter, are too stiff",
         overlap));
   if (const double b = kernel::local_exponent(s); b > largest_calibrated_exponent)
-    validity.add(detail::formatted(
-        "contacts stiffen as f^%.3g: the relaxation factors are calibrated up to f^0.5, and taken from there",
-        b));
+    validity.add(detail::formatted("contacts stiffen as f^%.3g: the relaxation factors are calibrated up to "
+                                   "f^0.5, and taken from there; "
+                                   "they are then too large, by up to 70 %% of G where contacts are few, and "
+                                   "the stated error is as wide",
+                                   b));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(
@@ -236,6 +241,10 @@ RelaxingFactors relaxing_factors(const State& s, double z) {
   const double stresses = std::abs(log_stress_ratio(s));
   factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
   factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
+  const double beyond = 2 * (kernel::local_exponent(s) - kernel::calibrated_exponent(s));
+  const double lost = 1 - factors.shear.value;
+  factors.shear.error = std::hypot(factors.shear.error, shear_beyond * lost * lost * beyond);
+  factors.bulk.error = std::hypot(factors.bulk.error, bulk_beyond * beyond);
   return factors;
 }
 

@@ -27,23 +27,39 @@ Vector2d pressure_slopes(const State& s) {
   return Vector2d(s.stress_v, 2 * s.stress_h) / (3 * s.mean_stress());
 }
 
-/// Constants of uniform_strain(state) with their slopes by the stresses. Each constant is
-/// (C_n/(1+e))^(1-b) times a function of the stresses, so its slope is that at frozen contacts plus that
-/// of the factor.
+/// d ln (C_n/(1+e))/d ln p.
+double density_growth(const State& s, const Growth& growth) {
+  return growth.coordination_number - growth.void_ratio / (1 + s.void_ratio);
+}
+
+/// Constants of uniform_strain(state) with their slopes by the stresses. Each constant is C_n/(1+e) times a
+/// function of stresses over C_n/(1+e), so its slope is that at frozen contacts plus that of this density of
+/// contacts; where b is the same at every force the constant goes as its power 1-b.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
   const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
-  const double per_pressure =
-      (1 - kernel::local_exponent(s)) * (growth.coordination_number - growth.void_ratio / (1 + s.void_ratio));
-  const Vector2d common = per_pressure * pressure_slopes(s);
-  const auto growing = [&](const Dual& X) { return Dual(X.value(), X.derivatives() + X.value() * common); };
+  const Vector2d slopes = density_growth(s, growth) * pressure_slopes(s);
+  const std::optional<double> b = s.law.constant_exponent();
+  const auto growing = [&](const Dual& X) {
+    const double by_density = b ? (1 - *b) * X.value() : X.value() - X.derivatives().sum();
+    return Dual(X.value(), X.derivatives() + by_density * slopes);
+  };
   return {growing(frozen.C11), growing(frozen.C33), growing(frozen.C12), growing(frozen.C13),
           growing(frozen.C44)};
+}
+
+/// The exponent that the factors are taken at, with its slopes by the stresses, which change the mean force.
+Dual calibrated_exponent(const State& s, const Growth& growth) {
+  const double b = kernel::calibrated_exponent(s);
+  if (s.law.constant_exponent() || b != kernel::local_exponent(s))
+    return {b, Vector2d::Zero()};
+  const double by_force = s.law.exponent_slope_at_force(mean_contact_force(s));
+  return {b, by_force * (1 - density_growth(s, growth)) * pressure_slopes(s)};
 }
 
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
-  const Dual r = constant(s.tangential_ratio), b = constant(kernel::calibrated_exponent(s));
+  const Dual r = constant(s.tangential_ratio), b = calibrated_exponent(s, growth);
   const Dual shear =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                b, kernel::constants<Dual>(kernel::shear_coefficients));

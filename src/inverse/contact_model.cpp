@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/gamma.hpp>
@@ -53,15 +54,6 @@ Eigen::RowVector2d calibration_of(const QuantityRow& row, const effective::Relax
   return (row.speed ? 0.5 : 1) * weights.cwiseProduct(Eigen::RowVector2d(error.bulk_modulus, shear));
 }
 
-Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& jacobian) {
-  const Eigen::Index size = jacobian.cols();
-  return (jacobian.transpose() * jacobian).ldlt().solve(Eigen::MatrixXd::Identity(size, size));
-}
-
-Eigen::VectorXd least_squares_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals) {
-  return inverse_information(jacobian) * (jacobian.transpose() * residuals);
-}
-
 const State& first_state(std::span<const Observation> measurements) {
   if (measurements.empty())
     throw InvalidArgument("there is no measurement: a contact number follows from at least one");
@@ -77,6 +69,11 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
 }
 
 } // namespace
+
+Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& jacobian) {
+  const Eigen::Index size = jacobian.cols();
+  return (jacobian.transpose() * jacobian).ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+}
 
 ContactModel::ContactModel(std::span<const Observation> measurements, const InferenceOptions& options)
     : measurements_(measurements.begin(), measurements.end()), options_(options),
@@ -108,43 +105,71 @@ void ContactModel::require_known_density(const QuantityRow& row) const {
         "the contacts: take the shear wave");
 }
 
-Eigen::Index ContactModel::parameter_count() const {
-  return free_count() + prior_count + static_cast<Eigen::Index>(options_.inputs.keys.size());
+Eigen::Index ContactModel::parameter_count() const { return law_parameter(options_.contacts.numbers.size()); }
+
+Eigen::Index ContactModel::law_parameter(std::size_t number) const {
+  return free_count() + prior_count + static_cast<Eigen::Index>(options_.inputs.keys.size() + number);
 }
 
 std::string ContactModel::source_of(Eigen::Index prior) const {
-  if (prior >= prior_count)
-    return options_.inputs.keys[static_cast<std::size_t>(prior - prior_count)];
+  if (prior >= prior_count) {
+    const std::vector<std::string>& keys = options_.inputs.keys;
+    const auto index = static_cast<std::size_t>(prior - prior_count);
+    return index < keys.size() ? keys[index] : options_.contacts.numbers[index - keys.size()].key;
+  }
   static constexpr const char* sources[] = {"rattlers", "rung 3", "rung 3", "growth", "another packing"};
   return sources[prior];
 }
 
-effective::ContactCounts ContactModel::first_contacts(const Eigen::VectorXd& theta) const {
+std::vector<double> ContactModel::contact_numbers(const Eigen::VectorXd& theta) const {
+  std::vector<double> numbers;
+  for (const UnknownNumber& number : options_.contacts.numbers)
+    numbers.push_back(number.expected * std::exp(number.scatter * theta[law_parameter(numbers.size())]));
+  return numbers;
+}
+
+effective::ContactCounts ContactModel::counts_in(const Eigen::VectorXd& theta, const State& first) const {
   const double z = isostatic_ + std::exp(theta[0]);
   if (options_.rattler_fraction)
     return {.mechanical_coordination_number = z, .rattler_fraction = *options_.rattler_fraction};
-  const effective::ExpectedRattlers expected = effective::expected_rattlers(first_, z);
+  const effective::ExpectedRattlers expected = effective::expected_rattlers(first, z);
   const double deviation = std::exp(expected.scatter * theta[free_count() + rattler_prior]);
   return {.mechanical_coordination_number = z,
           .rattler_fraction = std::min(most_rattlers, expected.fraction * deviation)};
 }
 
+double ContactModel::first_force(const Eigen::VectorXd& theta) const {
+  const auto [z, rattlers] = counts_in(theta, first_);
+  return effective::mean_contact_force(effective::with_contacts(first_, z, rattlers));
+}
+
+State ContactModel::with_law(const Eigen::VectorXd& theta, State state) const {
+  if (!options_.contacts.numbers.empty())
+    state.law = options_.contacts.law(state.law, first_force(theta), contact_numbers(theta));
+  return state;
+}
+
+effective::ContactCounts ContactModel::first_contacts(const Eigen::VectorXd& theta) const {
+  return counts_in(theta, with_law(theta, first_));
+}
+
 effective::ContactCounts ContactModel::at_stress(const Eigen::VectorXd& theta, double mean_stress) const {
-  effective::ContactCounts counts = first_contacts(theta);
+  const State first = with_law(theta, first_);
+  effective::ContactCounts counts = counts_in(theta, first);
   const double step = std::log(mean_stress / reference_stress_);
   if (options_.growth == GrowthRule::fixed || step == 0)
     return counts;
   const double before = counts.mechanical_coordination_number;
   if (options_.growth == GrowthRule::fitted) {
     counts.mechanical_coordination_number = isostatic_ + std::exp(theta[0] + theta[1] * step);
-    State here = first_;
+    State here = first;
     here.stress_v *= mean_stress / reference_stress_;
     here.stress_h *= mean_stress / reference_stress_;
     const double now = counts.mechanical_coordination_number;
     counts.rattler_fraction *= effective::expected_rattlers(here, now).fraction /
-                               effective::expected_rattlers(first_, before).fraction;
+                               effective::expected_rattlers(first, before).fraction;
   } else {
-    const effective::CarriedContacts carried = effective::carried_contacts(first_, counts, mean_stress);
+    const effective::CarriedContacts carried = effective::carried_contacts(first, counts, mean_stress);
     counts = carried.counts;
     counts.mechanical_coordination_number += carried.coordination_error * theta[free_count() + growth_prior];
   }
@@ -159,9 +184,10 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
   effective::ContactCounts counts = at_stress(theta, at.mean_stress());
   if (specimen == AskedPacking::same)
     return counts;
-  State here = at;
+  const State there = with_law(theta, at);
+  State here = there;
   here.void_ratio = void_ratio_at(theta, at.mean_stress());
-  const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(at);
+  const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(there);
   const auto z_of = [](const effective::ContactCounts& c) { return c.mechanical_coordination_number; };
   // The place between the ends, and how far beyond them; where no packing is so loose, the ends are one.
   const double width = z_of(from.densest) - z_of(from.loosest);
@@ -170,7 +196,7 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
   const double z = z_of(to.loosest) + share * (z_of(to.densest) - z_of(to.loosest)) + z_of(counts) - within +
                    to.coordination_error * theta[free_count() + other_prior];
   counts.mechanical_coordination_number = std::max(z, isostatic_ + just_rigid);
-  const double by_law = effective::expected_rattlers(at, counts.mechanical_coordination_number).fraction;
+  const double by_law = effective::expected_rattlers(there, counts.mechanical_coordination_number).fraction;
   counts.rattler_fraction = std::min(by_law, most_rattlers);
   return counts;
 }
@@ -178,7 +204,8 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
 double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const {
   if (options_.growth != GrowthRule::packings || mean_stress == reference_stress_)
     return first_.void_ratio;
-  return effective::carried_contacts(first_, first_contacts(theta), mean_stress).void_ratio;
+  const State first = with_law(theta, first_);
+  return effective::carried_contacts(first, counts_in(theta, first), mean_stress).void_ratio;
 }
 
 double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
@@ -191,6 +218,7 @@ double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, 
   double density = options_.grain_density.value_or(1);
   if (const std::size_t count = options_.inputs.keys.size(); count > 0)
     options_.inputs.move(state, density, {theta.data() + priors + prior_count, count});
+  state = with_law(theta, std::move(state));
   const effective::RelaxedEstimate packing = effective::relaxed(state, z);
   const double value = std::log(effective::modulus(packing.stiffness, row.modulus));
   const double bulk_density = elastic::bulk_density(
@@ -203,7 +231,7 @@ double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, 
 Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
                                              AskedPacking specimen) const {
   const auto [z, rattlers] = contacts(theta, at, specimen);
-  const State state = effective::with_contacts(at, z, rattlers);
+  const State state = with_law(theta, effective::with_contacts(at, z, rattlers));
   return std::sqrt(1 - effective::scatter_share_of_preparation()) *
          calibration_of(row_of(quantity), effective::relaxed(state, z));
 }
@@ -253,8 +281,24 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
 }
 
 Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double start) {
-  Eigen::VectorXd theta =
+  const Eigen::VectorXd expected =
       std::log(start - model->isostatic_) * Eigen::VectorXd::Unit(model->parameter_count(), 0);
+  Inference best = solve_from(model, expected);
+  for (std::size_t number = 0; number < model->options_.contacts.numbers.size(); ++number)
+    for (const double deviation : {-1.0, 1.0}) {
+      Eigen::VectorXd other = expected;
+      other[model->law_parameter(number)] = deviation;
+      try {
+        Inference found = solve_from(model, other);
+        if (found.chi_square() < best.chi_square())
+          best = std::move(found);
+      } catch (const NotConverged&) { // one minimum is known
+      }
+    }
+  return best;
+}
+
+Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& model, Eigen::VectorXd theta) {
   std::vector<StateGroup> groups;
   Eigen::MatrixXd jacobian;
   constexpr int rounds = 4; // the scatter of rung 3 depends weakly on z*
@@ -268,7 +312,8 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
     theta = solution.theta;
     jacobian = slopes(residuals, theta);
     // GSL compares sums of squares, which differ by rounding alone near the minimum: a last step goes on.
-    const Eigen::VectorXd misfit = residuals(theta), step = least_squares_step(jacobian, misfit);
+    const Eigen::VectorXd misfit = residuals(theta),
+                          step = inverse_information(jacobian) * (jacobian.transpose() * misfit);
     const bool arrived = (jacobian * step).squaredNorm() <= negligible_gain * (1 + misfit.squaredNorm());
     if (arrived)
       theta -= step;
@@ -292,11 +337,14 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
   inference.reference_stress_ = reference_stress_;
   if (options_.growth == GrowthRule::fitted)
     inference.growth_ = Measured{theta[1], std::sqrt(covariance(1, 1))};
+  if (!options_.contacts.numbers.empty())
+    inference.contacts_ = implied_contacts(groups, theta, jacobian);
 
   const Eigen::VectorXd misfit = residuals(groups, theta);
   inference.chi_square_ = misfit.squaredNorm();
   inference.degrees_of_freedom_ =
-      measurements_.size() - std::min(measurements_.size(), static_cast<std::size_t>(free_count()));
+      measurements_.size() - std::min(measurements_.size(), static_cast<std::size_t>(free_count()) +
+                                                                options_.contacts.numbers.size());
   if (inference.degrees_of_freedom_ > 0)
     inference.probability_ = boost::math::gamma_q(static_cast<double>(inference.degrees_of_freedom_) / 2,
                                                   inference.chi_square_ / 2);
@@ -376,7 +424,8 @@ Measured Inference::predict(Quantity quantity, const effective::State& at, Asked
 
 effective::State Inference::state(effective::State at, AskedPacking specimen) const {
   const auto [z, rattlers] = model_->contacts(detail::as_vector(parameters_), at, specimen);
-  return effective::with_contacts(std::move(at), z, rattlers);
+  return model_->with_law(detail::as_vector(parameters_),
+                          effective::with_contacts(std::move(at), z, rattlers));
 }
 
 double Inference::void_ratio_at(double mean_stress) const {

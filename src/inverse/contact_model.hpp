@@ -18,13 +18,14 @@ struct StateGroup {
 
 /// Parameters: ln(z* - isostatic point) at the reference stress, g where it is fitted; then deviations from
 /// what is expected, in standard deviations: of ln x_0, of K and G of rung 3, of the growth of z*, of another
-/// packing prepared alike, of the inputs.
+/// packing prepared alike, of the inputs, of ln of the numbers of the contact law.
 class ContactModel {
  public:
   /// \throws   InvalidArgument as infer
   ContactModel(std::span<const Observation> measurements, const InferenceOptions& options);
 
-  /// Least squares from the z* that a measurement implies.
+  /// Least squares from the z* that a measurement implies. Where numbers of the law are asked for there may
+  /// be several minima: the least of those found from what is expected of them, and one deviation off that.
   [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
 
   /// z* and rattlers.
@@ -36,18 +37,38 @@ class ContactModel {
   [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
                                                const effective::State& at, AskedPacking specimen) const;
   [[nodiscard]] double void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const;
+  /// The state with the contact law of the parameters.
+  [[nodiscard]] effective::State with_law(const Eigen::VectorXd& theta, effective::State state) const;
 
  private:
+  [[nodiscard]] static Inference solve_from(const std::shared_ptr<const ContactModel>& model,
+                                            Eigen::VectorXd theta);
   [[nodiscard]] std::vector<StateGroup> groups(const Eigen::VectorXd& theta) const;
   [[nodiscard]] Eigen::VectorXd residuals(const std::vector<StateGroup>& groups,
                                           const Eigen::VectorXd& theta) const;
   void describe(Inference& inference, const std::vector<StateGroup>& groups, const Eigen::VectorXd& theta,
                 const Eigen::MatrixXd& jacobian) const;
+  [[nodiscard]] ImpliedContacts implied_contacts(const std::vector<StateGroup>& groups,
+                                                 const Eigen::VectorXd& theta,
+                                                 const Eigen::MatrixXd& jacobian) const;
+  [[nodiscard]] std::optional<Quantity> would_determine(const std::vector<StateGroup>& groups,
+                                                        const Eigen::VectorXd& theta,
+                                                        const Eigen::MatrixXd& jacobian) const;
+  /// z* and the numbers of the contact law, with errors from a covariance of the parameters.
+  [[nodiscard]] std::vector<ImpliedNumber> implied_numbers(const Eigen::VectorXd& theta,
+                                                           const Eigen::MatrixXd& covariance) const;
+  [[nodiscard]] std::vector<double> contact_numbers(const Eigen::VectorXd& theta) const;
+  /// Mean contact force of the first measurement, at its z*.
+  [[nodiscard]] double first_force(const Eigen::VectorXd& theta) const;
+  /// Rattlers at a z* of the first measurement, in a state of it.
+  [[nodiscard]] effective::ContactCounts counts_in(const Eigen::VectorXd& theta,
+                                                   const effective::State& first) const;
   [[nodiscard]] effective::ContactCounts first_contacts(const Eigen::VectorXd& theta) const;
   [[nodiscard]] effective::ContactCounts at_stress(const Eigen::VectorXd& theta, double mean_stress) const;
   /// \throws   InvalidArgument for a speed that the densities do not allow
   void require_known_density(const QuantityRow& row) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
+  [[nodiscard]] Eigen::Index law_parameter(std::size_t number) const;
   [[nodiscard]] Eigen::Index free_count() const { return options_.growth == GrowthRule::fitted ? 2 : 1; }
   [[nodiscard]] std::string source_of(Eigen::Index prior) const;
 
@@ -57,6 +78,9 @@ class ContactModel {
   double isostatic_ = 0;
   double reference_stress_ = 0;
 };
+
+/// (J^T J)^-1.
+[[nodiscard]] Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& jacobian);
 
 /// The derivatives of a function of the parameters, a column for each, by central differences: relative
 /// 1e-10 for functions that change by themselves over a distance of 1.

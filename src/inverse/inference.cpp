@@ -20,6 +20,8 @@ using effective::Explained;
 
 /// Deviations so large are taken for a contradiction: three of a thousand.
 constexpr double improbable = 0.003;
+/// A z* from which least squares find any other.
+constexpr double any_contacts = 5;
 
 double bulk_density(const Observation& m, const InferenceOptions& options) {
   return elastic::bulk_density({.grain_density = *options.grain_density,
@@ -138,6 +140,7 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
   const auto model = std::make_shared<const detail::ContactModel>(measurements, options);
   InferenceOptions one_alone = options;
   one_alone.growth = GrowthRule::fixed;
+  one_alone.contacts = {};
   InferenceAnswer answer;
   std::optional<double> start;
   for (const Observation& m : measurements) {
@@ -151,14 +154,18 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
           detail::ContactModel::solve(own, *z).packing(m.state).mechanical_coordination_number;
       start = start ? start : z;
     }
-    note_unexplained(m, options, alone.implied, answer.validity);
+    if (options.contacts.numbers.empty())
+      note_unexplained(m, options, alone.implied, answer.validity);
     answer.alone.push_back(std::move(alone));
   }
+  if (!options.contacts.numbers.empty())
+    start =
+        start.value_or(any_contacts); // where the law is asked for, that of the states may explain nothing
   if (!start)
     return answer;
   answer.together = solve_together(model, *start, measurements, answer.alone);
   note_states(*answer.together, measurements, answer.validity);
-  note_density(*answer.together, measurements.front().state, answer.validity);
+  note_density(*answer.together, answer.together->state(measurements.front().state), answer.validity);
   answer.validity.keep_each_once();
   note_contradiction(*answer.together, measurements, answer.validity);
   return answer;

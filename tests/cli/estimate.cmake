@@ -149,8 +149,8 @@ granum_estimate_refuses("only stress-h" "--stress-v is missing" --void-ratio 0.6
 granum_estimate_refuses("pressure and stress" "--pressure sets both stresses" ${state} --stress-h 100kPa)
 granum_estimate_refuses("one stress zero" "stress_h = 0 Pa is outside \\(0, inf\\)"
   --void-ratio 0.6 --stress-v 100kPa --stress-h 0kPa)
-granum_estimate_refuses("alpha < 1" "alpha = 0\\.5 is outside \\[1, inf\\)"
-  ${state} --contact power-law --alpha 0.5 --profile-constant 180)
+granum_estimate_refuses("alpha < 0" "alpha = -0\\.5 is outside \\(0, inf\\)"
+  ${state} --contact power-law --alpha=-0.5 --profile-constant 180)
 granum_estimate_refuses("power law without constant" "--contact power-law needs --alpha and --profile-constant"
   ${state} --contact power-law --alpha 1.5)
 granum_estimate_refuses("slope of a sphere" "--slope goes with --contact cone, not with --contact sphere"
@@ -160,7 +160,7 @@ granum_estimate_refuses("punch of a cone" "--punch-radius goes with --contact fl
 granum_estimate_refuses("alpha of a flat" "--alpha goes with --contact power-law" ${state} --contact flat --alpha 2)
 granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --contact power-law"
   ${state} --profile-constant 180)
-granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law}" ${state} --contact egg)
+granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law,rough}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
 granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
 granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state}

@@ -92,3 +92,17 @@ add_test(NAME "cli: infer: files" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/infer files"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_infer.cmake")
 set_tests_properties("cli: infer: files" PROPERTIES LABELS cli)
+
+# What contacts speeds imply: more numbers than z*, each with its error, and what data cannot tell.
+set(quartz --grain quartz --radius 0.1mm)
+granum_cli_test("infer: contacts of both speeds" EXIT 0 STDERR "z\\* = 4\\.99" JSON "contacts/kind=^power-law$" "contacts/numbers/0/key=^z\\*$"
+    "contacts/numbers/0/determined=^(ON|true)$" "contacts/numbers/1/key=^softness$" "contacts/numbers/2/key=^alpha$" "contacts/correlation/1=^-0\\.[89]"
+    "contacts/would_determine=^$"
+  ARGS infer --table sand_speeds.csv ${quartz} --contacts power-law --json)
+granum_cli_test("infer: shear waves alone do not tell contacts" EXIT 0 JSON "contacts/numbers/0/determined=^(OFF|false)$"
+    "contacts/would_determine=^V_p$"
+  ARGS infer --table sand_shear_speeds.csv ${quartz} --contacts power-law --json)
+granum_cli_test("infer: roughness" EXIT 0 STDOUT "contacts are implied: rough.*roughness +[0-9.]+ .m \\+-"
+  ARGS infer --table sand_speeds.csv ${quartz} --contacts rough)
+granum_cli_test("infer: contacts that are given and asked for" EXIT 2 STDERR "--contacts rough"
+  ARGS infer ${packing} --vs 280m/s --contact cone --contacts rough)

@@ -79,7 +79,7 @@ granum_new_user("a saturation in per cent" "estimate --saturation 100 ${at}" 2 "
 granum_new_user("output to a file" "estimate ${at} -o result.json" 2 "no option -o; did you mean --out")
 
 # ---- choices
-granum_new_user("Hertz" "estimate --contact hertz ${at}" 2 "hertz not in {cone,sphere,flat,power-law}; did you mean sphere")
+granum_new_user("Hertz" "estimate --contact hertz ${at}" 2 "hertz not in {cone,sphere,flat,power-law,rough}; did you mean sphere")
 granum_new_user("large letters" "estimate --contact Sphere ${at}" 0 "contact   sphere")
 granum_new_user("a sand's name as it is written" "estimate --sand Toyoura --void-ratio 0.7 --pressure 98kPa" 0 "G_g = 44 GPa")
 granum_new_user("a sand misspelt" "estimate --sand toyora --void-ratio 0.7 --pressure 98kPa" 2 "sand 'toyora' is unknown; did you mean toyoura")

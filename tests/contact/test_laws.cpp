@@ -35,10 +35,10 @@ void each_law(const Test& test) {
   }
 }
 
-/// Integral of g over [0, x], of a g that goes as a power below x.
+/// Integral of g over [0, x], of a g that goes as a power or an exponential below x.
 template <class Function>
 double integral(Function g, double x) {
-  static const std::vector<QuadratureNode> rule = gauss_legendre(64);
+  static const std::vector<QuadratureNode> rule = gauss_legendre(256);
   double sum = 0;
   for (const auto& [t, w] : rule) {
     const double u = (1 + t) / 2; // at u^4 x: smooth there

@@ -51,7 +51,7 @@ Partition parts_of(const Specimen& state) {
   return partition(neighbour_pairs(state.cell, state.position, 2.1 * radius), state.grain_count());
 }
 
-const contact::NormalKernel law = test::quartz_sphere(radius).kernel();
+const contact::NormalKernel law = contact::NormalLaw(test::quartz_sphere(radius)).kernel();
 
 Swept<LoadRow, SweepSums> smooth(const Specimen& state) {
   const auto grains = grains_of<Grains>(state);

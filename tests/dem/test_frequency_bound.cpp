@@ -68,7 +68,7 @@ struct Scene {
   template <class EachChunk>
   [[nodiscard]] double bound_by(const EachChunk& each_chunk) const {
     return FrequencyBound().highest_squared(
-        law.kernel(),
+        contact::NormalLaw(law).kernel(),
         {.parts = parts,
          .grains = grains,
          .cell = state.cell,

@@ -2,11 +2,15 @@
 #include <granum/effective/exponents.hpp>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <granum/contact/rough_sphere.hpp>
 #include <granum/core/error.hpp>
+#include <granum/effective/rungs.hpp>
 
+#include "relative.hpp"
 #include "support.hpp"
 
 using namespace granum;
@@ -119,4 +123,35 @@ TEST_CASE("exponents: undefined ones are refused") {
   for (const Modulus which : {Modulus::G_hh, Modulus::G_vh, Modulus::E_v, Modulus::E_h})
     CHECK_THROWS_AS((void)effective::uniform_stress_exponents(smooth, which), InvalidArgument);
   CHECK(std::abs(effective::uniform_stress_exponents(smooth, Modulus::K).sum() - 1.0 / 3) < 1e-12);
+}
+
+TEST_CASE("exponents: of rough spheres they are local, and derivatives of every rung") {
+  for (const double pressure : {1e3, 1e5, 1e7})
+    for (const double a : {-0.2, 0.0, 0.15})
+      for (const double ratio : {0.6, 1.0, 1.8}) {
+        State s = state_of(2, a, 0.15, ratio * pressure, pressure);
+        s.law = contact::RoughSphere(s.law.grain(), s.radius, 50e-9);
+        s.mechanical_coordination_number = 6.2;
+        for (const effective::Rung& rung : effective::closed_forms())
+          for (const Modulus which : all_moduli) {
+            CAPTURE(rung.key);
+            CAPTURE(int(which));
+            const StressExponents e = *effective::exponents(rung, s, which);
+            const auto quotient = [&](double State::*stress) {
+              const auto log_modulus = [&](double step) {
+                State moved = s;
+                moved.*stress *= std::exp(step);
+                return std::log(effective::modulus(effective::answer(rung, moved).stiffness, which));
+              };
+              const double h = 2e-3;
+              return (8 * (log_modulus(h) - log_modulus(-h)) - (log_modulus(2 * h) - log_modulus(-2 * h))) /
+                     (12 * h);
+            };
+            CHECK(std::abs(e.stress_v - quotient(&State::stress_v)) < 1e-8);
+            CHECK(std::abs(e.stress_h - quotient(&State::stress_h)) < 1e-8);
+            // Where all contacts are alike the sum is b, but for what rung 3 adds as its factor follows b.
+            if (rung.key == std::string("0"))
+              CHECK(e.sum() == relative(s.law.exponent_at_force(effective::mean_contact_force(s)), 1e-12));
+          }
+      }
 }

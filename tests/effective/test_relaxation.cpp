@@ -269,6 +269,38 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
 }
 
+TEST_CASE("relaxed: beyond b = 1/2 the stated error holds what rough packings were measured to be off by") {
+  // The packings of validation/rough_contact/README.md.
+  struct Row {
+    double z, void_ratio, pressure, C_n, G, K;
+  };
+  const std::vector<Row> rows{{5.07566, 0.559348, 10e3, 4.964, 5.89884e6, 14.02374e6},
+                              {5.05455, 0.558440, 10e3, 5.008, 5.37807e6, 13.95329e6},
+                              {5.12551, 0.562301, 10e3, 5.064, 5.87276e6, 14.11775e6},
+                              {6.27823, 0.556453, 10e3, 6.228, 13.54204e6, 15.55793e6},
+                              {6.29091, 0.554837, 10e3, 6.228, 13.14116e6, 15.52904e6},
+                              {6.28629, 0.555302, 30e3, 6.236, 38.07974e6, 41.98098e6}};
+  for (const Row& row : rows) {
+    CAPTURE(row.z);
+    effective::State state{.law = contact::RoughSphere({30e9, 0.15}, 0.5e-3, 200e-9),
+                           .tangential_ratio = contact::mindlin_stiffness_ratio(0.15),
+                           .radius = 0.5e-3,
+                           .void_ratio = row.void_ratio,
+                           .coordination_number = row.C_n,
+                           .stress_v = row.pressure,
+                           .stress_h = row.pressure};
+    CHECK(effective::contact_exponent(state) > 0.85);
+    const effective::RelaxedEstimate rough = relaxed(state, row.z);
+    const double G_off = rough.stiffness.G_vh() / row.G - 1,
+                 K_off = rough.stiffness.bulk_modulus() / row.K - 1;
+    CHECK(G_off > 0.1);
+    CHECK(G_off < 1.5 * rough.relative_error.G_vh);
+    CHECK(rough.relative_error.G_vh < 1.7 * G_off); // as wide as that, not anything
+    CHECK(std::abs(K_off) < 2 * rough.relative_error.bulk_modulus);
+    CHECK(rough.validity.notes.size() >= 1);
+  }
+}
+
 TEST_CASE("relaxation: K never exceeds that of uniform strain, and a note says where it is held to it") {
   int held = 0;
   for (const double z : {4.0, 4.5, 6.2, 8.7, 20.0})

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <granum/contact/rough_sphere.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
@@ -49,12 +50,16 @@ TEST_CASE("relaxed exponents: of frozen contacts their sum is 1/(1+alpha), whate
 }
 
 TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path") {
-  for (const double alpha : {1.0, 2.0, infinity})
+  const std::vector<contact::NormalLaw> laws{
+      law_of(1, 0.15), law_of(2, 0.15), law_of(infinity, 0.15),
+      contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 5e-4, 20e-9)};
+  for (const contact::NormalLaw& law : laws)
     for (const double a : {-0.2, 0.0, 0.15})
       for (const double ratio : {0.6, 1.0, 1.8})
         for (const double z : {4.4, 5.3, 6.2})
           for (const Modulus which : all_moduli) {
-            const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
+            State s = state_of(2, a, 0.15, ratio * 1e5, 1e5);
+            s.law = law;
             const StressExponents e = effective::relaxed_exponents(s, z, some_growth, which);
             const auto slope = [&](double State::*stress) {
               const auto f = [&](double step) { return log_modulus(s, z, some_growth, which, stress, step); };

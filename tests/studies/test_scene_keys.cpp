@@ -66,7 +66,7 @@ TEST_CASE("keys have names, meanings and takers, each name once and in its secti
     CHECK(key.taken_by(SceneCommand::reproduce));
     CHECK(&scene_key(key.name) == &key);
   }
-  CHECK(names.size() == 31);
+  CHECK(names.size() == 32);
   CHECK_THROWS_AS((void)scene_key("grain.radios"), InvalidArgument);
   CHECK_THROWS_AS((void)scene_key(""), InvalidArgument);
 }

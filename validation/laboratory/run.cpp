@@ -9,6 +9,7 @@
 #include <granum/io/output_file.hpp>
 
 #include "beads.hpp"
+#include "contacts.hpp"
 #include "sands.hpp"
 
 namespace {
@@ -24,6 +25,7 @@ void write_pictures(const std::filesystem::path& folder, const Comparison& beads
   write("beads_K.svg", chart(beads, &Moduli::bulk, "K"));
   write("sand_G.svg", chart(sand, &Moduli::shear, "G"));
   write("sands.svg", sand_chart(0.65));
+  write("sand_contacts.svg", contact_chart(quartz, sand.measured));
 }
 
 bool run(const std::string& folder, const char* pictures) {
@@ -58,10 +60,15 @@ bool run(const std::string& folder, const char* pictures) {
   print(foretell(quartz, sand.measured, GrowthRule::packings), "sand, z* growing as own packings'");
   print(foretell(quartz, sand.measured, GrowthRule::fixed), "sand, z* fixed");
   print_sands();
+  print_contacts(glass, beads.measured);
+  const std::vector<double> sand_misses = print_contacts(quartz, sand.measured);
+  print_sand_contacts("kokusho", 0.70);
+  print_sand_contacts("hardin-richart-round", 0.60);
   if (pictures != nullptr)
     write_pictures(pictures, beads, sand);
 
-  const bool holds = grown.largest() < 0.10;
+  const bool contacts_hold = sand_misses[0] > 0.09 && sand_misses[1] < 0.06 && sand_misses[2] < 0.03;
+  const bool holds = grown.largest() < 0.10 && contacts_hold;
   std::printf("\n%s\n", holds ? "holds" : "DOES NOT HOLD: see README.md");
   return holds;
 }

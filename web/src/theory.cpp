@@ -66,7 +66,7 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
 }
 
 /// The numbers of a law whose contact is as stiff as that of spheres at a force [N]: its last number is
-/// sought, the one before stays.
+/// sought, the one before stays. Rough spheres are softer whatever their roughness: they stay as given.
 /// \throws   Error where the law has no number of its own to seek
 GRANUM_EXPORT(law_as_stiff)
 void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, double radius,
@@ -86,8 +86,10 @@ void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, doub
   const double start = two ? second_number : first_number;
   double low = std::log(start * 1e-3), high = std::log(start * 1e3);
   const bool grows = stiffness(std::exp(high)) > stiffness(std::exp(low));
-  if ((stiffness(std::exp(low)) - wanted) * (stiffness(std::exp(high)) - wanted) > 0)
-    throw Error("no number of this law is as stiff");
+  if ((stiffness(std::exp(low)) - wanted) * (stiffness(std::exp(high)) - wanted) > 0) {
+    web::numbers() = two ? std::vector{first_number, second_number} : std::vector{first_number};
+    return;
+  }
   constexpr int halvings = 60;
   for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;

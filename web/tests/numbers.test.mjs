@@ -23,15 +23,15 @@ test("closed forms equal the native ones to 1e-12", async () => {
   const random = randoms(1);
   const within = (low, high) => low + (high - low) * random.next().value;
   for (let k = 0; k < 30; ++k) {
-    const shape = ["cone", "sphere", "flat", "power-law"][k % 4];
+    const shape = ["cone", "sphere", "flat", "power-law", "rough"][k % 5];
     const packing = { voidRatio: within(0.5, 0.8), coordinationNumber: within(4.5, 6.5), anisotropy: within(-0.4, 0.4), stressV: within(1e4, 1e6) };
     packing.stressH = packing.stressV * within(0.5, 1.5);
     packing.mechanicalCoordinationNumber = packing.coordinationNumber * within(1, 1.1);
     const native = granumJson("estimate", "--contact", shape, "--void-ratio", packing.voidRatio, "--coordination-number", packing.coordinationNumber,
       "--fabric", packing.anisotropy, "--stress-v", `${packing.stressV}Pa`, "--stress-h", `${packing.stressH}Pa`,
       "--mechanical-coordination-number", packing.mechanicalCoordinationNumber,
-      ...{ cone: ["--slope", 0.37], sphere: [], flat: ["--punch-radius", "6um"], "power-law": ["--alpha", 1.4, "--profile-constant", 90] }[shape]);
-    const numbers = { cone_slope: 0.37, punch_radius: 6e-6, alpha: 1.4, profile_constant: 90 };
+      ...{ cone: ["--slope", 0.37], sphere: [], flat: ["--punch-radius", "6um"], "power-law": ["--alpha", 1.4, "--profile-constant", 90], rough: ["--roughness", "30nm"] }[shape]);
+    const numbers = { cone_slope: 0.37, punch_radius: 6e-6, alpha: 1.4, profile_constant: 90, roughness: 30e-9 };
     const forms = granum.closedForms({ ...grain, shape, numbers }, packing);
     for (const [ours, theirs] of [["uniformStrain", "uniform_strain"], ["uniformStress", "uniform_stress"], ["relaxed", "relaxed"]]) {
       const form = found(native, theirs);

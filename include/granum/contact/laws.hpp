@@ -23,6 +23,7 @@ class Shape {
   static const Shape sphere;    ///< z = r^2/(2R)
   static const Shape flat;      ///< a disc of one radius at any force
   static const Shape power_law; ///< z = A_alpha r^alpha
+  static const Shape rough;     ///< spheres with an interface of roughness
 
   [[nodiscard]] constexpr std::string_view name() const { return name_; }
   constexpr bool operator==(const Shape&) const = default;
@@ -37,8 +38,9 @@ inline constexpr Shape Shape::cone{"cone"};
 inline constexpr Shape Shape::sphere{"sphere"};
 inline constexpr Shape Shape::flat{"flat"};
 inline constexpr Shape Shape::power_law{"power-law"};
+inline constexpr Shape Shape::rough{"rough"};
 
-/// "cone", "sphere", "flat", "power-law": as options, scenes and tables have it.
+/// "cone", "sphere", "flat", "power-law", "rough": as options, scenes and tables have it.
 [[nodiscard]] constexpr std::string_view name(const Shape& shape) { return shape.name(); }
 
 /// A number that a law is made of, beside the grain's material and radius.

@@ -6,18 +6,21 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/contact/rough_sphere.hpp>
 
 /// The contact law of two grains, whichever it is: what closed forms, networks and the engine ask of one.
 namespace granum::contact {
 
-/// What a class has that is a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f and the
-/// energy, each checked; the same law of other grains and of pairs of other sizes; and its kernels for
-/// sweeps. b is `constant_exponent` where it is the same at every force, which keeps closed forms closed.
+/// What a class has that is a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f with its
+/// slope db/d ln f, and the energy, each checked; the same law of other grains and of pairs of other sizes;
+/// and its kernels for sweeps. b is `constant_exponent` where it is the same at every force, which keeps
+/// closed forms closed.
 template <class Law>
 concept ContactLaw = std::equality_comparable<Law> &&
     requires(const Law& law, const GrainMaterial& grain, double x) {
@@ -27,6 +30,7 @@ concept ContactLaw = std::equality_comparable<Law> &&
   { law.stiffness_at_overlap(x) } -> std::same_as<double>;
   { law.stiffness_at_force(x) } -> std::same_as<double>;
   { law.exponent_at_force(x) } -> std::same_as<double>;
+  { law.exponent_slope_at_force(x) } -> std::same_as<double>;
   { law.constant_exponent() } -> std::same_as<std::optional<double>>;
   { law.energy(x) } -> std::same_as<double>;
   { law.grain() } -> std::same_as<const GrainMaterial&>;
@@ -35,13 +39,14 @@ concept ContactLaw = std::equality_comparable<Law> &&
   { law.depends_on_size() } -> std::same_as<bool>;
   { law.of_pair_radius(x) } -> std::same_as<Law>;
   { law.kernel() } -> std::same_as<typename Law::Kernel>;
+  { law.power_law() } -> std::same_as<const PowerLaw*>; // null where it is none
   { *law.numbers().begin() } -> std::convertible_to<double>;
   { Law::of_numbers(grain, law.numbers()) } -> std::same_as<Law>; // the same law, to the bit
   { law.text() } -> std::same_as<std::string>;
 };
 
 /// The laws that there are. A new one is named here and has its rows in the table of laws.hpp.
-using AnyLaw = std::variant<PowerLaw>;
+using AnyLaw = std::variant<PowerLaw, RoughSphere>;
 
 namespace detail {
 template <class... Variants>
@@ -50,8 +55,12 @@ template <class... A>
 struct Joined<std::variant<A...>> {
   using type = std::variant<A...>;
 };
-template <class... A, class... B, class... Rest>
-struct Joined<std::variant<A...>, std::variant<B...>, Rest...> : Joined<std::variant<A..., B...>, Rest...> {};
+template <class... A, class... Rest>
+struct Joined<std::variant<A...>, std::variant<>, Rest...> : Joined<std::variant<A...>, Rest...> {};
+template <class... A, class B, class... C, class... Rest>
+struct Joined<std::variant<A...>, std::variant<B, C...>, Rest...>
+    : Joined<std::conditional_t<(std::same_as<A, B> || ...), std::variant<A...>, std::variant<A..., B>>,
+             std::variant<C...>, Rest...> {}; // each kernel once
 template <class>
 struct KernelsOf;
 template <class... Laws>
@@ -99,6 +108,10 @@ class NormalLaw {
   /// b = d ln k_n/d ln f at f >= 0 [1].
   [[nodiscard]] double exponent_at_force(double force) const {
     return visit([=](const auto& law) { return law.exponent_at_force(force); });
+  }
+  /// db/d ln f at f >= 0 [1].
+  [[nodiscard]] double exponent_slope_at_force(double force) const {
+    return visit([=](const auto& law) { return law.exponent_slope_at_force(force); });
   }
   /// b where it is the same at every force.
   [[nodiscard]] std::optional<double> constant_exponent() const {
@@ -156,7 +169,11 @@ class NormalLaw {
   }
 
   /// The law as one of the power family; null where it is none.
-  [[nodiscard]] const PowerLaw* power_law() const { return std::get_if<PowerLaw>(&law_); }
+  [[nodiscard]] const PowerLaw* power_law() const {
+    return visit([](const auto& law) { return law.power_law(); });
+  }
+  /// The law as one of rough spheres; null where it is none.
+  [[nodiscard]] const RoughSphere* rough_sphere() const { return std::get_if<RoughSphere>(&law_); }
 
   bool operator==(const NormalLaw&) const = default;
 

@@ -83,13 +83,13 @@ class PowerLaw {
   [[nodiscard]] static PowerLaw flat(const GrainMaterial& grain, double punch_radius);
   /// Any finite alpha: c = 2 G/(1-nu) alpha/(alpha+1) (g/A)^(1/alpha), g = Gamma((alpha+1)/2)/(2 sqrt(pi)
   /// Gamma(alpha/2+1)), which tends to the flat punch of radius A^(-1/alpha).        [Galin1946; Sneddon1965]
-  /// \param    alpha              1 <= alpha < infinity
+  /// Below 1 the profile is a cusp, b from 1/2 to 1: for closed forms and networks of given forces alone.
+  /// \param    alpha              0 < alpha < infinity
   /// \param    profile_constant   A_alpha > 0 of one grain [m^(1-alpha)]
-  /// \throws   InvalidArgument for alpha < 1, infinite alpha (use flat), a constant that is not positive, or
-  ///           a material out of range
+  /// \throws   InvalidArgument for alpha <= 0, infinite alpha (use flat), a constant that is out of range
   /// Accuracy  8 ulp, for alpha = 1 and 2 as cone and sphere.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] static PowerLaw general(const GrainMaterial& grain, double alpha, double profile_constant);
-  /// The law with these numbers(), 1 <= alpha <= infinity and c > 0, to the bit.
+  /// The law with these numbers(), 0 < alpha <= infinity and c > 0, to the bit.
   /// \throws   InvalidArgument if one is out of range.  Checked by tests/contact/test_laws.cpp
   [[nodiscard]] static PowerLaw of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers);
 
@@ -99,12 +99,10 @@ class PowerLaw {
   [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
   /// The law of two equal grains of another solid and size: of spheres, alpha = 2, sphere(grain, radius); any
   /// other profile is one of the surface, of_grain(grain).
-  /// \throws   InvalidArgument as those
-  /// Accuracy  that of those.  Checked by tests/contact/test_laws.cpp
+  /// \throws   InvalidArgument as those.  Accuracy  that of those.  Checked by tests/contact/test_laws.cpp
   [[nodiscard]] PowerLaw of(const GrainMaterial& grain, double radius) const;
-  /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. The curvature of a sphere is
-  /// its size. The profile of a cone, a flat contact or a power law is one of the surface, A_alpha being
-  /// given in absolute terms: pairs of all sizes have the law of two equal grains.
+  /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. Any other profile is one of the
+  /// surface, A_alpha being given in absolute terms: all pairs have the law of two equal grains.
   [[nodiscard]] bool depends_on_size() const { return alpha_ == 2; }
   /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
   /// \throws   InvalidArgument if the ratio is not positive and finite
@@ -114,13 +112,14 @@ class PowerLaw {
   /// Accuracy  1 ulp.  Checked by tests/contact/test_pair.cpp
   [[nodiscard]] PowerLaw times(double factor) const;
 
-  /// alpha in [1, inf]; infinity for the flat punch.
+  /// alpha in (0, inf]; infinity for the flat punch.
   [[nodiscard]] double alpha() const { return alpha_; }
   /// 1/(1+alpha): the exponent b of k_n ~ f^b, 0 for the flat punch.
   [[nodiscard]] double stiffness_exponent() const { return 1 / (1 + alpha_); }
   /// That b is the same at every force.
   [[nodiscard]] std::optional<double> constant_exponent() const { return stiffness_exponent(); }
   [[nodiscard]] double exponent_at_force(double /*force*/) const { return stiffness_exponent(); }
+  [[nodiscard]] static double exponent_slope_at_force(double /*force*/) { return 0; }
   /// 1 + 1/alpha: the exponent of f ~ d^(1+1/alpha).
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
@@ -169,6 +168,7 @@ class PowerLaw {
 
   /// The unchecked kernel of this law, for sweeps; within 1e-14 of force() and stiffness_at_overlap().
   [[nodiscard]] Kernel kernel() const;
+  [[nodiscard]] const PowerLaw* power_law() const { return this; }
   /// alpha and c: laws of the same ones have the same forces.
   [[nodiscard]] std::array<double, 2> numbers() const { return {alpha_, coefficient_}; }
   /// "PowerLaw(alpha=2, coefficient=...)": kind and numbers, for people who compare two.

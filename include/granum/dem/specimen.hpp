@@ -22,7 +22,10 @@ struct Material {
   [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_ratio > 0; }
 };
 
-/// \throws InvalidArgument naming the value that no material can have.
+/// Of contact laws, cusps alone (alpha < 1, contact/power_law.hpp) are for closed forms and given networks.
+/// \throws InvalidArgument for a law that grains cannot be simulated with.
+void require_simulable(const contact::NormalLaw& law);
+/// \throws InvalidArgument naming the value that no material can have, and as require_simulable.
 void require_valid(const Material& material);
 
 /// Memory of one contact, i < j.

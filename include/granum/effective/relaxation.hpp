@@ -93,7 +93,8 @@ struct RelaxedEstimate {
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
 /// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
 /// for C_u = 2, more beyond. b is contact_exponent(state); beyond largest_calibrated_exponent the factors are
-/// those of that one, with a note.
+/// those of that one, with a note, and errors that grow with what lies beyond: at b = 1 by 2 (1 - h)^2 of G,
+/// h its factor, which is then too large, and by 6 % of K. [validation/rough_contact]
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

@@ -14,6 +14,7 @@
 #include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/inverse/contacts.hpp>
 #include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
@@ -47,6 +48,7 @@ struct InferenceOptions {
   std::optional<double> rattler_fraction = std::nullopt;
   GrowthRule growth = GrowthRule::packings;
   SharedInputs inputs = {};
+  UnknownContacts contacts = {}; ///< numbers of the contact law that are asked for as well
   std::size_t iteration_limit = 100;
 };
 
@@ -97,6 +99,8 @@ class Inference {
   [[nodiscard]] const std::vector<ErrorShare>& error_shares() const { return shares_; }
   /// g of GrowthRule::fitted.
   [[nodiscard]] const std::optional<Measured>& growth_exponent() const { return growth_; }
+  /// Where numbers of the contact law were asked for.
+  [[nodiscard]] const std::optional<ImpliedContacts>& contacts() const { return contacts_; }
   /// Sum of squared deviations, how many of them are free, and the probability that errors as stated make
   /// it so large; 1 where none is free.
   [[nodiscard]] double chi_square() const { return chi_square_; }
@@ -114,6 +118,7 @@ class Inference {
   std::vector<FittedObservation> fitted_;
   std::vector<ErrorShare> shares_;
   std::optional<Measured> growth_;
+  std::optional<ImpliedContacts> contacts_;
   double chi_square_ = 0;
   std::size_t degrees_of_freedom_ = 0;
   double probability_ = 1;
@@ -133,9 +138,10 @@ struct InferenceAnswer {
 
 /// z* by weighted least squares in ln of the measured values. Unknown besides z* are, each within its error,
 /// the share of rattlers, how z* grows, how much the packing differs from the calibration of rung 3 (the part
-/// that packings of one preparation share; the rest differs from state to state), and the inputs named as
-/// uncertain.
-/// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere
+/// that packings of one preparation share; the rest differs from state to state), the inputs named as
+/// uncertain, and the numbers of the contact law that are asked for.
+/// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere.
+///           `alone` is what a measurement says with the law of its state.
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
 ///           grain density, for a compression wave in wet pores, and for GrowthRule::fitted at one stress;
 ///           NotConverged if least squares fail

@@ -71,6 +71,11 @@ std::vector<std::string> growth_names() {
   return names;
 }
 
+std::vector<std::string> contact_names() {
+  const std::span<const std::string_view> names = inverse::unknown_contact_names();
+  return {names.begin(), names.end()};
+}
+
 void add_prediction_options(Command& command, InferOptions& o) {
   constexpr const char* group = "Predicted";
   Value pressures{.type = type_name(Dimension::pressure),
@@ -93,6 +98,12 @@ void add_prediction_options(Command& command, InferOptions& o) {
         .group = group,
         .meaning = "At other stresses: as measured sands grow; z* as it grows in packings of spheres, or "
                    "fixed; or fitted to the measurements"},
+       {.name = "--contacts",
+        .value = choice(contact_names(), o.contacts),
+        .group = group,
+        .meaning = "Contacts that are asked for besides z*: as given, rough spheres (roughness), or a "
+                   "power law (softness against Hertz, alpha)",
+        .synonyms = {{"roughness contact law implied softness"}}},
        {.name = "--predict-pressure",
         .value = std::move(pressures),
         .group = group,

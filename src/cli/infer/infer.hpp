@@ -40,6 +40,7 @@ struct InferOptions {
   AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
   std::string growth;                        ///< empty: of measured sands for a sand, of packings for spheres
+  std::string contacts = "given";            ///< which are asked for
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;

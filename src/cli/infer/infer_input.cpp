@@ -396,7 +396,12 @@ InferCase infer_case(const InferOptions& given) {
                       .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
                                     ? inverse::growth_rule_of(o.growth)
                                     : inverse::GrowthRule::packings,
-                      .inputs = uncertain_inputs_of(o, packing, question.assumptions)};
+                      .inputs = uncertain_inputs_of(o, packing, question.assumptions),
+                      .contacts = inverse::unknown_contacts(o.contacts)};
+  if (o.contacts != "given" && o.packing.contact != contact::Shape::sphere)
+    throw InvalidArgument("--contacts " + o.contacts +
+                          ": asks for contacts in the place of smooth spheres; leave "
+                          "--contact out, or ask for --contacts given");
   if (o.packing.rattler_fraction.given())
     question.options.rattler_fraction = o.packing.rattler_fraction.value;
   question.predicted = predicted_states(o, first);

@@ -122,6 +122,47 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
   return text;
 }
 
+std::string number_text(const inverse::ImpliedNumber& number) {
+  if (number.unit.empty())
+    return with_error(number.value, 3);
+  return fmt::format("{} +- {}", pretty(number.value.value, Dimension::length),
+                     pretty(number.value.standard_error, Dimension::length));
+}
+
+/// What the data leave open, and what would tell it.
+std::string open_question(const inverse::ImpliedContacts& contacts) {
+  std::vector<std::string> open;
+  for (const inverse::ImpliedNumber& number : contacts.numbers)
+    if (!number.determined())
+      open.push_back(number.key);
+  if (open.empty())
+    return {};
+  std::string text = fmt::format("  not determined by these data: {}\n", fmt::join(open, ", "));
+  text += contacts.would_determine
+              ? fmt::format("  {} at the same states, within 2 %, would determine all\n",
+                            inverse::row_of(*contacts.would_determine).key)
+              : "  nor would one more quantity at the same states: measure over a wider range of pressures\n";
+  return text;
+}
+
+std::string implied_lines(const InferCase& question, const Inference& fit) {
+  if (!fit.contacts())
+    return {};
+  const inverse::ImpliedContacts& contacts = *fit.contacts();
+  std::string text = fmt::format("\nwhat contacts are implied: {}\n", question.options.contacts.name);
+  for (const inverse::ImpliedNumber& number : contacts.numbers)
+    text += fmt::format("  {:<9} {:>16}\n", number.key, number_text(number));
+  text += fmt::format("  {:<9} {:>16}   k_n ~ f^b at the mean force of the first measurement\n", "b",
+                      short_text(contacts.local_exponent, 3));
+  text += fmt::format("  {:<9} {:>16}   of Hertz' k_n there\n", "k_n", percent_text(contacts.softness));
+  const std::size_t size = contacts.numbers.size();
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t k = i + 1; k < size; ++k)
+      text += fmt::format("  correlation of ln {} and ln {}: {:.2f}\n", contacts.numbers[i].key,
+                          contacts.numbers[k].key, contacts.correlation[i * size + k]);
+  return text + open_question(contacts);
+}
+
 std::string prediction_lines(const InferCase& question, const Inference& fit) {
   std::string text;
   for (const auto& [state, specimen] : question.predicted) {
@@ -149,6 +190,22 @@ ordered_json json_of(const inverse::InferredPacking& packing) {
   return {{"mechanical_coordination_number", json_of(packing.mechanical_coordination_number)},
           {"rattler_fraction", json_of(packing.rattler_fraction)},
           {"coordination_number", json_of(packing.coordination_number)}};
+}
+
+ordered_json json_of(const inverse::ImpliedContacts& contacts, const std::string& name) {
+  ordered_json json = {{"kind", name}, {"numbers", ordered_json::array()}};
+  for (const inverse::ImpliedNumber& number : contacts.numbers)
+    json["numbers"].push_back({{"key", number.key},
+                               {"value", number.value.value},
+                               {"standard_error", number.value.standard_error},
+                               {"determined", number.determined()}});
+  json["correlation"] = contacts.correlation;
+  json["exponent"] = contacts.local_exponent;
+  json["softness"] = contacts.softness;
+  json["would_determine"] = contacts.would_determine
+                                ? ordered_json(inverse::row_of(*contacts.would_determine).key)
+                                : ordered_json();
+  return json;
 }
 
 ordered_json json_of(const State& s) {
@@ -223,7 +280,8 @@ bool is_told(const InferCase& question, const QuantityRow& row) {
 std::string infer_table(const InferCase& question, const InferenceAnswer& answer) {
   std::string text = head_text(question) + measurement_lines(question, answer);
   if (answer.together)
-    text += contact_lines(question, *answer.together) + prediction_lines(question, *answer.together);
+    text += contact_lines(question, *answer.together) + implied_lines(question, *answer.together) +
+            prediction_lines(question, *answer.together);
   text += "\n";
   for (const std::string& note : question.assumptions)
     text += "note: " + note + "\n";
@@ -237,6 +295,8 @@ ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer
     json["answer"] = json_of(fit.packing(question.measurements.front().state));
     json["reference_stress"] = fit.reference_stress();
     json["growth_exponent"] = fit.growth_exponent() ? json_of(*fit.growth_exponent()) : ordered_json();
+    if (fit.contacts())
+      json["contacts"] = json_of(*fit.contacts(), question.options.contacts.name);
     for (const inverse::ErrorShare& share : fit.error_shares())
       json["error_shares"][share.source] = share.share;
     json["chi_square"] = fit.chi_square();

@@ -39,6 +39,7 @@ StudyOutcome run_and_judge(const studies::Scene& scene, const std::atomic<bool>&
   outcome.seconds = seconds_since(start);
   outcome.stopped = stop;
   outcome.exponents = studies::exponents(scene, outcome.specimens);
+  outcome.local_exponents = studies::local_exponents(scene, outcome.specimens);
   outcome.verdicts = studies::verdicts(scene, outcome.specimens);
   return outcome;
 }

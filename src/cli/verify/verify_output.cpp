@@ -24,11 +24,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* states_name = "states.csv";
 constexpr const char* exponents_name = "exponents.csv";
+constexpr const char* local_exponents_name = "local_exponents.csv";
 constexpr const char* scene_name = "scene.toml";
 constexpr const char* manifest_name = "manifest.json";
 constexpr const char* report_name = "report.html";
 constexpr const char* figures_name = "figures";
-constexpr const char* file_names[] = {states_name,   exponents_name, scene_name,
+constexpr const char* file_names[] = {states_name,   exponents_name, local_exponents_name, scene_name,
                                       manifest_name, report_name,    figures_name};
 
 /// The report, from scene and manifest alone, so that it can be made of a run of yesterday.
@@ -64,6 +65,8 @@ ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_f
       {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
       {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
   json["exponents"] = members_of_all(studies::exponent_columns(), outcome.exponents);
+  if (!outcome.local_exponents.empty())
+    json["local_exponents"] = members_of_all(studies::local_exponent_columns(), outcome.local_exponents);
   json["verdicts"] = members_of_all(studies::verdict_columns(), outcome.verdicts);
   json["specimens"] = ordered_json::array();
   for (const studies::SpecimenResult& specimen : outcome.specimens) {
@@ -81,6 +84,9 @@ void write_results(const fs::path& folder, const StudyOutcome& outcome, const or
                    io::Existing existing) {
   io::write_file(folder / states_name, studies::states_csv(outcome.scene, outcome.specimens), existing);
   io::write_file(folder / exponents_name, studies::exponents_csv(outcome.exponents), existing);
+  if (!outcome.local_exponents.empty())
+    io::write_file(folder / local_exponents_name, studies::local_exponents_csv(outcome.local_exponents),
+                   existing);
   io::write_file(folder / scene_name, studies::toml_of(outcome.scene), existing);
   write_report(folder, outcome.scene, manifest, existing);
   io::write_file(folder / manifest_name, json_text(manifest), existing);
@@ -102,11 +108,12 @@ void rewrite_report(const fs::path& folder) {
 }
 
 std::string report_of(const StudyOutcome& outcome) {
-  return fmt::format("{}\n{}\n{}\n{} specimens of {} grains in {:.1f} s on {}\n",
-                     studies::states_table(outcome.specimens), studies::exponents_table(outcome.exponents),
-                     studies::verdicts_table(outcome.verdicts), outcome.specimens.size(),
-                     outcome.scene.study.grains, outcome.seconds,
-                     threads_text(studies::thread_count(outcome.scene)));
+  return fmt::format(
+      "{}\n{}\n{}{}\n{} specimens of {} grains in {:.1f} s on {}\n", studies::states_table(outcome.specimens),
+      studies::exponents_table(outcome.exponents),
+      outcome.local_exponents.empty() ? "" : studies::local_exponents_table(outcome.local_exponents) + "\n",
+      studies::verdicts_table(outcome.verdicts), outcome.specimens.size(), outcome.scene.study.grains,
+      outcome.seconds, threads_text(studies::thread_count(outcome.scene)));
 }
 
 } // namespace granum::cli

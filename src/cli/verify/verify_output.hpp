@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/verify/findings.hpp"
+#include "studies/verify/local_exponents.hpp"
 #include "studies/verify/study.hpp"
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@ struct StudyOutcome {
   studies::Scene scene;
   std::vector<studies::SpecimenResult> specimens;
   std::vector<studies::ExponentRow> exponents;
+  std::vector<studies::LocalExponents> local_exponents; ///< of laws with a scale of force
   std::vector<studies::Verdict> verdicts;
   double seconds = 0;
   bool stopped = false; ///< on request

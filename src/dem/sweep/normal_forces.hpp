@@ -4,14 +4,18 @@
 // the padding of the last block, carry zeros through every formula.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
-#include <granum/contact/power_law.hpp>
+#include <granum/contact/rough_sphere.hpp>
 
 #include "contact_sweep.hpp"
 #include "core/vector/inverse_root.hpp"
 #include "core/vector/power.hpp"
+#include "core/vector/rows.hpp"
 
 namespace granum::dem {
 
@@ -69,6 +73,41 @@ template <class Law>
 inline constexpr bool starts_soft =
     std::is_same_v<Law, contact::SphereKernel> || std::is_same_v<Law, contact::ConeKernel>;
 
+/// Force and stiffness of a block of rough spheres: which cells of their table, then these as columns, then
+/// the polynomials.
+template <VectorLevel level, class Sizes>
+GRANUM_INLINE void rough_responses(const contact::RoughSphereKernel& law, const Sizes& sizes,
+                                   PairBlock& __restrict p) {
+  using Kernel = contact::RoughSphereKernel;
+  using Level = Rows<level>;
+  alignas(64) std::array<std::int64_t, block_size> cell;
+  Block beyond;
+  std::array<Block, 8> c; // the last two are not used
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const Kernel::Place place = Kernel::place_of(p.overlap[k] * law.per_roughness);
+    cell[k] = place.cell;
+    beyond[k] = place.beyond;
+  }
+  for (std::size_t k = 0; k < block_size; k += Level::lanes) {
+    typename Level::Row row[Level::lanes];
+    typename Level::Column column[8];
+    for (std::size_t n = 0; n < Level::lanes; ++n)
+      row[n] = Level::get(&law.cells[cell[k + n]]);
+    to_columns(row, column);
+    for (std::size_t n = 0; n < 6; ++n)
+      Level::put_column(&c[n][k], column[n]);
+  }
+  for (std::size_t k = 0; k < block_size; ++k) {
+    const double overlap = p.overlap[k], x = beyond[k];
+    double scale = law.transition_force;
+    if constexpr (!Sizes::equal)
+      scale *= std::sqrt(overlap > 0 ? overlap / sizes.curved(overlap, k) : 1.0);
+    p.force[k] = scale * Kernel::force_in(c[0][k], c[1][k], c[2][k], c[3][k], c[4][k], c[5][k], x);
+    const double slope = Kernel::slope_in(c[1][k], c[2][k], c[3][k], c[4][k], c[5][k], x);
+    p.stiffness[k] = overlap > 0 ? scale * law.per_roughness * slope : 0.0;
+  }
+}
+
 /// From branches to forces on j, in loops of short chains of products: the instructions that a processor may
 /// hold back until their operands are there are some dozens, and with longer chains those of two or three
 /// vectors fill that room. In one loop the compiler would also branch where a pair does not touch.
@@ -86,14 +125,20 @@ GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& 
     p.inverse_length[k] = inverse_length;
     p.overlap[k] = overlap > 0 ? overlap : 0.0;
   }
-  for (std::size_t k = 0; k < block_size; ++k)
-    guess[k] = first_guess<level>(law, sizes.curved(p.overlap[k], k));
+  constexpr bool rough = std::is_same_v<Law, contact::RoughSphereKernel>;
+  if constexpr (rough)
+    rough_responses<level>(law, sizes, p);
+  else
+    for (std::size_t k = 0; k < block_size; ++k)
+      guess[k] = first_guess<level>(law, sizes.curved(p.overlap[k], k));
   for (std::size_t k = 0; k < block_size; ++k) {
-    const double overlap = p.overlap[k];
-    const contact::NormalResponse response =
-        normal_response<level>(law, overlap, sizes.curved(overlap, k), guess[k]);
-    p.force[k] = response.force;
-    p.stiffness[k] = starts_soft<Law> || overlap > 0 ? response.stiffness : 0.0;
+    contact::NormalResponse response{p.force[k], p.stiffness[k]};
+    if constexpr (!rough) {
+      const double overlap = p.overlap[k];
+      response = normal_response<level>(law, overlap, sizes.curved(overlap, k), guess[k]);
+      p.force[k] = response.force;
+      p.stiffness[k] = starts_soft<Law> || overlap > 0 ? response.stiffness : 0.0;
+    }
     const double per_length = response.force * p.inverse_length[k];
     p.fx[k] = per_length * p.bx[k];
     p.fy[k] = per_length * p.by[k];

@@ -12,6 +12,7 @@ namespace granum::dem {
 
 /// What pairs have in common where all grains are equal.
 struct EqualGrains {
+  static constexpr bool equal = true;
   double diameter;
 
   template <class Input>
@@ -28,6 +29,7 @@ struct EqualGrains {
 /// The same for one block of pairs of different grains.
 class UnequalGrains {
  public:
+  static constexpr bool equal = false;
   template <class Input>
   explicit UnequalGrains(const Input& in) : unit_radius_(in.unit_radius) {}
 

@@ -14,7 +14,8 @@ namespace granum::studies {
 struct ExponentRow {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;
-  double contact_law = 0;              ///< 1/(1+alpha)
+  double contact_law = 0;              ///< 1/(1+alpha), or b at the force of the middle pressure
+  bool local = false;                  ///< b is not the same at every force
   std::optional<Measured> closed_form; ///< uniform strain with the measured C_n and e
   std::optional<Measured> network;     ///< relaxed network
   std::optional<Measured>

@@ -136,6 +136,14 @@ std::string exponents_csv(const std::vector<ExponentRow>& rows) {
                        {"meaning", "s of G ~ p^s by Levenberg-Marquardt on G; paper: Table 5, G_hv"}});
 }
 
+std::string local_exponents_csv(const std::vector<LocalExponents>& rows) {
+  return io::csv_text(
+      local_exponent_columns(), rows,
+      {{"program", "granum " + std::string(version()) + " verify"},
+       {"meaning", "d ln G/d ln p between neighbouring pressures; p_Pa: between both; contact_law: "
+                   "d ln k_n/d ln f at the mean force"}});
+}
+
 std::string states_table(const std::vector<SpecimenResult>& specimens) {
   std::string out;
   for (const SpecimenResult& specimen : specimens) {
@@ -153,6 +161,13 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
 
 std::string exponents_table(const std::vector<ExponentRow>& rows) {
   return "s of G ~ p^s, +- standard error; law: 1/(1+alpha)\n" + io::table_text(exponent_columns(), rows);
+}
+
+std::string local_exponents_table(const std::vector<LocalExponents>& rows) {
+  if (rows.empty())
+    return {};
+  return "s between neighbouring pressures; p*: there roughness gives way; law: d ln k_n/d ln f\n" +
+         io::table_text(local_exponent_columns(), rows);
 }
 
 std::string verdicts_table(const std::vector<Verdict>& verdicts) {

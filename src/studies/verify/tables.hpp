@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/verify/findings.hpp"
+#include "studies/verify/local_exponents.hpp"
 #include "studies/verify/study.hpp"
 #include <granum/io/csv/columns.hpp>
 
@@ -19,10 +20,14 @@ namespace granum::studies {
 [[nodiscard]] std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens);
 /// The exponents by every route with their standard errors.
 [[nodiscard]] std::string exponents_csv(const std::vector<ExponentRow>& rows);
+/// The local ones.
+[[nodiscard]] std::string local_exponents_csv(const std::vector<LocalExponents>& rows);
 
 /// For people: the states of each specimen, then the exponents, then the verdicts.
 [[nodiscard]] std::string states_table(const std::vector<SpecimenResult>& specimens);
 [[nodiscard]] std::string exponents_table(const std::vector<ExponentRow>& rows);
+/// Empty where there are no rows.
+[[nodiscard]] std::string local_exponents_table(const std::vector<LocalExponents>& rows);
 [[nodiscard]] std::string verdicts_table(const std::vector<Verdict>& verdicts);
 
 } // namespace granum::studies

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/inverse/contacts.hpp>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/contact_prior.hpp>
+#include <granum/inverse/inference.hpp>
+
+#include "relative.hpp"
+
+using namespace granum;
+using effective::State;
+using inverse::Observation;
+using inverse::Quantity;
+
+namespace {
+
+constexpr double sand_grain_density = 2650;
+constexpr contact::GrainMaterial quartz{.shear_modulus = 44e9, .poisson_ratio = 0.074};
+constexpr double sand_radius = 1e-4;
+const std::vector<double> pressures{50e3, 100e3, 200e3, 400e3};
+
+State sand(double pressure) {
+  return {.law = contact::PowerLaw::sphere(quartz, sand_radius),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
+          .radius = sand_radius,
+          .void_ratio = 0.7,
+          .stress_v = pressure,
+          .stress_h = pressure};
+}
+
+/// Speeds of a sand of that z* at every pressure, each off by a relative error.
+std::vector<Observation> speeds(const contact::NormalLaw& law, double z,
+                                const std::vector<Quantity>& quantities, double error = 0,
+                                unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise;
+  std::vector<Observation> all;
+  for (const double pressure : pressures) {
+    State state = sand(pressure);
+    state.law = law;
+    const double x = effective::expected_rattlers(
+                         [&] {
+                           State first = sand(pressures.front());
+                           first.law = law;
+                           return first;
+                         }(),
+                         z)
+                         .fraction;
+    const effective::RelaxedEstimate packing = effective::relaxed(effective::with_contacts(state, z, x), z);
+    for (const Quantity quantity : quantities) {
+      const double modulus = effective::modulus(packing.stiffness, inverse::row_of(quantity).modulus);
+      const double speed =
+          std::sqrt(modulus * (1 + state.void_ratio) / sand_grain_density) * (1 + error * noise(random));
+      all.push_back({quantity, {speed, std::max(error, 1e-6) * speed}, sand(pressure)});
+    }
+  }
+  return all;
+}
+
+inverse::InferenceAnswer asked(const std::vector<Observation>& measurements, const char* contacts) {
+  return inverse::infer(measurements, {.grain_density = sand_grain_density,
+                                       .growth = inverse::GrowthRule::fixed,
+                                       .contacts = inverse::unknown_contacts(contacts)});
+}
+
+double z_of(const std::vector<Observation>& measurements, const inverse::InferenceAnswer& answer) {
+  return answer.together.value().packing(measurements.front().state).mechanical_coordination_number.value;
+}
+
+const std::vector<Quantity> both{Quantity::V_s, Quantity::V_p};
+
+} // namespace
+
+TEST_CASE("a power law through a stiffness at a force has both") {
+  for (const double alpha : {0.4, 1.0, 1.7, 2.0, 6.0}) {
+    const contact::PowerLaw law = inverse::power_law_through(quartz, alpha, 0.02, 3e5);
+    CHECK(law.stiffness_at_force(0.02) == relative(3e5, 1e-13));
+    CHECK(law.stiffness_exponent() == relative(1 / (1 + alpha), 1e-14));
+  }
+  CHECK_THROWS_AS((void)inverse::power_law_through(quartz, 2, 0, 3e5), InvalidArgument);
+  CHECK_THROWS_AS((void)inverse::power_law_through(quartz, 0, 1, 3e5), InvalidArgument);
+}
+
+TEST_CASE("contacts that can be asked for go by name, in the place of smooth spheres") {
+  for (const std::string_view name : inverse::unknown_contact_names())
+    CHECK(inverse::unknown_contacts(name).name == name);
+  CHECK(inverse::unknown_contacts("given").numbers.empty());
+  CHECK_THROWS_AS((void)inverse::unknown_contacts("cubes"), InvalidArgument);
+  const contact::NormalLaw sphere = sand(1e5).law;
+  const std::vector<double> smooth{0}, hertz{1, 2};
+  CHECK(inverse::unknown_contacts("rough").law(sphere, 0.01, smooth).stiffness_at_force(0.3) ==
+        sphere.stiffness_at_force(0.3));
+  CHECK(inverse::unknown_contacts("power-law").law(sphere, 0.01, hertz).stiffness_at_force(0.3) ==
+        relative(sphere.stiffness_at_force(0.3), 1e-13));
+  CHECK_THROWS_AS(
+      (void)inverse::unknown_contacts("rough").law(contact::PowerLaw::cone(quartz, 0.4), 1, smooth),
+      InvalidArgument);
+}
+
+TEST_CASE("z* and roughness come back from V_s and V_p over pressures") {
+  const auto measured = speeds(contact::RoughSphere(quartz, sand_radius, 30e-9), 5.4, both);
+  const auto answer = asked(measured, "rough");
+  const inverse::ImpliedContacts contacts = answer.together.value().contacts().value();
+  CHECK(z_of(measured, answer) == doctest::Approx(5.4).epsilon(0.004));
+  REQUIRE(contacts.numbers.size() == 2);
+  CHECK(contacts.numbers[1].value.value == doctest::Approx(30e-9).epsilon(0.03));
+  CHECK(contacts.numbers[0].determined());
+  CHECK(contacts.numbers[1].determined());
+  CHECK_FALSE(contacts.would_determine);
+  CHECK(contacts.softness < 0.8);
+  CHECK(contacts.local_exponent > 0.4);
+  CHECK(contacts.correlation[1] > 0.5); // more contacts, each softer
+}
+
+TEST_CASE("z*, softness and alpha come back within their errors") {
+  constexpr double z = 5.3, softness = 0.7, alpha = 1.5;
+  const double force = effective::mean_contact_force(effective::with_contacts(
+      sand(pressures[0]), z, effective::expected_rattlers(sand(pressures[0]), z).fraction));
+  const contact::PowerLaw law =
+      inverse::power_law_through(quartz, alpha, force, softness * sand(1e5).law.stiffness_at_force(force));
+  const auto exact = speeds(law, z, both);
+  const inverse::ImpliedContacts implied = asked(exact, "power-law").together.value().contacts().value();
+  CHECK(implied.numbers[0].value.value == doctest::Approx(z).epsilon(0.004));
+  CHECK(implied.numbers[1].value.value == doctest::Approx(softness).epsilon(0.03));
+  CHECK(implied.numbers[2].value.value == doctest::Approx(alpha).epsilon(0.02));
+
+  // With noise, errors are those that the numbers have.
+  constexpr int draws = 60;
+  int within = 0, within_two = 0;
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    const auto noisy = asked(speeds(law, z, both, 0.015, seed), "power-law");
+    const inverse::ImpliedContacts contacts = noisy.together.value().contacts().value();
+    const double off =
+        std::abs(contacts.numbers[2].value.value - alpha) / contacts.numbers[2].value.standard_error;
+    within += off < 1;
+    within_two += off < 2;
+  }
+  MESSAGE("alpha within one stated error: ", within, ", within two: ", within_two, " of ", draws);
+  CHECK(within >= draws * 0.55);
+  CHECK(within_two >= draws * 0.9);
+}
+
+TEST_CASE("V_s alone does not tell contacts, and V_p would") {
+  const contact::RoughSphere law(quartz, sand_radius, 30e-9);
+  const std::vector<Observation> measured = speeds(law, 5.4, {Quantity::V_s}, 0.015);
+  const inverse::ImpliedContacts contacts = asked(measured, "power-law").together.value().contacts().value();
+  CHECK_FALSE(contacts.numbers[0].determined());
+  CHECK(contacts.would_determine == Quantity::V_p);
+}
+
+TEST_CASE("contacts as given answer as ever") {
+  const auto measured = speeds(sand(1e5).law, 5.4, both, 0.01);
+  CHECK_FALSE(asked(measured, "given").together.value().contacts());
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What contacts measured speeds and moduli imply: fitted to one half of the pressures, tried on the other.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <granum/elastic/wave_speeds.hpp>
+#include <granum/inverse/inference.hpp>
+#include <granum/plot/chart.hpp>
+#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/pooled_law.hpp>
+
+#include "specimens.hpp"
+
+namespace laboratory {
+
+using granum::inverse::Observation;
+using granum::inverse::Quantity;
+
+/// How well a speed is read off a printed figure: a choice, the sources state none.
+inline constexpr double reading_error = 0.015;
+inline const char* const contact_kinds[] = {"given", "rough", "power-law"};
+
+inline granum::inverse::InferenceAnswer ask(const Grains& grains, const std::vector<Observation>& known,
+                                            const char* contacts) {
+  return granum::inverse::infer(
+      known, {.grain_density = grains.density, .contacts = granum::inverse::unknown_contacts(contacts)});
+}
+
+/// Both speeds at the pressures of one half.
+inline std::vector<Observation> observed(const Grains& grains, std::span<const Measured> measured) {
+  std::vector<Observation> all;
+  for (const Measured& m : measured) {
+    const State state = spheres(grains, void_ratio_of(porosity), m.pressure);
+    all.push_back({Quantity::V_s, {m.V_s, reading_error * m.V_s}, state});
+    if (!std::isnan(m.V_p))
+      all.push_back({Quantity::V_p, {m.V_p, reading_error * m.V_p}, state});
+  }
+  return all;
+}
+
+inline double foretold_speed(const Grains& grains, const granum::inverse::Inference& fit, double pressure) {
+  return fit.predict(Quantity::V_s, spheres(grains, void_ratio_of(porosity), pressure)).value;
+}
+
+/// The largest |V_s/measured - 1| of V_s in one part of the pressures by contacts that the other implies.
+inline double worst_miss(const Grains& grains, std::span<const Measured> known,
+                         std::span<const Measured> asked, const char* contacts) {
+  const auto answer = ask(grains, observed(grains, known), contacts);
+  double worst = 0;
+  for (const Measured& m : asked)
+    worst =
+        std::max(worst, std::abs(foretold_speed(grains, answer.together.value(), m.pressure) / m.V_s - 1));
+  return worst;
+}
+
+inline void print_numbers(const granum::inverse::Inference& fit, const State& first) {
+  const auto z = fit.packing(first).mechanical_coordination_number;
+  std::printf(" z* %.2f +- %.2f", z.value, z.standard_error);
+  if (fit.contacts())
+    for (std::size_t k = 1; k < fit.contacts()->numbers.size(); ++k) {
+      const auto& number = fit.contacts()->numbers[k];
+      const double unit = number.unit == "m" ? 1e-9 : 1;
+      std::printf(", %s %.3g +- %.2g%s%s", number.key.c_str(), number.value.value / unit,
+                  number.value.standard_error / unit, unit < 1 ? " nm" : "",
+                  number.determined() ? "" : " (not determined)");
+    }
+  std::printf("\n");
+}
+
+/// The worst misses, upper half from the lower and back, of every kind of contacts.
+inline std::vector<double> print_contacts(const Grains& grains, const std::vector<Measured>& measured) {
+  const std::span all(measured);
+  const auto lower = all.first(all.size() / 2), upper = all.subspan(all.size() / 2);
+  std::printf("\n%s, V_s and V_p: contacts implied by one half of the pressures, V_s tried on the other\n",
+              grains.name);
+  std::vector<double> worst;
+  for (const char* kind : contact_kinds) {
+    const auto fit = ask(grains, observed(grains, all), kind).together.value();
+    const double up = worst_miss(grains, lower, upper, kind), down = worst_miss(grains, upper, lower, kind);
+    worst.push_back(std::max(up, down));
+    std::printf("  %-10s upper %.1f %%, lower %.1f %%; all: chi^2 %.1f of %zu;", kind, 100 * up, 100 * down,
+                fit.chi_square(), fit.degrees_of_freedom());
+    print_numbers(fit, spheres(grains, void_ratio_of(porosity), measured.front().pressure));
+  }
+  return worst;
+}
+
+/// A published law of a sand at four pressures, with the Poisson's ratio that sands are measured to have.
+inline void print_sand_contacts(const char* law, double void_ratio) {
+  std::vector<Observation> known;
+  for (const double pressure : {50e3, 100e3, 200e3, 300e3}) {
+    const double G = granum::sands::shear_modulus(granum::sands::measured_law(law),
+                                                  {.void_ratio = void_ratio, .mean_stress = pressure})
+                         .shear_modulus;
+    const double nu = granum::sands::poisson_ratio({}, pressure).value;
+    const double K = G * 2 * (1 + nu) / (3 * (1 - 2 * nu));
+    const State state = spheres(quartz, void_ratio, pressure);
+    known.push_back({Quantity::G_vh, {G, 0.03 * G}, state});
+    known.push_back({Quantity::K, {K, 0.10 * K}, state});
+  }
+  std::printf("\n%s, e %.2f, G by law and nu 0.20 at 100 kPa\n", law, void_ratio);
+  for (const char* kind : contact_kinds) {
+    const auto answer = ask(quartz, known, kind);
+    if (!answer.together) {
+      std::printf("  %-10s no contact number explains it\n", kind);
+      continue;
+    }
+    std::printf("  %-10s chi^2 %.1f of %zu;", kind, answer.together->chi_square(),
+                answer.together->degrees_of_freedom());
+    print_numbers(*answer.together, known.front().state);
+  }
+}
+
+/// V_s over the pressure: measured, and by contacts that the lower half implies.
+inline granum::plot::Chart contact_chart(const Grains& grains, const std::vector<Measured>& measured) {
+  namespace plot = granum::plot;
+  plot::Chart picture{.title = "Dry Ottawa sand: contacts implied by its lower five pressures",
+                      .x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
+                      .y = {.title = "V_s [m/s]", .scale = plot::Scale::logarithmic, .unit = 1},
+                      .series = {}};
+  const std::span all(measured);
+  const auto lower = all.first(all.size() / 2);
+  const char* const names[] = {"smooth spheres", "rough spheres", "power law"};
+  for (std::size_t k = 0; k < std::size(contact_kinds); ++k) {
+    const auto answer = ask(grains, observed(grains, lower), contact_kinds[k]);
+    plot::Series line{.name = names[k], .mark = plot::Mark::line, .x = {}, .y = {}, .style = k};
+    for (int step = 0; step <= 40; ++step) {
+      const double p = measured.front().pressure *
+                       std::pow(measured.back().pressure / measured.front().pressure, step / 40.0);
+      line.x.push_back(p);
+      line.y.push_back(foretold_speed(grains, answer.together.value(), p));
+    }
+    picture.series.push_back(std::move(line));
+  }
+  plot::Series points{.name = "measured",
+                      .mark = plot::Mark::marker,
+                      .x = {},
+                      .y = {},
+                      .style = 0,
+                      .colour = plot::Colour::measured};
+  for (const Measured& m : measured) {
+    points.x.push_back(m.pressure);
+    points.y.push_back(m.V_s);
+  }
+  picture.series.push_back(std::move(points));
+  return picture;
+}
+
+} // namespace laboratory
