@@ -314,6 +314,12 @@ void add_file_options(Command& command, AnalyseOptions& o) {
             "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for each "
             "frame that is taken, or a CSV file with a row for each, columns xx_kPa or sigma_xx_Pa and so "
             "on (states.csv of an exported deck), and step if they are to be matched by it"},
+       {.name = "--probes",
+        .value = path(o.probes),
+        .group = group,
+        .meaning =
+            "Moduli by the code's own probes to compare the network with: a CSV file, columns modulus (K, G, "
+            "G_hh, G_vh, ...), value_Pa, and step or state (moduli.csv of an exported deck)"},
        {.name = "--box",
         .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
         .group = group,
