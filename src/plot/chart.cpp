@@ -60,7 +60,9 @@ class Picture {
   }
 
   [[nodiscard]] Canvas canvas() const {
-    const double width = left_ + chart_.width + right_;
+    const double widest =
+        chart_.legend_below ? 28 + legend_.widest() : 0; // a name may be longer than the plot
+    const double width = std::max(left_ + chart_.width + right_, widest);
     const double foot = top_ + chart_.height + bottom;
     Canvas out{.width = width, .height = foot, .title = title_, .content = x_axis() + y_axis() + frame()};
     for (std::size_t k = 0; k < drawn_.size(); ++k)

@@ -23,6 +23,18 @@ foreach(sweep "--from;50kPa;--to;400kPa" "--depth;1m..20m" "--path;txc;--from;10
 endforeach()
 check_picture(FALSE "published laws" sweep ${sand} --from 50kPa --to 400kPa --points 3 --laws --picture-of K)
 
+# Where nothing says what the grains are both stand in the picture by name, along a path and of a table.
+file(WRITE "${FOLDER}/rows.csv" "e,p_kPa\n0.65,50\n0.7,100\n")
+foreach(states "--void-ratio;0.7;--from;50kPa;--to;400kPa;--points;3" "--table;${FOLDER}/rows.csv")
+  foreach(text sand beads "published laws")
+    check_picture(TRUE ">${text}<" sweep ${states} --laws)
+  endforeach()
+  check_picture(FALSE ">answer<" sweep ${states} --laws)
+  check_picture(FALSE ">published laws<" sweep ${states})
+  check_picture(TRUE ">answer<" sweep ${states} --grain-shape sand)
+  check_picture(FALSE ">beads<" sweep ${states} --grain-shape sand)
+endforeach()
+
 # estimate draws around its state: over strain with each law of it, else over stress, both answers where nothing says which.
 set(state --void-ratio 0.7 --pressure 100kPa)
 foreach(text "shear strain [%]" darendeli menq ishibashi-zhang "asked for" range)
