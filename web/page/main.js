@@ -32,7 +32,7 @@ async function start() {
   } }, texts.reset));
   const compiled = await unpacked(document.getElementById("wasm").textContent);
   const granum = await Granum.create(compiled);
-  for (const law of contactLaws) law.plural = texts.shapes[law.name] ?? law.plural;
+  for (const law of contactLaws) law.plural = filled(texts.shapes[law.name] ?? law.plural, Object.fromEntries(law.numbers.map(({ key, value }) => [key, written(value)])));
   document.getElementById("footer").append(filled(texts.footer, { version: granum.call("version").notes[0] }),
     ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).flatMap(([name, { file, title }]) => [" ", element("a", { href: file, lang: name }, title)]));
   addLesson(granum, texts);
