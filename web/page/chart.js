@@ -9,6 +9,11 @@ const shapeColourName = (shape) => (shape in colours ? shape : "power_law");
 const shapeColour = (shape) => colours[shapeColourName(shape)];
 const escapeText = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
+/// The sign between a number's whole part and its decimals, in the language of the page.
+let decimalSign = ".";
+const localised = (number) => number.replace(".", decimalSign);
+/// With so many decimals.
+const fixed = (value, decimals) => localised(value.toFixed(decimals));
 /// Numbers as people write them, at most `digits` of them.
 function written(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
@@ -16,9 +21,9 @@ function written(value, digits = 3) {
   const size = Math.abs(value);
   if (size >= 1e5 || size < 1e-3) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-    return `${Number(mantissa)}·10${[...String(Number(exponent))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
+    return `${localised(String(Number(mantissa)))}·10${[...String(Number(exponent))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
   }
-  return String(Number(value.toPrecision(digits)));
+  return localised(String(Number(value.toPrecision(digits))));
 }
 
 /// Round values between low and high.

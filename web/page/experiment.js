@@ -42,7 +42,7 @@ class ExperimentPanel {
     const sizes = select("xsizes", w.sizes, [["0", w.equal], ["0.2", w.narrow], ["0.35", w.wide]], "0");
     const grains = number("xgrains", w.grains, 200, 2000, 600);
     const seed = number("xseed", w.seed, 1, 999999, 1);
-    const roughness = number("xroughness", w.roughness, 1, 2000, 200);
+    const roughness = number("xroughness", w.roughness, 1, 100, 50); // rougher ones cannot be opened to be loose
     const guess = element("input", { id: "xguess", type: "number", min: 0, max: 1, step: "any" });
     this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0], roughness: roughness[0], guess };
     const showRoughness = () => { roughness[1].hidden = shape[0].value !== "rough"; };
@@ -219,7 +219,7 @@ class ExperimentPanel {
     if (this.queue.length) return this.make(this.queue.shift(), "run", NaN);
     const first = run.states[0];
     this.showPaused(false);
-    this.enter("compressed", "", filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
+    this.enter("compressed", "", filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
       from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
   }
   /// The specimen as it is seen now, in small.
@@ -234,8 +234,8 @@ class ExperimentPanel {
     this.rose.hidden = !view?.rose.length;
     if (this.rose.hidden) return;
     const [anisotropy, ...bars] = view.rose, words = this.words;
-    this.rose.innerHTML = `<div class="rose">${rose(this.granum.fabricCurve(anisotropy, 45), words.rose, filled(words.roseFinding, { a: anisotropy.toFixed(2) }), bars)}</div>` +
-      `<p>${escapeText(filled(words.roseFinding, { a: anisotropy.toFixed(2) }))}</p>`;
+    this.rose.innerHTML = `<div class="rose">${rose(this.granum.fabricCurve(anisotropy, 45), words.rose, filled(words.roseFinding, { a: fixed(anisotropy, 2) }), bars)}</div>` +
+      `<p>${escapeText(filled(words.roseFinding, { a: fixed(anisotropy, 2) }))}</p>`;
   }
 
   hearPoint({ point, paused }) {

@@ -15,6 +15,7 @@ async function unpacked(base64) {
 
 async function start() {
   const texts = JSON.parse(document.getElementById("texts").textContent);
+  decimalSign = texts.decimalSign;
   document.title = texts.title;
   document.getElementById("title").textContent = texts.title;
   document.getElementById("question").append(...worded(texts.question));

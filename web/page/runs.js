@@ -11,7 +11,7 @@ const moduli = { G: { network: "network", uniformStrain: "uniformStrain", relaxe
 /// {setup: {grain, loose, sigma, grains, seed}, guess, states, image, done}
 const colourOf = (run) => shapeColour(run.setup.grain.shape);
 const lastOf = (run) => run.states.at(-1);
-const measuredS = (run) => `${lastOf(run).s.toFixed(3)} ± ${lastOf(run).sError.toFixed(3)}`;
+const measuredS = (run) => `${fixed(lastOf(run).s, 3)} ± ${fixed(lastOf(run).sError, 3)}`;
 
 /// "spheres, loose, 600 grains, seed 1"
 const nameOf = (words, { setup }) => [lawNamed(setup.grain.shape).plural, ...(setup.grain.numbers ? [filled(words.isRough, { u: written(setup.grain.numbers.roughness * 1e9) })] : []), setup.loose ? words.isLoose : words.isDense, ...(setup.sigma ? [`σ ${setup.sigma}`] : []),
