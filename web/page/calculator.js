@@ -27,6 +27,11 @@ function answerOf(granum, known) {
   return { rows: rows.slice(0, -1), contacts: rows.at(-1), shares, notes: notes.slice(shares.length) };
 }
 
+/// What is more likely a slip of unit or symbol, as the program warns of it by the names of its options.
+function slipsOf(granum, known) {
+  return granum.call("slips", ...grainNumbersOf(known), known.voidRatio, known.anisotropy, ...stressesOf(known), known.z, known.density).notes;
+}
+
 /// G_vh of every closed form at the contacts of an answer: [{label, value, error}], error relative or not a number.
 function ladderOf(granum, known, answer) {
   const z = answer.rows.at(-1).value;

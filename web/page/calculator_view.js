@@ -11,8 +11,8 @@ function savedPicture(texts, name, drawn) {
 
 function tableOf(label, headings, rows) {
   return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, element("table", {},
-    element("thead", {}, element("tr", {}, ...headings.map((name) => element("th", { scope: "col" }, name)))),
-    element("tbody", {}, ...rows.map(([name, value, ...more]) => element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "answer" }, value), ...more.map((text) => element("td", {}, text)))))));
+    element("thead", {}, element("tr", {}, ...headings.map((name) => element("th", { scope: "col" }, ...worded(name))))),
+    element("tbody", {}, ...rows.map(([name, value, ...more]) => element("tr", {}, element("th", { scope: "row" }, ...worded(name)), element("td", { class: "answer" }, value), ...more.map((text) => element("td", {}, text)))))));
 }
 
 /// The ladder: each closed form with its stated error, and the answer with its range.
@@ -90,10 +90,10 @@ const remarks = (words, notes) => (notes.length ? [element("p", { class: "remark
 const plusMinus = (number, unit = 1) => `${written(number.value / unit)} ± ${written(number.error / unit, 2)}`;
 
 function answerParts(granum, texts, known) {
-  const words = texts.calculator, answer = answerOf(granum, known);
+  const words = texts.calculator, slips = slipsOf(granum, known), answer = answerOf(granum, known);
   const scale = [MPa, MPa, MPa, MPa, 1, 1, 1, 1];
   const rows = answer.rows.map((row, k) => [words.rows[k], written(row.value / scale[k]), `${written(row.low / scale[k])} – ${written(row.high / scale[k])}`]);
-  return [element("div", { class: "panes" },
+  return [...slips.map((slip) => element("p", { class: "slip", role: "alert" }, slip)), element("div", { class: "panes" },
     element("div", {}, tableOf(words.quantity, [words.quantity, words.value, words.range], rows), element("p", {}, sharesText(words.why, answer.shares))),
     savedPicture(texts, "ladder", ladderChart(words, ladderOf(granum, known, answer), answer))), ...remarks(words, answer.notes)];
 }

@@ -10,6 +10,7 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
+#include "cli/options/slips.hpp"
 #include "exports.hpp"
 
 namespace {
@@ -79,6 +80,31 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
     names += share.input + "\n";
   }
   web::words() = names + web::words();
+}
+
+/// What of the calculator's numbers is more likely a slip of unit or symbol, in the words of the program.
+GRANUM_EXPORT(slips)
+void slips(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+           double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
+           double mechanical_coordination_number, double grain_density) {
+  const effective::State state =
+      state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
+               anisotropy, stress_v, stress_h);
+  Validity validity;
+  cli::judge_void_ratio({"--void-ratio", void_ratio}, false, validity);
+  if (!std::isnan(mechanical_coordination_number))
+    cli::judge_contacts({"--mechanical-coordination-number", mechanical_coordination_number}, true, state,
+                        validity);
+  if (stress_v == stress_h)
+    cli::judge_stress({"--pressure", stress_v, Dimension::pressure}, validity);
+  else {
+    cli::judge_stress({"--stress-v", stress_v, Dimension::pressure}, validity);
+    cli::judge_stress({"--stress-h", stress_h, Dimension::pressure}, validity);
+  }
+  cli::judge_length({"--radius", radius, Dimension::length}, validity);
+  cli::judge_modulus({"--grain-shear-modulus", shear_modulus, Dimension::pressure}, validity);
+  cli::judge_density({"--grain-density", grain_density, Dimension::density}, validity);
+  web::say(validity);
 }
 
 /// G_vh and its relative error, or not a number where the rung states none, of every closed form, at the

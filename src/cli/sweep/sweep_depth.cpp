@@ -350,7 +350,10 @@ plot::Chart field_panel(const SweepOptions& o, const std::vector<DepthState>& st
 std::vector<double> picture_depths(const std::vector<double>& asked, const std::vector<Layer>& layers) {
   constexpr std::size_t count = 121;
   const double first = asked.front(), last = asked.back();
-  std::vector<double> depths = spread(first, last, count, false);
+  std::vector<double> depths;
+  for (const double share : spread(0, 1, count, false))
+    depths.push_back(first + (last - first) * share * share * share); // V_s goes as a root at the surface
+  depths.back() = last;
   const auto add_jump = [&](double above, double below) {
     if (above > first && below < last)
       depths.insert(depths.end(), {above, below});
