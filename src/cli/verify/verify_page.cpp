@@ -6,7 +6,6 @@
 #include "studies/report/verdict_lists.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
-#include <granum/effective/relaxation.hpp>
 #include <granum/plot/page.hpp>
 
 #include "cli/frame/frame.hpp"
@@ -36,9 +35,7 @@ std::optional<double> relaxed_modulus(const studies::Scene& scene, contact::Shap
                                       const std::optional<double>& uniform_strain) {
   if (!uniform_strain)
     return std::nullopt;
-  return *uniform_strain * effective::relaxation(z_star, studies::tangential_ratio(scene),
-                                                 studies::relaxing_exponent(scene, shape))
-                               .shear.value;
+  return *uniform_strain * studies::shear_relaxation(scene, shape, z_star);
 }
 
 studies::RouteState route_state(const studies::Scene& scene, contact::Shape shape,

@@ -213,9 +213,7 @@ plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double l
   plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}, .tone = plot::Tone::grey};
   for (int k = 0; k <= 60; ++k) {
     out.x.push_back(low + (high - low) * k / 60);
-    out.y.push_back(
-        effective::relaxation(out.x.back(), tangential_ratio(scene), relaxing_exponent(scene, shape))
-            .shear.value);
+    out.y.push_back(shear_relaxation(scene, shape, out.x.back()));
   }
   return out;
 }
@@ -276,8 +274,12 @@ std::string why_figure(const Panel& panel, const std::string& caption, const std
 
 } // namespace
 
-double relaxing_exponent(const Scene& scene, contact::Shape shape) {
-  return std::min(contact_exponent(scene, shape), effective::largest_calibrated_exponent);
+double shear_relaxation(const Scene& scene, contact::Shape shape, double mechanical_coordination_number) {
+  using effective::Stiffening;
+  return effective::relaxation(
+             mechanical_coordination_number, tangential_ratio(scene), contact_exponent(scene, shape),
+             law(scene, shape).constant_exponent() ? Stiffening::power_law : Stiffening::rough)
+      .shear.value;
 }
 
 std::string plural(contact::Shape shape) { return contact::row_of(shape).plural; }
