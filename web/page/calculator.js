@@ -39,6 +39,12 @@ function ladderOf(granum, known, answer) {
   return notes.map((label, k) => ({ label, value: numbers[2 * k], error: numbers[2 * k + 1] }));
 }
 
+/// What was measured, by the packing that inferenceOf found last, from a pressure to another: [{pressure, value, error}]
+function inferredPath(granum, { quantity }, low, high, points) {
+  const { numbers } = granum.call("inferred_path", measurable[quantity].place, low, high, points);
+  return Array.from({ length: points }, (_, k) => ({ pressure: numbers[3 * k], value: numbers[3 * k + 1], error: numbers[3 * k + 2] }));
+}
+
 /// {explained, z, contacts, there: {z, voidRatio, G, V_s, V_p}, shares, notes}; each {value, error} but the void ratio.
 function inferenceOf(granum, known) {
   const { numbers, notes } = granum.call("infer", ...grainNumbersOf(known), known.voidRatio, known.pressure, known.density, measurable[known.quantity].place,

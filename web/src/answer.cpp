@@ -19,6 +19,27 @@ using namespace granum;
 
 constexpr double none = effective::State::unset;
 
+/// What was inferred last, and where it was measured.
+struct Inferred {
+  inverse::Inference packing;
+  effective::State measured;
+};
+std::optional<Inferred> last_inferred;
+
+inverse::Quantity quantity_of(double place) {
+  if (!(place >= 0) || !(place < static_cast<double>(inverse::quantities().size())))
+    throw InvalidArgument("quantity", place, "", "the place of one that can be measured");
+  return inverse::quantities()[static_cast<std::size_t>(place)].quantity;
+}
+
+/// The packing of the last inference at another pressure.
+effective::State elsewhere(const Inferred& inferred, double pressure) {
+  effective::State there = inferred.measured;
+  there.stress_v = there.stress_h = pressure;
+  there.void_ratio = inferred.packing.void_ratio_at(pressure);
+  return there;
+}
+
 effective::Preparation preparation_of(double number) {
   using Kind = effective::Preparation::Kind;
   for (const Kind kind : {Kind::unknown, Kind::dense, Kind::loose})
@@ -134,11 +155,8 @@ GRANUM_EXPORT(infer)
 void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
            double second_number, double void_ratio, double pressure, double grain_density, double quantity,
            double value, double relative_error, double other_pressure) {
-  const auto place = static_cast<std::size_t>(quantity);
-  if (!(quantity >= 0) || place >= inverse::quantities().size())
-    throw InvalidArgument("quantity", quantity, "", "the place of one that can be measured");
   const inverse::Observation measured{
-      .quantity = inverse::quantities()[place].quantity,
+      .quantity = quantity_of(quantity),
       .value = {value, relative_error * value},
       .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
                         void_ratio, 0, pressure, pressure)};
@@ -146,12 +164,12 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
       inverse::infer(std::span(&measured, 1), {.grain_density = grain_density});
   web::say(found.validity);
   web::numbers() = {found.together ? 1.0 : 0.0};
+  last_inferred.reset();
   if (!found.together)
     return;
-  const inverse::Inference& packing = *found.together;
-  effective::State there = measured.state;
-  there.stress_v = there.stress_h = other_pressure;
-  there.void_ratio = packing.void_ratio_at(other_pressure);
+  last_inferred.emplace(Inferred{*found.together, measured.state});
+  const inverse::Inference& packing = last_inferred->packing;
+  const effective::State there = elsewhere(*last_inferred, other_pressure);
   const inverse::InferredPacking contacts = packing.packing(measured.state);
   add(contacts.mechanical_coordination_number);
   add(contacts.coordination_number);
@@ -166,4 +184,17 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
     names += share.source + "\n";
   }
   web::words() = names + web::words();
+}
+
+/// A quantity and its standard error by what `infer` found last, at so many pressures from low to high, equal
+/// steps of their logarithm: pressure, value, error.
+/// \throws   Error where nothing was found
+GRANUM_EXPORT(inferred_path) void inferred_path(double quantity, double low, double high, double points) {
+  if (!last_inferred)
+    throw Error("nothing was inferred yet");
+  for (double k = 0; k < points; ++k) {
+    const double pressure = low * std::pow(high / low, k / (points - 1));
+    web::numbers().push_back(pressure);
+    add(last_inferred->packing.predict(quantity_of(quantity), elsewhere(*last_inferred, pressure)));
+  }
 }

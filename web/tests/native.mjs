@@ -35,11 +35,11 @@ export function found(json, name) {
 const block = (id) => page.match(new RegExp(`<script id="${id}"[^>]*>([^]*?)</script>`))[1];
 export const texts = JSON.parse(block("texts"));
 const script = (name) => fs.readFileSync(path.join(root, "web/page", name), "utf8");
-export const { Granum, grain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
+export const { Granum, grain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
   ${page.match(/const defaultGrain = \{[^]*?\};/)[0]}
   ${script("same.js")}
   ${script("calculator.js")}
-  return { Granum, grain: defaultGrain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf }; })()`);
+  return { Granum, grain: defaultGrain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf }; })()`);
 
 export async function startModule(onFrame) {
   const packed = new Blob([Buffer.from(block("wasm"), "base64")]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -6,7 +6,7 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { execFileSync, spawnSync } from "node:child_process";
-import { answerOf, close, experiment, found, grain, granumJson, inferenceOf, ladderOf, prepared, pressures, program, root, sameAnswer, sameInference, shearPoint, slipsOf, startModule } from "./native.mjs";
+import { answerOf, close, experiment, found, grain, granumJson, inferenceOf, inferredPath, ladderOf, prepared, pressures, program, root, sameAnswer, sameInference, shearPoint, slipsOf, startModule } from "./native.mjs";
 
 /// Numbers in [0, 1), the same each time.
 function* randoms(seed) {
@@ -107,7 +107,13 @@ test("contacts that a measurement implies, and what follows elsewhere, equal the
     for (const [mine, theirs] of [["G", "G"], ["V_s", "V_s"], ["V_p", "V_p"]]) same(ours.there[mine], there[theirs], `${theirs} elsewhere`);
     assert.ok(Math.abs(ours.shares.reduce((sum, { share }) => sum + share, 0) - 1) < 1e-9);
   }
+  for (const known of inferred) {
+    const { there } = inferenceOf(granum, known), path = inferredPath(granum, known, known.pressure, known.otherPressure, 3);
+    for (const part of ["value", "error"]) close(path.at(-1)[part], there[known.quantity][part], 1e-9, `the path's last ${part}`);
+    close(path[0].value, known.value, 1e-6, "the path where it was measured");
+  }
   assert.equal(inferenceOf(granum, { ...inferred[0], value: 5000 }).explained, false);
+  assert.throws(() => inferredPath(granum, inferred[0], 1e5, 2e5, 3), /nothing was inferred/);
 });
 
 /// What a program prints, as numbers.
@@ -169,7 +175,7 @@ for (const density of ["dense", "loose"])
     const once = await experiment(loose, 1);
     assert.deepEqual(await experiment(loose, 1), once);
     assert.notDeepEqual((await experiment(loose, 2)).rows, once.rows);
-    assert.ok(once.rows.every((row) => row.at(-1) === 1), "not at rest");
+    assert.ok(once.rows.every((row) => row[18] === 1), "not at rest");
     const out = fs.mkdtempSync(path.join(os.tmpdir(), "granum-page-"));
     try {
       const native = granumJson("verify", ...["contacts=sphere", `densities=${density}`, "grains=300", `pressures=${pressures.map((p) => `${p / 1e3}kPa`)}`,
