@@ -15,6 +15,7 @@ from ._errors import Stopped as Stopped
 
 __all__ = [
     "AnisotropyEstimate",
+    "AxialStress",
     "CarriedContacts",
     "Compression",
     "ContactCounts",
@@ -31,21 +32,27 @@ __all__ = [
     "Fabric",
     "FabricMeasures",
     "FileError",
+    "Fit",
     "Forces",
     "Frames",
     "Gradation",
+    "GroundStress",
     "Inference",
+    "Interior",
     "InvalidArgument",
     "Isotropic",
     "IsotropicAverages",
     "IsotropicModuli",
+    "KnownSand",
     "Ladder",
     "LawCheck",
     "LikelihoodEstimate",
     "Measured",
+    "MeasuredLaw",
     "MeasuredRows",
     "Measurement",
     "Microstructure",
+    "Mineral",
     "Moduli",
     "ModulusErrors",
     "Network",
@@ -90,6 +97,7 @@ __all__ = [
     "fabric_density",
     "fabric_measures",
     "fabric_polar_cosine_quantile",
+    "fit",
     "flat_punch",
     "formats",
     "frames",
@@ -97,6 +105,8 @@ __all__ = [
     "from_lammps",
     "from_yade",
     "gradation",
+    "ground_stress",
+    "hardin",
     "hertz_mindlin",
     "infer",
     "isotropic",
@@ -104,9 +114,15 @@ __all__ = [
     "isotropic_projection",
     "isotropy_p_value",
     "jenkins_shear_modulus",
+    "known_sands",
     "measure",
+    "measured_laws",
     "mindlin_stiffness_ratio",
+    "minerals",
     "murphy_coordination_number",
+    "norris_johnson",
+    "norris_johnson_stress",
+    "overlap_contacts",
     "packing",
     "packing_answer",
     "pair_radius",
@@ -120,6 +136,8 @@ __all__ = [
     "rough_sphere",
     "rungs",
     "sample_normals",
+    "sand_shear_modulus",
+    "saturated",
     "shear",
     "soft_sand",
     "specimen",
@@ -134,6 +152,9 @@ __all__ = [
     "uniform_stress",
     "uniform_stress_kinematic",
     "verify",
+    "walton_uniaxial",
+    "walton_uniaxial_stress",
+    "water_and_air_bulk_modulus",
     "__version__",
 ]
 __version__: str
@@ -142,6 +163,8 @@ __version__: str
 _Numbers = Any
 _Path = Union[str, PathLike[str]]
 _RungName = Union[int, str]
+_Range = Optional[tuple[Optional[float], Optional[float]]]
+_TurningSpring = Union[None, float, tuple[float, str], Literal["marshall"]]
 _Modulus = Literal["K", "G_hh", "G_vh", "E_v", "E_h", "C11", "C33", "C12", "C13"]
 
 class _Result:
@@ -165,6 +188,18 @@ class AnisotropyEstimate(_Result):
     def notes(self) -> list[str]: ...
     @property
     def standard_error(self) -> float: ...
+
+class AxialStress(_Result):
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def stress_v(self) -> _Numbers: ...
+    @property
+    def stress_h(self) -> _Numbers: ...
 
 class CarriedContacts(_Result):
     @property
@@ -408,6 +443,30 @@ class FabricMeasures(_Result):
     @property
     def notes(self) -> list[str]: ...
 
+class Fit(_Result):
+    @property
+    def coefficient(self) -> Measured: ...
+    @property
+    def exponent_i(self) -> Optional[Measured]: ...
+    @property
+    def exponent_j(self) -> Optional[Measured]: ...
+    @property
+    def exponent_sum(self) -> Measured: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def covariance(self) -> NDArray[np.float64]: ...
+    @property
+    def r_squared(self) -> Optional[float]: ...
+    @property
+    def residuals(self) -> NDArray[np.float64]: ...
+    @property
+    def rms_relative_residual(self) -> float: ...
+    @property
+    def degrees_of_freedom(self) -> int: ...
+    @property
+    def notes(self) -> list[str]: ...
+
 class Forces(_Result):
     @property
     def Z_2(self) -> float: ...
@@ -443,6 +502,24 @@ class Gradation(_Result):
     def d60(self) -> float: ...
     @property
     def uniformity(self) -> float: ...
+
+class GroundStress(_Result):
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def stress_v(self) -> _Numbers: ...
+    @property
+    def stress_h(self) -> _Numbers: ...
+    @property
+    def total_v(self) -> _Numbers: ...
+    @property
+    def total_h(self) -> _Numbers: ...
+    @property
+    def pore_pressure(self) -> _Numbers: ...
 
 class Inference(_Result):
     @property
@@ -491,6 +568,16 @@ class Inference(_Result):
         specimen: str = ...,
     ) -> MeasuredRows: ...
 
+class Interior(_Result):
+    @property
+    def grains(self) -> int: ...
+    @property
+    def void_ratio(self) -> float: ...
+    @property
+    def microstructure(self) -> Microstructure: ...
+    @property
+    def stress(self) -> NDArray[np.float64]: ...
+
 class Isotropic:
     @property
     def bulk_modulus(self) -> float: ...
@@ -525,6 +612,24 @@ class IsotropicModuli(_Result):
     def shape(self) -> tuple[int, ...]: ...
     @property
     def shear_modulus(self) -> _Numbers: ...
+
+class KnownSand(_Result):
+    @property
+    def key(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def mineral(self) -> str: ...
+    @property
+    def d50(self) -> Optional[float]: ...
+    @property
+    def uniformity(self) -> Optional[float]: ...
+    @property
+    def least_void_ratio(self) -> Optional[float]: ...
+    @property
+    def largest_void_ratio(self) -> Optional[float]: ...
 
 class Ladder(_Result):
     @property
@@ -575,6 +680,20 @@ class Measured(_Result):
     @property
     def value(self) -> float: ...
 
+class MeasuredLaw(_Result):
+    @property
+    def key(self) -> str: ...
+    @property
+    def sand(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def formula(self) -> str: ...
+    @property
+    def bias(self) -> float: ...
+    @property
+    def rms_log10(self) -> float: ...
+
 class MeasuredRows(_Result):
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
@@ -596,6 +715,8 @@ class Measurement(_Result):
     def fabric(self) -> Optional[Fabric]: ...
     @property
     def forces(self) -> Optional[Forces]: ...
+    @property
+    def interior(self) -> Optional[Interior]: ...
     @property
     def law(self) -> Optional[NormalLaw]: ...
     @property
@@ -632,6 +753,24 @@ class Microstructure(_Result):
     def rattler_fraction(self) -> float: ...
     @property
     def sliding_fraction(self) -> float: ...
+
+class Mineral(_Result):
+    @property
+    def key(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def shear_modulus(self) -> float: ...
+    @property
+    def poisson_ratio(self) -> float: ...
+    @property
+    def bulk_modulus(self) -> float: ...
+    @property
+    def density(self) -> float: ...
+    @property
+    def modulus_spread(self) -> float: ...
 
 class Moduli(_Result):
     @property
@@ -678,9 +817,12 @@ class Network(_Result):
     def shear_modulus(self) -> float: ...
     @property
     def symmetry(self) -> SymmetryDistances: ...
+
 class NormalLaw:
     @property
     def alpha(self) -> float: ...
+    @property
+    def bulk_modulus(self) -> float: ...
     @property
     def coefficient(self) -> float: ...
     def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
@@ -995,29 +1137,45 @@ def carried_contacts(
 def cement_at_contacts(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     cement_shear_modulus: ArrayLike,
-    cement_poisson_ratio: ArrayLike,
+    cement_poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     cement_saturation: ArrayLike,
     strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+    cement_bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def cement_in_surface_layer(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     cement_shear_modulus: ArrayLike,
-    cement_poisson_ratio: ArrayLike,
+    cement_poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     cement_saturation: ArrayLike,
     strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+    cement_bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
-def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> NormalLaw: ...
+def cone(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    slope: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
 def contact_law(
-    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **kwargs: float
+    shape: str,
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: Optional[float] = None,
+    bulk_modulus: Optional[float] = None,
+    **kwargs: float,
 ) -> NormalLaw: ...
 def contact_prior(
     *,
@@ -1031,12 +1189,13 @@ def contact_prior(
 def digby(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     bond_radius_ratio: ArrayLike,
     strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def engineering_moduli(stiffness: ArrayLike) -> EngineeringModuli: ...
 def estimate(
@@ -1094,7 +1253,24 @@ def fabric_measures(
     *, anisotropy: float = ..., F33: float = ..., P2_coefficient: float = ..., mean_cos_2gamma: float = ...
 ) -> FabricMeasures: ...
 def fabric_polar_cosine_quantile(*, probability: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
-def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> NormalLaw: ...
+def fit(
+    *,
+    shear_modulus: ArrayLike,
+    stress_i: ArrayLike,
+    stress_j: ArrayLike,
+    void_ratio: ArrayLike,
+    atmospheric_pressure: float,
+    void_ratio_function: str = "hardin-richart-round",
+    weights: Literal["relative", "absolute"] = "relative",
+    sum_only: bool = False,
+) -> Fit: ...
+def flat_punch(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    punch_radius: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
 def formats() -> dict[str, str]: ...
 def frames(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
@@ -1120,15 +1296,38 @@ def from_lammps(
 ) -> Packing: ...
 def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
+def ground_stress(
+    *,
+    depth: ArrayLike,
+    unit_weight: ArrayLike,
+    saturated_unit_weight: Optional[ArrayLike] = None,
+    water_table: Optional[ArrayLike] = None,
+    water_unit_weight: Optional[ArrayLike] = None,
+    earth_pressure_at_rest: ArrayLike,
+    surcharge: ArrayLike = 0.0,
+    strict: bool = False,
+) -> GroundStress: ...
+def hardin(
+    *,
+    coefficient: ArrayLike,
+    exponent_i: ArrayLike,
+    exponent_j: ArrayLike,
+    atmospheric_pressure: ArrayLike,
+    stress_i: ArrayLike,
+    stress_j: ArrayLike,
+    void_ratio: ArrayLike,
+    void_ratio_function: str = "hardin-richart-round",
+) -> _Numbers: ...
 def hertz_mindlin(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def infer(
     *,
@@ -1162,12 +1361,14 @@ def isotropy_p_value(normals: ArrayLike) -> float: ...
 def jenkins_shear_modulus(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
+def known_sands() -> dict[str, KnownSand]: ...
 def measure(
     packing: Packing,
     *,
@@ -1181,11 +1382,43 @@ def measure(
     stiffness_from: Optional[Literal["overlap", "force", "ratio"]] = None,
     network: bool = True,
     prestress: bool = False,
+    window: Union[None, Literal["auto"], Sequence[_Range]] = "auto",
+    rolling_stiffness: _TurningSpring = None,
+    twisting_stiffness: _TurningSpring = None,
+    grain_bulk_modulus: Optional[float] = None,
 ) -> Measurement: ...
+def measured_laws() -> dict[str, MeasuredLaw]: ...
 def mindlin_stiffness_ratio(poisson_ratio: ArrayLike) -> _Numbers: ...
+def minerals() -> dict[str, Mineral]: ...
 def murphy_coordination_number(
     *, porosity: ArrayLike, relation: Literal["table", "quadratic", "exponential"]
 ) -> _Numbers: ...
+def norris_johnson(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    hydrostatic_strain: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> Estimate: ...
+def norris_johnson_stress(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    hydrostatic_strain: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+    path: Literal["hydrostatic_first", "uniaxial_first", "simultaneous"],
+) -> AxialStress: ...
+def overlap_contacts(packing: Packing, *, law: Optional[NormalLaw] = None) -> Packing: ...
 def packing(
     *,
     position: ArrayLike,
@@ -1235,7 +1468,12 @@ def packing_answer(
 def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
 def power_law(
-    *, shear_modulus: float, poisson_ratio: float, alpha: float, profile_constant: float
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    alpha: float,
+    profile_constant: float,
+    bulk_modulus: Optional[float] = None,
 ) -> NormalLaw: ...
 def probe(
     specimen: Specimen,
@@ -1266,10 +1504,27 @@ def relaxed(
 def rose(normals: ArrayLike, *, anisotropy: float, bins: int) -> list[RoseBin]: ...
 def rotate(stiffness: ArrayLike, *, rotation: ArrayLike) -> NDArray[np.float64]: ...
 def rough_sphere(
-    *, shear_modulus: float, poisson_ratio: float, radius: float, roughness: float
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: float,
+    roughness: float,
+    bulk_modulus: Optional[float] = None,
 ) -> NormalLaw: ...
 def rungs() -> list[Rung]: ...
 def sample_normals(*, anisotropy: float, count: int, seed: int) -> NDArray[np.float64]: ...
+def sand_shear_modulus(
+    *,
+    law: str,
+    void_ratio: ArrayLike,
+    pressure: ArrayLike,
+    uniformity: ArrayLike = 1.5,
+    d50: ArrayLike = 0.0004,
+    strict: bool = False,
+) -> IsotropicModuli: ...
+def saturated(
+    stiffness: ArrayLike, *, grain_bulk_modulus: float, fluid_bulk_modulus: float, void_ratio: float
+) -> Estimate: ...
 def shear(
     specimen: Specimen,
     *,
@@ -1283,13 +1538,14 @@ def shear(
 def soft_sand(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     critical_porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
     porosity: ArrayLike,
+    bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def specimen(
     *,
@@ -1305,17 +1561,24 @@ def specimen(
     sizes: Optional[Distribution] = None,
     wall_friction: Optional[float] = None,
 ) -> Specimen: ...
-def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> NormalLaw: ...
+def sphere(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
 def stiff_sand(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     critical_porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
     porosity: ArrayLike,
+    bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli: ...
 def symmetry_distances(stiffness: ArrayLike) -> SymmetryDistances: ...
 def thomsen_parameters(stiffness: ArrayLike, *, weak: bool = ...) -> ThomsenParameters: ...
@@ -1403,3 +1666,26 @@ def verify(
     *,
     progress: Union[None, Literal["tqdm"], Callable[[float, str], object]] = None,
 ) -> Study: ...
+def walton_uniaxial(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> Estimate: ...
+def walton_uniaxial_stress(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> AxialStress: ...
+def water_and_air_bulk_modulus(saturation: float) -> float: ...

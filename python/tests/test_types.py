@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The types that editors and checkers see are those of the package."""
 
+import json
 import os
 import pathlib
 import re
@@ -31,7 +32,19 @@ def test_the_examples_have_the_right_types(source, tmp_path):
     assert code == 0 and f"{len(examples)} source files" in said, said
     wrong = tmp_path / "wrong.py"
     wrong.write_text(
-        examples[1].read_text() + "granum.measure(1)\ngranum.sphere(shear_modulus=1e9)\nfound.colour\n"
+        examples[1].read_text() + "granum.measure(1)\ngranum.sphere(poisson_ratio=0.1)\nfound.colour\n"
     )
     code, said = run("mypy", "--strict", str(wrong), cwd=tmp_path)
     assert code == 1 and said.count("error:") == 4, said
+
+
+def test_the_notebooks_have_the_right_types(source, tmp_path):
+    notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
+    for notebook in notebooks:
+        cells = json.loads(notebook.read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        (tmp_path / f"notebook_{notebook.stem}.py").write_text("\n".join(code) + "\n")
+    files = sorted(tmp_path.glob("notebook_*.py"))
+    # matplotlib of Debian 12 comes without types
+    code, said = run("mypy", "--strict", "--ignore-missing-imports", *map(str, files), cwd=tmp_path)
+    assert code == 0 and f"{len(notebooks)} source files" in said, said
