@@ -23,7 +23,8 @@ GROUPS = {
     "The answer and its range": """packing_answer estimate contact_prior carried_contacts PackingAnswer Range Ladder
         RungAssessment ContactPrior ContactCounts CarriedContacts Measured""",
     "From measurements": "infer fit hardin Inference MeasuredRows Fit",
-    "Ground, sands and water": """ground_stress known_sands measured_laws sand_shear_modulus saturated
+    "Ground, sands and water": """ground_stress stress_on_path failure_ratio known_sands measured_laws
+        sand_shear_modulus void_ratio_of_relative_density saturated
         water_and_air_bulk_modulus bulk_density GroundStress KnownSand MeasuredLaw""",
     "Rock physics": """hertz_mindlin walton_uniaxial walton_uniaxial_stress norris_johnson norris_johnson_stress digby
         jenkins_shear_modulus soft_sand stiff_sand cement_at_contacts cement_in_surface_layer

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <limits>
 
+#include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/stress/ground.hpp>
+#include <granum/stress/shear_path.hpp>
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
 #include "keywords.hpp"
-#include "rows.hpp"
+#include "moduli.hpp"
 
 namespace granum::python {
 
@@ -67,6 +71,75 @@ py::object ground_stress(const Arguments& a) {
   }));
 }
 
+stress::ShearPath shear_path_of(const std::string& text) {
+  for (const stress::ShearPath path : stress::all_shear_paths) {
+    std::string known(stress::name(path));
+    std::transform(known.begin(), known.end(), known.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (text == known)
+      return path;
+  }
+  throw InvalidArgument("path is one of txc, rtxc, rtxe, txe, not " + text);
+}
+
+void bind_paths(py::module_& module) {
+  define(module, {"stress_on_path",
+                  {{"path"}, {"pressure"}, {"eta"}, {"strict", "False"}},
+                  [](const Arguments& a) {
+                    const stress::ShearPath path = shear_path_of(a.text(0));
+                    const Argument columns[] = {{"pressure", a[1], "start"}, {"eta", a[2]}};
+                    return py::cast(
+                        answer_rows(columns, a.flag(3), AxialStressRow{}, [path](const double* x, Notes&) {
+                          const stress::AxialStress found = stress::stress_on_path(path, x[0], x[1]);
+                          return AxialStressRow{found.v, found.h};
+                        }));
+                  },
+                  std::string(R"(The stresses at which a triaxial test reaches a stress ratio.
+
+Parameters
+----------
+path : {"txc", "rtxc", "rtxe", "txe"}
+    Triaxial compression, reduced compression, reduced extension, extension.
+pressure : array_like
+    Isotropic stress > 0 at which the path begins [Pa].
+eta : array_like
+    q/p', in [0, 3) in compression, in (-3/2, 0] in extension [1].
+strict : bool
+    Raise at the first element that is refused, instead of NaN and a message in `errors`.
+
+Returns
+-------
+AxialStress
+)") + raises_invalid("For another path, or a number out of range; arrays: under strict.") +
+                      notes("[Chung2014]", "stress::stress_on_path", "stress/shear_path.hpp")});
+  define(module, {"failure_ratio",
+                  {{"path"}, {"friction_angle"}},
+                  [](const Arguments& a) {
+                    const stress::ShearPath path = shear_path_of(a.text(0));
+                    const Argument columns[] = {{"friction_angle", a[1]}};
+                    return computed(answer_rows<double>(columns, true, 0.0,
+                                                        [path](const double* x, Notes&) {
+                                                          return stress::failure_ratio(path, x[0]);
+                                                        }),
+                                    [](double ratio) { return ratio; });
+                  },
+                  std::string(R"(The stress ratio q/p' at which a material without cohesion fails on a path.
+
+Parameters
+----------
+path : {"txc", "rtxc", "rtxe", "txe"}
+    As stress_on_path() takes it.
+friction_angle : array_like
+    Of the material, in (0, pi/2) [rad].
+
+Returns
+-------
+float or ndarray
+    eta [1], negative in extension.
+)") + raises_invalid("For another path, or the first angle out of range.") +
+                      notes("", "stress::failure_ratio", "stress/shear_path.hpp")});
+}
+
 } // namespace
 
 void bind_ground(py::module_& module) {
@@ -117,6 +190,7 @@ Returns
 GroundStress
 )") + raises_invalid("For a number out of range; arrays: under strict.") +
               notes("Water at rest, no suction above its table.", "stress::stress_at", "stress/ground.hpp")});
+  bind_paths(module);
 }
 
 } // namespace granum::python

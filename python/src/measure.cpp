@@ -247,8 +247,8 @@ prestress : bool
     Add the stiffness that the contact forces make.
 window : "auto", None or three ranges, optional
     The part whose e, C_n, z*, fabric and stress the closed forms take: the interior between walls or under a
-    free surface, where there is one; the whole; or (low, high) [m] along each axis, None for a whole axis or an
-    end that is left open.
+    free surface, where there is one; the whole; or (low, high) [m] along each axis, None for a whole axis
+    or an end that is left open.
 rolling_stiffness, twisting_stiffness : float, (float, str) or "marshall", optional
     Of all contacts: a number times k_n R*^2 [1]; (k, "displacement"), k [N/m] times R*^2; (k, "angle"), k
     [N m]; or "marshall", k_t R* d/2. Without it as the contacts have it.

@@ -5,7 +5,7 @@
 
 #include "rows.hpp"
 
-/// Bulk and shear modulus of isotropic packings: what classical models return.
+/// Moduli and stresses of isotropic packings and paths: what several functions return.
 namespace granum::python {
 
 struct ModuliRow {
@@ -13,7 +13,12 @@ struct ModuliRow {
   double shear_modulus = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The same of what tells the shear modulus alone.
+struct AxialStressRow {
+  double v = std::numeric_limits<double>::quiet_NaN();
+  double h = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Bulk and shear modulus of what tells the shear modulus alone.
 /// \param    shear_modulus   of the numbers of an element, and notes
 template <class Model>
 py::object moduli_of_shear(std::span<const Argument> columns, bool strict, const Model& shear_modulus) {

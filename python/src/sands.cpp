@@ -48,6 +48,36 @@ dict of KnownSand
           .c_str());
 }
 
+void bind_relative_density(py::module_& module) {
+  define(module, {"void_ratio_of_relative_density",
+                  {{"relative_density"}, {"least_void_ratio"}, {"largest_void_ratio"}},
+                  [](const Arguments& a) {
+                    const Argument columns[] = {
+                        {"relative_density", a[0]}, {"least_void_ratio", a[1]}, {"largest_void_ratio", a[2]}};
+                    return computed(answer_rows<double>(columns, true, 0.0,
+                                                        [](const double* x, Notes&) {
+                                                          return sands::void_ratio_of_relative_density(
+                                                              x[0], x[1], x[2]);
+                                                        }),
+                                    [](double void_ratio) { return void_ratio; });
+                  },
+                  std::string(R"(The void ratio of a relative density, e_max - D_r (e_max - e_min).
+
+Parameters
+----------
+relative_density : array_like
+    D_r, in [0, 1.2] [1].
+least_void_ratio, largest_void_ratio : array_like
+    e_min > 0 and e_max above it [1].
+
+Returns
+-------
+float or ndarray
+    e [1], of the broadcast shape.
+)") + raises_invalid("For the first number out of range.") +
+                      notes("", "sands::void_ratio_of_relative_density", "sands/known_sands.hpp")});
+}
+
 void bind_measured_laws(py::module_& module) {
   py::class_<MeasuredLaw>(module, "MeasuredLaw",
                           "A published law of the small-strain shear modulus of sands.")
@@ -128,6 +158,7 @@ IsotropicModuli
 
 void bind_sands(py::module_& module) {
   bind_known_sands(module);
+  bind_relative_density(module);
   bind_measured_laws(module);
 }
 

@@ -13,6 +13,7 @@
 #include "docstrings.hpp"
 #include "estimate.hpp"
 #include "material.hpp"
+#include "moduli.hpp"
 
 namespace granum::python {
 
@@ -20,11 +21,6 @@ namespace {
 
 using rock_physics::StrainedPacking;
 using rock_physics::UniaxialPacking;
-
-struct AxialStressRow {
-  double v = StiffnessRow::nan;
-  double h = StiffnessRow::nan;
-};
 
 /// Keywords that both models share stand first; `strict` is the last.
 enum : std::size_t { shear_modulus_at, poisson_ratio_at, porosity_at, coordination_number_at, strains_at };

@@ -99,7 +99,7 @@ def kinds_reached(values, depth=3):
     return kinds
 
 
-BLOCKS = 77
+BLOCKS = 79
 
 
 def test_every_example_of_the_site_prints_what_it_says(source, monkeypatch):

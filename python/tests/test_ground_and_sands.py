@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Classical models, the ground and measured sands against formulas written here once more, in numpy."""
 
+import subprocess
+
 import granum
 import numpy as np
 import pytest
@@ -158,3 +160,16 @@ def test_bulk_moduli_of_models_broadcast():
         ).shear_modulus,
         rel=1e-13,
     )
+
+
+def test_a_bulk_modulus_on_the_command_line_is_that_of_python(run_program):
+    state = ("--void-ratio", 0.6, "--pressure", "100kPa", "--grain-shape", "sphere")
+    said = run_program("estimate", *state, "--grain-shear-modulus", "44GPa", "--grain-bulk-modulus", "37GPa")
+    law = granum.sphere(shear_modulus=44e9, bulk_modulus=37e9, radius=0.5e-3)
+    assert said["inputs"]["grain_poisson_ratio"] == law.poisson_ratio
+    answer = granum.packing_answer(law=law, radius=0.5e-3, void_ratio=0.6, pressure=100e3)
+    assert said["answer"]["shear_modulus"]["value"] == answer.shear_modulus.value
+    both = ("--grain-bulk-modulus", "37GPa", "--grain-poisson-ratio", 0.1)
+    with pytest.raises(subprocess.CalledProcessError) as refused:
+        run_program("estimate", *state, *both)
+    assert refused.value.returncode == 2

@@ -48,3 +48,22 @@ def test_the_notebooks_have_the_right_types(source, tmp_path):
     # matplotlib of Debian 12 comes without types
     code, said = run("mypy", "--strict", "--ignore-missing-imports", *map(str, files), cwd=tmp_path)
     assert code == 0 and f"{len(notebooks)} source files" in said, said
+
+
+def test_numbers_give_floats_and_arrays_give_arrays(tmp_path):
+    (tmp_path / "shapes.py").write_text(
+        """
+import granum
+
+law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=5e-4)
+beads = granum.packing_answer(law=law, radius=5e-4, void_ratio=0.6, pressure=1e5)
+path = granum.packing_answer(law=law, radius=5e-4, void_ratio=0.6, pressure=[1e5, 2e5])
+reveal_type(beads.shear_modulus.value)
+reveal_type(path.shear_modulus.value)
+reveal_type(law.force(1e-6))
+reveal_type(law.force([1e-6]))
+"""
+    )
+    code, said = run("mypy", "--strict", "shapes.py", cwd=tmp_path)
+    revealed = re.findall(r'Revealed type is "([\w.]+)', said)
+    assert code == 0 and revealed == ["builtins.float", "numpy.ndarray"] * 2, said
