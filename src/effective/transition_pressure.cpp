@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/transition_pressure.hpp>
 
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+
 #include "checked_state.hpp"
 
 namespace granum::effective {
@@ -12,6 +19,26 @@ std::optional<double> transition_pressure(const State& state) {
   if (law == nullptr)
     return std::nullopt;
   return law->transition_force() / (3 * geometry.force_area);
+}
+
+double transition_pressure_of(double exponent, double mean_stress) {
+  require_positive("mean_stress", mean_stress, "Pa");
+  const auto excess = [exponent](double log_X) {
+    return contact::rough_stiffness(std::exp(log_X)).exponent - exponent;
+  };
+  constexpr double widest = 30; // |ln X|: b is 1e-9 from an end there
+  if (!(excess(-widest) < 0 && excess(widest) > 0))
+    throw InvalidArgument("exponent", exponent, "", "(1/3, 1)");
+  std::uintmax_t steps = 100;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      excess, -widest, widest, boost::math::tools::eps_tolerance<double>(45), steps);
+  return mean_stress * std::exp(0.75 * (left + right));
+}
+
+double roughness_of(State state, double transition) {
+  require_positive("transition_pressure", transition, "Pa");
+  state.law = contact::RoughSphere(state.law.grain(), state.radius, state.radius);
+  return state.radius * std::pow(transition / *transition_pressure(state), 2.0 / 3);
 }
 
 } // namespace granum::effective

@@ -25,6 +25,9 @@ using effective::State;
 constexpr double smallest_error = 1e-4;
 /// Of the sum of squares, what is too little to go on for.
 constexpr double negligible_gain = 1e-12;
+/// Where laws of contacts meet with a kink no step helps: what a smooth minimum would gain moves no number by
+/// more than 0.01 of its standard error.
+constexpr double gain_at_kink = 1e-4;
 /// However far the least squares look around.
 constexpr double most_rattlers = 0.9, just_rigid = 1e-6;
 
@@ -314,10 +317,10 @@ Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& mo
     // GSL compares sums of squares, which differ by rounding alone near the minimum: a last step goes on.
     const Eigen::VectorXd misfit = residuals(theta),
                           step = inverse_information(jacobian) * (jacobian.transpose() * misfit);
-    const bool arrived = (jacobian * step).squaredNorm() <= negligible_gain * (1 + misfit.squaredNorm());
-    if (arrived)
+    const double gain = (jacobian * step).squaredNorm();
+    if (gain <= negligible_gain * (1 + misfit.squaredNorm()))
       theta -= step;
-    if (solution.status != hardin::FitStatus::converged && !arrived)
+    if (solution.status != hardin::FitStatus::converged && gain > gain_at_kink)
       throw NotConverged("the fit of a contact number did not converge after " +
                          std::to_string(solution.iterations) + " iterations");
   }

@@ -167,10 +167,26 @@ std::string_view description(const FileKind& kind) {
   return kind.holds == Holds::contacts ? kind.format->contacts : kind.format->grains;
 }
 
+/// Files that people have and granum does not read, by how their first line begins.
+struct UnreadFormat {
+  std::string_view begins, name, instead;
+};
+constexpr UnreadFormat unread_formats[] = {
+    {"Begin ", "a model part of Kratos (.mdpa)",
+     "write the grains as a table x,y,z,radius, or the results as VTK"},
+    {"\x89HDF", "HDF5, as Blaze-DEM and others write it", "write grains and contacts as tables (CSV)"},
+    {"PK\x03\x04", "a zip archive, as MUSEN's projects and numpy's .npz are",
+     "write grains and contacts as tables (CSV)"},
+};
+
 FileKind recognise(TextSource& source) {
   source.keep_from_start();
   if (!source.next())
     source.fail("is empty");
+  for (const UnreadFormat& format : unread_formats)
+    if (source.line().starts_with(format.begins))
+      source.fail("is " + std::string(format.name) +
+                  ", which granum does not read: " + std::string(format.instead));
   for (const PackingFormat* format : packing_formats) {
     source.back_to_start();
     if (const auto holds = format->recognise(source)) {

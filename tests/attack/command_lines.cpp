@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "command_lines.hpp"
+#include "printed_numbers.hpp"
 
 namespace {
 

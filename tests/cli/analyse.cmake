@@ -169,6 +169,12 @@ foreach(format "LAMMPS or LIGGGHTS dumps +ITEM: lines" "MercuryDPM's .data and .
 endforeach()
 
 # what is refused
+# Moduli by the code's own probes: matched by step, or by the state in the file's name; one of no frame is refused.
+granum_cli_test("analyse: probes by step" EXIT 0 JSON "frames/1/probes/G_vh/value=^200000000" "frames/1/probes/G_vh/network_over_probe=^1\\."
+    "frames/2/probes/K/network_over_probe=^1\\.17"
+  ARGS analyse ${lattice} --json --probes analyse_probes.csv)
+granum_cli_test("analyse: a probe by the state in the name" EXIT 0 STDERR "directions of the contacts" STDOUT "G_vh by probe +46 MPa +network over probe [5-9]\\."
+  ARGS analyse ${lattice} --frames last --probes analyse_probes_state.csv)
 function(granum_analyse_refuses what code message)
   granum_cli_test("analyse: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS analyse ${ARGN})
 endfunction()
@@ -237,3 +243,7 @@ granum_cli_test("analyse: unequal grains" EXIT 0 BELOW "frames/0/" JSON
 granum_cli_test("analyse: unequal grains on the screen" EXIT 0
   STDOUT "C_u = d60/d10 +1\\.7056.*d50 1\\.346 mm.*<l> = 0\\.9342 2R, <l\\^2> = 0\\.9200 \\(2R\\)\\^2"
   ARGS analyse ${unequal}.atoms.gz ${unequal}.contacts.gz --grain-shear-modulus 30GPa --no-network)
+granum_analyse_refuses("a probe of a frame that is left out" 3 "analyse_probes\\.csv:3: step 1: no frame" ${lattice} --frames last --probes analyse_probes.csv)
+granum_analyse_refuses("a probe of several frames" 3 "analyse_probes_state\\.csv:2: state analyse_lattice: no frame matches, or more" ${lattice}
+  --probes analyse_probes_state.csv)
+granum_analyse_refuses("no table of probes" 3 "isotropic\\.csv:.*column modulus" ${lattice} --probes isotropic.csv)

@@ -32,3 +32,20 @@ TEST_CASE("the pressure of the transition: X is 1 at the mean force, in closed f
   s.coordination_number = 0;
   CHECK_THROWS_AS((void)effective::transition_pressure(s), InvalidArgument);
 }
+
+TEST_CASE("the pressure of the transition follows from the exponent of rough spheres at another pressure") {
+  const contact::RoughSphere law({.shear_modulus = 44e9, .poisson_ratio = 0.074}, 0.1e-3, 20e-9);
+  for (const double p : {1e3, 20e3, 100e3, 3e6}) {
+    State s = state_of(2, 0, 0.074, p, p);
+    s.law = law;
+    s.radius = 0.1e-3;
+    const double b = s.law.exponent_at_force(effective::mean_contact_force(s));
+    const double transition = effective::transition_pressure_of(b, p);
+    CHECK(transition == relative(*effective::transition_pressure(s), 1e-9));
+    CHECK(effective::roughness_of(s, transition) == relative(20e-9, 1e-8));
+    CHECK_THROWS_AS((void)effective::roughness_of(s, 0), InvalidArgument);
+  }
+  for (const double s : {0.0, 1.0 / 3, 1.0, 1.2, std::nan("")})
+    CHECK_THROWS_AS((void)effective::transition_pressure_of(s, 1e5), InvalidArgument);
+  CHECK_THROWS_AS((void)effective::transition_pressure_of(0.5, 0), InvalidArgument);
+}

@@ -128,6 +128,15 @@ TEST_CASE("z*, softness and alpha come back within their errors") {
   CHECK(implied.numbers[0].value.value == doctest::Approx(z).epsilon(0.004));
   CHECK(implied.numbers[1].value.value == doctest::Approx(softness).epsilon(0.03));
   CHECK(implied.numbers[2].value.value == doctest::Approx(alpha).epsilon(0.02));
+  CHECK(implied.softness == relative(implied.numbers[1].value.value, 1e-9));
+  CHECK(implied.local_exponent == relative(1 / (1 + implied.numbers[2].value.value), 1e-9));
+  REQUIRE(implied.correlation.size() == 9);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(implied.correlation[3 * i + k] == relative(implied.correlation[3 * k + i], 1e-9));
+      CHECK(std::abs(implied.correlation[3 * i + k]) <= 1);
+      CHECK((implied.correlation[3 * i + k] == 1) == (i == k));
+    }
 
   // With noise, errors are those that the numbers have.
   constexpr int draws = 60;
@@ -142,6 +151,7 @@ TEST_CASE("z*, softness and alpha come back within their errors") {
   }
   MESSAGE("alpha within one stated error: ", within, ", within two: ", within_two, " of ", draws);
   CHECK(within >= draws * 0.55);
+  CHECK(within <= draws * 0.9); // errors twice as wide would hold nearly all
   CHECK(within_two >= draws * 0.9);
 }
 

@@ -93,6 +93,8 @@ TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these"
   CHECK(kind_of(with(points, "3", "0") + " NumberOfLines=\"0\">") == kind(vtk_xml_format, Holds::contacts));
   CHECK(refusal([&] { (void)kind_of("<?xml?>\n<html/>\n"); }).find("without an element Piece") !=
         std::string::npos);
+  CHECK(refusal([&] { (void)kind_of("Begin ModelPartData\n"); }).find("Kratos") != std::string::npos);
+  CHECK(refusal([&] { (void)kind_of("\x89HDF\r\n"); }).find("HDF5") != std::string::npos);
   CHECK(refusal([&] { (void)kind_of("Lorem ipsum\n"); }).find("of no format that granum reads") !=
         std::string::npos);
   CHECK(refusal([&] { (void)kind_of(""); }).find("is empty") != std::string::npos);

@@ -17,4 +17,21 @@ namespace granum::effective {
 /// Accuracy  relative 1e-14.  Checked by tests/effective/test_transition_pressure.cpp
 [[nodiscard]] std::optional<double> transition_pressure(const State& state);
 
+/// p* of rough spheres, as many contacts at every stress, whose moduli go as p^s at a mean stress: of X with
+/// b(X) = s, which falls as p^(-2/3).
+/// \param    exponent      s in (1/3, 1) [1]
+/// \param    mean_stress   p > 0 [Pa]
+/// \return   [Pa]
+/// \throws   InvalidArgument outside of these ranges, and for s within 1e-9 of an end
+/// Accuracy  relative 1e-9.  Checked by tests/effective/test_transition_pressure.cpp
+[[nodiscard]] double transition_pressure_of(double exponent, double mean_stress);
+
+/// Roughness u0 of the grains of a packing whose p* is known.
+/// \param    state   its radius, grain material, C_n and e are read
+/// \param    transition_pressure   p* > 0 [Pa]
+/// \return   [m]
+/// \throws   InvalidArgument as transition_pressure(State), and for p* out of range
+/// Accuracy  relative 1e-14.  Checked by tests/effective/test_transition_pressure.cpp
+[[nodiscard]] double roughness_of(State state, double transition_pressure);
+
 } // namespace granum::effective

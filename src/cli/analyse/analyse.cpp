@@ -190,6 +190,7 @@ ExitCode run(const AnalyseOptions& o) {
     prepare_folder(o.out, analysis_files, o.force);
   AnalyseAnswer answer = answer_all(o);
   take_code_stress(o.stress, answer.frames);
+  take_probes(o.probes, answer.frames);
   std::string table = o.json && o.out.empty() ? "" : within_width(analyse_table(answer));
   if (!o.out.empty()) {
     write_analysis(o.out, answer, table, existing(o));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "analyse_fields.hpp"
 
 namespace granum::cli {
@@ -101,6 +103,26 @@ void add_rungs(FrameFields& to, const std::vector<RungResult>& rungs) {
   }
 }
 
+/// "probes/G_vh/value" and so on, of moduli that were probed.
+void add_probes(FrameFields& to) {
+  for (const studies::NamedModulus& modulus : studies::modulus_names) {
+    const std::string name = modulus.name;
+    const auto of = [name](const FrameAnswer& frame) {
+      const auto is = [&](const studies::ProbedModulus& probe) { return probe.modulus == name; };
+      const auto found = std::find_if(frame.probes.begin(), frame.probes.end(), is);
+      return found == frame.probes.end() ? nullptr : &*found;
+    };
+    to.emplace_back("", "probes/" + name + "/value", [of](const FrameAnswer& frame) {
+      const auto* const probe = of(frame);
+      return probe ? std::optional(probe->value) : std::nullopt;
+    });
+    to.emplace_back("", "probes/" + name + "/network_over_probe", [of](const FrameAnswer& frame) {
+      const auto* const probe = of(frame);
+      return probe ? probe->network_over_probe : std::nullopt;
+    });
+  }
+}
+
 /// The network, and what is read off both of its matrices, "relaxed_E_1_Pa" and so on.
 void add_network(FrameFields& to, const FrameAnswer& like) {
   io::add_part(to, network_fields(), optional_part(&Measurement::network), "network/");
@@ -146,6 +168,7 @@ FrameFields frame_fields(const FrameAnswer& like) {
        {"", "poisson_ratio", &contact::GrainMaterial::poisson_ratio}},
       optional_part(&Measurement::grain), "grain/");
   add_rungs(fields, like.rungs);
+  add_probes(fields);
   add_network(fields, like);
   fields.emplace_back("", "", studies::network_over_relaxed,
                       ShownColumn{.heading = "ratio", .width = 7, .digits = 3, .fixed = true, .absent = "-"});

@@ -29,6 +29,7 @@ struct AnalyseOptions {
   std::string frames = "all";
   std::string series = "name";     ///< or all
   std::vector<std::string> stress; ///< one a frame, or the name of a file of them
+  std::string probes;              ///< name of a file of moduli
   std::string stiffness_from;
   std::vector<std::string> materials; ///< one a type
   std::optional<std::size_t> threads;

@@ -80,6 +80,16 @@ std::string moduli_text(const FrameAnswer& frame) {
   return text;
 }
 
+std::string probes_text(const FrameAnswer& frame) {
+  std::string text;
+  for (const studies::ProbedModulus& probe : frame.probes)
+    text +=
+        line(probe.modulus + " by probe", pretty(probe.value, Dimension::pressure),
+             probe.network_over_probe ? fmt::format("network over probe {:.4f}", *probe.network_over_probe)
+                                      : "no network to compare with");
+  return text;
+}
+
 /// A matrix, each column as wide as its longest number; what the solver leaves of a zero is shown as one.
 std::string matrix_text(const NamedMatrix& named) {
   constexpr double nothing = 1e-7;
@@ -146,7 +156,7 @@ std::string frame_text(const FrameAnswer& frame) {
   if (a.law_check && a.law_check->contacts > 0)
     text += titled("contact law, from forces against overlaps", law_fields(), a.law_check);
   if (!frame.rungs.empty())
-    text += moduli_text(frame) + stiffness_text(frame);
+    text += moduli_text(frame) + probes_text(frame) + stiffness_text(frame);
   if (!a.notes.empty())
     text += "\n";
   for (const std::string& note : a.notes)

@@ -2,6 +2,9 @@
 #include "analyse_stress.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <span>
 #include <string>
 
 #include <fmt/core.h>
@@ -77,6 +80,81 @@ void judge_code_stress(const FrameAnswer& frame, Validity& out) {
   if (const auto apart = studies::largest_stress_difference(frame); apart && *apart > agrees)
     out.add(fmt::format("the stress by contacts differs from the code's own by {} of its largest component",
                         short_text(*apart, 2)));
+}
+
+namespace {
+
+/// Whether `part` stands between points, or at an end, in the name of a file.
+bool names_state(const std::string& file, const std::string& state) {
+  const std::string name = "." + file.substr(file.find_last_of('/') + 1) + ".";
+  return name.find("." + state + ".") != std::string::npos;
+}
+
+/// The columns of a table of probes, which are words.
+std::size_t place_of(const io::CsvTable& table, std::string_view heading) {
+  const auto& headings = table.headings();
+  return static_cast<std::size_t>(std::find(headings.begin(), headings.end(), heading) - headings.begin());
+}
+
+const studies::NamedModulus& modulus_of(const io::CsvTable& table, std::size_t row, const std::string& name) {
+  const auto& known = studies::modulus_names;
+  const auto found = std::find_if(std::begin(known), std::end(known),
+                                  [&](const studies::NamedModulus& of) { return of.name == name; });
+  if (found != std::end(known))
+    return *found;
+  std::string names;
+  for (const studies::NamedModulus& of : known)
+    names += std::string(names.empty() ? "" : ", ") + of.name;
+  throw FileError(table.name(), table.line(row), "modulus '" + name + "' is none of " + names);
+}
+
+/// Whose row it is, in words for an error, and whether a frame is that one.
+struct ProbedState {
+  std::string words;
+  std::function<bool(const FrameAnswer&)> is;
+};
+
+ProbedState state_of(const io::CsvTable& table, std::size_t row, std::span<const double> steps) {
+  if (!steps.empty())
+    return {fmt::format("step {}", steps[row]), [step = steps[row]](const FrameAnswer& frame) {
+              return static_cast<double>(frame.measured.step) == step;
+            }};
+  if (const std::size_t place = place_of(table, "state"); place < table.headings().size()) {
+    const std::string& state = table.fields(row)[place];
+    return {"state " + state, [state](const FrameAnswer& frame) { return names_state(frame.file, state); }};
+  }
+  return {"one frame alone, as no column step or state tells which", [](const FrameAnswer&) { return true; }};
+}
+
+} // namespace
+
+void take_probes(const std::string& path, std::vector<FrameAnswer>& frames) {
+  if (path.empty())
+    return;
+  const io::CsvTable table = io::read_csv(path);
+  const std::size_t name = place_of(table, "modulus");
+  if (name == table.headings().size())
+    throw FileError(path, table.heading_line(), "expected a column modulus, of K, G, G_vh and so on");
+  const std::vector<double> values = table.numbers("value", Dimension::pressure);
+  const std::vector<double> steps =
+      table.has("step") ? table.numbers("step", Dimension::dimensionless) : std::vector<double>{};
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const studies::NamedModulus& modulus = modulus_of(table, row, table.fields(row)[name]);
+    const ProbedState state = state_of(table, row, steps);
+    const auto frame = std::find_if(frames.begin(), frames.end(), state.is);
+    if (frame == frames.end() || std::count_if(frames.begin(), frames.end(), state.is) > 1)
+      throw FileError(path, table.line(row),
+                      fmt::format("{}: no frame matches, or more than one", state.words));
+    const auto known = [&](const studies::ProbedModulus& probe) { return probe.modulus == modulus.name; };
+    if (std::any_of(frame->probes.begin(), frame->probes.end(), known))
+      throw FileError(path, table.line(row), fmt::format("a second {} of {}", modulus.name, state.words));
+    if (!(values[row] > 0))
+      throw FileError(path, table.line(row), "the value of a modulus is more than 0 Pa");
+    studies::ProbedModulus probe{.modulus = modulus.name, .value = values[row]};
+    if (const RungResult* const network = find_rung(*frame, network_name()); network && network->moduli)
+      probe.network_over_probe = (*network->moduli).*modulus.value / probe.value;
+    frame->probes.push_back(std::move(probe));
+  }
 }
 
 } // namespace granum::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fit.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include <granum/core/error.hpp>
@@ -26,9 +27,17 @@ hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::
   }
 }
 
+double middle_stress(const std::vector<hardin::MeasuredModulus>& rows) {
+  double sum = 0;
+  for (const hardin::MeasuredModulus& row : rows)
+    sum += std::log(row.state.stress_i) + std::log(row.state.stress_j);
+  return std::exp(sum / (2 * static_cast<double>(rows.size())));
+}
+
 ExitCode run(FitQuestion question) {
   require_free(question.output, question.picture);
   const auto rows = read_rows(question);
+  question.middle_stress = middle_stress(rows);
   const hardin::VoidRatioFunction function = hardin::void_ratio_function(question.void_ratio_function);
   const hardin::FitOptions options{.atmospheric_pressure = question.atmospheric_pressure,
                                    .void_ratio_function = function,

@@ -24,6 +24,7 @@ struct FitQuestion {
   std::string void_ratio_function = "hardin-richart-round";
   std::string weights = "relative";
   double atmospheric_pressure = 100e3; ///< [Pa]
+  double middle_stress = 0;            ///< geometric mean of those of all rows [Pa]
   bool sum_only = false;
   bool void_ratio_function_given = false, void_ratio_column_given = false;
   Validity remarks; ///< rows left out, likely slips, what was taken instead of what is missing

@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <granum/contact/minerals.hpp>
+#include <granum/effective/transition_pressure.hpp>
 #include <granum/io/csv/columns.hpp>
+#include <granum/plot/svg_text.hpp>
 
 #include "cli/frame/json_members.hpp"
 #include "fit.hpp"
@@ -23,8 +26,29 @@ std::optional<double> alpha_of(const hardin::Fit& fit) {
   return s > 0 && s <= 0.5 ? std::optional(1 / s - 1) : std::nullopt;
 }
 
+/// Roughness over radius of quartz grains with five contacts each whose p* this is.
+double roughness_of_quartz(double transition_pressure) {
+  const effective::State quartz{.law = contact::PowerLaw::sphere(contact::mineral("quartz").material, 1),
+                                .tangential_ratio = 1,
+                                .radius = 1,
+                                .void_ratio = 0.7,
+                                .coordination_number = 5,
+                                .stress_v = 0,
+                                .stress_h = 0};
+  return effective::roughness_of(quartz, transition_pressure);
+}
+
+/// What contacts, as many at every stress, would have that exponent in the middle of the stresses.
+std::string contacts_of(double s, double stress) {
+  const double transition = effective::transition_pressure_of(s, stress);
+  return fmt::format(" Contacts that stay the same in number have s = {} as tips of alpha {}, or as rough "
+                     "spheres whose p* is {}: quartz with u0 of some {} R.",
+                     short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
+                     short_text(roughness_of_quartz(transition), 2));
+}
+
 /// What an exponent may come from. Mechanics of each: docs/theory.md.
-std::string meaning_of(const Measured& s) {
+std::string meaning_of(const Measured& s, double stress) {
   const double error = s.standard_error;
   const auto below = [&](double number) { return s.value + 2 * error < number; };
   const auto above = [&](double number) { return s.value - 2 * error > number; };
@@ -35,10 +59,12 @@ std::string meaning_of(const Measured& s) {
            "s below 1/3: contacts that do not stiffen as the stress grows, as bonds and cement make them.";
   if (!above(1.0 / 3))
     return text + "s of 1/3: smooth spheres whose contacts stay the same in number.";
-  return text + (above(0.5)
-                     ? "s above 1/2: contacts form as the stress grows, or f(e) leaves a part of it to s."
-                     : "s between 1/3 and 1/2: contacts form as the stress grows, or grains are rough, or "
-                       "touch at angular tips; s alone cannot tell which, V_p beside V_s would.");
+  if (above(0.5))
+    return text + "s above 1/2: contacts form as the stress grows, or f(e) leaves a part of it to s.";
+  return text +
+         "s between 1/3 and 1/2: contacts form as the stress grows, or grains are rough, or touch at angular "
+         "tips; s alone does not determine which, V_p beside V_s would (granum infer --contacts)." +
+         contacts_of(s.value, stress);
 }
 
 io::ShownColumn shown(std::string label, int digits, std::string meaning = "") {
@@ -81,7 +107,7 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
   std::vector<std::string> notes = question.remarks.notes;
   notes.insert(notes.end(), fit.validity.notes.begin(), fit.validity.notes.end());
   io::add_item(list, "notes", notes);
-  io::add_item(list, "meaning", meaning_of(fit.exponent_sum));
+  io::add_item(list, "meaning", meaning_of(fit.exponent_sum, question.middle_stress));
   return list;
 }
 
@@ -113,7 +139,7 @@ std::string fit_table(const FitQuestion& question, const hardin::FitReport& repo
                      question.modulus_column, stresses, fit.residuals.size(), question.file,
                      pretty(question.atmospheric_pressure, Dimension::pressure), question.void_ratio_function,
                      question.weights, io::list_text(fit_items(question, report), io::Only{}),
-                     meaning_of(fit.exponent_sum));
+                     meaning_of(fit.exponent_sum, question.middle_stress));
 }
 
 plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
@@ -154,17 +180,18 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
   };
   plot::Chart chart{
       .title = fmt::format("{} of {}", question.modulus_column, question.file),
-      .x = {.title = i == j     ? i + " [kPa]"
-                     : separate ? fmt::format("({}^{:.3f} {}^{:.3f})^(1/s) [kPa]", i, m, j, n)
-                                : fmt::format("sqrt({} {}) [kPa]", i, j),
+      .x = {.title =
+                plot::printed_signs(i == j     ? i + " [kPa]"
+                                    : separate ? fmt::format("({}^{:.3f} {}^{:.3f})^(1/s) [kPa]", i, m, j, n)
+                                               : fmt::format("sqrt({} {}) [kPa]", i, j)),
             .scale = plot::Scale::logarithmic,
             .unit = 1e3},
       .y = {.title = question.modulus_column + "/f(e) [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-      .series = {data, line(fmt::format("law, s = {:.3f} +- {:.2g}", s, fit.exponent_sum.standard_error), s,
-                            0, plot::Tone::full)}};
+      .series = {data, line(fmt::format("law, s = {:.3f} \u00b1 {:.2g}", s, fit.exponent_sum.standard_error),
+                            s, 0, plot::Tone::full)}};
   std::size_t dashes = 1;
   for (const auto& [name, alpha] : contact_shapes)
-    chart.series.push_back(line(fmt::format("1/(1+alpha) = {:.3f}, {}", 1 / (1 + alpha), name),
+    chart.series.push_back(line(fmt::format("1/(1+\u03b1) = {:.3f}, {}", 1 / (1 + alpha), name),
                                 1 / (1 + alpha), dashes++, plot::Tone::grey));
   return chart;
 }

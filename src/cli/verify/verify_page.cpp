@@ -126,7 +126,7 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
       story.first_screen + story.why +
       plot::html_section(
           "verdicts", "What agrees with the paper, and what does not",
-          plot::html_paragraph("Closed form, contact network and DEM probe beside Table 5 of Chung, Jang, "
+          plot::html_paragraph("Uniform strain, contact network and DEM probe beside Table 5 of Chung, Jang, "
                                "Baek and Jung, Granular Matter 16 (2014) 23-39.",
                                "soft") +
               page_table_of(studies::exponent_columns(), manifest.at("exponents")) +

@@ -51,6 +51,20 @@ struct RungResult {
   std::optional<double> network_over_G = std::nullopt;
 };
 
+/// A modulus that a code's own probe found, small cycles of strain of a state [Pa].
+struct ProbedModulus {
+  std::string modulus; ///< of modulus_names
+  double value = 0;
+  std::optional<double> network_over_probe = std::nullopt;
+};
+struct NamedModulus {
+  const char* name;
+  double Moduli::*value;
+};
+inline constexpr NamedModulus modulus_names[] = {
+    {"K", &Moduli::K},     {"G", &Moduli::G},     {"G_hh", &Moduli::G_hh}, {"G_vh", &Moduli::G_vh},
+    {"C11", &Moduli::C11}, {"C33", &Moduli::C33}, {"C12", &Moduli::C12},   {"C13", &Moduli::C13}};
+
 /// What is measured: the frozen network, every grain in equilibrium.
 [[nodiscard]] std::string network_name();
 /// Rung 3 in the list of a frame's rungs.
@@ -63,6 +77,7 @@ struct FrameAnswer {
   MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
   std::optional<PrintedStress> code_stress = std::nullopt;
+  std::vector<ProbedModulus> probes = {};                ///< by the code itself
   std::optional<analysis::Window> window = std::nullopt; ///< of measured.packing.interior
   Validity validity = {};                                ///< of the closed forms
   double seconds = 0;                                    ///< reading left out

@@ -130,8 +130,7 @@ std::string modulus_finding(const std::vector<Compression>& all, std::size_t mod
       text += " " + detail::formatted("%.2f", c.exponent->value) + " for " + density_name(c) + " " +
               plural(c.contact) + ",";
   text.back() = ';';
-  return text +
-         " loose packings are softer and their lines steeper. Closed form and probe lie on the network.";
+  return text + " loose packings are softer and their lines steeper. Rung 3 and probe lie on the network.";
 }
 
 /// The shapes that were run, each once.
@@ -233,7 +232,7 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
     curves.push_back(relaxation_curve(scene, shape, *low, *high));
   if (largest_gap(curves) < drawn_as_one) {
     curves.resize(1);
-    curves.front().name = "closed form, of all shapes";
+    curves.front().name = "rung 3, of all shapes";
     curves.front().style = 0;
     add(out, std::move(curves.front()), "closed form");
     return;
@@ -242,7 +241,7 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
     curves[k].tone = plot::Tone::full;
     curves[k].style = 0;
     curves[k].colour = colour_of(shapes_of(all)[k]);
-    curves[k].kind = "closed form";
+    curves[k].kind = "rung 3";
     add(out, std::move(curves[k]), "closed form " + std::string(name(shapes_of(all)[k])));
   }
 }
@@ -289,7 +288,8 @@ plot::Colour colour_of(contact::Shape shape) {
   using contact::Shape;
   constexpr std::pair<Shape, plot::Colour> own[] = {{Shape::sphere, plot::Colour::sphere},
                                                     {Shape::cone, plot::Colour::cone},
-                                                    {Shape::flat, plot::Colour::flat}};
+                                                    {Shape::flat, plot::Colour::flat},
+                                                    {Shape::rough, plot::Colour::rough}};
   for (const auto& [known, colour] : own)
     if (shape == known)
       return colour;
@@ -328,7 +328,7 @@ Panel modulus_panel(const std::vector<Compression>& all, std::size_t modulus) {
   };
   for (const Compression& c : all) {
     plot::Series line = series_of(c, plot::Mark::line, pressure, of(&RouteState::relaxed));
-    line.kind = std::string("closed form, ") + density_name(c);
+    line.kind = std::string("rung 3, ") + density_name(c);
     add(out, std::move(line), key_of(c) + " closed form");
   }
   for (const Compression& c : all) {
@@ -364,8 +364,9 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
   CompressionStory story;
   plot::PageFigure first{
       .caption =
-          "Isotropic compression, first specimen of each kind. Lines: closed form (rung 3) from the counted "
-          "contacts; "
+          "Isotropic compression, first specimen of each kind. Lines: rung 3, the closed form in which "
+          "grains "
+          "give way, from the counted contacts; "
           "circles: the network of contacts, every grain in equilibrium; diamonds: cyclic shear by DEM. "
           "Triangles have the slope s of the network."};
   for (std::size_t k = 0; k < shear_modulus_names.size(); ++k) {
