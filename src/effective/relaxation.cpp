@@ -217,8 +217,7 @@ struct StiffContacts {
 };
 
 StiffContacts contacts_of(const State& s) {
-  return {.exponent = kernel::local_exponent(s),
-          .stiffening = s.law.constant_exponent() ? Stiffening::power_law : Stiffening::rough};
+  return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
 }
 
 /// Takes the losses beyond b = 1/2 from factors that lack them, and adds to their errors what is not known
@@ -279,6 +278,10 @@ double isostatic_coordination_number(double tangential_ratio) {
 double scatter_share_of_preparation() {
   constexpr double recipes = kernel::shear_recipes.base, packings = kernel::shear_packings.base;
   return recipes * recipes / (recipes * recipes + packings * packings);
+}
+
+Stiffening stiffening_of(const contact::NormalLaw& law) {
+  return law.constant_exponent() ? Stiffening::power_law : Stiffening::rough;
 }
 
 Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,

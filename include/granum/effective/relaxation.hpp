@@ -51,6 +51,9 @@ enum class Stiffening {
   rough      ///< of rough spheres in their own packings, whose b falls as roughness is pressed flat
 };
 
+/// That of a law: rough where it has no b of its own.
+[[nodiscard]] Stiffening stiffening_of(const contact::NormalLaw& law);
+
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and

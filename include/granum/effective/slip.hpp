@@ -18,8 +18,8 @@ struct SlipOnset {
   double tangential_share = 0; ///< d ln G/d ln k_t of rung 3: of the energy of shear, what k_t bears
   /// Of the square of tangential displacement over (l strain), weighed by k_t: 0.1 under uniform strain.
   double mean_square = 0;
-  /// By how much more stress is lost than one contact sheds, z*/(z* - z_iso): the fewer contacts a packing has
-  /// to spare, the less the others take over.
+  /// By how much more stress is lost than one contact sheds, z*/(z* - z_iso): the fewer contacts a packing
+  /// has to spare, the less the others take over.
   double amplification = 0;
   double exponent = 0; ///< b of k_n ~ f^b
 };
@@ -38,9 +38,9 @@ inline constexpr double largest_slip_loss = 0.05;
 
 /// 1 - G/G0 of shear cycles of that amplitude, to first order in the loss: amplification x tangential_share x
 /// the mean over contacts of what one of them sheds. Forces are spread by x^2 exp(-3 x), x = f/<f>, whose
-/// variance of 1/3 lies between dense (0.12) and loose packings (0.41), squares of displacements exponentially.
-/// With partial slip the loss grows as the strain. With sliding it stays far below 1 % up to strains of a third
-/// of the reference, and then grows steeply.
+/// variance of 1/3 lies between dense (0.12) and loose packings (0.41), squares of displacements
+/// exponentially. With partial slip the loss grows as the strain. With sliding it stays far below 1 % up to
+/// strains of a third of the reference, and then grows steeply.
 /// Assumes   an isotropic packing, well above the isostatic point, whose contacts are not at their limit
 ///           before it is sheared, or no longer so after some cycles.
 /// \param    strain   amplitude of the shear strain >= 0 [1]

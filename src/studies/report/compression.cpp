@@ -275,10 +275,8 @@ std::string why_figure(const Panel& panel, const std::string& caption, const std
 } // namespace
 
 double shear_relaxation(const Scene& scene, contact::Shape shape, double mechanical_coordination_number) {
-  using effective::Stiffening;
-  return effective::relaxation(
-             mechanical_coordination_number, tangential_ratio(scene), contact_exponent(scene, shape),
-             law(scene, shape).constant_exponent() ? Stiffening::power_law : Stiffening::rough)
+  return effective::relaxation(mechanical_coordination_number, tangential_ratio(scene),
+                               contact_exponent(scene, shape), effective::stiffening_of(law(scene, shape)))
       .shear.value;
 }
 
