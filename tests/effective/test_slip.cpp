@@ -76,7 +76,7 @@ TEST_CASE("slip: shares are those of rung 3") {
     return effective::relaxed(there, z).stiffness.G_vh();
   };
   CHECK(onset.tangential_share == relative(std::log(G(1.01 * r) / G(r / 1.01)) / (2 * std::log(1.01)), 1e-3));
-  // Without relaxation the mean square would be that of uniform strain, 1/10, and the share r/10 of r/10 + 1/15.
+  // Without relaxation the mean square would be that of uniform strain, 1/10, the share r/10 of r/10 + 1/15.
   const SlipOnset full = effective::slip_onset(s, 60, 0.5);
   CHECK(full.mean_square == relative(0.1, 0.05));
   CHECK(full.tangential_share == relative(r / 10 / (r / 10 + 1.0 / 15), 0.05));
