@@ -9,6 +9,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/slip.hpp>
 #include <relative.hpp>
 
 using namespace granum;
@@ -100,6 +101,38 @@ TEST_CASE("a sand: rung 3 at the inferred contacts has this Poisson's ratio and,
   CHECK(c.G_vh() * a[Field::contact_softness].value == relative(a[Field::shear_modulus].value, 1e-12));
   // Many contacts that are soft, or few: the range says that neither is known alone.
   CHECK(a[Field::contact_softness].high / a[Field::contact_softness].low > 1.5);
+}
+
+TEST_CASE("a sand: inferred contacts are those of equal spheres, whatever the sizes of the grains") {
+  estimate::Question q = quartz(0.65, 2e5, 2e5);
+  q.shear_strain = 1e-4;
+  const estimate::Answer equal = estimate::answer(q);
+  q.state.contacts = {.branch = 1.06, .branch_square = 1.16, .pair_radius = 1.08, .grain_volume = 1.17};
+  q.state.law = q.state.law.of_pair_radius(1.08);
+  const estimate::Answer graded = estimate::answer(q);
+  for (const Field field :
+       {Field::mechanical_coordination_number, Field::contact_softness, Field::slip_strain})
+    CHECK(graded[field].value == relative(equal[field].value, 1e-9));
+}
+
+TEST_CASE("a sand: slip takes 1 % of G at some 1e-5, later under more stress, and more in stiffer contacts") {
+  estimate::Question q = quartz(0.65, 1e5, 1e5);
+  q.shear_strain = 1e-4;
+  const estimate::Answer a = estimate::answer(q);
+  const double z = a[Field::mechanical_coordination_number].value;
+  effective::State spheres = q.state;
+  spheres.coordination_number = spheres.mechanical_coordination_number = z;
+  const effective::SlipOnset onset = effective::slip_onset(spheres, z, 0.5);
+  const double strain = a[Field::slip_strain].value * a[Field::contact_softness].value; // of smooth spheres
+  CHECK(effective::slip_loss(onset, strain, effective::ContactSlip::partial) == relative(0.01, 1e-9));
+  CHECK(a[Field::slip_strain].value > 5e-6);
+  CHECK(a[Field::slip_strain].value < 3e-5);
+  CHECK(a[Field::slip_strain].low < a[Field::slip_strain].value);
+  CHECK(a[Field::modulus_ratio].value < 1);
+  q.state.stress_v = q.state.stress_h = 4e5;
+  CHECK(field(q, Field::slip_strain).value > 1.5 * a[Field::slip_strain].value);
+  q.shear_strain.reset();
+  CHECK_FALSE(estimate::answer(q).find(Field::slip_strain));
 }
 
 TEST_CASE("a sand: exponents are the slopes of G_vh by each stress") {

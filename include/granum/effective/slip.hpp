@@ -39,15 +39,16 @@ inline constexpr double largest_slip_loss = 0.05;
 /// 1 - G/G0 of shear cycles of that amplitude, to first order in the loss: amplification x tangential_share x
 /// the mean over contacts of what one of them sheds. Forces are spread by x^2 exp(-3 x), x = f/<f>, whose
 /// variance of 1/3 lies between dense (0.12) and loose packings (0.41), squares of displacements
-/// exponentially. With partial slip the loss grows as the strain. With sliding it stays far below 1 % up to
-/// strains of a third of the reference, and then grows steeply.
+/// exponentially. With partial slip the loss grows as the strain. With sliding it stays below 0.1 % up to half
+/// of the reference strain, and then grows steeply.
 /// Assumes   an isotropic packing, well above the isostatic point, whose contacts are not at their limit
 ///           before it is sheared, or no longer so after some cycles.
 /// \param    strain   amplitude of the shear strain >= 0 [1]
 /// \return   at most 1; beyond largest_slip_loss it is too small
 /// \throws   InvalidArgument for a negative strain
-/// Accuracy  of sliding contacts in dense packings (z* 6): see validation/slip_onset; of loose ones (z* 4.6)
-///           DEM loses 1 % of G at a third of the strain that is said here. Rounding: relative 1e-12.
+/// Accuracy  of sliding contacts in dense packings (z* 6) within 0.5 % of G0 of DEM, to a loss of 5 %; loose
+///           ones (z* 4.6) have lost 1 % at a tenth of the strain that is said here, 5 % at a quarter. The
+///           first order of partial slip is 5 % of the loss off at a loss of 5 %. Rounding: relative 1e-12.
 /// Checked by tests/effective/test_slip.cpp, validation/slip_onset
 [[nodiscard]] double slip_loss(const SlipOnset& onset, double strain, ContactSlip slip);
 

@@ -165,7 +165,7 @@ sands::Sand sand_of(const PackingOptions& packing, const AnswerOptions& o) {
   sands::Sand sand;
   if (packing.sizes) {
     const sizes::Gradation grading = sizes::gradation(*packing.sizes, resolve_radius(packing));
-    sand.uniformity = grading.uniformity();
+    sand.uniformity = packing.uniformity.value_or(grading.uniformity());
     if (packing.sizes->mean_radius() || packing.d50.given() || packing.radius.given())
       sand.d50 = grading.d50;
   } else if (packing.d50.given() || packing.radius.given())

@@ -48,6 +48,7 @@ struct PackingOptions {
   Number d50{0, Dimension::length};
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   bool graded = false;                           ///< sizes are told as those of a soil: a sieve curve or C_u
+  std::optional<double> uniformity = {};         ///< C_u where the sizes were told by it, to the bit
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;

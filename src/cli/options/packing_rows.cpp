@@ -43,8 +43,10 @@ void PackingRows::take_sizes(const std::vector<std::string>& fields) {
   const bool told = sizes_ && !trimmed(fields[*sizes_]).empty();
   if (told && uniformity_.in_table)
     throw InvalidArgument("sizes and uniformity say the same: give one of them");
-  if (sizes_in_table_)
+  if (sizes_in_table_) {
     row_.graded = uniformity_.in_table;
+    row_.uniformity = uniformity_.in_table ? std::optional(uniformity_.value) : std::nullopt;
+  }
   if (told)
     row_.sizes = sizes::parse_distribution(fields[*sizes_]);
   else if (uniformity_.in_table)

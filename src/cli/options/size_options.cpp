@@ -49,8 +49,8 @@ void add_size_options(Command& command, PackingOptions& o) {
        {.name = "--uniformity",
         .value = read_by(
             [&o](const std::string& text) {
-              set_sizes(o, sizes::Distribution::uniformity(
-                               parse_quantity("--uniformity", text, Dimension::dimensionless)));
+              o.uniformity = parse_quantity("--uniformity", text, Dimension::dimensionless);
+              set_sizes(o, sizes::Distribution::uniformity(*o.uniformity));
               o.graded = true;
             },
             "NUMBER"),
