@@ -26,7 +26,8 @@ function asStiffAsSpheres(granum, grain, shape) {
 }
 
 /// Contacts of one exponent at all forces.
-const powerLaws = (granum) => contactLaws.filter(({ name: shape }) => !Number.isNaN(granum.contactCurve({ ...defaultGrain, shape }, 1e-7, 1).alpha));
+let knownPowerLaws;
+const powerLaws = (granum) => (knownPowerLaws ??= contactLaws.filter(({ name: shape }) => !Number.isNaN(granum.contactCurve({ ...defaultGrain, shape }, 1e-7, 1).alpha)));
 
 /// "measured sands, s 0.4 to 0.58"
 const sandsNamed = (texts, least, most) => filled(texts.legend.sands, { least: written(least, 2), most: written(most, 2) });
@@ -156,7 +157,7 @@ const lessonSteps = [
     picture(granum, grain, at, texts, words) {
       const [low, high] = [0.1, 1e5]; // kPa
       const form = (u, p) => granum.closedForms({ ...grain, shape: "rough", numbers: { roughness: u * 1e-9 } }, { voidRatio: 0.6, coordinationNumber: 5.7, stressV: p * kPa });
-      const s = (u, p) => form(u, p).uniformStrain.exponent, line = (u) => spread(low, high, 60).map((p) => [p, s(u, p)]);
+      const s = (u, p) => form(u, p).uniformStrain.exponent, line = (u) => spread(low, high, 31).map((p) => [p, s(u, p)]);
       const change = form(at.roughness, 100).transitionPressure / kPa, [least, most] = granum.call("sand_exponents").numbers;
       const named = (u) => filled(words.curve, { u: written(u) });
       return {
