@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Components, which become the packages of cmake/GranumPackage.cmake: program (what people run), dev (what compilers and
+# linkers read), python and doc.
 include(CMakePackageConfigHelpers)
 
 set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
@@ -7,20 +9,20 @@ set(granum_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/granum")
 foreach(library IN LISTS granum_built)
   install(TARGETS granum_${library}
     EXPORT granum-${library}
-    FILE_SET HEADERS
-    FILE_SET lone_headers
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  install(EXPORT granum-${library} NAMESPACE granum:: DESTINATION "${granum_config_dir}")
+    FILE_SET HEADERS COMPONENT dev
+    FILE_SET lone_headers COMPONENT dev
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+  install(EXPORT granum-${library} NAMESPACE granum:: DESTINATION "${granum_config_dir}" COMPONENT dev)
 endforeach()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/granumConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/granumConfig.cmake" INSTALL_DESTINATION "${granum_config_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/granumConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/granumConfig.cmake" "${PROJECT_BINARY_DIR}/granumConfigVersion.cmake"
-  DESTINATION "${granum_config_dir}")
+  DESTINATION "${granum_config_dir}" COMPONENT dev)
 install(FILES "${PROJECT_SOURCE_DIR}/cmake/GranumLibraries.cmake" DESTINATION "${granum_config_dir}"
-  RENAME granumLibraries.cmake)
+  RENAME granumLibraries.cmake COMPONENT dev)
 # For pkg-config, all libraries at once. Static ones leave it to the user to link what they need.
 set(granum_pc_libraries "")
 set(granum_pc_packages "")
@@ -42,18 +44,22 @@ endif()
 file(RELATIVE_PATH granum_pc_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" granum_pc_up "${granum_pc_up}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/granum.pc.in" "${PROJECT_BINARY_DIR}/granum.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/granum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+install(FILES "${PROJECT_BINARY_DIR}/granum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COMPONENT program)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples" COMPONENT doc
   PATTERN "CMakeLists.txt" EXCLUDE PATTERN "__pycache__" EXCLUDE)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/share/" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/share/" DESTINATION "${CMAKE_INSTALL_DATADIR}/granum" COMPONENT program)
+if(TARGET docs) # the site, where it was made
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/docs/html" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc OPTIONAL
+    PATTERN "mathjax" EXCLUDE)
+endif()
 
 if(TARGET granum_cli)
-  install(TARGETS granum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(TARGETS granum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 endif()
 if(TARGET granum_reference)
   set(reference "${PROJECT_BINARY_DIR}/reference")
-  install(DIRECTORY "${reference}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}")
-  install(FILES "${reference}/bash/granum" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
-  install(FILES "${reference}/zsh/_granum" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
+  install(DIRECTORY "${reference}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program)
+  install(FILES "${reference}/bash/granum" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT program)
+  install(FILES "${reference}/zsh/_granum" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" COMPONENT program)
 endif()

@@ -179,8 +179,8 @@ def write(folder):
         sys.exit(f"docs/site/examples.txt: names without example: {sorted(set(known) ^ public)}")
     folder.mkdir(parents=True, exist_ok=True)
     index = ["# Python API {#python_api}", "", "Every public name of granum; the guide: \\ref python.", ""]
-    for number, (title, names) in enumerate(GROUPS.items()):
-        label = f"python_group_{number}"
+    for title, names in GROUPS.items():
+        label = "python_of_" + re.sub(r"\W+", "_", title.lower())
         index.append(f"- \\subpage {label}")
         lines = [f"# {title} (Python) {{#{label}}}", "", "| | |", "| --- | --- |"]
         for name in names.split():
