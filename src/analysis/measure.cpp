@@ -180,10 +180,10 @@ class Measuring {
     else if (turning_resisted())
       out_.moments = "contacts resist rolling or twisting";
     else if (given_.contact_moments || moments_are_left())
-      out_.moments = "contacts bear moments (rolling resistance, bonds, clumps)";
+      out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Rung 3 is calibrated by packings of single spheres whose contacts bear forces alone.
+  /// Rung 3 is calibrated on packings of single spheres whose contacts carry forces and no moments.
   void withhold_relaxed() {
     if (out_.moments.empty())
       return;
@@ -202,13 +202,12 @@ class Measuring {
       out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
     judge_moments();
     if (!given_.tangential_forces)
-      out_.notes.emplace_back(
-          "without tangential forces it cannot be told whether the grains are at rest, and the "
-          "stress lacks their part");
+      out_.notes.emplace_back("tangential forces are missing: equilibrium cannot be checked, and the "
+                              "stress lacks their contribution");
     out_.stress = contact_stress(moving());
   }
 
-  /// Compares forces with the law, and takes the grain's modulus from them if it is not given.
+  /// Compares forces with the law, and finds the grain's modulus from them if it is not given.
   void find_law() {
     constexpr double any_modulus = 1e9; // forces of one exponent are proportional to it
     const double nu = given_.grain_poisson_ratio;
@@ -234,21 +233,21 @@ class Measuring {
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
       out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
-                           short_text(nu) + ", from the forces: they fix G_g/(1 - nu_g) alone");
+                           short_text(nu) + ", from the forces, which determine G_g/(1 - nu_g) only");
     } else if (!take_hertz()) {
-      out_.notes.emplace_back("no G_g of the grains given, and forces against overlaps do not tell it: "
+      out_.notes.emplace_back("G_g of the grains is not given, and does not follow from forces and overlaps: "
                               "no stiffnesses, no closed forms");
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
   }
 
-  /// The law whose grains are not known.
+  /// The law for grains of unknown material.
   [[nodiscard]] contact::NormalLaw of_any_modulus() const {
     return given_.law_family({1e9, given_.grain_poisson_ratio}, out_.sizes.equivalent);
   }
 
-  /// Hertz' contacts of materials that nobody knows: k_n = 1.5 f/d of each; closed forms take the mean.
+  /// Hertz contacts of unknown materials: k_n = 1.5 f/d of each; closed forms use the mean.
   bool take_hertz() {
     const double nu = given_.grain_poisson_ratio;
     const contact::NormalLaw any = of_any_modulus();
@@ -260,21 +259,21 @@ class Measuring {
     out_.grain = mean_material_of_forces(assembly_, nu);
     stiffness_of_ratio_ = true;
     out_.notes.push_back(
-        "the forces go as the overlaps to the power " + short_text(exponent->value, 5) + " +- " +
-        short_text(exponent->standard_error, 2) +
-        ", as Hertz': k_n = 1.5 f/d of each contact without a material; closed forms take the mean, "
+        "the forces are proportional to the overlaps to the power " + short_text(exponent->value, 5) +
+        " +- " + short_text(exponent->standard_error, 2) +
+        ", as for Hertz: k_n = 1.5 f/d of each contact, no material needed; closed forms use the mean, "
         "G_g = " +
         pretty(out_.grain->shear_modulus, Dimension::pressure) + " with nu_g = " + short_text(nu));
     return true;
   }
 
-  /// Grains of several materials: closed forms take the mean over the contacts.
+  /// Grains of several materials: closed forms use the mean over the contacts.
   void take_materials() {
     if (assembly_.contacts.empty())
       return;
     out_.grain = mean_pair_material(assembly_, given_.materials);
     out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
-    out_.notes.push_back("several materials: closed forms take the mean over the contacts, G_g = " +
+    out_.notes.push_back("several materials: closed forms use the mean over the contacts, G_g = " +
                          pretty(out_.grain->shear_modulus, Dimension::pressure) +
                          ", nu_g = " + short_text(out_.grain->poisson_ratio));
     if (forces_known_ && wanted_.law_check)

@@ -59,7 +59,7 @@ std::optional<effective::RungAnswer> Measurement::closed_form(effective::RungNam
 
 const Network& Measurement::solved_network() const {
   if (!network)
-    throw NotConverged("no grain of the packing bears load: it has no network");
+    throw NotConverged("no grain of the packing carries load: it has no network");
   return *network;
 }
 

@@ -259,7 +259,7 @@ double parse_quantity(std::string_view name, std::string_view text, Dimension di
                           ": it must begin with a finite number");
   const std::string_view symbol = trimmed(number->rest);
   if (has_several_values(content))
-    throw InvalidArgument(said + " holds several values, where one is expected");
+    throw InvalidArgument(said + " contains several values; one is expected");
   if (has_decimal_comma(symbol))
     throw InvalidArgument(said + " has a comma in its number: write " + without_comma(content));
   const auto unit = find_unit(symbol);

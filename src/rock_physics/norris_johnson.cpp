@@ -103,7 +103,7 @@ double tangential_moment(const Strain& e, const effective::kernel::AxialMoments<
   case StrainPath::simultaneous:
     return e.uniaxial * w.s2c2;
   }
-  throw InvalidArgument("strain path is none of hydrostatic_first, uniaxial_first, simultaneous");
+  throw InvalidArgument("strain path must be one of hydrostatic_first, uniaxial_first, simultaneous");
 }
 
 Validity checked(const StrainedPacking& p) {

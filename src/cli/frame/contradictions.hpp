@@ -20,9 +20,10 @@ inline constexpr const char* density =
     "--relative-density";
 inline constexpr const char* stress = "--pressure sets both stresses: leave out --stress-v and --stress-h";
 inline constexpr const char* rattlers =
-    "--mechanical-coordination-number and --rattler-fraction say the same: give one";
-inline constexpr const char* size = "--radius and --d50 say the same: give one";
-inline constexpr const char* sizes = "--sizes, --sieve and --uniformity say the same: give one of them, once";
+    "--mechanical-coordination-number and --rattler-fraction mean the same: give one";
+inline constexpr const char* size = "--radius and --d50 mean the same: give one";
+inline constexpr const char* sizes =
+    "--sizes, --sieve and --uniformity mean the same: give one of them, once";
 } // namespace said_twice
 
 /// "--slope goes with --contact cone, not with --contact sphere".

@@ -27,7 +27,7 @@ struct OtherNames {
 constexpr Synonyms not_modelled[] = {
     {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
     {"ocr overconsolidation age ageing",
-     "overconsolidation and age are not modelled; granum infer takes a measured speed of the ground"},
+     "overconsolidation and age are not modelled; granum infer uses a measured wave speed of the ground"},
 };
 
 /// Other programs' and other people's words for the commands.
@@ -159,8 +159,7 @@ std::string meant_option(const Command& program, const Command& command, const s
     return "; " + exactly;
   const std::string elsewhere =
       of_other_commands(program, [&](const Command& other) { return called_so(other, word).options; });
-  return elsewhere.empty() ? fmt::format("; {} --help lists what there is", command.called)
-                           : "; " + elsewhere;
+  return elsewhere.empty() ? fmt::format("; {} --help lists the options", command.called) : "; " + elsewhere;
 }
 
 /// A word that begins with a dash of a text processor, with hyphens instead; empty for other words.
@@ -188,8 +187,8 @@ std::string unknown_option(const Command& program, const Command& command, const
 
 std::string stray_word(const Command& program, const Command& command, const std::string& word) {
   if (command.takes_arguments())
-    return fmt::format("'{}' is one too many: {} takes one file", word, command.called);
-  const std::string said = fmt::format("{} does not know what '{}' is", command.called, word);
+    return fmt::format("'{}' is one too many: {} reads one file", word, command.called);
+  const std::string said = fmt::format("{} does not know '{}'", command.called, word);
   if (const std::string mended = with_hyphens(word); !mended.empty())
     return fmt::format("'{}' begins with a dash, not with hyphens: write {}", word, mended);
   const std::string key = word.substr(0, word.find('='));
@@ -201,7 +200,7 @@ std::string stray_word(const Command& program, const Command& command, const std
   }
   if (command.find("--" + word) != nullptr)
     return fmt::format("{}: write --{}", said, word);
-  return said + ": the name of an option stands before each value, as in --out FILE";
+  return said + ": each value needs the name of its option before it, as in --out FILE";
 }
 
 std::string unknown_command(const Command& program, const std::vector<std::string>& words) {

@@ -64,10 +64,10 @@ void judge_stress(const Number& number, Validity& validity) {
     return;
   const std::string value = pretty(p, number.dimension);
   if (p < least)
-    validity.add(fmt::format("{} {} is less than a centimetre of sand weighs: was {} meant?", number.name,
-                             value, pretty(p * kilo, number.dimension)));
+    validity.add(fmt::format("{} {} is below the weight of a centimetre of sand; did you mean {}?",
+                             number.name, value, pretty(p * kilo, number.dimension)));
   else
-    validity.add(fmt::format("{} {}: grains break before that; was {} meant?", number.name, value,
+    validity.add(fmt::format("{} {}: grains break before that; did you mean {}?", number.name, value,
                              pretty(p / (p > most * kilo ? mega : kilo), number.dimension)));
 }
 
@@ -76,7 +76,7 @@ void judge_length(const Number& number, Validity& validity) {
   if (!number.given() || number.value <= 0 || (number.value >= least && number.value <= most))
     return;
   const bool large = number.value > most;
-  validity.add(fmt::format("{} {}: grains so {} are no sand; was {} meant?", number.name,
+  validity.add(fmt::format("{} {}: grains so {} are not sand; did you mean {}?", number.name,
                            pretty(number.value, number.dimension), large ? "large" : "small",
                            pretty(number.value * (large ? milli : kilo), number.dimension)));
 }
@@ -96,7 +96,7 @@ void judge_modulus(const Number& number, Validity& validity) {
     meant /= kilo;
   if (meant < 1e9 && meant * kilo < hardest)
     meant *= kilo; // 44 kPa: of GPa, not of MPa
-  validity.add(fmt::format("{} {}: {}; was {} meant? Quartz has 30 to 45 GPa", number.name,
+  validity.add(fmt::format("{} {}: {}; did you mean {}? Quartz has 30 to 45 GPa", number.name,
                            pretty(number.value, number.dimension), kind, pretty(meant, number.dimension)));
 }
 
@@ -121,7 +121,7 @@ Validity likely_mistakes(const Number& grain_density) {
   if (!grain_density.given() || (density >= lightest && density <= heaviest))
     return validity;
   const double meant = density < lightest ? density * kilo : density / kilo;
-  validity.add(fmt::format("{} {}: no solid of grains has it; was {} meant?", grain_density.name,
+  validity.add(fmt::format("{} {}: no mineral has it; did you mean {}?", grain_density.name,
                            pretty(density, Dimension::density), pretty(meant, Dimension::density)));
   return validity;
 }

@@ -65,7 +65,7 @@ bool NumberColumns::bind(Number& number) {
     const io::CsvTable::Place column = table_.column(name, number.dimension);
     if (found)
       throw FileError(table_.name(), table_.heading_line(),
-                      fmt::format("columns {} and {}, '{}' and '{}', both hold {}", found->index + 1,
+                      fmt::format("columns {} and {}, '{}' and '{}', both contain {}", found->index + 1,
                                   column.index + 1, headings[found->index], headings[column.index],
                                   heading_of(number)));
     found = column;

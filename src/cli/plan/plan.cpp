@@ -117,13 +117,14 @@ ExitCode run(const PlanOptions& options) {
 Command make_plan() {
   auto options = std::make_shared<PlanOptions>();
   Command command{.name = "plan",
-                  .meaning = "What verify would run, its predicted time, memory and error",
+                  .meaning = "Work of verify for a scene: predicted time, memory and error",
                   .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::plan);
-  command.add({.name = "--error",
-               .value = quantity(options->error, Dimension::dimensionless),
-               .group = "Plan",
-               .meaning = "Wanted error of G, from which grains and inertial number follow: --error 2%"});
+  command.add(
+      {.name = "--error",
+       .value = quantity(options->error, Dimension::dimensionless),
+       .group = "Plan",
+       .meaning = "Required error of G; gives the number of grains and the inertial number: --error 2%"});
   add_output_options(command, options->output);
   return command;
 }
