@@ -12,7 +12,7 @@ namespace granum::analysis {
 
 namespace {
 
-/// Nothing if no grain inside bears load.
+/// Empty if no grain inside carries load.
 std::optional<InteriorMeasures> measures_of(const packing::Assembly& assembly,
                                             const packing::MechanicalCoordination& mechanical,
                                             const packing::Interior& interior) {

@@ -77,8 +77,8 @@ Counts count(const packing::Assembly& assembly, std::size_t grains) {
   return out;
 }
 
-/// The contacts that bear something. Those of rough grains begin at next to no force: one that bears less
-/// than 1e-3 of the mean adds nothing to any modulus (validation/rough_contact), and would count as others.
+/// The contacts that carry force. Contacts of rough grains begin with almost no force: one with less than
+/// 1e-3 of the mean does not contribute to any modulus (validation/rough_contact), but would be counted.
 packing::Assembly bearing_part(const packing::Assembly& assembly) {
   double mean = 0;
   for (const packing::Contact& c : assembly.contacts)
@@ -103,7 +103,7 @@ bool law_is_clear(const LawCheck& check, double rounded) {
   return check.contacts >= fewest && rounded < too_rough && check.median_misfit < clear + 1.5 * rounded;
 }
 
-/// Whether forces go as the overlaps to the power 3/2, as far as can be told.
+/// Whether forces are proportional to the overlaps to the power 3/2, within the error.
 bool is_hertz(const Measured& exponent) {
   constexpr double rounding = 1e-4, too_vague = 0.02;
   return exponent.standard_error <= too_vague &&
@@ -154,7 +154,7 @@ class Measuring {
   }
 
  private:
-  /// What moves: bodies, or grains.
+  /// The assembly of bodies, or of grains.
   [[nodiscard]] const packing::Assembly& moving() const { return bodies_ ? bodies_->assembly : assembly_; }
 
   [[nodiscard]] bool turning_resisted() const {
@@ -280,7 +280,7 @@ class Measuring {
       out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
   }
 
-  /// Linear springs, where nobody has said another law and the forces show them.
+  /// Linear springs, if the forces show them and no other law is given.
   bool take_springs() {
     if (!given_.law_assumed || given_.grain_shear_modulus || !forces_known_)
       return false;
@@ -288,7 +288,7 @@ class Measuring {
     if (!spring)
       return false;
     // flat punches have one k_n, 2 G a/(1-nu), at every force
-    constexpr double small = 0.05; // against the grain, as the closed forms take contacts
+    constexpr double small = 0.05; // beside the grain, as assumed in the closed forms
     const double nu = given_.grain_poisson_ratio, radius = small * out_.sizes.equivalent;
     out_.law = contact::PowerLaw::flat({*spring * (1 - nu) / (2 * radius), nu}, radius);
     if (wanted_.law_check)
@@ -307,7 +307,7 @@ class Measuring {
                                          out_.grain ? out_.grain->poisson_ratio : given_.grain_poisson_ratio);
   }
 
-  /// What the closed forms need, or a note on what is not there.
+  /// Input of the closed forms, or a note about missing data.
   void make_state() {
     if (!out_.law)
       return;
@@ -364,7 +364,7 @@ class Measuring {
   /// The assembly with k_n and k_t of its contacts by the law.
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
-    // Where the overlap of rough grains begins is a convention of their law; what a contact bears is not.
+    // The zero of the overlap of rough grains is a convention of their law; the force of a contact is not.
     const bool by_forces = forces_known_ && (rounded_ > rough || out_.law->rough_sphere() != nullptr);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
@@ -393,7 +393,7 @@ class Measuring {
                            .bulk_bounds = bounds_of(assembly)};
   }
 
-  /// Bounds that hold where forces alone are borne, on branches along the normals.
+  /// Bounds, valid for contacts without moments and branches along the normals.
   [[nodiscard]] packing::BulkModulusBounds bounds_of(const packing::Assembly& assembly) const {
     return out_.moments.empty() ? bulk_modulus_bounds(assembly) : packing::BulkModulusBounds{};
   }
@@ -402,7 +402,7 @@ class Measuring {
   std::optional<packing::Bodies> bodies_;
   const Given& given_;
   const Wanted& wanted_;
-  static constexpr double rough = 1e-2; ///< share of the overlaps from which on forces tell k_n better
+  static constexpr double rough = 1e-2; ///< rounding of overlaps above which forces give k_n
   bool forces_known_;
   double rounded_;                  ///< share by which overlaps may be off
   bool stiffness_of_ratio_ = false; ///< k_n is 1.5 f/d

@@ -17,7 +17,7 @@ NetworkMatrix network_matrix(const elastic::VoigtStiffness& stiffness,
   require_positive("bulk_density", *bulk_density, "kg/m3");
   try {
     out.waves = elastic::plane_waves_along_axes(stiffness, *bulk_density);
-  } catch (const InvalidArgument&) { // not positive semidefinite: nothing travels in it
+  } catch (const InvalidArgument&) { // not positive semidefinite: no waves
   }
   return out;
 }
