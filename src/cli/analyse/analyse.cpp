@@ -50,7 +50,7 @@ class ParaviewFrames {
   std::vector<io::SeriesEntry> contacts_;
 };
 
-/// Frames of one answer, all of which is in memory until it is written.
+/// Largest number of frames of one run; all results are in memory until they are written.
 constexpr std::size_t most_frames = 10'000;
 
 /// `seen` is called with each frame that is taken and its number.
@@ -150,7 +150,7 @@ std::string frames_text(const std::vector<std::size_t>& frames, std::size_t all)
                      frames.size() > most ? ", ..." : "");
 }
 
-/// What all frames have to say against themselves, each once, with the frame where there are several.
+/// The warnings of all frames, each once, with the frame if there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
   std::vector<std::pair<std::string, std::vector<std::size_t>>>
@@ -172,7 +172,7 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   return out;
 }
 
-/// What networks that were not solved come to, which is said.
+/// Exit code for networks that did not converge, with a message.
 ExitCode code_of_networks(const std::vector<FrameAnswer>& frames) {
   std::size_t networks = 0, unsolved = 0;
   for (const FrameAnswer& frame : frames)

@@ -44,7 +44,7 @@ plot::Series isotropic_circle() {
       .tone = plot::Tone::grey};
 }
 
-/// On the ladder; nothing for what is not on it.
+/// Position on the ladder; empty if not on it.
 std::optional<int> rung_number(const RungResult& result) {
   for (const effective::Rung& rung : effective::rungs())
     if (result.name == rung.column)
@@ -253,7 +253,7 @@ std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
   return out;
 }
 
-/// Every rung, and why one says nothing.
+/// Every rung, with the reason if it has no result.
 std::string rungs_table(const std::vector<RungResult>& rungs) {
   io::Columns<RungResult> fields = rung_fields();
   fields.front().shown = io::ShownColumn{.heading = "note", .width = 1};

@@ -80,7 +80,7 @@ std::string moduli_text(const FrameAnswer& frame) {
   return text;
 }
 
-/// A matrix, each column as wide as its longest number; what the solver leaves of a zero is shown as one.
+/// A matrix, each column as wide as its longest number; zeros within the error of the solver are shown as 0.
 std::string matrix_text(const NamedMatrix& named) {
   constexpr double nothing = 1e-7;
   const elastic::Matrix6& matrix = named.matrix->stiffness.matrix;

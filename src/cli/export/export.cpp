@@ -118,7 +118,7 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
   return files;
 }
 
-/// Makes the folders. The files of a deck have the same names for every specimen: a small one tells them.
+/// Makes the folders. The files of a deck have the same names for every specimen, found with a small one.
 void prepare_folders(studies::Scene scene, const ExportOptions& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
   ExportOptions small = options;

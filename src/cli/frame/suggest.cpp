@@ -23,7 +23,7 @@ struct OtherNames {
   const char* command;
 };
 
-/// What granum does not model, and what is said where somebody asks for it.
+/// Properties that granum does not model, and the messages about them.
 constexpr Synonyms not_modelled[] = {
     {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
     {"ocr overconsolidation age ageing",
@@ -91,7 +91,7 @@ Meant called_so(const Command& command, const std::string& word) {
   for (const OptionRow& row : command.options)
     for (const auto& [words, remark] : row.synonyms)
       if (has_word(words, word)) {
-        const bool first = !remark.empty() && meant.remark.empty(); // of this one something is to be said
+        const bool first = !remark.empty() && meant.remark.empty(); // this one has a message
         meant.options.insert(first ? meant.options.begin() : meant.options.end(), names_of(row).back());
         if (first)
           meant.remark = remark;
@@ -137,7 +137,7 @@ Names near_scene_keys(const Command& command, const std::string& name) {
   return near_misses(name, keys);
 }
 
-/// What an option was meant to be, as the end of a sentence; empty if nobody knows.
+/// The likely intended option, as the end of a sentence; empty if there is none.
 std::string meant_option(const Command& program, const Command& command, const std::string& typed) {
   if (const std::string small = "--" + in_small_letters(without_hyphens(typed));
       command.find(small) != nullptr)

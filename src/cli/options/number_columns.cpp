@@ -106,7 +106,7 @@ void NumberColumns::take(std::size_t row) const {
     double share = 1;
     if (number->dimension == Dimension::dimensionless && text.ends_with('%')) {
       text.pop_back();
-      share = number->per_cent ? 1 : 0.01; // the sign in the cell says what that of the heading says
+      share = number->per_cent ? 1 : 0.01; // the sign in the cell repeats that of the heading
     }
     auto value = parse_number(trimmed(text));
     if (value)

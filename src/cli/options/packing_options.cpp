@@ -50,7 +50,7 @@ std::string help_of(const contact::LawRow& row, const contact::LawParameter& par
   return fmt::format("{}: {}, {}{}", shape, parameter.symbol, parameter.help, unit);
 }
 
-/// What people call the shapes: {"hertz", "sphere"}, {"rough", "cone or power-law"}.
+/// Other names of the shapes: {"hertz", "sphere"}, {"rough", "cone or power-law"}.
 OtherWords synonyms() {
   OtherWords out;
   for (const contact::LawRow& row : contact::laws())

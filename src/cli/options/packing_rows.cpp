@@ -38,7 +38,7 @@ const PackingOptions& PackingRows::packing(std::size_t row) {
   return row_;
 }
 
-/// Equal grains where the row says nothing of their sizes.
+/// Equal grains if the row has no sizes.
 void PackingRows::take_sizes(const std::vector<std::string>& fields) {
   const bool told = sizes_ && !trimmed(fields[*sizes_]).empty();
   if (told && uniformity_.in_table)

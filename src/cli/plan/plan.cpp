@@ -26,7 +26,7 @@ struct PlanOptions {
   double error = 0.01; ///< wanted, of G [1]
 };
 
-/// What is expected of one density, and what the wanted error of G would take.
+/// Expected errors of one density, and the settings for the required error of G.
 struct Rule {
   double modulus_error;
   double exponent_error;
@@ -48,7 +48,7 @@ Rule rule_of(const studies::Scene& scene, triaxial::Density density, double erro
           modulus.size.smallest, modulus.size.largest};
 }
 
-/// A line of what would run: number first.
+/// A line of the planned work: number first.
 io::ShownColumn shown(std::string label, std::string meaning = "") {
   return {.heading = std::move(label), .digits = 3, .meaning = std::move(meaning)};
 }

@@ -51,7 +51,7 @@ studies::Scene paper_scene() {
   return scene;
 }
 
-/// Threads are no part of what is computed. Runs of equal grains that began before scenes had
+/// The number of threads does not affect results. Runs of equal grains that began before scenes had
 /// grain.sizes go on.
 std::string identity(studies::Scene scene) {
   scene.study.threads = 0;
@@ -62,7 +62,7 @@ std::string identity(studies::Scene scene) {
   return text;
 }
 
-/// Where a run stands: its scene and its folder, which holds the scene and a folder of checkpoints.
+/// State of a run: its scene and its folder, which contains the scene and a folder of checkpoints.
 struct Place {
   studies::Scene scene;
   fs::path folder;
