@@ -12,7 +12,7 @@ namespace granum::analysis {
 
 namespace {
 
-/// Nothing if no grain inside bears load.
+/// Empty if no grain inside carries load.
 std::optional<InteriorMeasures> measures_of(const packing::Assembly& assembly,
                                             const packing::MechanicalCoordination& mechanical,
                                             const packing::Interior& interior) {
@@ -66,7 +66,7 @@ InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                    const packing::MechanicalCoordination& mechanical, double layer) {
   const auto out = measures_of(assembly, mechanical, packing::Interior(assembly.cell, layer));
   if (!out)
-    throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains that bear load");
+    throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains which carry load");
   return *out;
 }
 
@@ -75,7 +75,7 @@ InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                    const packing::Interior& interior) {
   const auto out = measures_of(assembly, mechanical, interior);
   if (!out)
-    throw InvalidArgument("the window holds no grain that bears load");
+    throw InvalidArgument("the window contains no grain that carries load");
   return *out;
 }
 

@@ -67,7 +67,7 @@ struct Line {
   [[nodiscard]] double misfit(const Point& p) const { return std::abs(p.force - offset - slope * p.overlap); }
 };
 
-/// Least squares; nothing for fewer than 3 points or one overlap.
+/// Least squares; empty for fewer than 3 points or one overlap.
 std::optional<Line> line_through(const std::vector<Point>& points) {
   const double count = static_cast<double>(points.size());
   if (count < 3)

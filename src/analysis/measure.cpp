@@ -77,8 +77,8 @@ Counts count(const packing::Assembly& assembly, std::size_t grains) {
   return out;
 }
 
-/// The contacts that bear something. Those of rough grains begin at next to no force: one that bears less
-/// than 1e-3 of the mean adds nothing to any modulus (validation/rough_contact), and would count as others.
+/// The contacts that carry force. Contacts of rough grains begin with almost no force: one with less than
+/// 1e-3 of the mean does not contribute to any modulus (validation/rough_contact), but would be counted.
 packing::Assembly bearing_part(const packing::Assembly& assembly) {
   double mean = 0;
   for (const packing::Contact& c : assembly.contacts)
@@ -103,7 +103,7 @@ bool law_is_clear(const LawCheck& check, double rounded) {
   return check.contacts >= fewest && rounded < too_rough && check.median_misfit < clear + 1.5 * rounded;
 }
 
-/// Whether forces go as the overlaps to the power 3/2, as far as can be told.
+/// Whether forces are proportional to the overlaps to the power 3/2, within the error.
 bool is_hertz(const Measured& exponent) {
   constexpr double rounding = 1e-4, too_vague = 0.02;
   return exponent.standard_error <= too_vague &&
@@ -154,7 +154,7 @@ class Measuring {
   }
 
  private:
-  /// What moves: bodies, or grains.
+  /// The assembly of bodies, or of grains.
   [[nodiscard]] const packing::Assembly& moving() const { return bodies_ ? bodies_->assembly : assembly_; }
 
   [[nodiscard]] bool turning_resisted() const {
@@ -180,10 +180,10 @@ class Measuring {
     else if (turning_resisted())
       out_.moments = "contacts resist rolling or twisting";
     else if (given_.contact_moments || moments_are_left())
-      out_.moments = "contacts bear moments (rolling resistance, bonds, clumps)";
+      out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Rung 3 is calibrated by packings of single spheres whose contacts bear forces alone.
+  /// Rung 3 is calibrated on packings of single spheres whose contacts carry forces and no moments.
   void withhold_relaxed() {
     if (out_.moments.empty())
       return;
@@ -202,13 +202,12 @@ class Measuring {
       out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
     judge_moments();
     if (!given_.tangential_forces)
-      out_.notes.emplace_back(
-          "without tangential forces it cannot be told whether the grains are at rest, and the "
-          "stress lacks their part");
+      out_.notes.emplace_back("tangential forces are missing: equilibrium cannot be checked, and the "
+                              "stress lacks their contribution");
     out_.stress = contact_stress(moving());
   }
 
-  /// Compares forces with the law, and takes the grain's modulus from them if it is not given.
+  /// Compares forces with the law, and finds the grain's modulus from them if it is not given.
   void find_law() {
     constexpr double any_modulus = 1e9; // forces of one exponent are proportional to it
     const double nu = given_.grain_poisson_ratio;
@@ -234,21 +233,21 @@ class Measuring {
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
       out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
-                           short_text(nu) + ", from the forces: they fix G_g/(1 - nu_g) alone");
+                           short_text(nu) + ", from the forces, which determine G_g/(1 - nu_g) only");
     } else if (!take_hertz()) {
-      out_.notes.emplace_back("no G_g of the grains given, and forces against overlaps do not tell it: "
+      out_.notes.emplace_back("G_g of the grains is not given, and does not follow from forces and overlaps: "
                               "no stiffnesses, no closed forms");
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
   }
 
-  /// The law whose grains are not known.
+  /// The law for grains of unknown material.
   [[nodiscard]] contact::NormalLaw of_any_modulus() const {
     return given_.law_family({1e9, given_.grain_poisson_ratio}, out_.sizes.equivalent);
   }
 
-  /// Hertz' contacts of materials that nobody knows: k_n = 1.5 f/d of each; closed forms take the mean.
+  /// Hertz contacts of unknown materials: k_n = 1.5 f/d of each; closed forms use the mean.
   bool take_hertz() {
     const double nu = given_.grain_poisson_ratio;
     const contact::NormalLaw any = of_any_modulus();
@@ -260,28 +259,28 @@ class Measuring {
     out_.grain = mean_material_of_forces(assembly_, nu);
     stiffness_of_ratio_ = true;
     out_.notes.push_back(
-        "the forces go as the overlaps to the power " + short_text(exponent->value, 5) + " +- " +
-        short_text(exponent->standard_error, 2) +
-        ", as Hertz': k_n = 1.5 f/d of each contact without a material; closed forms take the mean, "
+        "the forces are proportional to the overlaps to the power " + short_text(exponent->value, 5) +
+        " +- " + short_text(exponent->standard_error, 2) +
+        ", as for Hertz: k_n = 1.5 f/d of each contact, no material needed; closed forms use the mean, "
         "G_g = " +
         pretty(out_.grain->shear_modulus, Dimension::pressure) + " with nu_g = " + short_text(nu));
     return true;
   }
 
-  /// Grains of several materials: closed forms take the mean over the contacts.
+  /// Grains of several materials: closed forms use the mean over the contacts.
   void take_materials() {
     if (assembly_.contacts.empty())
       return;
     out_.grain = mean_pair_material(assembly_, given_.materials);
     out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
-    out_.notes.push_back("several materials: closed forms take the mean over the contacts, G_g = " +
+    out_.notes.push_back("several materials: closed forms use the mean over the contacts, G_g = " +
                          pretty(out_.grain->shear_modulus, Dimension::pressure) +
                          ", nu_g = " + short_text(out_.grain->poisson_ratio));
     if (forces_known_ && wanted_.law_check)
       out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
   }
 
-  /// Linear springs, where nobody has said another law and the forces show them.
+  /// Linear springs, if the forces show them and no other law is given.
   bool take_springs() {
     if (!given_.law_assumed || given_.grain_shear_modulus || !forces_known_)
       return false;
@@ -289,7 +288,7 @@ class Measuring {
     if (!spring)
       return false;
     // flat punches have one k_n, 2 G a/(1-nu), at every force
-    constexpr double small = 0.05; // against the grain, as the closed forms take contacts
+    constexpr double small = 0.05; // beside the grain, as assumed in the closed forms
     const double nu = given_.grain_poisson_ratio, radius = small * out_.sizes.equivalent;
     out_.law = contact::PowerLaw::flat({*spring * (1 - nu) / (2 * radius), nu}, radius);
     if (wanted_.law_check)
@@ -308,7 +307,7 @@ class Measuring {
                                          out_.grain ? out_.grain->poisson_ratio : given_.grain_poisson_ratio);
   }
 
-  /// What the closed forms need, or a note on what is not there.
+  /// Input of the closed forms, or a note about missing data.
   void make_state() {
     if (!out_.law)
       return;
@@ -365,7 +364,7 @@ class Measuring {
   /// The assembly with k_n and k_t of its contacts by the law.
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
-    // Where the overlap of rough grains begins is a convention of their law; what a contact bears is not.
+    // The zero of the overlap of rough grains is a convention of their law; the force of a contact is not.
     const bool by_forces = forces_known_ && (rounded_ > rough || out_.law->rough_sphere() != nullptr);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
@@ -394,7 +393,7 @@ class Measuring {
                            .bulk_bounds = bounds_of(assembly)};
   }
 
-  /// Bounds that hold where forces alone are borne, on branches along the normals.
+  /// Bounds, valid for contacts without moments and branches along the normals.
   [[nodiscard]] packing::BulkModulusBounds bounds_of(const packing::Assembly& assembly) const {
     return out_.moments.empty() ? bulk_modulus_bounds(assembly) : packing::BulkModulusBounds{};
   }
@@ -403,7 +402,7 @@ class Measuring {
   std::optional<packing::Bodies> bodies_;
   const Given& given_;
   const Wanted& wanted_;
-  static constexpr double rough = 1e-2; ///< share of the overlaps from which on forces tell k_n better
+  static constexpr double rough = 1e-2; ///< rounding of overlaps above which forces give k_n
   bool forces_known_;
   double rounded_;                  ///< share by which overlaps may be off
   bool stiffness_of_ratio_ = false; ///< k_n is 1.5 f/d

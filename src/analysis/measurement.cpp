@@ -17,7 +17,7 @@ NetworkMatrix network_matrix(const elastic::VoigtStiffness& stiffness,
   require_positive("bulk_density", *bulk_density, "kg/m3");
   try {
     out.waves = elastic::plane_waves_along_axes(stiffness, *bulk_density);
-  } catch (const InvalidArgument&) { // not positive semidefinite: nothing travels in it
+  } catch (const InvalidArgument&) { // not positive semidefinite: no waves
   }
   return out;
 }
@@ -59,7 +59,7 @@ std::optional<effective::RungAnswer> Measurement::closed_form(effective::RungNam
 
 const Network& Measurement::solved_network() const {
   if (!network)
-    throw NotConverged("no grain of the packing bears load: it has no network");
+    throw NotConverged("no grain of the packing carries load: it has no network");
   return *network;
 }
 

@@ -83,19 +83,18 @@ LawRow power_law() {
   row.plural = "power-law contacts";
   row.maker = "power_law";
   row.title = "Contact of two profiles z = A r^alpha.";
-  row.source = "The family that holds cones, spheres and flat punches. [Galin1946] [Sneddon1965]";
+  row.source = "The family of cones, spheres and flat punches. [Galin1946] [Sneddon1965]";
   row.cpp_name = "PowerLaw::general";
   row.header = power_law_header;
   row.parameters = {
       {.key = "alpha",
        .name = "alpha",
        .symbol = "alpha",
-       .help = "> 0, of the profile A r^alpha; simulations take 1 and more",
+       .help = "> 0, of the profile A r^alpha; simulations need 1 or more",
        .value = 1.5,
        .low = 1,
        .high = 100,
-       .reason =
-           "beyond, the contact is flat within 1 %; below 1 it is a cusp, which closed forms alone take"},
+       .reason = "beyond, the contact is flat within 1 %; below 1 it is a cusp, for closed forms only"},
       {.key = "profile_constant",
        .name = "profile_constant",
        .symbol = "A",

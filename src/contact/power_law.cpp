@@ -99,8 +99,8 @@ PowerLaw PowerLaw::general(const GrainMaterial& grain, double alpha, double prof
   const double root = std::pow(profile_factor(alpha), 1 / alpha) * std::pow(profile_constant, -1 / alpha);
   if (!(root > 0) || std::isinf(root)) // of cusps, whose exponent 1/alpha is large
     throw InvalidArgument("profile_constant", profile_constant, "m^(1-alpha)",
-                          "what a contact of alpha = " + short_text(alpha) +
-                              " may have: forces exceed a double");
+                          "the values allowed for alpha = " + short_text(alpha) +
+                              ": forces exceed the range of a double");
   return {grain, alpha, 2 * shear / (1 - nu) / (1 + 1 / alpha) * root};
 }
 

@@ -31,8 +31,8 @@ class Team {
 
   [[nodiscard]] std::size_t size() const { return threads_.size() + 1; }
 
-  /// Calls job(member) for every member, each on its own thread, and returns when all have returned. What was
-  /// written before is seen by the members, and what they write, after. The job must not throw.
+  /// Calls job(member) for every member, each on its own thread, and returns when all have returned. Members
+  /// see what was written before the call, and the caller sees what they wrote. The job must not throw.
   template <class Job>
   void run(const Job& job) {
     start([](const void* what, std::size_t member) { (*static_cast<const Job*>(what))(member); }, &job);

@@ -27,7 +27,7 @@ struct Row {
 };
 constexpr bool understood = false; ///< read as well, but not offered
 
-/// Every unit. The first of a dimension is SI, or nothing for a pure number; those that hints and tables use
+/// Every unit. The first of a dimension is SI, or empty for a pure number; those that hints and tables use
 /// come in order of size.
 constexpr Row rows[] = {
     {{"", Dimension::dimensionless, 1}},
@@ -153,7 +153,7 @@ std::string near_symbol(std::string_view symbol, Dimension dimension) {
   return "known for " + std::string(description(dimension)) + ": " + choices(dimension, "");
 }
 
-/// What a number with a comma was meant to be: "0.6" for "0,6", "1.500kPa or 1500kPa" for "1,500kPa".
+/// Possible meanings of a number with a comma: "0.6" for "0,6", "1.500kPa or 1500kPa" for "1,500kPa".
 std::string without_comma(std::string_view text) {
   std::string decimal(text), thousands(text);
   std::replace(decimal.begin(), decimal.end(), ',', '.');
@@ -182,7 +182,7 @@ bool has_decimal_comma(std::string_view rest) {
   return rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1]));
 }
 
-/// What a value of one dimension is to be multiplied by to stand for another; nothing if it cannot.
+/// Factor that converts a value of one dimension to another; empty if impossible.
 std::optional<double> factor_between(Dimension from, Dimension to) {
   if (from == to)
     return 1;
@@ -193,7 +193,7 @@ std::optional<double> factor_between(Dimension from, Dimension to) {
   return std::nullopt;
 }
 
-/// The unit that the heading of a column names behind the quantity, "" for none; nothing if the heading is
+/// The unit that the heading of a column names behind the quantity, "" for none; empty if the heading is
 /// that of something else.
 std::optional<std::string_view> symbol_in_heading(std::string_view heading, std::string_view quantity) {
   if (!heading.starts_with(quantity))
@@ -259,7 +259,7 @@ double parse_quantity(std::string_view name, std::string_view text, Dimension di
                           ": it must begin with a finite number");
   const std::string_view symbol = trimmed(number->rest);
   if (has_several_values(content))
-    throw InvalidArgument(said + " holds several values, where one is expected");
+    throw InvalidArgument(said + " contains several values; one is expected");
   if (has_decimal_comma(symbol))
     throw InvalidArgument(said + " has a comma in its number: write " + without_comma(content));
   const auto unit = find_unit(symbol);

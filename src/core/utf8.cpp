@@ -44,8 +44,9 @@ char32_t code_point(std::string_view character) {
   return code;
 }
 
-/// What a terminal obeys or does not show: control characters, what turns the direction of text or ends its
-/// line, and marks without width. The joiners U+200C and U+200D stay: some scripts are written with them.
+/// Characters that control a terminal or are invisible: control characters, characters that change the
+/// direction of text or end its line, and marks without width. The joiners U+200C and U+200D stay: some
+/// scripts are written with them.
 bool is_hidden(char32_t code) {
   constexpr std::pair<char32_t, char32_t> hidden[] = {
       {0x00, 0x08},     {0x0B, 0x1F},     {0x7F, 0x9F},      {0xAD, 0xAD},     {0x61C, 0x61C},

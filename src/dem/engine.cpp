@@ -23,10 +23,10 @@ namespace {
 
 /// Steps between two choices of the time step; stiffnesses change slowly in quasi-static runs.
 constexpr std::size_t time_step_interval = 100;
-/// Skins of the list and of the wider one that it is taken from/R.
+/// Skins over R, of the list and of the wider list from which it is made.
 constexpr double list_skin = 0.02, list_wide_skin = 0.2;
-/// Part of the adaptive drag that an engine keeps while it descends. Without any, tremors grow; from 0.1 to
-/// 0.3 steps differ by a tenth.
+/// Fraction of the adaptive drag in a descent. Without any, vibrations grow; from 0.1 to 0.3 the number of
+/// steps varies by a tenth.
 constexpr double descent_drag = 0.2;
 
 void add(WallForces& forces, const WallForces& other) {
@@ -78,7 +78,7 @@ Engine::Data::Data(Specimen initial, const Material& m, std::vector<std::uint32_
   }
   rebuild();
   sweep(0);
-  // A kick that changes nothing: the sums over the velocities as they are.
+  // A kick without effect, for the sums over the present velocities.
   kick({.keep = 1, .push = 0, .turn = 0});
   choose_time_step();
 }
@@ -95,7 +95,7 @@ std::vector<ContactHistory> Engine::Data::history() const {
   return out;
 }
 
-/// Spreads the list over chunks, and the chunks over the threads by their pairs.
+/// Divides the list into chunks, and the chunks among the threads by numbers of pairs.
 void Engine::Data::lay_out() {
   parts = partition(list.pairs(), grains.size());
   load.resize(parts.rows);
@@ -111,7 +111,7 @@ void Engine::Data::lay_out() {
   }
 }
 
-/// More threads than chunks would stand idle.
+/// At most one thread per chunk.
 void Engine::Data::set_threads(std::size_t count) {
   const std::size_t used = std::min(count, parts.chunks.size());
   if (used == (team ? team->size() : 1))
@@ -122,7 +122,8 @@ void Engine::Data::set_threads(std::size_t count) {
   lay_out();
 }
 
-/// Lists the pairs anew; memories move to their pair's new place. Both lists are sorted by (i, j).
+/// Renews the list of pairs and moves the contact memories to their new positions. Both lists are sorted by
+/// (i, j).
 void Engine::Data::rebuild() {
   const bool running = steps > 0;
   if (running) {
@@ -241,21 +242,21 @@ void Engine::Data::choose_time_step() {
   const double omega_squared = frequency_bound.highest_squared(
       law, input, walls ? &*walls : nullptr,
       [this](const std::function<void(std::size_t)>& job) { each_chunk(job); });
-  // Rough spheres that hardly touch are softer than any that bear: one step of theirs would pass through the
-  // whole of the roughness.
+  // Rough spheres at first contact are much softer than under load: one of their time steps would pass
+  // through the whole roughness.
   const contact::RoughSphere* const rough = material.law.rough_sphere();
   const double least =
       rough != nullptr ? 20 * rough->stiffness_at_force(0x1p-10 * rough->transition_force()) / lightest : 0;
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(std::max(omega_squared, least));
   } else if (dt == 0) {
-    // Nothing touches yet: the stiffness that an overlap of 1e-4 R would have.
+    // No contact yet: the stiffness at an overlap of 1e-4 R.
     const double k_n = material.law.stiffness_at_overlap(1e-4 * cold.radius);
     dt = time_step_fraction * 2 / std::sqrt(std::max(20 * k_n / lightest, least));
   }
 }
 
-/// Cell and grains move; the pair list is renewed before a pair outside it could touch.
+/// Moves cell and grains, and renews the pair list before an unlisted pair could touch.
 void Engine::Data::move() {
   const Mat3 stretch = Mat3::identity() + dt * gradient;
   each_chunk([&](std::size_t c) { move_grains(grains, parts.chunks[c].grains, stretch, dt); });
@@ -270,7 +271,7 @@ void Engine::Data::move() {
     rebuild();
 }
 
-/// The drag follows the lowest frequency that the last step's motion shows, omega^2 = -(change of force .
+/// The drag follows the lowest frequency in the motion of the last step, omega^2 = -(change of force .
 /// velocity)/(dt sum m v^2).
 void Engine::Data::choose_damping() {
   if (fixed_damping >= 0) {
@@ -281,8 +282,9 @@ void Engine::Data::choose_damping() {
   }
 }
 
-/// FIRE: of velocities keep v + push f/m, a share is turned towards f/m; all stop where they point uphill. A
-/// grain that has left its contacts stops at once: rattlers stay by their neighbours, and C_n much as it was.
+/// FIRE: a fraction of the velocities keep v + push f/m is turned towards f/m; all grains stop when forces do
+/// negative work. A grain without contacts stops at once, so that rattlers stay near their neighbours and C_n
+/// hardly changes.
 Engine::Data::Drive Engine::Data::turned_downhill(Drive drive) {
   each_chunk([&](std::size_t c) {
     hold_free_grains(grains, parts.chunks[c].grains, load);
@@ -374,7 +376,7 @@ void Engine::step() {
 const StepFigures& Engine::figures() const { return data_->figures; }
 WallForces Engine::wall_forces() const { return data_->walls ? data_->walls->forces() : WallForces{}; }
 double Engine::unbalanced_force_ratio() const {
-  const bool equal = data_->grains.own.empty(); // else t/R stands in the rows
+  const bool equal = data_->grains.own.empty(); // otherwise the rows contain t/R
   const double per_radius_squared = equal ? 1 / (data_->cold.radius * data_->cold.radius) : 1;
   double sum = 0;
   std::size_t touching = 0;

@@ -14,14 +14,14 @@ namespace granum::dem {
 
 namespace {
 
-/// The numbers that forces follow from; two materials with the same ones give the same bits.
+/// The numbers that determine the forces; materials with the same numbers give the same bits.
 std::vector<double> fingerprint(const Material& material) {
   std::vector<double> numbers = material.law.numbers();
   numbers.insert(numbers.end(), {material.tangential_ratio, material.friction_coefficient, material.density});
   return numbers;
 }
 
-/// Scalars of Engine::Data, so that writing and reading cannot fall out of step.
+/// Scalars of Engine::Data, listed once for writing and reading.
 template <class Data, class Visit>
 void each_scalar(Data& d, const Visit& visit) {
   visit(d.gradient);
@@ -41,7 +41,7 @@ void each_scalar(Data& d, const Visit& visit) {
   visit(d.steps);
 }
 
-/// Whether the loops of an engine of so many grains stay within them: pairs as neighbour_pairs lists them.
+/// Whether all indices are valid for this number of grains, with pairs as from neighbour_pairs.
 bool are_pairs(const std::vector<Pair>& pairs, std::size_t grains) {
   const auto impossible = [&](const Pair& p) {
     return p.i >= p.j || p.j >= grains || p.image >= image_count;
@@ -56,7 +56,7 @@ template <class T>
 void take(ByteReader& from, std::vector<T>& list) {
   std::vector<T> read = from.get_all<T>();
   if (read.size() != list.size())
-    from.fail("holds a list of " + std::to_string(read.size()) + " where its engine has one of " +
+    from.fail("contains a list of " + std::to_string(read.size()) + " where its engine has one of " +
               std::to_string(list.size()));
   list = std::move(read);
 }
@@ -86,12 +86,12 @@ Engine Engine::load(ByteReader& from, const Material& material) {
   Specimen state = load_specimen(from);
   std::vector<std::uint32_t> order = from.get_all<std::uint32_t>();
   if (!is_order(order, state.grain_count()))
-    from.fail("holds an impossible order of its grains");
+    from.fail("contains an impossible order of its grains");
   Engine engine(std::make_unique<Data>(std::move(state), material, std::move(order)));
   Data& d = *engine.data_;
   std::vector<Pair> pairs = from.get_all<Pair>();
   if (!are_pairs(pairs, d.grains.size()))
-    from.fail("holds impossible pairs of its grains");
+    from.fail("contains impossible pairs of its grains");
   d.list.restore(std::move(pairs));
   d.lay_out();
   if (d.tangential)
@@ -104,7 +104,7 @@ Engine Engine::load(ByteReader& from, const Material& material) {
     d.walls->load(from, d.grains.size());
   each_scalar(d, [&](auto& value) { value = from.get<std::remove_reference_t<decltype(value)>>(); });
   if (!(d.dt > 0 && d.time_step_fraction > 0))
-    from.fail("holds an impossible time step");
+    from.fail("contains an impossible time step");
   return engine;
 }
 

@@ -21,7 +21,8 @@
 
 namespace granum::dem {
 
-/// What one chunk adds to the sums of a step; in cache lines of its own, as threads write side by side.
+/// Contribution of one chunk to the sums of a step; in separate cache lines, because threads write at the
+/// same time.
 struct alignas(64) ChunkSums {
   SweepSums contacts;
   WallForces walls;
@@ -30,8 +31,7 @@ struct alignas(64) ChunkSums {
   MotionSums motion;
 };
 
-/// What an engine holds from step to step. Engine::save writes all of it that does not follow from the
-/// material.
+/// State of an engine. Engine::save writes everything that does not follow from the material.
 struct Engine::Data {
   /// \param order  place in the engine of each grain of the state; by default neighbours come near each other
   Data(Specimen initial, const Material& m, std::vector<std::uint32_t> order = {});
@@ -60,7 +60,7 @@ struct Engine::Data {
   Material material;
   contact::NormalKernel law;
   bool tangential;
-  double friction;                  ///< finite stand-in for an infinite coefficient
+  double friction;                  ///< finite, also for an infinite coefficient
   std::vector<std::uint32_t> order; ///< place of each grain of the outer state
   /// In the engine's order; cell and radius are current, the rest only between steps of rebuild.
   Specimen cold;
@@ -83,10 +83,10 @@ struct Engine::Data {
   double fixed_damping = -1; ///< negative: adaptive
   double damping = 0;
   bool descends = false;
-  FireMixing mixing;          ///< asked for while it descends
+  FireMixing mixing;          ///< used in a descent
   double travelled = 0;       ///< upper bound of own displacement since the list was checked [m]
   double strained = 0;        ///< upper bound of the cell's strain since then [1]
-  MotionSums motion;          ///< over the velocities of this moment and the last forces
+  MotionSums motion;          ///< over the present velocities and the last forces
   double power = 0;           ///< of the last forces over the velocities before their kick [W]
   double stiffest = 0;        ///< k_n in the last sweep [N/m]
   double stiffest_chosen = 0; ///< the same when the time step was chosen

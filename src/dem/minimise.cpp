@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FIRE on the generalised coordinates (x_1 .. x_N, q): x positions with unit mass where all grains are equal
-// and with the masses of sizes_for_descent where not, q = sqrt(W) ln(size), where W sets how fast the cell
-// answers beside the grains. Time is measured in sqrt(mass/stiffness). Forces are those of the engine's
-// sweep, without friction.
+// FIRE on the generalised coordinates (x_1 .. x_N, q): positions x, with unit mass for equal grains and the
+// masses of sizes_for_descent otherwise; q = sqrt(W) ln(size), where W is the inertia of the cell. The unit
+// of time is sqrt(mass/stiffness). Forces are from the engine's sweep, without friction.
 #include <granum/dem/minimise.hpp>
 
 #include <algorithm>
@@ -50,7 +49,7 @@ struct FireRule {
   }
 };
 
-/// Grains in an order in which neighbours are near each other, with the list of their pairs.
+/// Grains, ordered such that neighbours are near in memory, with the list of their pairs.
 class Minimiser {
  public:
   Minimiser(const Specimen& state, const contact::NormalLaw& law, std::optional<double> pressure,
@@ -79,14 +78,14 @@ class Minimiser {
       report.converged = !report.stopped && arrived(balance, report.last_pressure);
       if (report.stopped || report.converged || report.steps >= options_.max_steps)
         break;
-      advance(balance); // takes the forces with it: the report is of a sweep after which nothing moved
+      advance(balance); // with the forces: the report belongs to a sweep after which no grain moved
     }
     report.unbalanced_force_ratio = unbalanced(balance, lengths());
     fetch_centres();
     return report;
   }
 
-  /// Cell and centres as they are now.
+  /// Present cell and centres.
   void put_into(Specimen& state) const {
     state.cell = state_.cell;
     for (std::size_t g = 0; g < order_.size(); ++g)
@@ -94,18 +93,18 @@ class Minimiser {
   }
 
  private:
-  /// W/(m N R^2): the cell's period is then that of the specimen's slow sound waves, which cross it in a time
-  /// that grows as N^(1/3).
+  /// W/(m N R^2). The period of the cell then equals that of slow sound waves across the specimen, which
+  /// grows as N^(1/3).
   static double cell_inertia_per_grain(std::size_t grains) {
     return 500 * std::pow(std::max(1.0, static_cast<double>(grains) / 1000), 2.0 / 3);
   }
-  /// Skin of the list/R. Grains that make room for each other in a fixed cell go farther than those that a
-  /// pressure holds, whose skin follows their pace from the second list on.
+  /// Skin of the list/R. In a fixed cell grains move farther than under a pressure; there the skin follows
+  /// their speed from the second list on.
   static constexpr double first_pressed_skin = 0.03, growing_skin = 0.3;
   static constexpr double least_pressed_skin = 0.005, largest_pressed_skin = 0.1;
-  /// Of the wider list that it is taken from: from 0.4 to 0.8, and from 0.7 to 1, the time is the same.
+  /// Skins of the wider list from which it is made: from 0.4 to 0.8, and from 0.7 to 1, the time is the same.
   static constexpr double pressed_wide_skin = 0.6, growing_wide_skin = 1;
-  /// The cell may change by this strain in a step at most, so that grains cannot pass through each other.
+  /// Largest strain of the cell in a step, so that grains cannot pass through each other.
   static constexpr double largest_cell_step = 1e-3;
 
   void fetch_centres() {
@@ -113,7 +112,7 @@ class Minimiser {
       state_.position[g] = grains_.centre(g);
   }
 
-  /// Grains that swing to and fro end near where they began: the bounds go on from how far they really came.
+  /// Oscillating grains end near their start: the bounds are reset to the true displacements.
   void check_list() {
     const Drift drift = list_.drift(state_.cell, [this](std::size_t g) { return grains_.centre(g); });
     if (list_.valid(drift)) {
@@ -127,9 +126,9 @@ class Minimiser {
     }
   }
 
-  /// Skin [m] for grains that near each other at a pace [m] a step. A list lasts skin/pace steps and takes
-  /// about three to make; the pairs in it that do not touch lengthen a step by some 1.7 skin/R. Both together
-  /// take the least time where they take the same.
+  /// Skin [m] for grains that approach each other at a pace [m] per step. A list lasts skin/pace steps and
+  /// costs about three; listed pairs without contact lengthen a step by some 1.7 skin/R. The sum is least if
+  /// both costs are equal.
   [[nodiscard]] double skin_for(double pace) const {
     constexpr double list_steps = 3, longer_by = 1.7;
     const double skin = std::sqrt(list_steps / longer_by * pace / state_.radius);
@@ -159,7 +158,7 @@ class Minimiser {
       DescentSums sums = descent_sweep(law_, input, chunk, load_);
       if (walls_)
         balance.all += walls_->descent_sweep(law_, input, chunk.grains, load_, sums).contacts;
-      // Spare rows come from earlier chunks alone, as j > i.
+      // Spare rows come from earlier chunks only, because j > i.
       balance.grains += settle_pushes(grains_, chunk, parts_.additions, load_);
       balance.contacts += sums;
     }
@@ -167,8 +166,8 @@ class Minimiser {
     return balance;
   }
 
-  /// Sum of |f| over all grains, in their order: where a few pairs of a growing specimen touch, the ratio may
-  /// be its tolerance to the last digit, and the way that a sum rounds would decide.
+  /// Sum of |f| over all grains, in their order: with a few contacts in a growing specimen, the ratio may
+  /// equal its tolerance to the last digit, and the rounding of the sum would decide.
   [[nodiscard]] double lengths() const {
     double sum = 0;
     for (const Chunk& chunk : parts_.chunks)
@@ -201,7 +200,7 @@ class Minimiser {
   /// Whether no overlap beyond its tolerance is left.
   [[nodiscard]] bool parted(const Balance& balance) const {
     const double tolerance = options_.overlap_tolerance * state_.radius;
-    // No law has f > k_n d: the mean force over the largest stiffness is an overlap that some contact has.
+    // Every law has f <= k_n d: some contact has at least the overlap mean force over largest stiffness.
     if (balance.contacts.normal_force >
         tolerance * static_cast<double>(balance.all) * balance.contacts.stiffest)
       return false;
@@ -225,8 +224,8 @@ class Minimiser {
     const double volume = determinant(state_.cell);
     const double cell_force =
         pressure_ ? (balance.contacts.virial - 3 * *pressure_ * volume) / std::sqrt(cell_inertia_) : 0;
-    // No mass is below 1: the time step is the rule's number times sqrt(1/k) of the stiffest contact seen
-    // lately.
+    // No mass is below 1: the time step is the dimensionless one times sqrt(1/k) of the stiffest recent
+    // contact.
     stiffness_scale_ = std::max(balance.contacts.stiffest, 0.98 * stiffness_scale_);
     if (!(stiffness_scale_ > 0))
       stiffness_scale_ = pressure_ ? *pressure_ * state_.radius : 1.0;
@@ -247,9 +246,9 @@ class Minimiser {
     move(dt, keep, (1 - rule_.mixing.share) * dt + turn, cell_force);
   }
 
-  /// Velocities become keep v + push f, and all moves with them for dt.
+  /// Sets the velocities to keep v + push f and moves all grains with them for dt.
   void move(double dt, double keep, double push, double cell_force) {
-    // No grain moves farther than this in one step, whatever the forces.
+    // Largest displacement in one step, for any forces.
     const double largest_move = 0.02 * state_.radius;
     const double cell_rate = (keep * cell_velocity_ + push * cell_force) / std::sqrt(cell_inertia_);
     const double cell_step = std::clamp(dt * cell_rate, -largest_cell_step, largest_cell_step);

@@ -31,8 +31,7 @@ struct Bins {
   }
 };
 
-/// The whole part of a place between two bounds. A grain that flew off to infinity or NaN, as one of
-/// absurd speed does, is at a bound too.
+/// The integer part of a coordinate within two bounds; infinity and NaN, from absurd speeds, give a bound.
 int whole_within(double place, int low, int high) {
   return place > low ? static_cast<int>(std::min(std::floor(place), static_cast<double>(high))) : low;
 }
@@ -84,7 +83,7 @@ Neighbour neighbour(int b, int d, int count) {
   return {raw, 0};
 }
 
-/// Bins on an axis around a home, its own among them.
+/// Bins on an axis around a bin, itself included.
 struct Offsets {
   int first = -1;
   int last = 1;
@@ -104,8 +103,7 @@ void visit_bin(const Bins& bins, const std::array<int, 3>& home, const std::arra
   visit(bins.start[b], bins.start[b + 1], image);
 }
 
-/// The same for all bins around a home. With few bins the outer offsets repeat bins, but each with another
-/// shift, so none is lost.
+/// The same for all bins around a bin. With few bins the outer offsets repeat bins, but with other shifts.
 template <class Visit>
 void each_near(const Bins& bins, const std::array<int, 3>& home, const std::array<Offsets, 3>& around,
                Images images, const Visit& visit) {
@@ -115,8 +113,8 @@ void each_near(const Bins& bins, const std::array<int, 3>& home, const std::arra
         visit_bin(bins, home, {dx, dy, dz}, images, visit);
 }
 
-/// The same for half of the bins next to a home, from which the other half is seen; the home is in neither.
-/// Bins that follow each other come as one range.
+/// The same for one half of the bins next to a bin; the other half finds this one. Consecutive bins form one
+/// range.
 template <class Visit>
 void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images, const Visit& visit) {
   std::uint32_t begin = 0, end = 0, shift = no_shift;
@@ -135,7 +133,7 @@ void each_ahead(const Bins& bins, const std::array<int, 3>& home, Images images,
   visit(begin, end, shift);
 }
 
-/// The bins that a distance from s reaches into; at most half of the cell, so that no bin comes in twice.
+/// The bins within a distance of s; at most half of the cell, so that no bin occurs twice.
 std::array<Offsets, 3> bins_within(const Bins& bins, const Vec3& s, const std::array<int, 3>& home,
                                    const Vec3& widths, double distance) {
   std::array<Offsets, 3> around;
@@ -159,7 +157,7 @@ void require_cutoff(const Mat3& cell, double cutoff, Images images) {
                               " m]; the specimen has too few grains");
 }
 
-/// By one of both grains; pairs of the same grain keep their order.
+/// Sorts by one of both grains; pairs of the same grain keep their order.
 template <class GrainOf>
 void sort_by(std::vector<Pair>& pairs, std::size_t grains, std::vector<Pair>& spare, const GrainOf& grain) {
   std::vector<std::uint32_t> next(grains + 1, 0);
@@ -173,7 +171,7 @@ void sort_by(std::vector<Pair>& pairs, std::size_t grains, std::vector<Pair>& sp
   pairs.swap(spare);
 }
 
-/// By (i, j).
+/// Sorts by (i, j).
 void sort_pairs(std::vector<Pair>& pairs, std::size_t grains) {
   std::vector<Pair> spare;
   sort_by(pairs, grains, spare, [](const Pair& pair) { return pair.j; });
@@ -214,8 +212,8 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
       pairs.push_back(pair);
   };
   std::vector<std::uint32_t> found(position.size());
-  // Pairs of a grain with those in a range. The same pair seen from its other grain may differ in the last
-  // digit, so the first look is generous; it does not branch, as no branch could be foreseen.
+  // Pairs of a grain with those in a range. The distance may differ in the last digit when computed from the
+  // other grain, so the first test is generous. It has no branch, because none could be predicted.
   const double generous = cutoff * cutoff * (1 + 1e-9);
   const auto look_at = [&](std::uint32_t a, std::uint32_t first, std::uint32_t last, std::uint32_t image) {
     const Vec3 from = centre[a] - shifts[image];

@@ -15,7 +15,7 @@ namespace {
 
 /// The servo closes the gap between stress and target in about this many steps.
 constexpr double servo_steps = 27;
-/// The stop criteria are checked after this many steps, again and again.
+/// Steps between two checks of the criteria to stop.
 constexpr std::size_t check_interval = 10;
 /// Steps between two checks that the motion is finite.
 constexpr std::size_t watch_interval = 500;
@@ -59,7 +59,7 @@ void conclude(const Engine& engine, QuasistaticReport& report) {
     report.outcome = Outcome::unstable;
 }
 
-/// Whether the stress no longer changes, or changes at a steady rate; checked every settle_steps steps.
+/// Whether the stress is constant or changes at a steady rate; checked every settle_steps steps.
 class StressWatch {
  public:
   StressWatch(const QuasistaticOptions& options, const Mat3& stress)
@@ -167,7 +167,7 @@ QuasistaticReport deform(Engine& engine, const Mat3& strain, std::size_t ramp_st
       report.outcome = Outcome::stopped;
       break;
     }
-    // The time step may change on the way, so the rate is set from the strain of each step.
+    // The time step may change, so the rate follows from the strain of each step.
     const double rate = 1 / (static_cast<double>(ramp_steps) * engine.time_step());
     report.largest_inertial_number =
         std::max(report.largest_inertial_number, std::sqrt(squared_norm(strain)) * rate * to_inertial);

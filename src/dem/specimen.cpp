@@ -20,7 +20,7 @@ namespace granum::dem {
 
 namespace {
 
-/// At the Coulomb limit up to the rounding of the return to it.
+/// Whether the contact is at the Coulomb limit, up to rounding.
 bool at_limit(const Vec3& tangential_force, double limit) {
   return norm(tangential_force) >= (1 - 1e-9) * limit;
 }
@@ -74,10 +74,9 @@ std::vector<packing::Contact> wall_contacts(const Specimen& state, const Materia
 
 void require_simulable(const contact::NormalLaw& law) {
   if (const contact::PowerLaw* power = law.power_law(); power != nullptr && power->alpha() < 1)
-    throw InvalidArgument(
-        "alpha", power->alpha(), "",
-        "[1, inf] of simulations: below 1 grains would touch with cusps, whose overlaps under "
-        "little force are not small; closed forms and networks of given forces take it");
+    throw InvalidArgument("alpha", power->alpha(), "",
+                          "[1, inf] in simulations: below 1 grains touch with cusps, whose overlaps under "
+                          "small forces are not small; closed forms and networks of given forces allow it");
 }
 
 void require_valid(const Material& material) {

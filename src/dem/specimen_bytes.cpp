@@ -11,10 +11,10 @@ namespace granum::dem {
 
 namespace {
 
-/// Parts of a specimen that not every one has.
+/// Optional parts of a specimen.
 constexpr std::uint64_t has_walls = 1, has_sizes = 2;
 
-/// Sizes of grains that bytes can hold: no packing has others.
+/// Range of grain sizes in valid bytes.
 constexpr double smallest_known = 1e-6, largest_known = 1e6;
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -23,7 +23,7 @@ bool all_finite(const std::vector<Vec3>& vectors) {
   return std::all_of(vectors.begin(), vectors.end(), is_finite);
 }
 
-/// Whether every centre is in the cell or so near that it can be brought back without losing its digits.
+/// Whether every centre is in the cell, or near enough to be moved back without loss of digits.
 bool near_cell(const Specimen& state) {
   const Mat3 to_fraction = inverse_of(state.cell);
   constexpr double far = 1e3;
@@ -33,7 +33,7 @@ bool near_cell(const Specimen& state) {
   });
 }
 
-/// Whether loops over grains, contacts and cells stay within what is there, whoever wrote the bytes.
+/// Whether all indices of grains, contacts and cells are valid, also for manipulated bytes.
 bool is_sound(const Specimen& state) {
   const std::size_t count = state.grain_count();
   const double volume = determinant(state.cell);
@@ -42,7 +42,7 @@ bool is_sound(const Specimen& state) {
          return size >= smallest_known && size <= largest_known;
        })))
     return false;
-  // Grains that fill between 4e-4 and 4 of their cell: what is listed of them is bounded.
+  // Grains that fill between 4e-4 and 4 of their cell: this bounds the number of pairs.
   double solid = static_cast<double>(count) * std::pow(state.radius, 3);
   if (!state.size.empty())
     solid = grain_volume(state) / (4.0 / 3.0 * std::numbers::pi);
@@ -90,7 +90,7 @@ Specimen load_specimen(ByteReader& from) {
   state.history = from.get_all<ContactHistory>();
   const auto parts = from.get<std::uint64_t>();
   if ((parts & ~(has_walls | has_sizes)) != 0)
-    from.fail("holds parts of a specimen that this granum does not know");
+    from.fail("contains parts of a specimen that this version does not support");
   if ((parts & has_walls) != 0) {
     state.walls.emplace();
     state.walls->friction_coefficient = from.get<double>();
@@ -99,7 +99,7 @@ Specimen load_specimen(ByteReader& from) {
   if ((parts & has_sizes) != 0)
     state.size = from.get_all<double>();
   if (!is_sound(state))
-    from.fail("holds an impossible state of its grains");
+    from.fail("contains an impossible state of its grains");
   return state;
 }
 

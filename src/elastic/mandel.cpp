@@ -17,7 +17,7 @@ constexpr double root_half = 1 / std::numbers::sqrt2;
 constexpr int row_of[6] = {0, 1, 2, 1, 0, 0};
 constexpr int column_of[6] = {0, 1, 2, 2, 2, 1};
 
-/// The weights that take Voigt shears to Mandel shears.
+/// Factors from Voigt shears to Mandel shears.
 Vector6 weights() {
   Vector6 w;
   w << 1, 1, 1, std::numbers::sqrt2, std::numbers::sqrt2, std::numbers::sqrt2;

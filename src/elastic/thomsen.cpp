@@ -27,7 +27,7 @@ void require_positive_definite(const TransverselyIsotropic& c) {
     throw InvalidArgument("Thomsen parameters need a finite and positive definite stiffness");
 }
 
-/// What C13 exceeds its isotropic value C33 - 2 C44 by.
+/// C13 less its isotropic value C33 - 2 C44.
 double excess(const TransverselyIsotropic& c) { return compensated_sum(c.C13, 2 * c.C44, -c.C33); }
 
 ThomsenParameters with_delta(const TransverselyIsotropic& c, double delta) {

@@ -85,8 +85,9 @@ LikelihoodEstimate estimate_anisotropy_by_likelihood(std::span<const Vec3> norma
     estimate.validity.add("the likelihood of the fabric anisotropy is largest at the end of [-1, 1]: the "
                           "contacts may be more strongly oriented than E(gamma; a) can describe");
   if (estimate.standard_error > 1)
-    estimate.validity.add("the contact directions hardly tell the fabric anisotropy: its standard error is "
-                          "above 1");
+    estimate.validity.add(
+        "the contact directions barely constrain the fabric anisotropy: its standard error is "
+        "above 1");
   return estimate;
 }
 

@@ -12,7 +12,7 @@ namespace granum::fabric {
 namespace {
 
 /// Every measure from the coefficient of P2; its caller puts the measure that was given back in place. Clamps
-/// undo the rounding at the ends of what unit vectors can have.
+/// undo the rounding at the ends of the range of unit vectors.
 FabricMeasures from_coefficient(double a_c) {
   FabricMeasures m{.anisotropy = 3 * a_c / (4 + a_c),
                    .F11 = std::clamp((5 - a_c) / 15, 0.0, 0.5),

@@ -11,7 +11,7 @@
 
 namespace granum::fabric {
 
-/// A sample of contact normals that is large enough and holds unit vectors.
+/// A sufficiently large sample of contact normals, all unit vectors.
 /// \throws   InvalidArgument for fewer than `fewest`, or a length that differs from 1 by more than 1e-6
 inline void require_normals(std::span<const Vec3> normals, std::size_t fewest) {
   if (normals.size() < fewest)

@@ -144,9 +144,9 @@ void require_distinct_exponents(const Eigen::MatrixXd& design) {
   const bool proportional = std::abs(s.direction[0] - s.direction[1]) < 10 * smallest_scatter;
   throw InvalidArgument(
       proportional
-          ? "m and n cannot be told apart: sigma_i/sigma_j is the same in all rows, so that only the sum "
+          ? "m and n cannot be separated: sigma_i/sigma_j is the same in all rows, so that only the sum "
             "s = m + n has a meaning; fit s alone, or add rows of another stress ratio"
-          : "m and n cannot be told apart: the stresses of all rows lie on one line of ln sigma_i against ln "
+          : "m and n cannot be separated: the stresses of all rows lie on one line of ln sigma_i against ln "
             "sigma_j; add rows of another stress path");
 }
 
@@ -210,7 +210,7 @@ void note_correlation(const Problem& problem, const Eigen::VectorXd& theta, Vali
   const Eigen::MatrixXd c = inverse_information(problem, theta);
   const double correlation = c(1, 2) / std::sqrt(c(1, 1) * c(2, 2));
   if (std::abs(correlation) > high_correlation)
-    validity.add("m and n are hard to tell apart on these stress paths (correlation " +
+    validity.add("m and n are hard to separate on these stress paths (correlation " +
                  short_text(correlation) + "); their sum s is the better number");
 }
 

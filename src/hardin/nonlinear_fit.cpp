@@ -16,7 +16,7 @@ namespace {
 
 using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 
-/// The problem, and what one of its functions threw: exceptions must not pass through code in C.
+/// The problem, and an exception of one of its functions, which must not pass through code in C.
 struct Called {
   const NonlinearProblem& problem;
   std::exception_ptr thrown = nullptr;
@@ -88,7 +88,7 @@ NonlinearSolution solve(const NonlinearProblem& problem, const Eigen::VectorXd& 
   require_success(begun, std::string("the start of a fit of ") + what);
 
   int reason = 0;
-  const double step = 1e-13, gradient = 1e-15, change = 0; // to rounding: a row costs nothing
+  const double step = 1e-13, gradient = 1e-15, change = 0; // to rounding: a row is cheap
   const int outcome = gsl_multifit_nlinear_driver(iteration_limit, step, gradient, change, nullptr, nullptr,
                                                   &reason, workspace.get());
   rethrow(called);

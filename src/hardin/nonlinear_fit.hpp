@@ -25,8 +25,8 @@ struct NonlinearSolution {
 
 /// The parameters at which the sum of squared residuals is least, by Levenberg-Marquardt with a trust region,
 /// to rounding. [More1978]
-/// \param    what   is fitted, for errors: "Eq. (1)"
-/// \throws   what the functions of the problem throw; NotConverged if GSL cannot begin
+/// \param    what   name of the model, for errors: "Eq. (1)"
+/// \throws   exceptions of the functions of the problem; NotConverged if GSL cannot begin
 /// Checked by tests/hardin/test_nonlinear_fit.cpp
 NonlinearSolution solve(const NonlinearProblem& problem, const Eigen::VectorXd& start,
                         std::size_t iteration_limit, const char* what);

@@ -81,8 +81,8 @@ std::optional<int> own_descriptor(fs::path path) {
   return {};
 }
 
-/// What takes text as it comes and holds no result that could be lost: a device such as a terminal, a pipe,
-/// or what one of this process's own descriptors leads to.
+/// Whether writing cannot destroy a result: a device such as a terminal, a pipe, or a descriptor of this
+/// process.
 bool is_stream(const fs::path& path) {
   std::error_code unknown; // a name that cannot be is told by writing
   const fs::file_type type = fs::status(path, unknown).type();
@@ -113,7 +113,7 @@ void write_stream(const fs::path& path, std::string_view text) {
     cannot_be_written(path, std::strerror(error));
 }
 
-/// \throws   FileError where a file cannot take the place of what stands there, or may not
+/// \throws   FileError if the existing file cannot or must not be replaced
 void require_place(const fs::path& path, Existing existing) {
   std::error_code unknown;
   const fs::file_type type = fs::status(path, unknown).type();
@@ -140,7 +140,7 @@ std::string part_name(const fs::path& target) {
   return (target.parent_path() / (name + std::string(part_extension))).string();
 }
 
-/// The file that a text goes to before it has its name. It is locked while it is written: one without a lock
+/// The temporary file of a text. It is locked while it is written: one without a lock
 /// was left by a run that was killed, and is removed.
 class PartFile {
  public:
@@ -186,7 +186,7 @@ class PartFile {
       if (errno != EEXIST)
         fail(errno);
       if (lstat(name_.c_str(), &by_name) == 0 && !S_ISREG(by_name.st_mode))
-        throw FileError(name_, 0, "is no file, and in the way of what is to be written; remove it");
+        throw FileError(name_, 0, "exists and is not a regular file; remove it");
       file_ = Descriptor(open(name_.c_str(), flags | O_NONBLOCK));
       if (file_.number() < 0 && errno != ENOENT)
         cannot_be_written(name_, std::strerror(errno));

@@ -32,7 +32,7 @@ Contact between(Contact c, std::uint32_t i, std::uint32_t j) {
   return c;
 }
 
-/// The edge that a contact of a grain with its own image goes along; -1 without any.
+/// The cell edge along a contact of a grain with its own image; -1 if there is none.
 int edge_of_own_contact(const ImportedPacking& packing) {
   const packing::Assembly& assembly = packing.assembly;
   const Mat3 to_parts = inverse_of(assembly.cell);
@@ -127,9 +127,9 @@ ImportedPacking without_own_images(ImportedPacking packing) {
       break;
     packing = doubled(packing, axis);
   }
-  packing.notes.push_back({Finding::own_image, "a grain touches its own image: the packing stands there " +
+  packing.notes.push_back({Finding::own_image, "a grain touches its own image: the packing is repeated " +
                                                    std::to_string(packing.assembly.grain_count() / grains) +
-                                                   " times, side by side"});
+                                                   " times"});
   return packing;
 }
 

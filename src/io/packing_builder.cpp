@@ -85,7 +85,7 @@ void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& give
                     "expected a box of positive volume, found " + short_text(volume) + " m^3");
   if (reduce_cell(cell, periodic))
     note(Finding::cell_turned,
-         "the cell leans by more than half an edge: another cell of the same lattice stands for it");
+         "the cell is tilted by more than half an edge: replaced by an equivalent cell of the lattice");
   packing_.assembly.cell = cell;
   packing_.periodic = periodic;
   cell_ = PeriodicCell(cell, periodic);
@@ -94,9 +94,9 @@ void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& give
 
 void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
   if (rows.empty())
-    throw FileError(grain_file_, 0, "holds no grains");
+    throw FileError(grain_file_, 0, "contains no grains");
   if (rows.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw FileError(grain_file_, 0, "holds more grains than an assembly can");
+    throw FileError(grain_file_, 0, "contains more grains than an assembly can");
   const auto by_id = [](const GrainRow& a, const GrainRow& b) { return a.id < b.id; };
   if (!std::is_sorted(rows.begin(), rows.end(), by_id))
     std::stable_sort(rows.begin(), rows.end(), by_id);
@@ -107,8 +107,8 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
     const GrainRow& grain = rows[k];
     if (k > 0 && rows[k - 1].id == grain.id)
       throw FileError(grain_file_, grain.line,
-                      "the grain " + std::to_string(grain.id) + " stands on line " +
-                          std::to_string(rows[k - 1].line) + " too");
+                      "the grain " + std::to_string(grain.id) + " is also on line " +
+                          std::to_string(rows[k - 1].line));
     if (!(grain.radius > 0) || !in_range(grain.radius))
       throw FileError(grain_file_, grain.line,
                       "expected a positive radius of grain " + std::to_string(grain.id) + ", found " +
@@ -148,9 +148,9 @@ void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
     else
       packing_.assembly.body.push_back(place->second);
   }
-  note(Finding::bodies, many(parts, "grains are parts of ") +
-                            many(number.size(), "rigid bodies, which move as one; "
-                                                "void ratio counts what members share twice"));
+  note(Finding::bodies,
+       many(parts, "grains are parts of ") + many(number.size(), "rigid bodies, which move as one; "
+                                                                 "void ratio counts shared volume twice"));
 }
 
 void PackingBuilder::drop_inner_contacts() {
@@ -199,8 +199,7 @@ void PackingBuilder::bound_grains() {
       high[k] = std::max(high[k], packing_.assembly.position[g][k] + packing_.assembly.radius[g]);
     }
   set_cell(Mat3::diagonal(high.x - low.x, high.y - low.y, high.z - low.z), {false, false, false}, 0);
-  note(Finding::cell_unknown,
-       "no box in the file: the smallest upright box around the grains stands for the cell");
+  note(Finding::cell_unknown, "no box in the file: the smallest upright box around the grains is the cell");
 }
 
 std::optional<std::uint32_t> PackingBuilder::find(long id) const {
@@ -343,7 +342,7 @@ void PackingBuilder::add(const PairRow& row) {
   entries_.push_back({contact, {turn, row.line}});
 }
 
-/// Makes a contact of all rows of a pair, whose numbers `group` holds; one for each image of the second grain
+/// Makes a contact of all rows of a pair, numbered in `group`; one for each image of the second grain
 /// where rows lead to several.
 void PackingBuilder::merge(std::span<const std::uint32_t> group) {
   const auto branch = [this](std::uint32_t number) { return entries_[number].contact.branch; };
@@ -370,12 +369,12 @@ void PackingBuilder::merge(std::span<const std::uint32_t> group) {
 }
 
 void PackingBuilder::fail_repeated(const Entry& entry, const Entry& first) const {
-  fail_contact(entry.side.line, pair_text(entry.contact.i, entry.contact.j) + " stands on line " +
+  fail_contact(entry.side.line, pair_text(entry.contact.i, entry.contact.j) + " is also on line " +
                                     std::to_string(first.side.line) +
-                                    " too, with another line of centres or force");
+                                    ", with another line of centres or force");
 }
 
-/// Makes one contact of all rows that say the same.
+/// Makes one contact of all rows that agree.
 void PackingBuilder::merge_image(std::span<const std::uint32_t> group) {
   const Entry& front = entries_[group.front()];
   const packing::Contact& first = front.contact;
@@ -427,7 +426,7 @@ void PackingBuilder::note_counts() {
   if (duplicated_ > 0)
     note(Finding::duplicated, many(duplicated_, "rows repeat a pair and were left out"));
   if (one_sided_ > 0)
-    note(Finding::one_sided, many(one_sided_, "pairs stand there from one side only"));
+    note(Finding::one_sided, many(one_sided_, "pairs are listed from one side only"));
   if (unsorted_)
     note(Finding::unsorted, "the contacts were not in the order of their grains");
   if (through_faces_ > 0)
@@ -439,7 +438,7 @@ void PackingBuilder::note_counts() {
          many(neighbours_, "rows without overlap and force are neighbours, not contacts; left out"));
   if (const std::size_t walls = packing_.assembly.wall_contacts.size(); walls > 0)
     note(Finding::wall_contacts,
-         many(walls, "contacts with walls bear stress, but count in neither C_n nor fabric"));
+         many(walls, "contacts with walls carry stress, but count in neither C_n nor fabric"));
 }
 
 ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {

@@ -67,7 +67,7 @@ class DigitWatch {
   double largest_ = 0;
 };
 
-/// Puts the rows of any format together to one packing, and refuses what cannot be one.
+/// Combines the rows of any format into a packing, and rejects impossible ones.
 class PackingBuilder {
  public:
   PackingBuilder(std::string grain_file, std::string contact_file)
@@ -83,7 +83,7 @@ class PackingBuilder {
   /// Index of the grain of an id.
   /// \throws   FileError if there is none
   [[nodiscard]] std::uint32_t index(long id, std::size_t line) const;
-  /// The same; nothing if there is none.
+  /// The same; empty if there is none.
   [[nodiscard]] std::optional<std::uint32_t> find(long id) const;
   [[nodiscard]] double radius(std::uint32_t grain) const { return packing_.assembly.radius[grain]; }
   [[nodiscard]] double radius_sum(std::uint32_t a, std::uint32_t b) const { return radius(a) + radius(b); }
@@ -95,9 +95,9 @@ class PackingBuilder {
   [[nodiscard]] Vec3 nearest(const Vec3& difference) const { return cell_.nearest(difference); }
   /// The line of centres from a to b that a row means which does not state it: of the images that the two
   /// grains can touch through, in cells narrower than two diameters perhaps several, the one that fits best.
-  /// Rows of a pair that fit several images alike take one after the other.
-  /// \param    direction   from a to b, of any length; zero if the row does not tell it
-  /// \param    distance    of the centres, if the row tells it [m]
+  /// Rows of a pair that fit several images equally are assigned to one after the other.
+  /// \param    direction   from a to b, of any length; zero if not in the row
+  /// \param    distance    of the centres, if in the row [m]
   [[nodiscard]] Vec3 touching_image(std::uint32_t a, std::uint32_t b, const Vec3& direction,
                                     std::optional<double> distance);
   /// Whether two grains may touch through several images.
@@ -117,16 +117,16 @@ class PackingBuilder {
   void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
   /// \param    unit   that the coordinates are in [m]
   void note_digits(const DigitWatch& coordinates, std::string_view what, double unit = 1);
-  /// The same of what the overlaps are taken from, where the rows of contacts state it.
+  /// The same for the source of the overlaps, if the rows of contacts contain it.
   void note_overlap_digits(const DigitWatch& numbers, std::string_view what, double unit = 1);
   void note_force_digits(const DigitWatch& forces) { packing_.rounding.force = forces.relative_rounding(); }
   /// Lengths of single precision, up to the largest of the coordinates.
   void note_single_precision(std::string text);
   /// Makes room for so many rows of contacts.
   void expect_contacts(std::size_t rows) { entries_.reserve(rows); }
-  /// Tells the builder that the files hold every pair twice, once from each side.
+  /// Declares that the files contain every pair twice, once from each side.
   void expect_both_sides() { both_sides_ = true; }
-  /// Tells the builder that the files hold no forces: then a row without force is a contact all the same.
+  /// Declares that the files contain no forces: rows without force are then contacts too.
   void expect_no_forces() { forces_known_ = false; }
 
   /// The packing with its contacts sorted, each pair once.
@@ -147,11 +147,11 @@ class PackingBuilder {
 
   void bound_grains();
   void take_bodies(const std::vector<GrainRow>& rows);
-  /// Contacts inside of a body bear nothing.
+  /// Contacts inside of a body carry no force.
   void drop_inner_contacts();
   /// Compares the sums of the contact forces with those that the file of grains states.
   void compare_forces();
-  /// Up to where two grains are looked for that a file says touch.
+  /// Largest distance in the search for the image of a listed pair.
   [[nodiscard]] double reach(std::uint32_t a, std::uint32_t b) const;
   void merge(std::span<const std::uint32_t> group);
   void merge_image(std::span<const std::uint32_t> rows);
@@ -174,7 +174,7 @@ class PackingBuilder {
   bool unsorted_ = false;
   std::vector<Entry> entries_;
   std::vector<packing::Contact> own_images_; ///< of grains with their own images, each once
-  std::vector<Vec3> stated_force_;           ///< on each grain; empty where the files do not tell it
+  std::vector<Vec3> stated_force_;           ///< on each grain; empty if not in the files
   /// Images that rows without a line of centres have been given, of pairs with several.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> taken_;
   std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;

@@ -54,12 +54,12 @@ void require_one_packing(const std::vector<PackingFile>& files) {
 
 namespace {
 
-/// A file that a name stands for, and its place there.
+/// A file of a name, and its position in it.
 struct NamedFile {
   PackingFile file;
   std::string name; ///< that was given
   std::size_t place = 0;
-  std::optional<double> time = {}; ///< as the series says
+  std::optional<double> time = {}; ///< from the series
 };
 
 bool is_series(const fs::path& name) {
@@ -85,7 +85,7 @@ std::vector<NamedFile> files_of(const fs::path& name) {
   return out;
 }
 
-/// Whether a number of the name has a decimal point: of such names only the files tell which comes first.
+/// Whether a number of the name has a decimal point: the order of such names is found in the files only.
 bool has_decimals(const std::string& name) {
   const auto digit = [&](std::size_t k) { return k < name.size() && name[k] >= '0' && name[k] <= '9'; };
   for (std::size_t k = 1; k + 1 < name.size(); ++k)
@@ -94,7 +94,7 @@ bool has_decimals(const std::string& name) {
   return false;
 }
 
-/// The first time step of a dump; nothing of other files.
+/// The first time step of a dump; empty for other files.
 std::optional<double> first_step(const NamedFile& file) {
   std::error_code unknown;
   if (file.file.kind().format != &lammps_dump_format || !fs::is_regular_file(file.file.path(), unknown))
@@ -106,7 +106,7 @@ std::optional<double> first_step(const NamedFile& file) {
   return std::nullopt;
 }
 
-/// Steps by which files are sorted whose names differ in decimal numbers; none where the names tell.
+/// Time steps to sort files whose names differ in decimal numbers; none if the names suffice.
 std::vector<double> steps_of(const std::vector<NamedFile>& files) {
   std::vector<std::string> names;
   for (const NamedFile& file : files)

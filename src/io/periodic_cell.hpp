@@ -9,7 +9,7 @@
 namespace granum::io {
 
 /// Whether an edge of a box along the axes, or of LAMMPS' tilted ones, ends before it begins: no order of
-/// edges mends bounds that stand the wrong way round.
+/// edges corrects bounds in reverse order.
 [[nodiscard]] bool is_upside_down(const Mat3& cell);
 
 /// Shortens periodic edges by others until none leans by more than half of another: a cell of the same

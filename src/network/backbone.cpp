@@ -22,7 +22,7 @@ double effective_tangential_stiffness(const packing::Contact& c, SlidingContacts
   return c.sliding && sliding == SlidingContacts::release ? 0 : c.tangential_stiffness;
 }
 
-/// With the units of the contact.
+/// In the units of the contact.
 Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii,
           const ResponseOptions& options) {
   const double length = norm(c.branch);
@@ -37,7 +37,7 @@ Link link(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double ra
 }
 
 LoadedContact loaded(const packing::Contact& c, std::uint32_t i, std::uint32_t j, double radii) {
-  // k_n ~ overlap^(1/alpha), 1 + 1/alpha = k_n overlap/f, and k_t goes with it
+  // k_n ~ overlap^(1/alpha), 1 + 1/alpha = k_n overlap/f, and k_t is proportional to k_n
   const bool pressed = c.normal_force > 0 && c.overlap > 0;
   return {.i = i,
           .j = j,
@@ -58,7 +58,7 @@ bool any_contact(const packing::Assembly& assembly, const Holds& holds) {
          std::any_of(assembly.wall_contacts.begin(), assembly.wall_contacts.end(), holds);
 }
 
-/// The grains of an assembly, and the bodies that they form where they do.
+/// The grains of an assembly, and the rigid bodies that they form, if any.
 class Grains {
  public:
   explicit Grains(const packing::Assembly& assembly) : assembly_(assembly) {
@@ -66,14 +66,14 @@ class Grains {
       bodies_ = packing::bodies(assembly);
   }
 
-  /// What moves: one grain a body.
+  /// The assembly with each body as one grain.
   [[nodiscard]] const packing::Assembly& moving() const { return bodies_ ? bodies_->assembly : assembly_; }
-  /// The contact between grains that number k of moving() is.
+  /// The contact between grains that belongs to contact k of moving().
   [[nodiscard]] const packing::Contact& contact(std::size_t k) const {
     return assembly_.contacts[bodies_ ? bodies_->contact[k] : k];
   }
 
-  /// From the first body to the second.
+  /// Unit vector from the first body to the second.
   [[nodiscard]] Vec3 contact_normal(const packing::Contact& moving, std::size_t k) const {
     return is_turned(moving, k) ? -normal(contact(k)) : normal(contact(k));
   }
@@ -116,7 +116,7 @@ class Grains {
   std::optional<packing::Bodies> bodies_;
 };
 
-/// Seen from the other side.
+/// With both sides exchanged.
 Joint turned(const Joint& j) {
   return {.branch = -j.branch,
           .arm_a = j.arm_b,
@@ -127,7 +127,7 @@ Joint turned(const Joint& j) {
           .per_radius_b = j.per_radius_a};
 }
 
-/// Sorts links, and what goes with them where there is any.
+/// Sorts links, and their joints, if any.
 template <class Before>
 void sort_links(std::vector<Link>& links, std::vector<Joint>& joints, const Before& before) {
   std::vector<std::size_t> order(joints.size());

@@ -13,7 +13,7 @@
 namespace granum::network {
 
 /// One contact of the load-bearing network, made dimensionless by Backbone's two scales; a < b. At a wall b
-/// is the wall, which has no displacement beyond the uniform strain, and no place among the unknowns.
+/// is the wall, which moves with the uniform strain and has no unknowns.
 struct Link {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -26,8 +26,8 @@ struct Link {
   double prestress = 0; ///< f_n / |branch|, or 0 when the prestress term is left out
 };
 
-/// What a contact has beyond its Link where it resists turning, or joins bodies of several grains; with the
-/// units of Backbone. Spins are taken as t = R w with the body's radius R.
+/// Additional data of a contact that resists rolling or twisting, or joins bodies of several grains; in the
+/// units of Backbone. Spins are t = R w with the body's radius R.
 struct Joint {
   Vec3 branch;         ///< from the centre of a to that of b, or to the foot on the wall
   Vec3 arm_a, arm_b;   ///< from either centre to the contact point, over the body's R
@@ -36,7 +36,7 @@ struct Joint {
   double per_radius_a = 0, per_radius_b = 0; ///< 1/R
 };
 
-/// What the forces of a contact between two grains have to do with their motions, with the units of Backbone.
+/// Forces of a contact between two grains, in the units of Backbone.
 struct LoadedContact {
   std::uint32_t i = 0;
   std::uint32_t j = 0;
@@ -55,16 +55,16 @@ struct Backbone {
   double length_scale = 1;                ///< mean branch length [m]
   std::vector<Link> links;                ///< sorted by (b, a)
   std::vector<Link> wall_links;           ///< sorted by a; b is a's number too
-  std::vector<Joint> joints;              ///< of the links; empty where they need none
-  std::vector<Joint> wall_joints;         ///< of the wall links, there if joints or these are needed
-  std::vector<LoadedContact> loaded;      ///< empty unless force terms are asked for
-  std::vector<std::vector<Piece>> stages; ///< of the numbers
-  std::vector<std::uint32_t> grain;       ///< of the assembly, or of its bodies, that has each number
+  std::vector<Joint> joints;              ///< of the links; empty if none is needed
+  std::vector<Joint> wall_joints;         ///< of the wall links; empty if none is needed
+  std::vector<LoadedContact> loaded;      ///< empty unless options.force_terms
+  std::vector<std::vector<Piece>> stages; ///< pieces of the numbering
+  std::vector<std::uint32_t> grain;       ///< number in the assembly, or among its bodies
   std::vector<Vec3> centre;               ///< of each grain, inside the cell
   std::vector<double> radius;
   Mat3 cell; ///< columns are its three edges
 
-  /// Of one of `links` or `wall_links`; null where they have none.
+  /// Of one of `links` or `wall_links`; null if it has none.
   [[nodiscard]] const Joint* joint_of(const Link& link) const {
     return joints.empty() ? nullptr : &joints[static_cast<std::size_t>(&link - links.data())];
   }
@@ -73,9 +73,8 @@ struct Backbone {
   }
 };
 
-/// Rattlers out, sliding contacts treated as the options say, units removed.
-/// \param    soft   of each grain of the assembly, whether it is numbered as one that is barely held in any
-///                  case; or empty
+/// Removes rattlers and units, and treats sliding contacts according to the options.
+/// \param    soft   for each grain of the assembly: number it as weakly supported; or empty
 [[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                                             const std::vector<bool>& soft = {});
 

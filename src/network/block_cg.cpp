@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Block conjugate gradients whose residuals are kept orthonormal [OLeary1980; Dubrulle2001]: as the load
-// cases converge, their residuals all turn into the few softest modes, and a plain block method loses its
-// directions. Notation: q solution; residual r = w sigma with w^T z = 1, z = M^-1 w; directions p, s = H p,
-// zeta = (p^T s)^-1.
+// cases converge, their residuals become combinations of the few softest modes, and a plain block method
+// loses its directions. Notation: q solution; residual r = w sigma with w^T z = 1, z = M^-1 w; directions p,
+// s = H p, zeta = (p^T s)^-1.
 #include "block_cg.hpp"
 
 #include <algorithm>
@@ -22,26 +22,27 @@ using elastic::Matrix6;
 
 // Directions whose scaled energy is below this are rounding noise of the others.
 constexpr double dependent = 1e-13;
-// A negative energy of this size is no rounding noise.
+// A negative energy of this relative size is not rounding noise.
 constexpr double indefinite = 1e-8;
 // Forces below this part of the terms that cancel in them are rounding noise: a lattice has W = 0.
 constexpr double noise = 1e-13;
-// Residuals are measured against at least this part of those terms. In a lattice whose places were rounded
-// W is what that left, 1e-10 of them, and the tolerance would ask for less than the rounding of one force.
-// What is left of the work is r^T H^-1 r, where r is 1e-13 of the terms at the tolerance 1e-10.
+// Residuals are relative to at least this fraction of those terms. In a lattice with rounded positions W is
+// 1e-10 of them, and the tolerance would require less than the rounding of one force. The error of the work
+// is r^T H^-1 r, with r = 1e-13 of the terms at the tolerance 1e-10.
 constexpr double least_load = 1e-3;
-// The recursive residual drifts from the true one; starting again from the true one mends it.
+// The recursive residual drifts from the true one; restarts begin with the true one.
 constexpr int restarts = 5;
-// Loose networks have modes without any stiffness, and others with 1e-13 of it. No load is on the former, but
-// rounding is, and now and then it grows until nothing else is left. Growth of the residual over its least
-// value that no sound solution shows:
+// Loose networks have modes without stiffness, and others with 1e-13 of the usual one. The former carry no
+// load, but rounding can grow along them without limit. Growth of the residual over its least value that no
+// regular solution shows:
 constexpr double runaway = 1e6;
-// Solutions better than this are kept: asked for more than rounding allows, the next may be far worse.
+// Solutions with a smaller residual are kept: if the tolerance is below what rounding allows, later ones may
+// be far worse.
 constexpr double near_rounding = 1e-11;
-// Springs that then hold every grain while the solver starts again, over the mean k_n.
+// Springs to the ground with which the solver then restarts, over the mean k_n.
 constexpr double holding_spring = 1e-14;
 
-// An energy is a sum over contacts whose stiffness is about 1; each comes with rounding of this share of the
+// An energy is a sum over contacts whose stiffness is about 1; the rounding of each is this fraction of the
 // squares of the motion.
 constexpr double rounding_of_energy = 1e-14;
 
@@ -99,7 +100,8 @@ class Relaxation {
     if (!arrived(size) && !best_.empty() && best_residual_ < worst_of(size)) {
       q_ = best_;
       size = true_residual();
-      if (solution.status == Status::not_positive_definite) // on the way from the best: by rounding
+      if (solution.status ==
+          Status::not_positive_definite) // it appeared after the best solution: by rounding
         solution.status = Status::iteration_limit;
     }
     if (solution.status == Status::converged && !arrived(size))
@@ -111,15 +113,15 @@ class Relaxation {
   }
 
  private:
-  /// Whether the energy of a negative direction among those of p is more than rounding makes of it. Contacts
-  /// without prestress never are.
+  /// Whether the energy of a negative direction of p is beyond rounding. Never for contacts without
+  /// prestress.
   [[nodiscard]] bool is_unstable(const Matrix6& energies, const Vector6& direction) const {
     const double energy = direction.dot(energies * direction);
     const double squares = direction.dot(products<Dof>(workers_, p_, p_) * direction);
     return energy < -rounding_of_energy * squares;
   }
 
-  /// Load cases whose forces cancel on every grain are solved by q = 0.
+  /// For load cases whose forces cancel on every grain, q = 0 is the solution.
   void silence_noise(const PerCase& terms) {
     const PerCase size = norms(load_);
     for (std::size_t c = 0; c < size.size(); ++c)
@@ -144,7 +146,7 @@ class Relaxation {
     return true;
   }
 
-  /// Over the load, of the worst load case.
+  /// Largest residual over its load.
   [[nodiscard]] double worst_of(const PerCase& size) const {
     double worst = 0;
     for (std::size_t c = 0; c < size.size(); ++c)
@@ -205,7 +207,7 @@ class Relaxation {
       least = std::min(least, worst);
       ran_away_ = worst > runaway * least;
       if (ran_away_)
-        return Status::converged; // as far as it goes: the true residual tells
+        return Status::converged; // the caller computes the true residual
       sigma = turn_directions() * sigma;
     }
     return Status::iteration_limit;
@@ -225,9 +227,9 @@ class Relaxation {
   const ResponseOptions& options_;
   const Workers& workers_;
   Field<Dof> load_, q_, w_, p_, s_;
-  Field<Dof> best_; ///< q of the least residual near rounding
+  Field<Dof> best_; ///< q with the least residual near rounding
   double best_residual_ = near_rounding;
-  PerCase size_{}; ///< of load_, against which residuals are measured
+  PerCase size_{}; ///< of load_, or least_load of its terms; the unit of residuals
   double hold_ = 0;
   bool ran_away_ = false; ///< in the last iterations
 };

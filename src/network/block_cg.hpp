@@ -13,7 +13,7 @@ struct Solution {
   Status status = Status::converged;
   int iterations = 0;
   double residual = 0;                              ///< worst load case, relative to its right-hand side
-  elastic::Matrix6 work = elastic::Matrix6::Zero(); ///< W^T q, the (negative) energy that relaxation gains
+  elastic::Matrix6 work = elastic::Matrix6::Zero(); ///< W^T q, the (negative) energy of relaxation
   ForceEnergies by_forces;                          ///< of the motions q, if the backbone has loaded contacts
 };
 

@@ -5,10 +5,10 @@
 // A contact with a joint has delta = u_b - u_a + t_b x r_b - t_a x r_a, r its arms, and a moment
 // k_r (1 - n n) + k_twist n n on the turn t_b/R_b - t_a/R_a.
 //
-// A contact with a wall has u_b = t_b = 0. Its normal turns with the wall, against the sense in which a line
-// of grains would turn, and never with the grain: with h' = n'.(F (x - p) + u) for the distance from a plane
-// of points p, n' ~ F^-T n, F = 1 + E, the second order of U(h') holds +3 g where two grains have -g in E b,
-// E b, the opposite sign in E b, u, and nothing in u, u.
+// A contact with a wall has u_b = t_b = 0. Its normal turns with the wall, opposite to the rotation of a
+// line of grains, and never with the grain: with h' = n'.(F (x - p) + u) for the distance from a plane of
+// points p, n' ~ F^-T n, F = 1 + E, the second order of U(h') has +3 g in (E b, E b), where two grains have
+// -g; the opposite sign in (E b, u); and nothing in (u, u).
 #include "contact_operator.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <span>
 
 #include "core/vector/level.hpp"
-#include "link_answer.hpp"
+#include "link_forces.hpp"
 #include "strains.hpp"
 
 namespace granum::network {
@@ -28,17 +28,17 @@ GRANUM_INLINE void sweep(const Link* links, std::size_t count, const Joint* join
                          Rows<Dof>* y) {
   if (joints == nullptr)
     for (std::size_t c = 0; c < count; ++c)
-      answer<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
+      add_link_forces<Dof>(links[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
   else
     for (std::size_t c = 0; c < count; ++c)
-      answer<Dof>(links[c], joints[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
+      add_link_forces<Dof>(links[c], joints[c], x[links[c].a], x[links[c].b], y[links[c].a], y[links[c].b]);
 }
 
 template <int Dof>
 GRANUM_INLINE void sweep_walls(const Link* links, std::size_t count, const Joint* joints, const Rows<Dof>* x,
                                Rows<Dof>* y) {
   for (std::size_t c = 0; c < count; ++c)
-    answer_to_wall<Dof>(links[c], joints == nullptr ? nullptr : joints + c, x[links[c].a], y[links[c].a]);
+    add_wall_forces<Dof>(links[c], joints == nullptr ? nullptr : joints + c, x[links[c].a], y[links[c].a]);
 }
 
 using Matrix3 = Eigen::Matrix3d;
@@ -71,7 +71,7 @@ Kinematics<Dof> kinematics(const Link& l, const Joint* joint, double sign) {
   return b;
 }
 
-/// What moves with the cell: the branch of the bodies.
+/// The branch that deforms with the cell: that between the bodies.
 Vec3 branch_of(const Link& l, const Joint* joint) {
   return joint == nullptr ? l.length * l.normal : joint->branch;
 }
@@ -111,7 +111,8 @@ void apply_stiffness(const Backbone& backbone, const Workers& workers, double ho
       for (std::size_t g = piece.first; g < piece.last; ++g)
         for (int d = 0; d < Dof; ++d)
           y[g].row[d] = hold * x[g].row[d];
-      // the earlier end of a link is in the same piece, or in an earlier stage and of this piece alone
+      // the earlier end of a link is in this piece, or in an earlier stage and linked to no other piece of
+      // this stage
       const auto links = links_of(backbone.links, piece, &Link::b);
       const auto walls = links_of(backbone.wall_links, piece, &Link::a);
       const Joint* joints = links.empty() ? nullptr : backbone.joint_of(links.front());

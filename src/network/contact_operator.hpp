@@ -13,7 +13,7 @@
 namespace granum::network {
 
 /// y = H x. Unknowns of a grain: u (3), and for Dof = 6 also R w (3), both displacements.
-/// \param    hold   spring that holds each of them in place, over the mean k_n
+/// \param    hold   stiffness of a spring from each unknown to the ground, over the mean k_n
 template <int Dof>
 void apply_stiffness(const Backbone& backbone, const Workers& workers, double hold, const Field<Dof>& x,
                      Field<Dof>& y);
@@ -22,14 +22,13 @@ void apply_stiffness(const Backbone& backbone, const Workers& workers, double ho
 template <int Dof>
 [[nodiscard]] Field<Dof> affine_forces(const Backbone& backbone);
 
-/// Size of the terms that cancel in W: per load case, the root of the summed squares of the contact forces.
+/// Size of the terms that cancel in W: root of the sum of squares of the contact forces, per load case.
 [[nodiscard]] PerCase affine_force_scale(const Backbone& backbone);
 
 /// A = sum over contacts of E^T K E, dimensionless.
 [[nodiscard]] elastic::Matrix6 affine_energy(const Backbone& backbone);
 
-/// The two blocks of one link: what it adds to the diagonal of both its grains, and the coupling of b (rows)
-/// to a.
+/// Blocks of one link: contributions to the diagonal of both grains, and the coupling of b (rows) to a.
 template <int Dof>
 struct LinkBlocks {
   Block<Dof> diagonal_a;
@@ -39,7 +38,7 @@ struct LinkBlocks {
 template <int Dof>
 [[nodiscard]] LinkBlocks<Dof> link_blocks(const Link& link, const Joint* joint);
 
-/// What a contact with a wall adds to the diagonal of its grain.
+/// Contribution of a contact with a wall to the diagonal of its grain.
 template <int Dof>
 [[nodiscard]] Block<Dof> wall_block(const Link& link, const Joint* joint);
 

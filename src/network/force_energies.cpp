@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notation: as in contact_operator.cpp, with v = E b + u_j - u_i, omega = s (t_i + t_j) and the force f n + s
 // on j; primes mark the motion that a change of forces works on. With motions v, omega the force on j changes
-// by f dn - n (s.dn), dn = (1 - n n) v/l, as the engine keeps s across the new normal, and the torque on
-// either grain, -a n x s, by the part of v x s and n x ds. So the forces' part of the energy is, per contact,
+// by f dn - n (s.dn), dn = (1 - n n) v/l, because the engine keeps s normal to the new n. The torque on
+// either grain, -a n x s, changes by the terms of v x s and n x ds. The energy of the forces per contact is
 //   -(f/l) v_t.v_t' + (s.v)(n.v')/l + v.(s x omega')/l,
-// which is 0 where a grain turns about the line through its two contacts. What unloads sheds s in proportion
-// to k_t: half of it in the mean of both ways, a force -s kappa (n.v)/2 against v' + n x omega'.
-// The mean stress S of these forces adds what the cell changes: the sum of f.(E' E b) as branches turn and
-// stretch, and S tr E as the volume grows.
+// which is 0 for a grain that rotates about the line through its two contacts. Contacts that unload lose s in
+// proportion to k_t, half of that in the mean of loading and unloading: a force -s kappa (n.v)/2 against
+// v' + n x omega'. The change of the cell adds, with the mean stress S of these forces, the sum of f.(E' E b)
+// as branches turn and stretch, and S tr E as the volume grows.
 #include "force_energies.hpp"
 
 #include "strains.hpp"
@@ -35,7 +35,7 @@ Motion motion_of(const LoadedContact& c, const Field<Dof>& q) {
   return m;
 }
 
-/// What the change of the cell adds under the sum of force (x) branch.
+/// Contribution of the change of the cell, with the sum of force (x) branch.
 Matrix6 cell_energy(const Eigen::Matrix3d& stress) {
   Matrix6 energy;
   for (int a = 0; a < load_cases; ++a)

@@ -15,7 +15,7 @@ struct ForceEnergies {
   elastic::Matrix6 shedding = elastic::Matrix6::Zero();
 };
 
-/// What forces add to the energies of motions q under unit uniform strains.
+/// Contribution of the contact forces to the energies of the motions q under unit uniform strains.
 template <int Dof>
 [[nodiscard]] ForceEnergies force_energies(const Backbone& backbone, const Field<Dof>& q);
 

@@ -16,7 +16,7 @@ inline constexpr int load_cases = 6;
 /// One number of every load case; lanes 6 and 7 stay zero.
 using Lanes = Eight;
 
-/// One number of every load case, where no pass over grains is made.
+/// One number of every load case, outside of passes over grains.
 using PerCase = std::array<double, std::size_t{load_cases}>;
 
 /// Degrees of freedom of one grain (rows) for every load case (lanes).

@@ -21,16 +21,16 @@ namespace {
 
 using elastic::Matrix6;
 
-/// Iterations in which a solver with a good factor arrives; packings take 20 to 110.
+/// Iterations that suffice with a good factor; packings take 20 to 110.
 constexpr int patience = 150;
 
-/// What one factor came to, within a number of iterations.
+/// Result with one factor.
 struct Attempt {
   FactorRule rule;
   Solution solution;
   std::size_t factor_nonzeros = 0, mended_pivots = 0;
 
-  /// Another factor would not change the answer.
+  /// Whether another factor would not change the result.
   [[nodiscard]] bool is_final() const { return solution.status != Status::iteration_limit; }
 };
 
@@ -39,8 +39,8 @@ Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const Fac
                 ResponseOptions options, int iteration_limit, const Workers& workers) {
   const Preconditioner<Dof> preconditioner(
       backbone, workers,
-      judges(rule.soft_pivots) ? factor_with_soft_first<Dof>(assembly, options, rule, workers, backbone)
-                               : IncompleteFactor<Dof>(backbone, workers, rule));
+      uses_motions(rule.soft_pivots) ? factor_with_soft_first<Dof>(assembly, options, rule, workers, backbone)
+                                     : IncompleteFactor<Dof>(backbone, workers, rule));
   options.iteration_limit = iteration_limit;
   return {.rule = rule,
           .solution = relax<Dof>(backbone, preconditioner, options, workers),
@@ -48,8 +48,9 @@ Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const Fac
           .mended_pivots = preconditioner.factor().mended_pivots()};
 }
 
-/// H q = -W. Each factor in turn is given some iterations, the one that came nearest the rest.
-/// \param    backbone   of the assembly; may be numbered anew
+/// Solves H q = -W. Each factor in turn gets `patience` iterations; then the one with the least residual the
+/// rest.
+/// \param    backbone   of the assembly; may be renumbered
 template <int Dof>
 Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const ResponseOptions& options,
                     Response::Report& report) {
@@ -79,10 +80,10 @@ Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const
 }
 
 std::string failure_text(const Response::Report& report) {
-  return detail::formatted("network response %s after %d iterations, relative residual %.3g",
-                           report.status == Status::not_positive_definite
-                               ? "is that of an unstable network, found"
-                               : "did not converge",
+  if (report.status == Status::not_positive_definite)
+    return detail::formatted("network is unstable (negative energy after %d iterations, residual %.3g)",
+                             report.iterations, report.residual);
+  return detail::formatted("network response did not converge (%d iterations, relative residual %.3g)",
                            report.iterations, report.residual);
 }
 
@@ -103,16 +104,16 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   require_positive("threads", static_cast<double>(options.threads));
   if (options.force_terms && !assembly.wall_contacts.empty())
     throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
-                          " contacts with walls, of which they are not known");
+                          " contacts with walls, for which they are not implemented");
 
   const auto turns = [](const packing::Contact& c) {
     return c.rolling_stiffness > 0 || c.twisting_stiffness > 0;
   };
   if (options.force_terms && std::any_of(assembly.contacts.begin(), assembly.contacts.end(), turns))
-    throw InvalidArgument("force_terms: contacts resist rolling or twisting, of which they are not known");
+    throw InvalidArgument("force_terms: not implemented for contacts that resist rolling or twisting");
   if ((options.force_terms || options.prestress) && !assembly.body.empty())
     throw InvalidArgument(std::string(options.prestress ? "prestress" : "force_terms") +
-                          ": grains are parts of rigid bodies, of which it is not known");
+                          ": not implemented for grains that are parts of rigid bodies");
 
   Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,

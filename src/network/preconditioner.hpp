@@ -11,7 +11,8 @@
 namespace granum::network {
 
 /// M^-1 of the conjugate gradients: an incomplete factor for short waves, motions of the nodes of a coarse
-/// grid for long ones. On residuals that do no work on any of these it is symmetric and positive definite.
+/// grid for long ones. It is symmetric and positive definite for residuals that do no work on the motions of
+/// the nodes.
 template <int Dof>
 class Preconditioner {
  public:
@@ -28,7 +29,7 @@ class Preconditioner {
       coarse_->correct(r, z);
   }
 
-  /// Moves q such that its residual r does no work on any motion of a node.
+  /// Changes q such that its residual does no work on the motions of the nodes.
   void lift_coarse_residual(const Field<Dof>& r, Field<Dof>& q) const {
     if (coarse_)
       coarse_->add_lifted(r, q);

@@ -9,11 +9,11 @@
 
 namespace granum::network {
 
-/// The threads of one solution. Work is cut into parts that do not depend on their number, and parts that run
-/// side by side write nothing in common: the same bits for any number of threads.
+/// The threads of one solution. The division of work does not depend on their number, and parts that run at
+/// the same time write to different data: the same bits for any number of threads.
 class Workers {
  public:
-  /// \param    team   null: the caller alone
+  /// \param    team   null: only the calling thread
   explicit Workers(Team* team = nullptr) : team_(team) {}
 
   /// part(k) for every k below `count`, in any order.

@@ -19,7 +19,8 @@ void assign(Contact& c, const contact::NormalLaw& law, double ratio, StiffnessFr
   c.tangential_stiffness = ratio * c.normal_stiffness;
 }
 
-/// A rigid plane, at which a grain stands as before its mirror image: F(2 d), with the derivative 2 F'(2 d).
+/// A rigid plane, at which a grain has a contact as with its mirror image: F(2 d), with the derivative 2 F'(2
+/// d).
 void assign_wall(Contact& c, const contact::NormalLaw& law, double ratio, StiffnessFrom from) {
   Contact mirrored = c;
   mirrored.overlap = 2 * c.overlap;

@@ -62,7 +62,7 @@ std::vector<Residual> residuals(const Assembly& assembly) {
 
 namespace {
 
-/// What is left on each body by what is left on its grains.
+/// Unbalanced forces of bodies from those of their grains.
 std::vector<Residual> residuals_of(const Bodies& bodies, const Assembly& assembly,
                                    const std::vector<Residual>& grains) {
   std::vector<Residual> result(bodies.assembly.grain_count());

@@ -58,8 +58,8 @@ void require_packing(const CementedPacking& p) {
 
 void note_if_outside(const char* what, double value, double low, double high, Validity& validity) {
   if (!(value >= low && value <= high))
-    validity.add(detail::formatted("%s is %.3g: the contact-cement regression holds in [%g, %g]", what, value,
-                                   low, high));
+    validity.add(detail::formatted("%s is %.3g: the contact-cement regression is valid in [%g, %g]", what,
+                                   value, low, high));
 }
 
 Validity range_notes(const CementedPacking& p, double alpha, const StiffnessRatios& lambda) {

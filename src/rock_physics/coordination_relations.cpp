@@ -33,7 +33,7 @@ PorosityRange porosity_range(CoordinationRelation relation) {
     return {.low = 0.2, .high = 0.7};
   }
   throw InvalidArgument(
-      "coordination relation is none of murphy_table, murphy_quadratic, murphy_exponential");
+      "coordination relation must be one of murphy_table, murphy_quadratic, murphy_exponential");
 }
 
 double coordination_number(double porosity, CoordinationRelation relation) {

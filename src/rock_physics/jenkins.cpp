@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The coefficients of the source as polynomials in k, with its own letters: the pair's response to the mean
-// strain (omega, alpha), what its neighbours add to it (gamma, rho), and their products (kappa, eta) in the
-// second and third order of 3/k.
+// strain (omega, alpha), the contribution of its neighbours (gamma, rho), and their products (kappa, eta) in
+// the second and third order of 3/k.
 #include <granum/rock_physics/jenkins.hpp>
 
 #include <numbers>

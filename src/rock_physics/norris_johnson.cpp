@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Under the strain e0 + e3 x^2 along the normal, x = n3, and with e = e0 + e3, c = e0/e, s = e3/e, the
-// stiffness of a contact goes with u = sqrt(c + s x^2) and its normal force with u^3.
+// stiffness of a contact is proportional to u = sqrt(c + s x^2), its normal force to u^3.
 // The textbook integrals of x^k sqrt(a^2 + x^2), a^2 = e0/e3, cancel as a grows: the fourth power is lost at
 // a = 1e4. Here they are used for a < 1 only, where they cost a bit or two. Beyond, a Gauss-Legendre rule
 // of 24 points on [-1, 1] errs by less than (1 + sqrt 2)^-48 = 4e-19: its branch points are at a >= 1.
@@ -26,7 +26,8 @@ struct Strain {
   double uniaxial;    ///< s
 };
 
-/// Means of the normal force u^3, of u^3 x^2, and what the tangential forces add to the latter at k_t = k_n.
+/// Means of the normal force u^3, of u^3 x^2, and the contribution of the tangential forces to the latter at
+/// k_t = k_n.
 struct StressMoments {
   double isotropic = 0;
   double axial = 0;
@@ -103,7 +104,7 @@ double tangential_moment(const Strain& e, const effective::kernel::AxialMoments<
   case StrainPath::simultaneous:
     return e.uniaxial * w.s2c2;
   }
-  throw InvalidArgument("strain path is none of hydrostatic_first, uniaxial_first, simultaneous");
+  throw InvalidArgument("strain path must be one of hydrostatic_first, uniaxial_first, simultaneous");
 }
 
 Validity checked(const StrainedPacking& p) {

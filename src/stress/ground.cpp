@@ -29,7 +29,7 @@ GroundStress stress_at(const Ground& ground, double depth) {
   require_valid(ground);
   require_non_negative("depth", depth, "m");
   const double table = ground.water_table.value_or(depth);
-  const double wet = std::clamp(depth - table, 0.0, depth); // of the depth, what lies under water
+  const double wet = std::clamp(depth - table, 0.0, depth); // part of the depth below the water table
   const double standing_water = std::max(0.0, -table);
   const double buoyant = ground.saturated_unit_weight - ground.water_unit_weight;
   const double u = ground.water_unit_weight * (wet + standing_water);

@@ -77,10 +77,10 @@ struct Probed {
   double amplitude;
 };
 
-/// Brings the specimen to rest in three stages: adaptive drag, descent, the drag of the waves.
-/// Grains held by two or three contacts rest last: what holds them is 1e-5 times as stiff as a contact. With
-/// the drag of the waves they creep for tens of thousands of steps, under the adaptive drag for thousands; in
-/// a descent they swing to their places. But while a rattler is being squeezed out, no grain comes to rest
+/// Brings the specimen to rest in three stages: adaptive drag, descent, the drag of the waves. Grains with
+/// two or three contacts come to rest last: their support is 1e-5 times as stiff as a contact. With the drag
+/// of the waves they creep for tens of thousands of steps, under the adaptive drag for thousands; in a
+/// descent they swing to their places. But while a rattler is being squeezed out, no grain comes to rest
 /// either way. Then the last stage runs, which also ends when the stress settles.
 dem::QuasistaticReport come_to_rest(dem::Engine& engine, double wave_drag,
                                     const dem::QuasistaticOptions& relax) {
@@ -177,7 +177,7 @@ ProbeResult sheared(Probed specimen, ShearMode mode, const ProbeOptions& options
   const double down = leg(1, -1);
   const std::size_t at_second_end = result.steps;
   const double end = leg(-1, 0);
-  // Where nothing slides the cycle closes but for the creep of rattlers, steady by the time that a leg ends.
+  // Without sliding the cycle closes except for the creep of rattlers, which is steady at the end of a leg.
   const double creep = options.sliding ? 0 : (end - start) / static_cast<double>(result.steps - at_start);
   if (keep)
     leg(0, 1);
@@ -238,7 +238,7 @@ const Mat3& FrozenState::stress() const {
 
 FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& material, double force_tolerance,
                             const StopRequest& stop_requested) {
-  // Two of 32 loose flat specimens have a state that takes four or five.
+  // Two of 32 loose flat specimens have a state that needs four or five.
   constexpr int tries = 6;
   FrozenState frozen = frozen_once(state, material, force_tolerance, stop_requested);
   for (int k = 1; k < tries && !frozen.at_rest(); ++k) {

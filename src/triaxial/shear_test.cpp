@@ -15,8 +15,9 @@ namespace granum::triaxial {
 
 namespace {
 
-/// A servo alone closes a gap in about this many steps; its integral takes integral_factor times as long.
-/// Critical damping needs 4; the specimen near its peak is many times softer than M, which takes damping.
+/// A servo alone closes a gap in about this many steps; its integral needs integral_factor times as long.
+/// Critical damping needs 4; the specimen near its peak is many times softer than M, which reduces the
+/// damping.
 constexpr double servo_steps = 13;
 constexpr double integral_factor = 10;
 /// Strain rate that a servo may reach, in driven rates: a dilating specimen near its peak needs 1 at most.
@@ -56,7 +57,7 @@ ShearTest::ShearTest(dem::Engine engine, const ShearOptions& options)
 ShearTest::ShearTest(dem::Specimen state, const dem::Material& material, const ShearOptions& options)
     : ShearTest(dem::Engine((require_valid(options), std::move(state)), material), options) {}
 
-/// Figures of the state as it stands; work is added by step().
+/// Quantities of the present state; step() adds the work.
 void ShearTest::measure() {
   const Vec3& stress = engine_.figures().boundary_stress;
   const Mat3& cell = engine_.cell();
@@ -71,7 +72,7 @@ double ShearTest::servo_rate(Servo& servo, double gap, double modulus, double li
   const double per_step = 1 / (servo_steps * integral_factor);
   const double proportional = gap / (modulus * servo_steps * engine_.time_step());
   const double wanted = proportional + servo.integral;
-  // The integral is held while the rate is at its limit, so that it does not overshoot later.
+  // The integral is constant while the rate is at its limit, to prevent overshoot.
   if (std::abs(wanted) < limit || wanted * gap < 0)
     servo.integral = std::clamp(servo.integral + per_step * proportional, -limit, limit);
   return std::clamp(wanted, -limit, limit);
@@ -154,7 +155,7 @@ bool ShearTest::passes_snapshot() {
 
 ShearEvent ShearTest::advance() {
   while (std::abs(now_.axial_strain) < options_.largest_strain) {
-    // Before the step: a test that is saved here and taken up again misses no snapshot.
+    // Before the step: a test that is saved here and resumed misses no snapshot.
     if (is_stopped(options_.stop_requested))
       return ShearEvent::stopped;
     step();
@@ -168,7 +169,7 @@ ShearEvent ShearTest::advance() {
 
 namespace {
 
-/// Members of a test beside its engine, so that writing and reading cannot fall out of step.
+/// Members of a test beside its engine, listed once for writing and reading.
 template <class Visit, class... Members>
 void each(const Visit& visit, Members&... members) {
   (visit(members), ...);

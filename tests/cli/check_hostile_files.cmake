@@ -81,7 +81,7 @@ attack("many frames" 0 [[awk 'BEGIN { for (k = 0; k < 10500; ++k) {
   printf "ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n", k
   printf "ITEM: ATOMS id radius x y z\n1 0.4 0.5 0.5 0.5\n" } }' | granum analyse /dev/stdin]])
 must(out "the last of 10000 frames")
-must(err "no frame behind the 10000th was read; choose others with --frames, such as 10000: ")
+must(err "only the first 10000 frames were read; select others with --frames, such as 10000: ")
 
 # out of memory
 attack("too many grains" 1 [[ulimit -v 200000

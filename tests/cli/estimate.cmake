@@ -274,8 +274,8 @@ granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve
 granum_cli_test("estimate: no sieve curve" EXIT 3 STDERR "no_such.csv.*cannot be read" ARGS ${dense} --sieve no_such.csv)
 granum_cli_test("estimate: sizes of no form" EXIT 2 STDERR "sizes 'normal:1' are not one of equal, bidisperse"
   ARGS ${dense} --sizes normal:1)
-granum_cli_test("estimate: sizes said twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity say the same"
+granum_cli_test("estimate: sizes said twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity mean the same"
   ARGS ${dense} --sizes uniform:1:2 --uniformity 2)
 granum_cli_test("estimate: a sieve curve says the radius" EXIT 2 STDERR "leave out --radius"
   ARGS ${dense} --sieve sieve.csv --radius 1mm)
-granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 say the same" ARGS ${dense} --radius 1mm --d50 2mm)
+granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 mean the same" ARGS ${dense} --radius 1mm --d50 2mm)

@@ -15,7 +15,7 @@ granum_cli_test("fit: isotropic path, sum only" EXIT 0 STDOUT "  s +0\\.3490"
   ARGS fit isotropic.csv --sum-only)
 granum_cli_test("fit: sum only has no m" EXIT 0 JSON "m=^$" ARGS fit isotropic.csv --sum-only --json)
 granum_cli_test("fit: isotropic path cannot tell m from n" EXIT 2
-  STDERR "m and n cannot be told apart: .*fit s alone" ARGS fit isotropic.csv)
+  STDERR "m and n cannot be separated: .*fit s alone" ARGS fit isotropic.csv)
 granum_cli_test("fit: a note is a warning" EXIT 0 STDOUT "s +0\\.51"
   STDERR "granum: warning: sigma_i/sigma_j changes"
   ARGS fit hv_dense_cone.csv --modulus-column G_hv --sum-only)

@@ -29,11 +29,11 @@ granum_new_user("a porosity in per cent" "estimate --porosity 38 --pressure 100k
 granum_new_user("a relative density in per cent" "estimate --sand toyoura --relative-density 60 --pressure 98kPa" 2 "write 60% for per cent")
 granum_new_user("compression is negative in codes" "estimate --void-ratio 0.6 --pressure -100kPa" 2 "compression is positive")
 granum_new_user("a size without unit" "estimate --d50 0.2 ${at}" 2 "--d50 = 0\\.2 has no unit; write [^\n]*0\\.2mm")
-granum_new_user("mm taken for m" "estimate --radius 0.5m ${at}" 0 "--radius 500 mm: [^\n]*was 500 um meant")
-granum_new_user("GPa taken for kPa" "estimate --grain-shear-modulus 44kPa ${at}" 0 "44 kPa: [^\n]*was 44 GPa meant")
-granum_new_user("GPa forgotten" "estimate --grain-shear-modulus 44Pa ${at}" 0 "44 Pa: [^\n]*was 44 GPa meant")
-granum_new_user("g/cm3 taken for kg/m3" "estimate --grain-density 2.65kg/m3 ${at}" 0 "was 2650 kg/m3 meant")
-granum_new_user("kPa taken for Pa" "estimate --void-ratio 0.6 --pressure 50Pa" 0 "--pressure 50 Pa[^\n]*was 50 kPa meant")
+granum_new_user("mm taken for m" "estimate --radius 0.5m ${at}" 0 "--radius 500 mm: [^\n]*did you mean 500 um")
+granum_new_user("GPa taken for kPa" "estimate --grain-shear-modulus 44kPa ${at}" 0 "44 kPa: [^\n]*did you mean 44 GPa")
+granum_new_user("GPa forgotten" "estimate --grain-shear-modulus 44Pa ${at}" 0 "44 Pa: [^\n]*did you mean 44 GPa")
+granum_new_user("g/cm3 taken for kg/m3" "estimate --grain-density 2.65kg/m3 ${at}" 0 "did you mean 2650 kg/m3")
+granum_new_user("kPa taken for Pa" "estimate --void-ratio 0.6 --pressure 50Pa" 0 "--pressure 50 Pa[^\n]*did you mean 50 kPa")
 granum_new_user("more contacts than there are" "estimate --void-ratio 0.9 --pressure 100kPa --mechanical-coordination-number 7" 0
   "no packing of equal spheres of void ratio 0\\.9 has so many contacts")
 
@@ -64,14 +64,14 @@ granum_new_user("a measured G_max" "infer --void-ratio 0.6 --pressure 100kPa --G
 granum_new_user("G measured" "infer --void-ratio 0.6 --pressure 100kPa --G 120MPa" 2 "--G; did you mean --shear-modulus")
 granum_new_user("V_s" "infer --void-ratio 0.6 --pressure 100 kPa --Vs 280 m/s" 2 "--Vs; did you mean --vs")
 granum_new_user("an equation" "estimate void-ratio=0.6 pressure=100kPa" 2 "write --void-ratio 0\\.6.*write --pressure 100kPa")
-granum_new_user("values alone" "estimate 0.6 100kPa" 2 "'0\\.6' is: the name of an option stands before each value")
+granum_new_user("values alone" "estimate 0.6 100kPa" 2 "'0\\.6': each value needs the name of its option")
 granum_new_user("a dash of a text processor" "estimate –void-ratio 0.6 --pressure 100kPa" 2 "write --void-ratio")
 granum_new_user("hyphens alone" "estimate --- 0.6" 2 "no option ---; granum estimate --help")
 granum_new_user("a value forgotten" "estimate --void-ratio --pressure 100kPa" 2 "--void-ratio has no value")
 granum_new_user("several mistakes, each named in the order typed" "estimate --pressure 100 --e 0.6 --radius 1,5mm" 2
   "--pressure = 100 has no unit.*no option --e.*--radius = '1,5mm'[^\n]* write 1\\.5mm")
 granum_new_user("twice" "estimate --pressure 100kPa --void-ratio 0.6 --pressure 200kPa" 2 "--pressure is given twice")
-granum_new_user("per cent of a tolerance" "estimate --tolerance 5 ${at}" 0 "--tolerance 5 is 500 %; was 5% meant")
+granum_new_user("per cent of a tolerance" "estimate --tolerance 5 ${at}" 0 "--tolerance 5 is 500 %; did you mean 5%")
 granum_new_user("a saturation beyond all pores" "estimate --saturation 101% ${at}" 2 "saturation = 1\\.01 is outside \\[0, 1\\]\n")
 granum_new_user("a relative density far beyond" "estimate --sand toyoura --relative-density 150% --pressure 98kPa" 2 "relative-density = 1\\.5 is outside \\[0, 1\\.2\\]\n")
 granum_new_user("a porosity beyond" "estimate --porosity 110% --pressure 98kPa" 2 "porosity = 1\\.1 is outside \\(0, 1\\)\n")
@@ -142,16 +142,16 @@ granum_new_user("a file that is not there" "fit moduli.csv" 3 "moduli\\.csv: can
 
 granum_cli_test("people: a likely slip stands in the JSON" EXIT 0 STDERR "warning: --void-ratio 60: is it per cent"
   JSON "warnings/0=^--void-ratio 60: is it per cent, 60%" ARGS estimate --void-ratio 60 --pressure 100kPa --json)
-granum_cli_test("people: of infer too, strictly" EXIT 4 STDERR "error: --grain-shear-modulus 44 kPa: softer than rubber; was 44 GPa meant"
+granum_cli_test("people: of infer too, strictly" EXIT 4 STDERR "error: --grain-shear-modulus 44 kPa: softer than rubber; did you mean 44 GPa"
   JSON "command=infer" ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 0.3m/s --grain-shear-modulus 44kPa --strict --json)
-granum_cli_test("people: of a path" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*state 1: --radius 500 mm: [^\n]*was 500 um meant" STDOUT "p_Pa"
+granum_cli_test("people: of a path" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*state 1: --radius 500 mm: [^\n]*did you mean 500 um" STDOUT "p_Pa"
   ARGS sweep --void-ratio 0.6 --radius 0.5m --from 10kPa --to 100kPa --points 2)
-granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*1 m: --d50 200 mm: [^\n]*was 200 um meant" STDOUT "s'_v"
+granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*1 m: --d50 200 mm: [^\n]*did you mean 200 um" STDOUT "s'_v"
   ARGS sweep --void-ratio 0.6 --d50 0.2m --depth 1m..2m --points 2)
 # rows of a table: each kind of slip once, with its first row and how many there are
 set(slips "2 of 4 states have a likely mistake, see notes; line 3: --void-ratio 60: is it per cent, 60%")
 granum_cli_test("people: of the rows of a table, counted" EXIT 0 STDERR "${slips}" ARGS sweep --table sweep_slips.csv
-  STDOUT "\nB,60,100,[^\n]*,\"?'--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*was 50 kPa meant[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
+  STDOUT "\nB,60,100,[^\n]*,\"?'--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*did you mean 50 kPa[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
 granum_cli_test("people: of another kind beside it" EXIT 0 STDERR "1 of 4 states have a likely mistake, see notes; line 4: --pressure 50 Pa"
   JSON "states/1/notes/0=^--void-ratio 60: is it" ARGS sweep --table sweep_slips.csv --json)
 granum_cli_test("people: of a table in the JSON" EXIT 0 STDERR "${slips}" JSON "warnings=2 of 4 states have a likely mistake"
@@ -159,12 +159,12 @@ granum_cli_test("people: of a table in the JSON" EXIT 0 STDERR "${slips}" JSON "
 granum_cli_test("people: of a table, strictly" EXIT 4 STDERR "error: ${slips}" STDOUT "sample" ARGS sweep --table sweep_slips.csv --strict)
 
 # scenes of simulations: said before anything is computed, and nothing is under --strict
-set(large "grain\\.radius 500 mm: grains so large are no sand; was 500 um meant")
+set(large "grain\\.radius 500 mm: grains so large are not sand; did you mean 500 um")
 set(small --set study.contacts=sphere --set study.grains=40 --set grain.radius=0.5m)
 granum_cli_test("people: of a scene" EXIT 0 STDERR "^granum: warning: ${large}[^\n]*\n$" JSON "warnings/0=^${large}" ARGS plan ${small} --json)
 granum_cli_test("people: of a scene, strictly" EXIT 4 STDERR "^granum: error: ${large}" STDOUT "granum verify would run" ARGS plan ${small} --strict)
 granum_cli_test("people: of a density and pressures" EXIT 0 JSON "command=plan"
-  STDERR "grain\\.density 2\\.65 kg/m3: [^\n]*was 2650 kg/m3 meant[^\n]*\n[^\n]*study\\.pressures 20 Pa[^\n]*was 20 kPa meant[^\n]*\n$"
+  STDERR "grain\\.density 2\\.65 kg/m3: [^\n]*did you mean 2650 kg/m3[^\n]*\n[^\n]*study\\.pressures 20 Pa[^\n]*did you mean 20 kPa[^\n]*\n$"
   ARGS plan --set grain.density=2.65kg/m3 --set study.pressures=20Pa,50Pa,90Pa --set study.probe_pressures=20Pa --json)
 foreach(command verify trade "export lammps --out of_a_slip" reproduce)
   separate_arguments(words UNIX_COMMAND "${command}")

@@ -10,7 +10,7 @@ granum_cli_test("reproduce: inertial number 0" EXIT 2
 granum_cli_test("reproduce: unknown boundary" EXIT 2
   STDERR "^granum: error: specimen\\.boundary: 'wall' is unknown; did you mean walls"
   ARGS reproduce --set specimen.boundary=wall)
-granum_cli_test("reproduce: --paper and --scene" EXIT 2 STDERR "^granum: error: --paper is a scene of its own"
+granum_cli_test("reproduce: --paper and --scene" EXIT 2 STDERR "^granum: error: --paper is itself a scene"
   ARGS reproduce --paper --scene scene_small.toml)
 granum_cli_test("reproduce: --resume and another scene" EXIT 2
   STDERR "^granum: error: --resume takes its scene and folder from the earlier run" ARGS reproduce --resume x --grains 100)

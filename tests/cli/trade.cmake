@@ -11,7 +11,7 @@ granum_trade_refuses("budget that is too small" 2 "budget = 0\\.001 s is outside
 granum_trade_refuses("negative budget" 2 "budget = -1 s is outside" --budget -1s)
 granum_trade_refuses("budget of nothing" 2 "budget = 0 s is outside" --budget 0s)
 granum_trade_refuses("unknown key" 2 "key 'grain\\.radios' is unknown" --set grain.radios=1mm)
-granum_trade_refuses("redraw and an extent" 2 "--redraw takes all from the earlier run" --redraw x --quick)
+granum_trade_refuses("redraw and an extent" 2 "--redraw uses the earlier run" --redraw x --quick)
 granum_trade_refuses("redraw of nothing" 3 "none/trade\\.csv: " --redraw none)
 granum_trade_refuses("folder that is a file" 3 "isotropic\\.csv: cannot be " --out isotropic.csv)
 

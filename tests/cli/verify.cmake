@@ -77,7 +77,7 @@ granum_cli_test("verify: JSON" EXIT 0 JSON
 
 granum_cli_test("verify: --strict fails where a finding differs, and says which" EXIT 1
   STDOUT "\"finding\": true" STDERR "^granum: error: differs from the paper: [^\n]*sphere: s is " ARGS verify ${small} --json --strict)
-granum_cli_test("verify: --report and another scene" EXIT 2 STDERR "^granum: error: --report takes all from the earlier run"
+granum_cli_test("verify: --report and another scene" EXIT 2 STDERR "^granum: error: --report uses the earlier run"
   ARGS verify --report x --grains 100)
 granum_cli_test("verify: --report of nothing" EXIT 3 STDERR "^granum: error: none/scene\\.toml: " ARGS verify --report none)
 

@@ -111,7 +111,7 @@ TEST_CASE("a list or a range in place of a number is named") {
   for (const char* text : {"0.6,0.7", "50kPa,100kPa", "50, 100", "10kPa..1MPa", "1;2"}) {
     CAPTURE(text);
     CHECK(refusal(text, Dimension::pressure) ==
-          "--x = '" + std::string(text) + "' holds several values, where one is expected");
+          "--x = '" + std::string(text) + "' contains several values; one is expected");
   }
 }
 

@@ -178,7 +178,7 @@ TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
     ByteWriter bytes;
     save_specimen(bytes, bad);
     ByteReader reader(bytes.bytes(), "bad");
-    CHECK_THROWS_WITH_AS((void)load_specimen(reader), "bad: holds an impossible state of its grains",
+    CHECK_THROWS_WITH_AS((void)load_specimen(reader), "bad: contains an impossible state of its grains",
                          FileError);
   };
   refused([](Specimen& s) { s.position.pop_back(); });

@@ -72,7 +72,7 @@ TEST_CASE("a motion that only rounding resists stays rigid where pivots are judg
   apply_stiffness<3>(backbone, alone, 0, motion, answer);
   CHECK(largest(answer) < 2 * weakest);
 
-  const FactorRule judged{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::judged};
+  const FactorRule judged{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::by_motion};
   const IncompleteFactor<3> factor(backbone, alone, judged);
   Field<3> load(4), moved(4);
   load[3].row[1] += 1; // the last grain, along the way that it is free to go

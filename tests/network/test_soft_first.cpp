@@ -36,7 +36,7 @@ TEST_CASE("with the grains of soft motions first the factor loses no pivot") {
         samples::large_network(28, 0.235 + 0.045 * static_cast<double>(seed % 1000) / 11, 1, seed);
     Backbone backbone = load_bearing_network(a, {});
     const FactorRule rule = factor_rules(backbone).front();
-    REQUIRE(judges(rule.soft_pivots));
+    REQUIRE(uses_motions(rule.soft_pivots));
     const IncompleteFactor<6> plain(backbone, one_worker, rule);
     CHECK_FALSE(plain.lost_grains().empty()); // or nothing is tested
     const auto pairs = joined(backbone);

@@ -138,5 +138,5 @@ TEST_CASE("a report without any data is a page all the same") {
   const std::string html = report(Experiment{});
   CHECK(well_formed(markup(html)));
   CHECK(html.find("Nothing was measured") != std::string::npos);
-  CHECK(html.find("There is nothing to draw") != std::string::npos);
+  CHECK(html.find("No figures.") != std::string::npos);
 }

@@ -326,7 +326,7 @@ TEST_CASE(
   CHECK(holds(with_terms(0.5, -0.3, 0), claim));
   for (const Verdict& verdict : verdicts(sphere_scene(), with_terms(0.5, -0.3, 0)))
     if (verdict.claim.starts_with(claim))
-      CHECK(verdict.measured.ends_with("; 1 held by forces left out"));
+      CHECK(verdict.measured.ends_with("; 1 stable by forces only, left out"));
 }
 
 TEST_CASE("verdict on what came to rest: three quarters, and the others by name") {

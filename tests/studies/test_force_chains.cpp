@@ -41,7 +41,7 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
   CHECK(chains->in_page.find("3.30") > strong);
   CHECK(chains->in_page.find("1.10") < strong);
   CHECK(chains->finding == "Force chains in a slice of 2 contacts: 1 of them are above the mean force and "
-                           "bear 75 % of all force.");
+                           "carry 75 % of all force.");
 }
 
 TEST_CASE("without pressing contacts there are no chains") {

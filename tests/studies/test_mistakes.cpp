@@ -52,9 +52,9 @@ TEST_CASE("mistakes: a good packing has none, whatever its unit of length") {
 }
 
 TEST_CASE("mistakes: diameters in the column of radii") {
-  CHECK(
-      warns_of_mistake(rescaled(1, 2), "does the column of radii hold diameters? Half of them make e = 0."));
-  CHECK_FALSE(warns_of_mistake(rescaled(1, 2), "stand in no row"));
+  CHECK(warns_of_mistake(rescaled(1, 2),
+                         "does the column of radii contain diameters? Halved, they give e = 0."));
+  CHECK_FALSE(warns_of_mistake(rescaled(1, 2), "are in no row"));
   CHECK_FALSE(warns_of_mistake(rescaled(1, 1), "void ratio"));
 }
 
@@ -81,10 +81,10 @@ TEST_CASE("mistakes: rows of contacts that are missing") {
     if (k % 2 == 1)
       a.contacts.erase(a.contacts.begin() + static_cast<std::ptrdiff_t>(k));
   CHECK(warns_of_mistake(through_dump(a),
-                         " pairs of overlapping spheres stand in no row of the contacts, and forces of "));
+                         " pairs of overlapping spheres are in no row of the contacts, and forces of "));
   packing::Assembly one = specimen();
   one.contacts.pop_back();
-  CHECK_FALSE(warns_of_mistake(through_dump(one), "stand in no row"));
+  CHECK_FALSE(warns_of_mistake(through_dump(one), "are in no row"));
 }
 
 TEST_CASE("mistakes: lengths in mm taken for m") {

@@ -129,7 +129,7 @@ TEST_CASE("overlaps: with the material, forces and moduli are those of the speci
   CHECK(frame.packing.network->G_vh() == relative(whole.packing.network->G_vh(), 1e-6));
   CHECK(frame.packing.counts.mechanical.coordination_number ==
         whole.packing.counts.mechanical.coordination_number);
-  CHECK(warns(frame, "overlapping spheres count as such, with the normal forces of the given material"));
+  CHECK(warns(frame, "overlapping spheres are used instead, with the normal forces of the given material"));
   CHECK_FALSE(warns(frame, "not at rest"));
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("overlaps: without a material there are contacts and no forces") {
   CHECK_FALSE(frame.packing.stress);
   CHECK_FALSE(frame.packing.forces);
   CHECK_FALSE(frame.packing.network);
-  CHECK(warns(frame, "overlapping spheres count as such, and forces are unknown"));
+  CHECK(warns(frame, "overlapping spheres are used instead, and forces are unknown"));
 }
 
 TEST_CASE(

@@ -109,7 +109,7 @@ TEST_CASE("window: what lies beyond the grains, or has no width, is refused") {
   refused(-1, 1, 2, "reaches beyond the grains along z");
   refused(2, 1, 0, "no width along x");
   refused(0, 1.5, 0, "width of the window along x");
-  refused(3, 3.5, 2, "holds no grain that bears load");
+  refused(3, 3.5, 2, "contains no grain that carries load");
 }
 
 TEST_CASE("window: the interior that is chosen lies two to three grains from walls, and is whole along "

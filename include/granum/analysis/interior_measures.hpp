@@ -16,7 +16,7 @@ struct Microstructure {
   double rattler_fraction = 0;
   double fabric_anisotropy = 0;       ///< a of E(gamma; a)
   double fabric_anisotropy_error = 0; ///< standard error
-  double sliding_fraction = 0;        ///< contacts at the Coulomb limit, as Contact::sliding says
+  double sliding_fraction = 0;        ///< contacts at the Coulomb limit (Contact::sliding)
 
   bool operator==(const Microstructure&) const = default;
 };
@@ -36,7 +36,7 @@ struct InteriorMeasures {
 /// \param    layer       left out at every wall [m]; two diameters are the custom
 /// \throws   InvalidArgument if the layers leave too little: no grain, or fewer than 2 contacts
 /// Accuracy  the stress is above that of the walls by up to (L/(L - 2R))^2, L the edge of the box: within R
-///           of a side wall no contact between grains bears force along it.
+///           of a side wall no contact between grains carries force along it.
 /// Checked by tests/triaxial/test_walls.cpp
 [[nodiscard]] InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                                  const packing::MechanicalCoordination& mechanical,

@@ -24,13 +24,13 @@ struct LawCheck {
   std::size_t contacts = 0; ///< compared
   std::size_t left_out = 0; ///< without overlap or force, or with less than 1e-3 of the mean force
   /// 1 + 1/alpha, the slope of ln f_n over ln d by least squares, twice: the second time without the contacts
-  /// that lie further from the first line than ten times the median; nothing if the overlaps are all equal or
+  /// that lie further from the first line than ten times the median; empty if the overlaps are all equal or
   /// there are fewer than 3.
   std::optional<Measured> force_exponent = {};
-  /// alpha = 1/(slope - 1); nothing unless the slope is above 1 by more than its error: punches have 1.
+  /// alpha = 1/(slope - 1); empty unless the slope is above 1 by more than its error: punches have 1.
   std::optional<Measured> alpha = {};
   double coefficient_ratio = 0; ///< median of f_n over the law's force at the overlap [1]
-  /// |f_n/(coefficient_ratio force) - 1|, what the law's shape leaves unexplained [1]
+  /// |f_n/(coefficient_ratio force) - 1|, the part not explained by the law's shape [1]
   double median_misfit = 0;
   double misfit_90 = 0; ///< of 90 % of the contacts
   double worst_misfit = 0;
@@ -39,7 +39,7 @@ struct LawCheck {
 /// Compares the forces with a law.
 /// \param    family   contact law of two grains
 /// \param    grain    their material
-/// \return   contacts = 0 if none has both force and overlap: the other numbers then say nothing
+/// \return   contacts = 0 if none has both force and overlap; the other numbers are then meaningless
 /// \throws   InvalidArgument for an assembly that require_valid rejects or a material that the law refuses
 /// Accuracy  the slope of forces that obey a power law: 1e-9 for overlaps of 17 digits over a decade.
 [[nodiscard]] LawCheck check_law(const packing::Assembly& assembly, const LawFamily& family,
@@ -53,15 +53,15 @@ struct LawCheck {
 /// The exponent x of f_n ~ d^x whatever the factor: contacts between grains of the same two types are
 /// compared with each other alone, as each pair of materials has a factor of its own.
 /// \param    type   of each grain; empty: all contacts are compared with each other
-/// \return   with its standard error; nothing for fewer than 10 contacts, or for overlaps that hardly differ
+/// \return   with its standard error; empty for fewer than 10 contacts, or for nearly equal overlaps
 /// \throws   InvalidArgument for an assembly that require_valid rejects, or unless there is one type a grain
 /// Checked by tests/analysis/test_law_check.cpp
 [[nodiscard]] std::optional<Measured> common_exponent(const packing::Assembly& assembly,
                                                       std::span<const long> type = {});
 
 /// The one material whose k_n of spheres is, in the mean over the contacts, that of contacts with k_n = 1.5
-/// f/d: (G/(1-nu))^(2/3) is the mean of what force and overlap of each contact show.
-/// \return   nothing where no contact has both force and overlap
+/// f/d: (G/(1-nu))^(2/3) is the mean over the contacts, from force and overlap.
+/// \return   empty if no contact has both force and overlap
 /// \throws   InvalidArgument for an assembly that require_valid rejects or a Poisson's ratio out of range
 [[nodiscard]] std::optional<contact::GrainMaterial> mean_material_of_forces(const packing::Assembly& assembly,
                                                                             double poisson_ratio);
@@ -72,7 +72,7 @@ struct LawCheck {
 [[nodiscard]] double rounded_share(const packing::Assembly& assembly, double rounding);
 
 /// The spring that all contacts have in common, where forces are linear in the overlaps.
-/// \return   k_n, the median of f_n/d [N/m]; nothing unless nine of ten contacts are within 1e-3 of it, and
+/// \return   k_n, the median of f_n/d [N/m]; empty unless nine of ten contacts are within 1e-3 of it, and
 ///           for overlaps that hardly differ, of which every law is linear
 /// Checked by tests/studies/test_materials.cpp
 [[nodiscard]] std::optional<double> linear_spring(const packing::Assembly& assembly);

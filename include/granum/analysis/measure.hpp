@@ -15,7 +15,7 @@
 /// Checked by tests/analysis/test_measure.cpp, tests/studies/test_measured_frame.cpp
 namespace granum::analysis {
 
-/// What is known of a packing beside what the assembly holds.
+/// Known properties of a packing that are not in the assembly.
 struct Given {
   /// Of all contacts, as one knows it of own specimens of equal grains: no material is looked for then.
   std::optional<contact::NormalLaw> law = {};
@@ -24,20 +24,20 @@ struct Given {
   std::optional<double> grain_shear_modulus = {}; ///< G_g [Pa]; without it, from forces against overlaps
   std::optional<double> grain_density = {};       ///< rho_s [kg/m3], > 0; without it no wave speeds
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
-  bool law_assumed = false; ///< nobody has said law_family: springs are taken where the forces show them
+  bool law_assumed = false; ///< law_family is a default: linear springs are used if the forces show them
   std::vector<contact::GrainMaterial> materials = {}; ///< of each grain, where there are several; spheres
   std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
   std::optional<packing::TurningSpring> rolling = {};  ///< of all contacts; without it as they have it
   std::optional<packing::TurningSpring> twisting = {}; ///< likewise
   std::optional<double> friction_coefficient = {};     ///< [1]; without it estimate_friction
   std::optional<packing::StiffnessFrom> stiffness_from =
-      {};                        ///< without it overlaps, or forces if those have few digits
-  bool contact_moments = false;  ///< the files say that contacts bear moments, but not their stiffnesses
-  bool normal_forces = true;     ///< the contacts hold them
-  bool tangential_forces = true; ///< the contacts hold them
-  double force_rounding = 0;     ///< what digits may leave unbalanced, over the mean force [1]
-  double overlap_rounding = 0;   ///< by so much overlaps may be off, by the digits of the files [m]
-  std::vector<long> type = {};   ///< of each grain, where materials may differ by type; else empty
+      {};                                ///< without it overlaps, or forces if those have few digits
+  bool contact_moments = false;          ///< contacts carry moments of unknown stiffness
+  bool normal_forces = true;             ///< the contacts hold them
+  bool tangential_forces = true;         ///< the contacts hold them
+  double force_rounding = 0;             ///< unbalanced force due to few digits, over the mean force [1]
+  double overlap_rounding = 0;           ///< by so much overlaps may be off, by the digits of the files [m]
+  std::vector<long> type = {};           ///< of each grain, where materials may differ by type; else empty
   std::optional<double> void_ratio = {}; ///< where it is known better than by a sum over the grains
   std::optional<stress::AxialStress> stress =
       {}; ///< of the closed forms' state; without it that of the contacts
@@ -49,8 +49,8 @@ struct Window {
   Vec3 high; ///< [m]
 };
 
-/// Which parts are measured. Volume, sizes, counts, stress, fabric tensor and a always are: they take a
-/// thousandth of what the network takes.
+/// Parts to measure. Volume, sizes, counts, stress, fabric tensor and a always are; they take a thousandth of
+/// the time of the network.
 struct Wanted {
   bool fabric_tests = false;                  ///< most likely a and the tests of the fabric
   std::optional<std::size_t> rose_bins = {};  ///< rose of contact normals, so many bins of [0, 90 degrees]
@@ -60,7 +60,7 @@ struct Wanted {
   bool closed_forms = false;                  ///< rungs 0 to 3 and uniform stress
   std::optional<double> interior_layer = {};  ///< left out at each wall [m]
   std::optional<Window> window = {};          ///< else: a part of the packing to look at
-  std::optional<network::ResponseOptions> network = {}; ///< rung 4, the part that takes time
+  std::optional<network::ResponseOptions> network = {}; ///< rung 4, which takes most of the time
 };
 
 /// All parts but those that need walls or a known law.
@@ -72,7 +72,7 @@ struct Wanted {
 ///           does not say otherwise), else those of the law
 /// \throws   InvalidArgument for an assembly that is not valid or has no grains, or for values given
 ///           or wanted that are out of their ranges
-/// Accuracy  that of the functions whose results it holds.
+/// Accuracy  as the functions for each part.
 [[nodiscard]] Measurement measure(const packing::Assembly& assembly, const Given& given = {},
                                   const Wanted& wanted = {});
 
@@ -86,7 +86,7 @@ struct Wanted {
 ///           bins out of range
 [[nodiscard]] Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins);
 
-/// What all closed forms of the table of rungs say of a state, in its order.
+/// Results of all closed forms of the table of rungs for a state, in its order.
 [[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::State& packing);
 
 } // namespace granum::analysis

@@ -29,7 +29,7 @@
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 
-/// What one packing tells, whoever made it: granum's own specimens and imported ones alike.
+/// Measurements of one packing, for granum's own specimens and imported ones alike.
 namespace granum::analysis {
 
 /// Sizes of the grains.
@@ -46,7 +46,7 @@ struct Sizes {
 /// Grains and contacts, counted.
 struct Counts {
   std::size_t grains = 0;
-  std::size_t bodies = 0; ///< rigid ones; grains where each is its own. What follows counts by them
+  std::size_t bodies = 0; ///< rigid bodies; grains if each is its own. The numbers below count them
   std::size_t contacts = 0;
   std::size_t wall_contacts = 0;
   std::size_t without_contact = 0;           ///< grains that touch no other
@@ -54,7 +54,7 @@ struct Counts {
   double coordination_error = 0;             ///< its standard error, by the scatter of the grains' numbers
   double touching_coordination_number = 0;   ///< C_n over the grains with a contact
   double coordination_number_with_walls = 0; ///< (2 N_c + N_w)/N
-  double sliding_fraction = 0; ///< of the contacts, as Contact::sliding says; 0 without contacts
+  double sliding_fraction = 0;               ///< of the contacts (Contact::sliding); 0 without contacts
   packing::MechanicalCoordination mechanical = {}; ///< z* and rattlers
 };
 
@@ -79,7 +79,7 @@ struct Forces {
   std::optional<packing::FrictionEstimate> friction = {};
   std::optional<double> sliding_fraction = {};      ///< at the coefficient given, or else estimated
   std::optional<packing::Unbalance> unbalance = {}; ///< where the tangential forces are known
-  std::optional<packing::Weight> weight = {};       ///< where it explains what is left unbalanced
+  std::optional<packing::Weight> weight = {};       ///< if it explains the unbalanced forces
 };
 
 /// A stiffness of the network as the axes of the packing show it; no symmetry is assumed.
@@ -87,11 +87,11 @@ struct NetworkMatrix {
   elastic::VoigtStiffness stiffness;
   elastic::SymmetryDistances symmetry = {}; ///< zeros if it is zero
   elastic::EngineeringModuli moduli = {};
-  /// Along axes 1, 2 and 3; nothing unless the density is known and the matrix is positive semidefinite.
+  /// Along axes 1, 2 and 3; empty unless the density is known and the matrix is positive semidefinite.
   std::optional<std::array<elastic::PlaneWaves, 3>> waves = {};
 };
 
-/// What can be read off a stiffness.
+/// Quantities derived from a stiffness.
 /// \param    bulk_density   of the packing [kg/m3], > 0, where it is known
 /// \throws   InvalidArgument if an entry is not finite, or for another density
 /// Checked by tests/analysis/test_measure.cpp
@@ -100,7 +100,7 @@ struct NetworkMatrix {
 
 /// The contact network, rung 4.
 struct Network {
-  network::Response response; ///< affine and relaxed stiffness; says whether it was solved
+  network::Response response; ///< affine and relaxed stiffness, and the status of the solution
   NetworkMatrix affine = {};
   NetworkMatrix relaxed = {}; ///< of the last iterate, where the network was not solved
   packing::BulkModulusBounds bulk_bounds = {};
@@ -115,14 +115,14 @@ struct Network {
   [[nodiscard]] double G_vh() const;
 };
 
-/// What a rung that is a closed form says of a packing from its state alone, or why it says nothing.
+/// Result of a closed-form rung for the state of a packing, or the reason why there is none.
 struct ClosedForm {
   const effective::Rung* rung = nullptr; ///< its row of the table
   std::optional<effective::RungAnswer> answer = {};
-  std::string refusal = {}; ///< empty where there is an answer
+  std::string refusal = {}; ///< empty if there is an answer
 };
 
-/// What one packing tells. Parts that were not wanted, or need what nobody knows, are empty; `notes` say what
+/// Measurements of one packing. Parts that were not requested, or lack input, are empty; `notes` list what
 /// was missing.
 struct Measurement {
   double volume = 0;     ///< of the cell [m^3]
@@ -135,27 +135,27 @@ struct Measurement {
   std::optional<double> bulk_density = {};           ///< dry, if that of the grains is given [kg/m3]
   std::optional<double> pressure_by_work = {};       ///< by the work of the cell [Pa]
   std::optional<Forces> forces = {};
-  /// Why the spheres of the closed forms are not these grains: contacts that bear moments, or rigid bodies of
-  /// several grains. Empty where nothing of the kind is known.
+  /// Why closed forms for spheres do not apply: contacts that carry moments, or rigid bodies of several
+  /// grains. Empty if they do.
   std::string moments = {};
   std::optional<LawCheck> law_check = {};
   std::optional<contact::GrainMaterial> grain = {}; ///< given, or with G_g as the forces show it
   std::optional<contact::NormalLaw> law = {};       ///< of contacts of grains of the equivalent radius
-  /// What the closed forms are asked: C_n, e and a, of the interior between walls, stress and contact law.
+  /// Input of the closed forms: C_n, e and a, of the interior between walls, stress and contact law.
   std::optional<effective::State> state = {};
   std::vector<ClosedForm> closed_forms = {}; ///< as effective::closed_forms(); empty without a state
-  std::optional<Network> network = {};       ///< nothing where no grain bears load
-  std::vector<std::string> notes = {};       ///< what was assumed or not there, a sentence each
+  std::optional<Network> network = {};       ///< empty if no grain carries load
+  std::vector<std::string> notes = {};       ///< assumptions and missing data, a sentence each
 
   /// C_n, z*, rattlers, a and sliding: of the interior where it was measured, else of all grains.
   /// \throws   InvalidArgument for fewer than 2 contacts, which have no fabric
   [[nodiscard]] Microstructure microstructure() const;
   /// Its void ratio.
   [[nodiscard]] double interior_void_ratio() const { return interior ? interior->void_ratio : void_ratio; }
-  /// What a closed form says; nothing where it was not asked or says nothing.
+  /// Result of a closed form; empty if it was not requested or has none.
   [[nodiscard]] std::optional<effective::RungAnswer> closed_form(effective::RungName name) const;
-  /// The network that was asked for.
-  /// \throws   NotConverged if no grain bears load, so that there is none
+  /// The requested network.
+  /// \throws   NotConverged if no grain carries load, so that there is no network
   [[nodiscard]] const Network& solved_network() const;
 };
 

@@ -4,7 +4,7 @@
 namespace granum::contact {
 
 /// Coulomb friction between grains: |f_t| <= mu f_n with mu = tan(angle).
-/// A value always holds a checked coefficient, so that angle and coefficient cannot be taken for one another.
+/// A value is always a checked coefficient, so that angle and coefficient cannot be confused.
 /// Checked by tests/contact/test_friction.cpp
 class Friction {
  public:

@@ -43,17 +43,17 @@ inline constexpr Shape Shape::rough{"rough"};
 /// "cone", "sphere", "flat", "power-law", "rough": as options, scenes and tables have it.
 [[nodiscard]] constexpr std::string_view name(const Shape& shape) { return shape.name(); }
 
-/// A number that a law is made of, beside the grain's material and radius.
+/// A parameter of a law, in addition to the grain's material and radius.
 struct LawParameter {
   std::string key;    ///< no other number of the table has it: in scenes, "cone_slope"
   std::string name;   ///< where the law is known: in options (with dashes), JSON and Python, "slope"
   std::string symbol; ///< "A_1"
-  std::string help;   ///< what it is, for a line of help
+  std::string help;   ///< its meaning, for a line of help
   Dimension dimension = Dimension::dimensionless;
   std::string unit = {};     ///< of its value in SI where no Dimension has it: "m^(1-alpha)"
-  double value = 0;          ///< where nobody gives it
+  double value = 0;          ///< default
   std::string origin = {};   ///< of that value; empty: a command line must give the number
-  double low = 0, high = 0;  ///< what studies take, both ends included
+  double low = 0, high = 0;  ///< range in studies, both ends included
   std::string reason = {};   ///< why no more
   bool within_grain = false; ///< it is a length, at most the radius of the grains
 
@@ -71,12 +71,12 @@ struct LawRow {
   Shape shape;
   std::string plural;                     ///< "flat contacts"
   std::string maker;                      ///< its function in Python: "flat_punch"
-  std::string title;                      ///< what it is, a sentence
-  std::string source;                     ///< entries of validation/references.bib, and what it assumes
+  std::string title;                      ///< description, a sentence
+  std::string source;                     ///< entries of validation/references.bib, and assumptions
   std::string cpp_name;                   ///< "PowerLaw::flat", of contact/power_law.hpp
   std::string header;                     ///< where that is, below granum/
   std::vector<std::string> synonyms = {}; ///< words that people use for it
-  bool depends_on_size = false;           ///< its maker takes the radius of the grains
+  bool depends_on_size = false;           ///< its constructor needs the radius of the grains
   std::vector<LawParameter> parameters = {};
   /// \throws   InvalidArgument where a number is out of the law's range
   std::function<NormalLaw(const GrainMaterial& grain, double radius, std::span<const double> numbers)> make;
@@ -87,7 +87,7 @@ struct LawRow {
 /// The row of a shape.
 [[nodiscard]] const LawRow& row_of(const Shape& shape);
 
-/// The shape that `text` names exactly; nothing if none does.  Checked by tests/contact/test_laws.cpp
+/// The shape with the exact name `text`; empty if there is none.  Checked by tests/contact/test_laws.cpp
 [[nodiscard]] std::optional<Shape> find_shape(std::string_view text);
 /// The names of all shapes, ", " between them, for messages.
 [[nodiscard]] std::string shape_names();
@@ -98,7 +98,7 @@ using LawNumbers = std::map<std::string, double, std::less<>>;
 /// The value of a parameter among these numbers.
 [[nodiscard]] double value_of(const LawParameter& parameter, const LawNumbers& numbers);
 
-/// The law of two equal grains of a shape, which takes its own numbers alone.
+/// The law of two equal grains of a shape, from its own parameters only.
 /// \param    radius   R of the grains [m], read where the shape depends on it
 /// \throws   InvalidArgument as the maker of the law does, and for a key that the table does not have
 /// Accuracy  that of the maker.  Checked by tests/contact/test_laws.cpp

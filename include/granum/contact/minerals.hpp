@@ -6,7 +6,7 @@
 
 #include <granum/contact/power_law.hpp>
 
-/// What grains are made of.
+/// Minerals of grains.
 namespace granum::contact {
 
 /// A solid that grains are often made of.

@@ -14,10 +14,10 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 
-/// The contact law of two grains, whichever it is: what closed forms, networks and the engine ask of one.
+/// The contact law of two grains, of any kind, for closed forms, networks and the engine.
 namespace granum::contact {
 
-/// What a class has that is a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f with its
+/// Requirements of a contact law: f(d), d(f), k_n, its local exponent b = d ln k_n/d ln f with its
 /// slope db/d ln f, and the energy, each checked; the same law of other grains and of pairs of other sizes;
 /// and its kernels for sweeps. b is `constant_exponent` where it is the same at every force, which keeps
 /// closed forms closed.
@@ -74,8 +74,8 @@ inline constexpr bool is_one_of<Law, std::variant<Laws...>> = (std::same_as<Law,
 /// The kernels of all laws. A sweep visits its kernel once, outside of the loop over contacts.
 using NormalKernel = detail::KernelsOf<AnyLaw>::type;
 
-/// A value that holds one of the laws. Everything above this module takes laws as this type; what is true of
-/// the power family alone asks power_law(). Units, ranges and accuracy are those of the law that it holds.
+/// One of the laws, as a value. All modules above use this type; code for the power family only calls
+/// power_law(). Units, ranges and accuracy are those of the contained law.
 /// Checked by tests/contact/test_laws.cpp, for every row of the table of laws
 class NormalLaw {
   template <class Function>
@@ -84,7 +84,7 @@ class NormalLaw {
   }
 
  public:
-  /// Any of the laws is one: implicit, so that a law stands wherever a NormalLaw is asked for.
+  /// Implicit, so that any law can be used as a NormalLaw.
   template <ContactLaw Law>
   requires detail::is_one_of<Law, AnyLaw> NormalLaw(Law law)
       : law_(std::move(law)) {} // NOLINT(google-explicit-constructor)
@@ -150,7 +150,7 @@ class NormalLaw {
       return std::visit([](const auto& kernel) { return NormalKernel(kernel); }, law.kernel());
     });
   }
-  /// What the forces follow from: two laws of the same numbers have the same forces, to the bit.
+  /// The numbers that determine the forces: laws with the same numbers have the same forces, to the bit.
   [[nodiscard]] std::vector<double> numbers() const {
     return visit([](const auto& law) {
       const auto all = law.numbers();

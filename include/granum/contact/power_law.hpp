@@ -41,7 +41,7 @@ struct SphereKernel {
     const double root = coefficient * std::sqrt(overlap);
     return {root * overlap, 1.5 * root};
   }
-  /// The kernel of a pair whose pair_radius is so many times that of this kernel's pair; c goes as its root.
+  /// The kernel of a pair whose pair_radius is this multiple of this kernel's; c is proportional to its root.
   [[nodiscard]] SphereKernel of_pair_radius(double ratio) const noexcept {
     return {coefficient * std::sqrt(ratio)};
   }
@@ -93,7 +93,7 @@ class PowerLaw {
   /// \throws   InvalidArgument if one is out of range.  Checked by tests/contact/test_laws.cpp
   [[nodiscard]] static PowerLaw of_numbers(const GrainMaterial& grain, const std::array<double, 2>& numbers);
 
-  /// The same profile of another solid: c goes as G/(1-nu).
+  /// The same profile of another solid: c is proportional to G/(1-nu).
   /// \throws   InvalidArgument if grain is out of range
   /// Accuracy  3 ulp more than this law.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] PowerLaw of_grain(const GrainMaterial& grain) const;
@@ -124,7 +124,7 @@ class PowerLaw {
   [[nodiscard]] double force_exponent() const { return 1 + 1 / alpha_; }
   /// c in f = c d^(1+1/alpha) with d the full approach [N m^-(1+1/alpha)].
   [[nodiscard]] double coefficient() const { return coefficient_; }
-  /// A_alpha of one grain, from c [m^(1-alpha)]; infinite where alpha is too large for a double to hold it.
+  /// A_alpha of one grain, from c [m^(1-alpha)]; infinite if it exceeds a double.
   /// Accuracy  relative alpha 1e-15.  Checked by tests/contact/test_power_law.cpp
   [[nodiscard]] double profile_constant() const;
   [[nodiscard]] const GrainMaterial& grain() const { return grain_; } ///< material of both grains

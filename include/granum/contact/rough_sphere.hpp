@@ -31,7 +31,7 @@ struct RoughSphereKernel {
     double beyond; ///< its left end
   };
   [[nodiscard, gnu::always_inline]] static Place place_of(double y) noexcept {
-    constexpr int dropped = 45; // bits of the mantissa, of which 7 tell the cell
+    constexpr int dropped = 45; // bits of the mantissa; the other 7 are the cell
     constexpr auto before = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(1.0) >> dropped) - 1;
     constexpr std::int64_t last = octaves * cells_per_octave;
     const std::uint64_t kept = std::bit_cast<std::uint64_t>(y) >> dropped;
@@ -59,13 +59,13 @@ struct RoughSphereKernel {
     return {transition_force * force_in(c[0], c[1], c[2], c[3], c[4], c[5], place.beyond),
             transition_force * per_roughness * slope_in(c[1], c[2], c[3], c[4], c[5], place.beyond)};
   }
-  /// The kernel of a pair whose pair_radius is so many times that of this one; f_1 goes as its root.
+  /// The kernel of a pair whose pair_radius is this multiple of this one's; f_1 is proportional to its root.
   [[nodiscard]] RoughSphereKernel of_pair_radius(double ratio) const noexcept {
     return {transition_force * std::sqrt(ratio), per_roughness, cells};
   }
 };
 
-/// Two equal elastic spheres with rough surfaces. Between the two half spaces lies an interface that bears
+/// Two equal elastic spheres with rough surfaces. Between the two half spaces lies an interface that carries
 /// the pressure p_0 exp(-gap/u0), as nominally flat rough surfaces do [Persson2007] [Akarapu2011], and is as
 /// stiff as p/u0. The stiffness of both together depends on one number, X = u0 k_H/f, with k_H that of smooth
 /// spheres:
@@ -171,7 +171,7 @@ class RoughSphere {
 
   /// Whether there is no roughness, or so little that f_1 is beyond the range of a double.
   [[nodiscard]] bool is_smooth() const { return transition_force_ < 1e-270; }
-  /// Whether the law of smooth spheres holds at this force: that, or X < 2^-60.
+  /// Whether the law of smooth spheres is valid at this force: smooth, or X < 2^-60.
   [[nodiscard]] bool is_smooth(double force) const;
   /// X at a force > 0.
   [[nodiscard]] double roughness_number(double force) const;

@@ -13,8 +13,8 @@
 
 #include <granum/core/error.hpp>
 
-/// Plain values as bytes, one after the other, to the bit and in this machine's byte order. What is read must
-/// be read in the order and with the types of writing; a file that holds such bytes says so in its header.
+/// Plain values as bytes, one after the other, to the bit and in this machine's byte order. Read values in
+/// the order and with the types of writing; files with such bytes identify themselves in their header.
 /// Checked by tests/core/test_bytes.cpp
 namespace granum {
 

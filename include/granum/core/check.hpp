@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-/// Range checks of public functions. Each returns its value, so that a check can stand where the value is
-/// used.
-/// Assumes   name and unit are what the user knows the argument by; unit "" for a pure number.
+/// Range checks of public functions. Each returns its value, so that a check can be written where the value
+/// is used.
+/// Assumes   name and unit as the user knows them; unit "" for a pure number.
 /// \throws   InvalidArgument with name, value, unit and the allowed range; NaN and infinity never pass.
 /// Checked by tests/core/test_check.cpp
 namespace granum {
 
-/// What the checks share: cold, so that a check that passes costs a comparison.
+/// Common part of the checks: cold, so that a passed check costs one comparison.
 namespace detail {
 [[noreturn]] void refuse(std::string_view name, double value, std::string_view unit, const char* range);
 [[noreturn]] void refuse_open(std::string_view name, double value, std::string_view unit, double low,

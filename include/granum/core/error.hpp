@@ -16,10 +16,10 @@ class Error : public std::runtime_error {
 
 /// A number that was refused.
 struct RefusedNumber {
-  std::string name;  ///< what the user knows the argument by
+  std::string name;  ///< of the argument, as the user knows it
   double value = 0;  ///< [unit]
   std::string unit;  ///< "" for a pure number
-  std::string range; ///< what is allowed, "(0, 1)"
+  std::string range; ///< allowed values, "(0, 1)"
 };
 
 /// An argument that no physical state can have (porosity 38, Poisson's ratio 0.6, NaN).
@@ -37,7 +37,7 @@ class InvalidArgument : public Error {
   std::optional<RefusedNumber> refused_;
 };
 
-/// A file that cannot be read or written as asked. The text begins with "<path>:<line>: " (line 0: no line
+/// A file that cannot be read or written. The text begins with "<path>:<line>: " (line 0: no line
 /// is meant).
 class FileError : public Error {
  public:
@@ -51,13 +51,13 @@ class FileError : public Error {
   std::size_t line_;
 };
 
-/// The result of a calculation that did not converge was asked for.
+/// A result was requested from a calculation that did not converge.
 class NotConverged : public Error {
  public:
   using Error::Error;
 };
 
-/// Long work was asked to stop (core/stop_request.hpp) before it had a result.
+/// Long work was stopped (core/stop_request.hpp) before it had a result.
 class Stopped : public Error {
  public:
   Stopped() : Error("stopped on request") {}

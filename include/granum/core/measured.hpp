@@ -6,7 +6,7 @@ namespace granum {
 /// A measured, fitted or estimated number and its standard error, in the unit of the number.
 struct Measured {
   double value = 0;
-  double standard_error = 0; ///< >= 0; 0 where the number is taken to be exact
+  double standard_error = 0; ///< >= 0; 0 for an exact number
 };
 
 } // namespace granum

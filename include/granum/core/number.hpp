@@ -9,16 +9,16 @@
 /// Checked by tests/core/test_number.cpp
 namespace granum {
 
-/// A number at the beginning of a text, and what follows it.
+/// A number at the beginning of a text, and the text after it.
 struct LeadingNumber {
   double value = 0;
   std::string_view rest;
 };
 
 /// The decimal number that `text` begins with, after an optional sign. Nothing if there is none, if it is NaN
-/// or infinite, or if its magnitude is beyond what a double holds.
+/// or infinite, or if its magnitude is outside of the range of a double.
 [[nodiscard]] std::optional<LeadingNumber> leading_number(std::string_view text);
-/// The number that `text` is, with blanks around it allowed and nothing else.
+/// The number in `text`, which may have blanks around it and nothing else.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// `text` without the blanks, tabs and carriage returns around it.

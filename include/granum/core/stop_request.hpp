@@ -7,16 +7,16 @@
 
 namespace granum {
 
-/// Whether long work is to end early; empty: never. Loops ask before every step, so that a program that sets
-/// a flag on Ctrl-C is heard within a second, however many grains a step moves. The answer stays true once it
-/// is, and may be asked for from any thread.
+/// Returns whether long work is to end early; empty: never. Loops call it before every step, so that a flag
+/// set on Ctrl-C takes effect within a second for any number of grains. Once true it stays true. Any thread
+/// may call it.
 using StopRequest = std::function<bool()>;
 
 [[nodiscard]] inline bool is_stopped(const StopRequest& stop_requested) {
   return stop_requested && stop_requested();
 }
 
-/// \throws   Stopped if so asked
+/// \throws   Stopped if the request is true
 inline void throw_if_stopped(const StopRequest& stop_requested) {
   if (is_stopped(stop_requested))
     throw Stopped();

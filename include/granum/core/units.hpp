@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Units at the border of the library: text with a unit comes in, SI goes on. The same in every locale.
+/// Units at the border of the library: conversion of text with a unit to SI. The same in every locale.
 /// Checked by tests/core/test_units.cpp
 namespace granum {
 
@@ -21,7 +21,7 @@ enum class Dimension {
   speed,         ///< [m/s]
 };
 
-/// Weight of a mass, where a density stands for a unit weight or the other way round [m/s^2].
+/// Weight per mass, for densities given as unit weights and vice versa [m/s^2].
 inline constexpr double standard_gravity = 9.80665;
 
 /// A unit that programs and files may use: value in SI = factor * value in this unit.
@@ -31,7 +31,7 @@ struct Unit {
   double factor = 1;
 };
 
-/// The unit written `symbol`; nothing if unknown. Large and small letters do not matter (kpa is kPa) where
+/// The unit with the symbol `symbol`; empty if unknown. Capital letters do not matter (kpa is kPa) where
 /// one unit alone is written so, and where more than the prefix m or M differs: mPa is no MPa, mn none of mN,
 /// MN.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view symbol);
@@ -41,8 +41,8 @@ struct Unit {
 [[nodiscard]] std::string_view description(Dimension dimension);
 
 /// The SI value of a number with its unit: "100kPa", "0.5 mm", "26.5deg", "2650kg/m3"; a pure number has none
-/// or %. A density and a unit weight stand for each other, by standard gravity.
-/// \param    name  what the user knows the argument by; every error names it
+/// or %. Unit weights are accepted as densities and vice versa, by standard gravity.
+/// \param    name  of the argument, as the user knows it; in every error
 /// \throws   InvalidArgument for a number without unit where one is needed, an unknown unit, one of another
 ///           dimension, a decimal comma, text that is no number, NaN, infinity or overflow
 [[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);

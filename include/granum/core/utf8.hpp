@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Text of unknown origin: names and headings of files may hold any bytes.
+/// Text of unknown origin: names and headings of files may contain any bytes.
 /// Checked by tests/core/test_utf8.cpp
 namespace granum {
 

@@ -10,13 +10,13 @@ namespace granum {
 
 /// Notes on a value that is possible but lies outside the range for which its formula was derived or
 /// measured.
-/// Empty: nothing to say. The program prints the notes as warnings; `--strict` makes them an error.
+/// Empty: no notes. The program prints the notes as warnings; `--strict` makes them an error.
 struct Validity {
   std::vector<std::string> notes;
 
   [[nodiscard]] bool ok() const { return notes.empty(); }
   void add(std::string note) { notes.push_back(std::move(note)); }
-  /// Leaves out notes that stand there before.
+  /// Skips notes that are already present.
   void keep_each_once() {
     std::vector<std::string> once;
     for (std::string& note : notes)

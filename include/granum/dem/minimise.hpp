@@ -13,15 +13,15 @@ struct MinimiseOptions {
   double force_tolerance = 1e-9;    ///< mean residual force on a grain / mean contact force [1]
   double pressure_tolerance = 1e-9; ///< relative, where a pressure is prescribed [1]
   double overlap_tolerance =
-      1e-7; ///< largest overlap over the radius of a grain of size 1 that counts as none [1]
+      1e-7; ///< largest overlap, over the radius of a grain of size 1, that is neglected [1]
   std::size_t max_steps = 200000;
-  StopRequest stop_requested = {}; ///< true ends the relaxation early: the report then says so
+  StopRequest stop_requested = {}; ///< true ends the relaxation early; the report has `stopped` then
 };
 
-/// How a relaxation ended. The state it belongs to is the last good one in any case.
+/// Result of a relaxation. Its state is the last good one in any case.
 struct [[nodiscard]] RelaxReport {
   bool converged = false;
-  bool stopped = false; ///< stop_requested said so
+  bool stopped = false; ///< by stop_requested
   std::size_t steps = 0;
   double unbalanced_force_ratio =
       0;                    ///< mean residual force on a grain / mean contact force; 0 without contacts
@@ -32,17 +32,16 @@ struct [[nodiscard]] RelaxReport {
   [[nodiscard]] double pressure() const;
 };
 
-/// Minimises the elastic energy of frictionless spheres at fixed cell by FIRE.
+/// Minimises the elastic energy of frictionless spheres in a fixed cell by FIRE.
 /// [Bitzek2006]
-/// Assumes   no friction, at walls neither: positions only, no rotations and no histories are modelled; both
-/// are cleared in the state.
-/// Converged when forces balance, or when no overlap beyond the tolerance is left (below jamming).
+/// Assumes   no friction, also at walls. Rotations and contact histories are cleared in the state.
+/// Converged when forces are in balance, or when no overlap exceeds the tolerance (below jamming).
 /// \throws   InvalidArgument for a state that is empty or too small for its cell
 /// Checked by tests/dem/test_minimise.cpp
 RelaxReport minimise_energy(Specimen& state, const contact::NormalLaw& law,
                             const MinimiseOptions& options = {});
 
-/// Minimises the enthalpy (energy + p V) over positions and an isotropic change of the cell's size.
+/// Minimises the enthalpy (energy + p V) over the positions and the size of the cell.
 /// \param    pressure  p > 0 [Pa]
 RelaxReport minimise_enthalpy(Specimen& state, const contact::NormalLaw& law, double pressure,
                               const MinimiseOptions& options = {});

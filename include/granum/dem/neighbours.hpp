@@ -10,10 +10,10 @@
 
 namespace granum::dem {
 
-/// Cells in which a grain's neighbour may stand: its own and those around it.
+/// Periodic images that a neighbour may be in: the cell itself and those around it.
 inline constexpr std::uint32_t image_count = 27;
 
-/// Two grains near each other: j stands at position[j] + shift_vectors(cell)[image].
+/// Two grains near each other; the image of j is at position[j] + shift_vectors(cell)[image].
 struct Pair {
   std::uint32_t i = 0;
   std::uint32_t j = 0;
@@ -25,17 +25,17 @@ struct Pair {
 /// The translations k1 a1 + k2 a2 + k3 a3, k in {-1, 0, 1}, of the cell whose columns are a1 a2 a3 [m].
 [[nodiscard]] std::array<Vec3, image_count> shift_vectors(const Mat3& cell);
 
-/// Moves every centre into the cell by whole edge vectors.
+/// Moves every centre into the cell by multiples of the edge vectors.
 void wrap(const Mat3& cell, std::span<Vec3> position);
 
 enum class Images {
-  periodic, ///< pairs across the faces of the cell count
+  periodic, ///< includes pairs across the faces of the cell
   none      ///< the cell is a box: pairs inside it only
 };
 
 /// All pairs i < j whose centres are nearer than cutoff, sorted by (i, j), each with its nearest image.
 /// Assumes   centres lie in the cell (call wrap first if it is periodic).
-/// \param    cutoff  [m]; with images at most half of the smallest cell width, so that no pair meets twice
+/// \param    cutoff  [m]; if periodic, at most half of the smallest cell width, so that no pair occurs twice
 /// \throws   InvalidArgument if the cell is too narrow for the cutoff
 /// Cost      O(N) by cells of the cutoff's size.  Checked against all pairs by tests/dem/test_neighbours.cpp
 [[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
@@ -45,11 +45,11 @@ enum class Images {
 /// the gap.
 /// Assumes   as above.
 /// \param    radius  of each grain [m]
-/// \param    gap     >= 0 [m]; with images twice the largest radius and the gap are at most half of the
+/// \param    gap     >= 0 [m]; if periodic, twice the largest radius plus the gap is at most half of the
 ///           smallest cell width
-/// \throws   InvalidArgument if there is not one radius for each grain, or the cell is too narrow
-/// Cost      O(N): the larger grain of a pair finds the smaller one, so that small grains look about them as
-///           far as their own size goes.  Checked against all pairs by tests/dem/test_neighbours.cpp
+/// \throws   InvalidArgument unless there is one radius for each grain, or if the cell is too narrow
+/// Cost      O(N): each grain searches for smaller ones only, within a distance of its own size. Checked
+///           against all pairs by tests/dem/test_neighbours.cpp
 [[nodiscard]] std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> position,
                                                 std::span<const double> radius, double gap,
                                                 Images images = Images::periodic);

@@ -11,21 +11,21 @@
 
 namespace granum::dem {
 
-/// What the grains are made of and how they touch.
+/// Material of the grains and law of their contacts.
 struct Material {
   contact::NormalLaw law;          ///< normal contact of two grains of size 1 (Specimen::size)
   double tangential_ratio = 0;     ///< k_t/k_n >= 0 [1]
   double friction_coefficient = 0; ///< mu >= 0 [1]; infinity: no contact slides
-  double density = 2650; ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
+  double density = 2650;           ///< of the grains [kg/m^3]; sets the time scale, no quasi-static result
 
-  /// True when contacts carry tangential forces; else rotations and histories are not modelled at all.
+  /// Whether contacts carry tangential forces; otherwise rotations and histories are left out.
   [[nodiscard]] bool tangential() const { return friction_coefficient > 0 && tangential_ratio > 0; }
 };
 
-/// Of contact laws, cusps alone (alpha < 1, contact/power_law.hpp) are for closed forms and given networks.
+/// All contact laws except cusps (alpha < 1, contact/power_law.hpp) can be simulated.
 /// \throws InvalidArgument for a law that grains cannot be simulated with.
 void require_simulable(const contact::NormalLaw& law);
-/// \throws InvalidArgument naming the value that no material can have, and as require_simulable.
+/// \throws InvalidArgument for an impossible value, and as require_simulable.
 void require_valid(const Material& material);
 
 /// Memory of one contact, i < j.
@@ -56,17 +56,16 @@ struct Walls {
   bool operator==(const Walls&) const = default;
 };
 
-/// Everything that a run of spheres needs to go on. Contacts of grains of different sizes:
-/// contact/pair.hpp.
+/// Complete state of a simulation of spheres. Contacts of unequal grains: contact/pair.hpp.
 struct Specimen {
   Mat3 cell;                ///< columns are the edge vectors [m]
   double radius = 0;        ///< of a grain of size 1 [m]
-  std::vector<double> size; ///< of each grain, its radius over `radius` [1]; empty: all grains have size 1
+  std::vector<double> size; ///< radius of each grain over `radius` [1]; empty: all grains have size 1
   std::vector<Vec3> position;
   std::vector<Vec3> velocity;          ///< beyond the affine motion of the cell [m/s]
   std::vector<Vec3> angular_velocity;  ///< [1/s]
   std::vector<ContactHistory> history; ///< sorted by (i, j)
-  std::optional<Walls> walls;          ///< without them the cell is periodic
+  std::optional<Walls> walls;          ///< none: the cell is periodic
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
   /// Of one grain [m].
@@ -76,7 +75,7 @@ struct Specimen {
   bool operator==(const Specimen&) const = default;
 };
 
-/// \throws InvalidArgument naming the value that no walls can have.
+/// \throws InvalidArgument for an impossible value.
 void require_valid(const Walls& walls);
 
 /// \throws InvalidArgument unless there are no sizes, or one for each grain, positive and finite.
@@ -92,8 +91,8 @@ void require_valid_sizes(const Specimen& state);
 /// void_ratio = cell volume / grain volume - 1; overlaps count once for each grain, as in the paper.
 [[nodiscard]] double void_ratio(const Specimen& state);
 
-/// The contacts of the grains of a state, with each other and with its walls, with forces and tangent
-/// stiffnesses from the material's law. Smooth walls have no tangential stiffness.
+/// All contacts between grains, and with walls, with forces and tangent stiffnesses from the material's law.
+/// Smooth walls have no tangential stiffness.
 [[nodiscard]] packing::Assembly contact_network(const Specimen& state, const Material& material);
 
 } // namespace granum::dem

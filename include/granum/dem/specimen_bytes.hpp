@@ -6,11 +6,11 @@
 
 namespace granum::dem {
 
-/// A specimen to the bit: what load_specimen reads is equal to it.
+/// Writes a specimen to the bit; load_specimen reads an equal one.
 /// Checked by tests/dem/test_engine_bytes.cpp
 void save_specimen(ByteWriter& to, const Specimen& state);
-/// \throws   FileError if the bytes end early, or are of a specimen that no loop could go through safely:
-///           grains that it does not have, cells without volume, numbers that are none
+/// \throws   FileError if the bytes end early, or describe an invalid specimen: indices of missing grains,
+///           cells without volume, NaN
 [[nodiscard]] Specimen load_specimen(ByteReader& from);
 
 } // namespace granum::dem

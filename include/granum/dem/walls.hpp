@@ -7,18 +7,15 @@
 #include <granum/core/vec3.hpp>
 #include <granum/dem/specimen.hpp>
 
-/// Six rigid plane walls, the faces of the cell, in place of its periodicity.
-///
-/// A wall moves as a rigid plate: with the centre of its face, and turning with its face, so that a sheared
-/// cell tilts a pair of opposite walls. Its contact is that of a rigid plane: by symmetry a grain and its
-/// mirror image meet at such a plane, each having approached it by half of their overlap, so with the pair
-/// law f = F(d) a grain of the size of that law whose centre is R - d_w from the wall bears f = F(2 d_w),
-/// k_n = 2 F'(2 d_w). The ratio k_t/k_n is the grains'. Rough walls bear a part of each other's stress by
-/// friction.
+/// Six rigid plane walls, the faces of the cell, in place of periodicity. A wall moves with the centre of its
+/// face and rotates with it, as a rigid plate; shear of the cell tilts a pair of opposite walls. A contact
+/// with a rigid plane equals, by symmetry, half of the contact of a grain with its mirror image. With the
+/// pair law f = F(d), a grain whose centre is R - d_w from the wall has f = F(2 d_w), k_n = 2 F'(2 d_w).
+/// k_t/k_n is that of the grains. Rough walls carry a part of each other's stress by friction.
 /// Checked by tests/dem/test_walls.cpp
 namespace granum::dem {
 
-/// One wall as it stands; wall 2k is the face through the cell's origin across edge k, 2k + 1 the other one.
+/// One wall; wall 2k is the face through the cell's origin across edge k, 2k + 1 the opposite one.
 struct WallPlane {
   Vec3 centre;     ///< of the face [m]
   Vec3 normal;     ///< unit, into the cell
@@ -30,7 +27,7 @@ inline constexpr std::size_t wall_count = 6;
 /// Assumes   a cell of positive volume.
 [[nodiscard]] std::array<WallPlane, wall_count> wall_planes(const Mat3& cell);
 
-/// Forces on the grains from the walls, and how they compare with the contact stress.
+/// Forces of the walls on the grains, and the resulting normal stresses.
 struct WallForces {
   std::array<Vec3, wall_count> force; ///< from each wall on the grains [N]
   std::size_t contacts = 0;

@@ -35,7 +35,7 @@ struct TransverselyIsotropicWaves {
   PlaneWave pure_s;  ///< horizontal, perpendicular to that plane: SH
 };
 
-/// Waves of a full stiffness; its symmetric part is taken.
+/// Waves of a full stiffness; its symmetric part is used.
 /// \param    bulk_density   mass per volume of the packing [kg/m3], > 0
 /// \param    direction      of propagation
 /// \throws   InvalidArgument for another density or direction, or unless the stiffness is finite and positive
@@ -51,7 +51,7 @@ struct TransverselyIsotropicWaves {
                                                                double bulk_density);
 
 /// Waves of a transversely isotropic stiffness in closed form. Along the axis, where the plane of direction
-/// and axis is any vertical plane, axis 1 is taken to lie in it.
+/// and axis is any vertical plane, axis 1 is assumed to lie in it.
 /// \throws   InvalidArgument as above
 /// Accuracy  4 ulp each speed, a slow quasi_s too, unless C11 C33 - C13^2 is far below C44 C33.
 [[nodiscard]] TransverselyIsotropicWaves plane_waves(const TransverselyIsotropic& stiffness,

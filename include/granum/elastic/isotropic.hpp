@@ -8,7 +8,7 @@
 /// Checked by tests/elastic/test_isotropic.cpp
 namespace granum::elastic {
 
-/// An isotropic elastic solid, held as bulk and shear modulus: 0 < K <= inf, 0 < G < inf. K = inf is the
+/// An isotropic elastic solid, given by bulk and shear modulus: 0 < K <= inf, 0 < G < inf. K = inf is the
 /// incompressible limit nu = 0.5; every accessor but voigt() has its limit there.
 /// Accuracy  4 ulp, and nu to
 /// 4 ulp of 1.

@@ -4,7 +4,7 @@
 #include <granum/core/vec3.hpp>
 #include <granum/elastic/stiffness.hpp>
 
-/// What is done on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
+/// Operations on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
 /// Checked by tests/elastic/test_mandel.cpp
 namespace granum::elastic {
 

@@ -7,7 +7,7 @@
 #include <granum/elastic/transverse_isotropic.hpp>
 
 /// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
-/// is also the orthogonal projection in the Mandel norm. The symmetric part of the matrix is taken.
+/// is also the orthogonal projection in the Mandel norm. The symmetric part of the matrix is used.
 /// [Moakher2006]
 /// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
 namespace granum::elastic {
@@ -23,7 +23,7 @@ namespace granum::elastic {
 /// Average over the rotations about axis 3.
 [[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness);
 
-/// Average over the rotations about any axis; index 3 of the result stands for that axis.
+/// Average over the rotations about any axis; index 3 of the result is that axis.
 /// \param    axis   any vector but zero; its length and sense do not matter
 /// \throws   InvalidArgument for a zero vector or one that is not finite
 /// Accuracy  8 ulp of the largest entry.

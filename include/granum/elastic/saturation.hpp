@@ -3,16 +3,16 @@
 
 #include <granum/elastic/transverse_isotropic.hpp>
 
-/// Water in the pores: what it adds to stiffness and mass.
+/// Effect of water in the pores on stiffness and mass.
 namespace granum::elastic {
 
 /// Of water of 20 degrees Celsius [kg/m3].                                                   [Mavko2009]
 inline constexpr double water_density = 998;
 
-/// What Gassmann's relation needs to know of grains and pores.
+/// Properties of grains and pores for Gassmann's relation.
 struct SaturatedPores {
   double grain_bulk_modulus = 0; ///< K_s of the grains' solid [Pa], > 0
-  double fluid_bulk_modulus = 0; ///< K_f of what fills the pores [Pa], > 0
+  double fluid_bulk_modulus = 0; ///< K_f of the pore fluid [Pa], > 0
   double void_ratio = 0;         ///< e [1], > 0
 };
 

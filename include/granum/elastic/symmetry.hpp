@@ -4,15 +4,15 @@
 #include <granum/elastic/stiffness.hpp>
 
 /// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa
-/// are judged alike. Which distance still counts as symmetric is for the caller to say: rounding is 1e-15, a
+/// are treated alike. The caller decides which distance still counts as symmetric: rounding is 1e-15, a
 /// measured or simulated stiffness carries its own error.
 /// Checked by tests/elastic/test_symmetry.cpp
 namespace granum::elastic {
 
 /// |C - P(C)|/|C| in the Mandel norm, in [0, 1], with P(C) the nearest stiffness of the class and C the
-/// symmetric part of the given matrix (symmetry_residual of mandel.hpp tells the rest).        [Moakher2006]
-/// The classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and
-/// isotropic >= cubic >= orthotropic, but for rounding.
+/// symmetric part of the given matrix (for the rest see symmetry_residual of mandel.hpp). [Moakher2006] The
+/// classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and isotropic >= cubic
+/// >= orthotropic, but for rounding.
 struct SymmetryDistances {
   double isotropic = 0;              ///< the same for every choice of axes
   double cubic = 0;                  ///< cube edges along the coordinate axes

@@ -10,7 +10,7 @@ namespace granum::elastic {
 
 struct ThomsenParameters {
   double epsilon = 0; ///< (C11-C33)/(2 C33)
-  double delta = 0;   ///< exact or weak, as the function that made it says
+  double delta = 0;   ///< exact or weak, according to the function that made it
   double gamma = 0;   ///< (C66-C44)/(2 C44)
 
   bool operator==(const ThomsenParameters&) const = default;

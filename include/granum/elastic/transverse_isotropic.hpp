@@ -12,7 +12,7 @@ namespace granum::elastic {
 
 /// The five Voigt stiffnesses [Pa]. C66 follows from them.
 /// Young's moduli and Poisson's ratios exist for positive definite values only and throw InvalidArgument for
-/// others; the remaining members are plain sums and hold for any value.
+/// others; the remaining members are plain sums, valid for any value.
 struct TransverselyIsotropic {
   double C11 = 0; ///< s11 by e11
   double C33 = 0; ///< s33 by e33
@@ -49,7 +49,7 @@ struct TransverselyIsotropic {
 enum class Loading { vertical, horizontal };
 
 /// Young's modulus of any stiffness [Pa]: E_v or E_h, 0 in the limit of vanishing shear stiffness (C44 = C66
-/// = 0), nothing if no stable material has this stiffness.
+/// = 0), empty if no stable material has this stiffness.
 [[nodiscard]] std::optional<double> young_modulus(const TransverselyIsotropic& stiffness, Loading loading);
 
 /// The five Voigt compliances [1/Pa]: e11 = S11 s11 + S12 s22 + S13 s33 and so on, 2 e23 = S44 s23.

@@ -7,11 +7,11 @@
 /// Checked by tests/elastic/test_wave_speeds.cpp
 namespace granum::elastic {
 
-/// What a packing's mass is made of.
+/// Components of a packing's mass.
 struct GrainsAndPores {
   double grain_density = 0; ///< of the grains' solid, rho_s [kg/m3], > 0
   double void_ratio = 0;    ///< e [1], >= 0
-  double pore_density = 0;  ///< of what fills the pores [kg/m3], >= 0; 0: dry
+  double pore_density = 0;  ///< of the pore fluid [kg/m3], >= 0; 0: dry
 };
 
 /// Mass per volume of the packing, (rho_s + e rho_pore)/(1+e) [kg/m3].

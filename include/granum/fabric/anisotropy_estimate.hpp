@@ -27,7 +27,7 @@ struct AnisotropyEstimate {
 [[nodiscard]] AnisotropyEstimate estimate_anisotropy(std::span<const Vec3> normals);
 
 /// Standard error of a for independent contacts of isotropic directions, sqrt(45/16)/sqrt(contacts): the
-/// yardstick of what still counts as isotropic.
+/// measure of what still counts as isotropic.
 /// \param    contacts   N_c > 0
 /// \throws   InvalidArgument for no contacts
 /// Accuracy  2 ulp.  Checked by tests/fabric/test_anisotropy_estimate.cpp

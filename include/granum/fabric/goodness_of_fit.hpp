@@ -6,9 +6,9 @@
 
 #include <granum/core/vec3.hpp>
 
-/// What a sample of contact normals says against isotropy, against E(gamma; a), and against axis 3 being an
-/// axis of symmetry. A p-value is the chance of a statistic at least as large if there were nothing to find:
-/// small (say below 0.01) speaks against.
+/// Tests of contact normals against three hypotheses: isotropy, E(gamma; a), and symmetry about axis 3. A
+/// p-value is the probability of a statistic at least as large under the hypothesis; a small one (say below
+/// 0.01) speaks against it.
 /// Assumes   contacts drawn independently. Contacts of a packing exclude one another on a grain, so that
 ///           they scatter less than independent ones: p-values are on the large side.
 /// \param    normals   (of every function) one unit vector a contact, either sense
@@ -17,7 +17,7 @@
 /// Accuracy  statistics to 1e-13, p-values 1e-12.  Checked by tests/fabric/test_goodness_of_fit.cpp
 namespace granum::fabric {
 
-/// A statistic that follows the chi-square distribution if there is nothing to find.
+/// A statistic that follows the chi-square distribution under the hypothesis.
 struct ChiSquareTest {
   double statistic = 0;
   int degrees_of_freedom = 0;

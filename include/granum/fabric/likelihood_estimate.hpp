@@ -13,11 +13,11 @@ namespace granum::fabric {
 struct LikelihoodEstimate {
   double anisotropy = 0;          ///< a of E(gamma; a), the most likely one in [-1, 1]
   double standard_error = 0;      ///< of a, from the observed information; infinite if there is none
-  double log_likelihood_gain = 0; ///< ln L(a) - ln L(0) >= 0: what a explains beyond isotropy
+  double log_likelihood_gain = 0; ///< ln L(a) - ln L(0) >= 0: gain over isotropy
   bool at_boundary = false;       ///< a = -1 or 1 because the likelihood still rises there: the error is then
                                   ///< only a scale, the estimate is not normally distributed
   std::size_t contacts = 0;
-  Validity validity; ///< a note at a boundary, or if the directions hardly tell a
+  Validity validity; ///< a note at a boundary, or if the directions barely constrain a
 };
 
 /// a that makes the sample most likely. In terms of a_c = 4a/(3-a) the log-likelihood, the sum of

@@ -14,7 +14,7 @@ namespace granum::fabric {
 struct RoseBin {
   double low = 0;              ///< gamma [rad]
   double high = 0;             ///< gamma [rad]
-  std::size_t count = 0;       ///< contacts with low <= gamma < high; the last bin holds pi/2 as well
+  std::size_t count = 0;       ///< contacts with low <= gamma < high; the last bin includes pi/2
   double count_error = 0;      ///< sqrt(count)
   double expected_count = 0;   ///< N_c times the probability of the bin under E(gamma; a)
   double density = 0;          ///< count over N_c and the bin's solid angle in both hemispheres [1/sr]
@@ -37,8 +37,8 @@ struct RoseBin {
 /// Accuracy  as rose().  Checked by tests/fabric/test_rose.cpp
 [[nodiscard]] std::vector<RoseBin> rose_of_counts(std::span<const std::size_t> counts, double anisotropy);
 
-/// A histogram as few contacts ask for: neighbours taken together until the bin around axis 3, the smallest
-/// solid angle, would hold 25 contacts if they had no preferred direction, so that its counting error is a
+/// A histogram for few contacts: neighbours are merged until the bin around axis 3, the smallest
+/// solid angle, would contain 25 contacts for an isotropic fabric, so that its counting error is a
 /// fifth; but at least 3 bins stay, where there are so many.
 /// \param    anisotropy   a of the density to compare with, in [-1, 1]
 /// \return   of n bins the most that divide n and do that

@@ -16,7 +16,7 @@ struct SoilState {
 };
 
 /// G_ij = C p_a f(e) (sigma_i/p_a)^m (sigma_j/p_a)^n, Eq. (1).                              [Chung2014]
-/// C is a pure number, but it depends on which p_a goes with it; so p_a has no default.
+/// C is a pure number that depends on the choice of p_a; so p_a has no default.
 struct Equation {
   double coefficient = 0;          ///< C > 0 [1]
   double exponent_i = 0;           ///< m [1]

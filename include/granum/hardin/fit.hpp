@@ -24,7 +24,7 @@ struct MeasuredModulus {
 
 enum class Weights {
   relative, ///< residuals of ln G: every modulus counts alike
-  absolute, ///< residuals of G: large moduli count more; what a plain non-linear regression does, and the
+  absolute, ///< residuals of G: large moduli count more; as in a plain non-linear regression, and the
             ///< paper's
 };
 
@@ -38,13 +38,13 @@ struct FitOptions {
 struct Fit {
   Equation equation;                  ///< with the fitted constants; m = n = s/2 where only s was fitted
   Measured coefficient;               ///< C [1]
-  std::optional<Measured> exponent_i; ///< m [1]; nothing where only s was fitted
+  std::optional<Measured> exponent_i; ///< m [1]; empty if only s was fitted
   std::optional<Measured> exponent_j; ///< n [1]; the same
   Measured exponent_sum;              ///< s = m + n [1], its error with the covariance of m and n
 
   std::vector<std::string> parameters;         ///< C, m, n or C, s: the order of the covariance
   std::vector<std::vector<double>> covariance; ///< from the scatter of the residuals
-  std::optional<double> r_squared;    ///< of ln G or G, as weighted; nothing if all measured values are equal
+  std::optional<double> r_squared;    ///< of ln G or G, as weighted; empty if all measured values are equal
   std::vector<double> residuals;      ///< measured minus fitted G, one a row [Pa]
   double rms_relative_residual = 0;   ///< of G measured over G fitted, minus 1 [1]
   std::size_t degrees_of_freedom = 0; ///< rows minus parameters
@@ -58,13 +58,13 @@ struct Fit {
 
 enum class FitStatus { converged, iteration_limit, no_progress };
 
-/// The outcome of a fit. What was found is given out only if the iteration converged.
+/// The outcome of a fit. Its results are accessible only if the iteration converged.
 class [[nodiscard]] FitReport {
  public:
   FitReport(FitStatus status, std::size_t iterations, Fit last);
 
   [[nodiscard]] FitStatus status() const { return status_; }
-  /// Steps of the non-linear iteration; 0 if the log-linear start already was the answer.
+  /// Steps of the non-linear iteration; 0 if the log-linear start was already the solution.
   [[nodiscard]] std::size_t iterations() const { return iterations_; }
   /// \throws   NotConverged unless the status is converged
   [[nodiscard]] const Fit& fit() const;
@@ -79,17 +79,16 @@ class [[nodiscard]] FitReport {
 
 /// Whether a row can be fitted: G and stresses positive and finite, void ratio within the range of the
 /// function.
-/// \throws   InvalidArgument naming what is not
+/// \throws   InvalidArgument naming the invalid value
 void require_valid(const MeasuredModulus& row, VoidRatioFunction function);
 
 /// C, m and n by least squares: log-linear start, then trust-region Levenberg-Marquardt. [More1978]
 /// Assumes   independent errors of equal size in what is weighted (ln G or G), exact stresses.
 /// \param    rows  at least 4
-/// \throws   InvalidArgument if a row is not valid, if there are too few, or if the stresses do not tell m
-/// from n: on a
-///           path of constant sigma_i/sigma_j only s = m + n has a meaning, see fit_exponent_sum. The limit
-///           is a scatter across the path of 1e-3 of that along it, in ln sigma: finer than stresses are
-///           measured.
+/// \throws   InvalidArgument if a row is not valid, if there are too few, or if the stresses do not separate
+///           m from n: on a path of constant sigma_i/sigma_j only s = m + n has a meaning, see
+///           fit_exponent_sum. The limit is a scatter across the path of 1e-3 of that along it, in ln sigma:
+///           finer than stresses are measured.
 /// Accuracy  data that obey Eq. (1) give C, m, n back to 1e-10; standard errors to first order in the scatter
 FitReport fit(std::span<const MeasuredModulus> rows, const FitOptions& options);
 

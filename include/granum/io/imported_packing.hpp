@@ -8,30 +8,30 @@
 
 #include <granum/packing/assembly.hpp>
 
-/// What the output of a DEM code becomes when it is read, whatever code wrote it.
+/// A packing read from the output of any DEM code.
 namespace granum::io {
 
-/// What an import found out that a user of its numbers should know.
+/// Findings of an import that matter for the use of its numbers.
 enum class Finding {
   few_digits,             ///< coordinates or overlaps have at most 8 significant digits
-  duplicated,             ///< a pair stood there more than once with the same values; it counts once
+  duplicated,             ///< a pair is listed more than once with the same values; it counts once
   unsorted,               ///< contacts were not in the order of their grains; sorted here
-  through_faces,          ///< contacts reach through periodic faces; the nearest image was taken
+  through_faces,          ///< contacts cross periodic faces; the nearest image was used
   open_contacts,          ///< contacts whose grains do not overlap
-  wall_contacts,          ///< contacts with walls are there; they bear stress, and are none of C_n and fabric
+  wall_contacts,          ///< contacts with walls: they carry stress, but are not in C_n and fabric
   one_sided,              ///< pairs of which one of two expected rows is there
-  columns_told,           ///< what columns hold was told by their values, not by a heading
-  forces_swapped,         ///< normal and tangential force stand in the other order than the layout says
-  viscous_forces,         ///< the forces may hold viscous parts
+  columns_told,           ///< columns were identified by their values, not by a heading
+  forces_swapped,         ///< normal and tangential force are in the reverse order of the layout
+  viscous_forces,         ///< the forces may contain viscous parts
   contacts_unknown,       ///< no contacts in the files
-  contacts_from_overlaps, ///< of spheres that overlap, as no file holds contacts
-  walls_unknown,          ///< contacts with walls are there, but the files hold only their number
+  contacts_from_overlaps, ///< contacts are overlapping spheres, because no file contains contacts
+  walls_unknown,          ///< the files contain only the number of contacts with walls
   forces_unknown,         ///< contacts, but no forces
   tangential_unknown,     ///< normal forces, but no tangential ones
   ids_assumed,            ///< grains have no ids in the file; they were numbered
   cell_unknown,           ///< no box in the files: the cell is the smallest upright box around the grains
   boundary_unknown,       ///< which faces are periodic is not in the files
-  units_unknown,          ///< no units in the files: taken for SI
+  units_unknown,          ///< no units in the files: SI assumed
   stiffness_unknown,      ///< k_n, k_t are zero until assign_stiffness is called
   law_unknown,            ///< contact law and grain material are not in the files
   contact_moments,        ///< columns of rolling or twisting moments are not zero
@@ -62,7 +62,7 @@ struct Rounding {
 struct ImportedPacking {
   packing::Assembly assembly;
   std::vector<long> id;        ///< of each grain, as the files name it, ascending
-  std::vector<long> type = {}; ///< of each grain, where the files tell types; else empty
+  std::vector<long> type = {}; ///< of each grain; empty if the files have no types
   std::array<bool, 3> periodic{true, true, true};
   long step = 0;
   std::optional<double> time; ///< [s]

@@ -11,18 +11,17 @@ enum class Existing {
   replace, ///< an existing file is replaced, whole, at the end
 };
 
-/// What a file that is being written has behind its name, which is cut where it would be too long with it.
+/// Suffix of the name of an unfinished file; the name is cut if it would be too long.
 inline constexpr std::string_view part_extension = ".granum.part";
 
-/// Whether something stands at a path that a result must not replace unasked, be it a link that leads
-/// nowhere. A pipe, a terminal and other devices of characters take text and lose nothing by it: they are not
-/// taken.
+/// Whether something exists at a path that a result must not replace without --force, also a dangling link.
+/// Pipes, terminals and other character devices can be written to without loss: false.
 [[nodiscard]] bool is_taken(const std::filesystem::path& path);
 
-/// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text goes
-/// to a temporary name in the same folder, is flushed to disk, and is renamed. A file that is replaced
-/// hands its mode on; a link is replaced, and what it leads to stays; what a killed run left of this file is
-/// removed. A pipe, a device of characters and what a descriptor of this process leads to (/dev/stdout) are
+/// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text is
+/// written to a temporary name in the same folder, is flushed to disk, and is renamed. A file that is
+/// replaced passes on its permissions; a link is replaced, and its target kept; the temporary file of a
+/// killed run is removed. A pipe, a character device and the descriptors of this process (/dev/stdout) are
 /// written to, whatever `existing` is, and are never replaced.
 /// Assumes   that SIGXFSZ and SIGPIPE are ignored where a file may grow past its limit or a pipe lose its
 ///                     reader: as errors they are FileError, else they end the program

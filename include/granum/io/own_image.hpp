@@ -13,7 +13,7 @@ namespace granum::io {
 [[nodiscard]] ImportedPacking doubled(const ImportedPacking& packing, int axis);
 
 /// The packing, doubled until no grain is in contact with its own image, or, where contacts are not known,
-/// so large that it would be; and a note where it was. As it is where that takes more than 64 copies.
+/// so large that it would be, with a note if it was. Unchanged if that needs more than 64 copies.
 /// Checked by tests/io/test_own_image.cpp
 [[nodiscard]] ImportedPacking without_own_images(ImportedPacking packing);
 

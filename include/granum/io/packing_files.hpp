@@ -10,11 +10,11 @@
 
 #include <granum/io/packing_format.hpp>
 
-/// Packings out of files of any format that granum reads, told apart by what stands in them.
+/// Packings from files of any format that granum reads, recognised by content.
 /// Checked by tests/io/test_packing_files.cpp
 namespace granum::io {
 
-/// What a file is: its format, and which of the format's files.
+/// Kind of a file: its format, and its role in the format.
 struct FileKind {
   const PackingFormat* format = nullptr;
   Holds holds = Holds::grains;
@@ -25,7 +25,7 @@ struct FileKind {
 /// "a LAMMPS dump of grains" and so on.
 [[nodiscard]] std::string_view description(const FileKind& kind);
 
-/// Looks at the beginning of a file, plain or gzip; the name does not matter. The source stands before its
+/// Looks at the beginning of a file, plain or gzip; the name does not matter. The source is then before its
 /// first line again afterwards.
 /// \throws   FileError if reading fails or it is of no known format
 [[nodiscard]] FileKind recognise(TextSource& source);
@@ -49,17 +49,17 @@ class PackingFile {
   std::optional<TextSource> source_; ///< of a pipe
 };
 
-/// The files that some names stand for, in the order of the states that they hold: by the names of the files
-/// of grains, numbers in them by their value (p50 before p100). A name of a series of VTK files (.pvd) stands
-/// for its files in the order of their times. The first name of grains goes with the first of contacts, the
-/// second with the second, before they are sorted.
+/// The files of some names, in the order of their states: by the names of the files of grains, numbers in
+/// them by their value (p50 before p100). A series of VTK files (.pvd) means its files in the order of their
+/// times. The first name of grains belongs to the first of contacts, the second with the second, before they
+/// are sorted.
 /// \throws   FileError as recognise, or as read_collection for a series; InvalidArgument for series of grains
 ///           and of contacts that do not go together: other numbers of files, or other times
 [[nodiscard]] std::vector<PackingFile> files_of_series(const std::vector<std::filesystem::path>& names);
 
-/// All states of a packing that some files hold, one after the other; in memory no more than one. Files of
-/// grains and of contacts may be mixed: the first file of grains goes with the first of contacts, the second
-/// with the second.
+/// All states of a packing in some files, one after the other; one at a time in memory. Files of grains and
+/// of contacts may be mixed: the first file of grains belongs to the first of contacts, the second with the
+/// second.
 class PackingFiles {
  public:
   /// \param    files   at least one; as many of contacts as of grains, or none of contacts; all of one format
@@ -69,7 +69,7 @@ class PackingFiles {
   explicit PackingFiles(const std::vector<std::filesystem::path>& files, PackingFileOptions options = {})
       : PackingFiles(std::vector<PackingFile>(files.begin(), files.end()), std::move(options)) {}
 
-  /// The next state; nothing at the end of the last file.
+  /// The next state; empty at the end of the last file.
   /// \throws   FileError as the reader of the format
   [[nodiscard]] std::optional<ImportedPacking> next();
 

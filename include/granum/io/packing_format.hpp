@@ -17,10 +17,10 @@
 /// Checked by tests/io/test_packing_files.cpp
 namespace granum::io {
 
-/// What a file of a packing holds.
+/// Content of a file of a packing.
 enum class Holds { grains, contacts };
 
-/// What files of some formats do not contain.
+/// Data that files of some formats do not contain.
 struct PackingFileOptions {
   ColumnMap columns = {};         ///< of dumps
   std::optional<CsvBox> box = {}; ///< of CSV files
@@ -28,24 +28,24 @@ struct PackingFileOptions {
 
 /// The frames of one file, or of a file of grains and its companion, one after the other.
 struct PackingFrames {
-  std::function<std::optional<ImportedPacking>()> next; ///< nothing at the end
+  std::function<std::optional<ImportedPacking>()> next; ///< empty at the end
   /// Frames passed over so far because the companion has none of that time.
   std::function<std::size_t()> skipped = [] { return std::size_t{0}; };
 };
 
 struct PackingFormat {
   std::string_view name;     ///< in lists of formats
-  std::string_view sign;     ///< what its files are recognised by, for help
+  std::string_view sign;     ///< how its files are recognised, for help
   std::string_view grains;   ///< "a LAMMPS dump of grains"
-  std::string_view contacts; ///< the companion that goes with it; empty if none does
+  std::string_view contacts; ///< the companion file; empty if none
   /// Whether a file, from its beginning, looks like one of this format, and which.
-  /// \throws   FileError for a file that can be of no other format, but does not say what it holds
+  /// \throws   FileError for a file that can be of no other format, but does not identify its content
   std::optional<Holds> (*recognise)(TextSource& source);
   /// Reads the file of grains, and its companion where there is one.
   /// \throws   FileError as the reader of the format, here or from next()
   PackingFrames (*read)(TextSource grains, std::optional<TextSource> contacts,
                         const PackingFileOptions& options);
-  /// Reads contacts that are given alone; none where they mean nothing without grains.
+  /// Reads contacts without grains; empty if these are not sufficient.
   ContactTable (*read_contacts)(TextSource contacts) = nullptr;
 };
 
@@ -59,7 +59,7 @@ PackingFrames frames_of(Reader reader) {
   return {.next = [shared] { return shared->next(); }, .skipped = [shared] { return shared->skipped(); }};
 }
 
-/// The one frame of files that hold one state.
+/// The single frame of files with one state.
 PackingFrames one_frame(ImportedPacking packing);
 
 extern const PackingFormat lammps_dump_format, yade_vtk_format, vtk_xml_format, yade_text_format,

@@ -9,7 +9,7 @@
 /// The one neutral value type that specimens of the verifier and imported packings become.
 namespace granum::packing {
 
-/// One contact, i < j. Everything points from grain i to grain j. A pair stands there once, but in cells
+/// One contact, i < j. Vectors point from grain i to grain j. A pair occurs once, but in cells
 /// narrower than two diameters, where it may touch through several periodic images, once for each of them.
 struct Contact {
   std::uint32_t i = 0;
@@ -32,7 +32,7 @@ struct Contact {
 /// Whole force exerted by i on j [N].
 [[nodiscard]] inline Vec3 force(const Contact& c) { return c.normal_force * normal(c) + c.tangential_force; }
 
-/// Grains, contacts and the cell that holds them, periodic or bounded by rigid walls. Contacts are sorted by
+/// Grains, contacts and their cell, periodic or bounded by rigid walls. Contacts are sorted by
 /// (i, j).
 struct Assembly {
   Mat3 cell;                     ///< columns are the three edge vectors [m]
@@ -40,10 +40,11 @@ struct Assembly {
   std::vector<double> radius;    ///< [m], one for each centre
   std::vector<Contact> contacts; ///< between grains: those of coordination numbers, fabric and forces
   /// Of grain i with wall j; everything points from the centre to the wall, the branch ends at the foot of
-  /// the perpendicular, the overlap is R_i - |branch|. They bear stress and stiffness and hold grains.
+  /// the perpendicular, the overlap is R_i - |branch|. They contribute to stress and stiffness and support
+  /// grains.
   std::vector<Contact> wall_contacts = {};
   /// Of each grain, the rigid body (clump) that it is a part of, numbered from 0 without gaps; empty where
-  /// each grain is a body of its own. Contacts inside of a body bear nothing.
+  /// each grain is a separate body. Contacts inside of a body carry no force.
   std::vector<std::uint32_t> body = {};
 
   [[nodiscard]] std::size_t grain_count() const { return position.size(); }
@@ -57,7 +58,7 @@ struct Assembly {
 /// Assumes   a positive volume.
 [[nodiscard]] Vec3 cell_widths(const Mat3& cell);
 
-/// Checks that the value is one that the analyses can take: sizes agree, cell volume > 0, radii > 0,
+/// Checks that the value is valid for the analyses: sizes agree, cell volume > 0, radii > 0,
 /// indices in range and i < j (of walls i alone), branches and stiffnesses finite, forces finite.
 /// \throws   InvalidArgument naming the first grain or contact that is not.
 void require_valid(const Assembly& assembly);

@@ -13,7 +13,7 @@ struct Bodies {
   /// One grain a body: its centre of volume (members that overlap count twice), the radius of a sphere of its
   /// members' volume. Branches go from body to body, or from a body to the foot on a wall; forces are those
   /// of the contacts, so that the stress of this assembly is that of the bodies. Contacts inside of a body
-  /// are left out. Its normals are branches, not normals of contacts: fabric is asked of the grains.
+  /// are left out. Its normals are branches, not normals of contacts: fabric is measured on the grains.
   Assembly assembly;
   std::vector<Vec3> offset;         ///< of each grain's centre from that of its body [m]
   std::vector<std::size_t> contact; ///< number in the grains' assembly that each contact has

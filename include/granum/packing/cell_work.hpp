@@ -8,9 +8,9 @@ namespace granum::packing {
 
 /// Mean stress by the work of the cell, p = -dU/dV, U the elastic energy of the contacts under a uniform
 /// change of size: the independent route to the mean of contact_stress. Tangential forces do no work in it,
-/// for they stand across the branches.
+/// because they are normal to the branches.
 /// Assumes   contacts of the given law, with overlaps as listed; walls are rigid planes, at which a grain
-///           stands as before its mirror image.
+///           has a contact as with its mirror image.
 /// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
 /// contact::of_sizes
 /// \return   p [Pa], compression positive; 0 without contacts

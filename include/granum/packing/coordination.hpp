@@ -15,7 +15,7 @@ namespace granum::packing {
 /// Checked by tests/packing/test_coordination.cpp
 [[nodiscard]] double coordination_number(const Assembly& assembly);
 
-/// What a contact can transmit decides how few of them, walls included, can hold a grain in place.
+/// Kind of contact: it determines the least number of contacts, walls included, that can support a grain.
 enum class ContactKind {
   frictional,  ///< normal and tangential force: a grain needs 2 contacts
   frictionless ///< normal force only: a grain needs 4 contacts
@@ -31,7 +31,7 @@ struct MechanicalCoordination {
   double coordination_number = 0;     ///< z* = 2 N_c*/N* [1]; 0 when every grain is a rattler
 };
 
-/// z* and rattlers: grains with too few contacts are taken out, again and again, until none is left.
+/// z* and rattlers: grains with too few contacts are removed iteratively, until none is left.
 ///                                                                                        [AgnolinRoux2007a]
 /// Assumes   kind is that of the contacts in the probe, not of the preparation.
 /// \param    kind   frictional: fewer than 2 contacts make a rattler; frictionless: fewer than 4

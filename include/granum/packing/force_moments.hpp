@@ -13,7 +13,7 @@ namespace granum::packing {
 [[nodiscard]] double normal_force_moment(const Assembly& assembly, double exponent);
 
 /// Z'(x) = <f_n^x (1 + (f_t/f_n)^2/r)>/<f_n>^x: the same with the tangential forces' share of the elastic
-/// energy; Hertz contacts take x = 5/3.                                                   [AgnolinRoux2007c]
+/// energy; x = 5/3 for Hertz contacts.                                                   [AgnolinRoux2007c]
 /// \param    exponent          x, any finite number [1]
 /// \param    tangential_ratio  r = k_t/k_n > 0 [1]
 /// \throws   InvalidArgument as normal_force_moment, or if tangential_ratio is not positive
@@ -32,7 +32,7 @@ struct BulkModulusBounds {
 /// Assumes   isotropic stress; grains in force and moment equilibrium (else the lower value is only an
 ///           estimate); no prestress term, contacts sticking. Contacts that carry no force count in the upper
 ///           bound only.
-/// \return   zeros without contacts; lower = 0 when a force stands on a contact without the stiffness for it
+/// \return   zeros without contacts; lower = 0 if a contact has a force without the corresponding stiffness
 /// \throws   InvalidArgument for an assembly that require_valid rejects
 /// Accuracy  rounding.  Checked by tests/packing/test_force_moments.cpp,
 /// tests/network/test_linear_response.cpp

@@ -7,14 +7,14 @@
 
 namespace granum::packing {
 
-/// A part of a box: what keeps a distance from every wall, or a window.
+/// A part of a box: at a distance from every wall, or a window.
 class Interior {
  public:
   /// \param    layer  >= 0, left out at each wall [m]
-  /// \throws   InvalidArgument if the layers leave nothing
+  /// \throws   InvalidArgument if nothing remains between the layers
   Interior(const Mat3& cell, double layer);
   /// An upright window of a packing; grains that reach into it through faces of the cell, which count as
-  /// periodic, are cut as they stand there.
+  /// periodic, are cut without images.
   /// \throws   InvalidArgument for a window without volume, or wider along an axis than the cell is
   Interior(const Mat3& cell, const Vec3& low, const Vec3& high);
 

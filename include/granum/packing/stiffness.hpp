@@ -9,16 +9,16 @@
 
 namespace granum::packing {
 
-/// What k_n of a contact is taken from.
+/// Source of k_n of a contact.
 enum class StiffnessFrom {
-  overlap, ///< what a DEM code does itself; needs coordinates of many digits
+  overlap, ///< as in a DEM code; needs coordinates with many digits
   force,   ///< for files of few digits; needs a quenched state, as viscous parts count as elastic
   ratio,   ///< (3/2) f/d, Hertz without a material: assign_stiffness_of_ratio
 };
 
-/// Sets k_n of every contact from a contact law and k_t = ratio k_n: output of DEM codes holds neither.
-/// Assumes   the law holds for all contacts: identical grains, monotonic loading; walls are rigid planes, at
-///           which a grain stands as before its mirror image.
+/// Sets k_n of every contact from a contact law and k_t = ratio k_n: output of DEM codes contains neither.
+/// Assumes   the law is valid for all contacts: identical grains, monotonic loading; walls are rigid planes,
+///           at which a grain has a contact as with its mirror image.
 /// \param    assembly   its contacts are changed
 /// \param    ratio      k_t/k_n >= 0 [1], as contact::mindlin_stiffness_ratio gives it
 /// \param    from       a contact that does not press (overlap or force <= 0) gets k_n at zero: 0, for the
@@ -60,20 +60,20 @@ void assign_stiffness_of_ratio(Assembly& assembly, double ratio);
 [[nodiscard]] contact::GrainMaterial mean_pair_material(const Assembly& assembly,
                                                         std::span<const contact::GrainMaterial> materials);
 
-/// Moment over angle of contacts that resist rolling or twisting, as DEM codes say it.
+/// Moment over angle of contacts that resist rolling or twisting, as given in DEM codes.
 struct TurningSpring {
   enum class Of {
     angle,        ///< value is the stiffness [N m], as YADE's kr and LAMMPS' twisting sds
     displacement, ///< value R*^2, R* = R_i R_j/(R_i + R_j); value [N/m], as LAMMPS' rolling sds
     normal,       ///< value k_n R*^2; value [1], as LIGGGHTS' epsd with 2.25 mu_r^2
-    marshall,     ///< k_t R* d/2, the value is not asked: LAMMPS' twisting marshall
+    marshall,     ///< k_t R* d/2, the value is unused: LAMMPS' twisting marshall
   };
   double value = 0;
   Of of = Of::angle;
 };
 
 /// Sets k_r of every contact; at a wall R* is the radius of the grain.
-/// Assumes   k_n, k_t and overlaps are set, where the spring asks for them.
+/// Assumes   k_n, k_t and overlaps are set, if the spring needs them.
 /// \throws   InvalidArgument for an assembly that require_valid rejects, or a value that is negative
 /// Checked by tests/packing/test_stiffness.cpp
 void assign_rolling_stiffness(Assembly& assembly, const TurningSpring& spring);

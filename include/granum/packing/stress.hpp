@@ -10,7 +10,7 @@ namespace granum::packing {
 /// Mean stress tensor of an assembly, compression positive.
 struct ContactStress {
   Mat3 symmetric; ///< [Pa]
-  Mat3 tensor;    ///< as summed, before it was made symmetric: what codes print one half of [Pa]
+  Mat3 tensor;    ///< as summed, before symmetrisation; codes print one half of it [Pa]
   /// Norm of the antisymmetric part over norm of the symmetric part [1]; 0 without stress.
   double asymmetry = 0;
 
@@ -26,7 +26,7 @@ struct ContactStress {
 /// Accuracy  rounding.  Checked by tests/packing/test_stress.cpp
 [[nodiscard]] ContactStress contact_stress(const Assembly& assembly);
 
-/// What the contacts leave unbalanced on one grain.
+/// Unbalanced force and moment of the contacts of one grain.
 struct Residual {
   Vec3 force;  ///< [N]
   Vec3 moment; ///< about the centre, contact points dividing the branch as the radii do [N m]

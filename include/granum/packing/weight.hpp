@@ -5,10 +5,10 @@
 
 namespace granum::packing {
 
-/// What the contacts leave unbalanced on grains that rest under a body force: the same force per volume on
+/// Unbalanced contact forces on grains at rest under a body force: the same force per volume on
 /// each.
 struct Weight {
-  Vec3 per_volume{};    ///< that the grains bear, density times gravity; along gravity [N/m3]
+  Vec3 per_volume{};    ///< density times gravity, along gravity [N/m3]
   double left_over = 1; ///< mean |residual force| without it over that with it, grains with a contact [1]
 };
 

@@ -36,12 +36,13 @@ enum class CementScheme {
 
 /// Moduli of the cemented packing by the published regression of its contact stiffness:
 /// K = C_n (1-phi) M_c S_n/6, G = 0.6 K + 3 C_n (1-phi) G_c S_t/20, M_c = K_c + 4/3 G_c. The regression is
-/// that of [DvorkinNur1996], the integral equation that it stands for that of [DvorkinNur1994].
+/// that of [DvorkinNur1996], the integral equation that it represents is that of [DvorkinNur1994].
 /// Assumes   contacts follow the mean strain; no pressure on the cement's contacts.
 /// \throws   InvalidArgument as cement_radius_ratio, and where the regression turns negative
-/// \return   moduli, with notes where the regression leaves the integral equation that it stands for by more
-///           than a tenth: disc radius outside [0.05, 1] grain radii, or cement too soft or too stiff against
-///           the grain; and where a modulus exceeds the average of grain, cement and pore, an upper bound
+/// \return   moduli, with notes where the regression differs from the integral equation that it represents by
+///           more than a tenth: disc radius outside [0.05, 1] grain radii, or cement too soft or too stiff
+///           against the grain; and where a modulus exceeds the average of grain, cement and pore, an upper
+///           bound
 /// Accuracy  16 ulp of the regression, which itself is within 12 % of the integral equation where nothing is
 ///           noted.  Checked by tests/rock_physics/test_contact_cement.cpp
 [[nodiscard]] IsotropicEstimate contact_cement(const CementedPacking& packing, CementScheme scheme);

@@ -21,7 +21,7 @@ struct PorosityRange {
 
 /// C_n of clean, well sorted grains at a porosity. The relations differ by up to 0.7 from each other: none of
 /// them replaces a measured coordination number, and none knows how the packing was made.       [Murphy1982]
-/// \param    porosity   in porosity_range(relation), [0.2, 0.7]; nothing is extrapolated
+/// \param    porosity   in porosity_range(relation), [0.2, 0.7]; no extrapolation
 /// \throws   InvalidArgument for a porosity out of that range
 /// Accuracy  4 ulp of the relation.  Checked by tests/rock_physics/test_coordination_relations.cpp
 [[nodiscard]] double coordination_number(double porosity, CoordinationRelation relation);

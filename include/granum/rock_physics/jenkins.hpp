@@ -5,7 +5,7 @@
 
 namespace granum::rock_physics {
 
-/// What is left of the uniform-strain shear modulus when pairs of frictionless spheres may deviate from the
+/// Ratio to the uniform-strain shear modulus if pairs of frictionless spheres may deviate from the
 /// mean strain: a function of the coordination number alone, 0.30 at k = 6. The published coefficients have
 /// two digits; those of the bulk modulus could not be confirmed (as coded in public they lift it above its
 /// upper bound) and are left out.                                                             [Jenkins2005]

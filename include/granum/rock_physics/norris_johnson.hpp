@@ -31,7 +31,7 @@ enum class StrainPath { hydrostatic_first, uniaxial_first, simultaneous };
 /// Checked by tests/rock_physics/test_norris_johnson.cpp
 [[nodiscard]] effective::Estimate norris_johnson(const StrainedPacking& packing);
 
-/// Stresses that hold the packing at these strains when they were applied along the path; no-slip contacts
+/// Stresses of the packing at these strains when they were applied along the path; no-slip contacts
 /// keep the tangential forces that they gathered on the way.                             [NorrisJohnson1997]
 /// Assumes   as norris_johnson; no contact slides on the path.
 /// \throws   InvalidArgument as norris_johnson

@@ -4,7 +4,7 @@
 #include <granum/rock_physics/sphere_packing.hpp>
 
 /// Sands between a packing of clean spheres at its critical porosity and the solid mineral at porosity 0, by
-/// modified Hashin-Shtrikman bounds: the packing takes porosity/critical porosity of the volume.
+/// modified Hashin-Shtrikman bounds: the packing has the volume fraction porosity/critical porosity.
 namespace granum::rock_physics {
 
 /// The lower bound: pore-filling fines, sorting. The packing surrounds the mineral.       [DvorkinNur1996]

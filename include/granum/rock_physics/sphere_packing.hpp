@@ -5,7 +5,7 @@
 
 #include <granum/core/validity.hpp>
 
-/// What the classical closed forms share: equal elastic spheres that touch in Hertz contacts, and the moduli
+/// Common part of the classical closed forms: equal elastic spheres with Hertz contacts, and the moduli
 /// that come out.
 namespace granum::rock_physics {
 
@@ -22,7 +22,7 @@ struct SpherePacking {
   double no_slip_fraction = 1;        ///< share of no-slip contacts in [0, 1]: 1 rough, 0 smooth grains
 };
 
-/// Moduli of an isotropic packing. Unlike elastic::Isotropic it may hold zeros: an unloaded packing is none.
+/// Moduli of an isotropic packing. Unlike elastic::Isotropic it may contain zeros, for an unloaded packing.
 struct IsotropicEstimate {
   double bulk_modulus = 0;  ///< K >= 0 [Pa]
   double shear_modulus = 0; ///< G >= 0 [Pa]

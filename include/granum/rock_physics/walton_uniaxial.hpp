@@ -23,7 +23,7 @@ struct UniaxialPacking {
 /// Accuracy  8 ulp.  Checked by tests/rock_physics/test_walton_uniaxial.cpp
 [[nodiscard]] effective::Estimate walton_uniaxial(const UniaxialPacking& packing);
 
-/// Stresses that hold it; the ratio horizontal/vertical is nu_g/(4 (3 - 2 nu_g)) for rough grains and 1/4
+/// Its stresses; the ratio horizontal/vertical is nu_g/(4 (3 - 2 nu_g)) for rough grains and 1/4
 /// for smooth ones.                                                                           [Walton1987]
 /// \throws   InvalidArgument as walton_uniaxial
 /// Accuracy  8 ulp.  Checked by tests/rock_physics/test_walton_uniaxial.cpp

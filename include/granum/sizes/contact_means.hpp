@@ -6,7 +6,7 @@
 
 #include <granum/sizes/distribution.hpp>
 
-/// Which sizes touch which, and the means over contacts that closed forms take of it.
+/// Which sizes touch which, and the resulting means over contacts for closed forms.
 namespace granum::sizes {
 
 /// Means over the contacts of a packing, and its mean grain, over those of equal grains of a reference
@@ -17,7 +17,7 @@ namespace granum::sizes {
 struct ContactMeans {
   double branch = 1;        ///< <l>/(2 R), l = R_i + R_j of a contact [1]
   double branch_square = 1; ///< <l^2>/(4 R^2) [1]
-  double pair_radius = 1;   ///< 2 (<R*^(1/3) l^2>/<l^2>)^3/R: of the law that stands for all pairs [1]
+  double pair_radius = 1;   ///< 2 (<R*^(1/3) l^2>/<l^2>)^3/R: of the law that represents all pairs [1]
   double grain_volume = 1;  ///< <V_g>/(4/3 pi R^3), over all grains, those without contact as well [1]
 
   bool operator==(const ContactMeans&) const = default;
@@ -45,20 +45,20 @@ struct TouchingPair {
                                                  std::span<const TouchingPair> contacts, double reference);
 
 /// Contacts of a grain of radius x = r/<r> over those of a grain of the mean radius: Omega(1)/Omega(x), with
-/// Omega(x) = 1 - sqrt(1 - 1/(1 + x)^2) the share of its sky that a mean neighbour takes.
+/// Omega(x) = 1 - sqrt(1 - 1/(1 + x)^2) the fraction of its solid angle that a mean neighbour covers.
 /// [Shaebani2012]
 /// Assumes   the coverage of grains does not depend on their size, and that no grain is a rattler.
 /// \param    x   > 0, not checked
 /// Accuracy  4 ulp.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] double relative_contact_number(double x);
 
-/// The means that a distribution leads to. Grains touch as often as relative_contact_number says, but for the
+/// The means of a distribution. The number of contacts follows relative_contact_number, except for the
 /// rattlers: with c(x) that number, a grain is one with the probability exp(-k (c(x) - c(0))), which is 1 for
 /// a grain that is a point and falls with its size, faster the fewer rattlers there are. Partners are
 /// independent of each other's size. R is the mean radius by number.
 /// \param    rattler_fraction   x_0 in [0, 1), over all grains: many small ones where sizes differ much
 /// \throws   InvalidArgument for a fraction out of range
-/// Accuracy  of the quadrature 1e-10. Against what was counted in packings of LAMMPS, x_0 from 0.14 to 0.39:
+/// Accuracy  of the quadrature 1e-10. Compared with counts in packings of LAMMPS, x_0 from 0.14 to 0.39:
 ///           validation/sizes.  Checked by tests/sizes/test_contact_means.cpp
 [[nodiscard]] ContactMeans expected_contact_means(const Distribution& sizes, double rattler_fraction = 0);
 /// The same of the radii of grains, e.g. of a file without contacts; R is their mean. The pair radius of more

@@ -22,13 +22,13 @@ struct SizeNode {
   double share = 0;  ///< of the number of grains [1]
 };
 
-/// What keeps a list of points from being a sieve curve.
+/// Faults of a list of points as a sieve curve.
 struct SieveFault {
   std::size_t point = 0; ///< counted from 0
   std::string what;
 };
 
-/// The first fault of a sieve curve: it takes two points or more, ascending d > 0 with d_last <= 1e6
+/// The first fault of a sieve curve: it needs two points or more, ascending d > 0 with d_last <= 1e6
 /// d_first, and passing from exactly 0 to exactly 1, never less than before. Nothing if there is none.
 /// Checked by tests/sizes/test_distribution.cpp
 [[nodiscard]] std::optional<SieveFault> find_fault(std::span<const SievePoint> curve);
@@ -39,7 +39,7 @@ struct SieveFault {
 /// Checked by tests/sizes/test_distribution.cpp
 class Distribution {
  public:
-  /// All grains of one radius: x = 1 to the bit, wherever a distribution is asked.
+  /// All grains of one radius: x = 1 to the bit, in every function.
   [[nodiscard]] static Distribution equal();
   /// Two radii.
   /// \param    ratio   large over small, in [1, 1e3]; equal() at 1
@@ -51,10 +51,10 @@ class Distribution {
   /// \throws   InvalidArgument outside that range
   [[nodiscard]] static Distribution uniform(double smallest, double largest);
   /// ln r normally distributed by number, with standard deviation sigma; hence ln r of the mass as well, with
-  /// its mean 3 sigma^2 higher. Its tails are cut where they hold little: of the whole, 1 % of the number of
-  /// grains below and 1 % of the mass above, which leaves the size ratio exp(3 sigma^2 + 4.65 sigma), 7.4 for
-  /// 0.35; or at a size ratio, about the same centre (equal losses of number below and mass above), but never
-  /// beyond 9 standard deviations.
+  /// its mean 3 sigma^2 higher. Its tails are cut where they contain little: of the whole, 1 % of the number
+  /// of grains below and 1 % of the mass above, which leaves the size ratio exp(3 sigma^2 + 4.65 sigma), 7.4
+  /// for 0.35; or at a size ratio, about the same centre (equal losses of number below and mass above), but
+  /// never beyond 9 standard deviations.
   /// \param    sigma        in [0, 1.2]; equal() at 0
   /// \param    size_ratio   largest over smallest radius, in (1, 1e6]
   /// \throws   InvalidArgument outside these ranges
@@ -65,7 +65,7 @@ class Distribution {
   /// \param    size_ratio   largest over smallest radius, in [1, 1e3]; equal() at 1
   /// \throws   InvalidArgument outside these ranges
   [[nodiscard]] static Distribution power_law(double exponent, double size_ratio);
-  /// Lognormal by mass with the uniformity coefficient C_u = d60/d10 that is asked for. The finest and the
+  /// Lognormal by mass with the given uniformity coefficient C_u = d60/d10. The finest and the
   /// coarsest 5 % of the mass are cut off, which leaves the size ratio C_u^2.52: else the finest, which
   /// hardly touch, would be nearly all grains by number. Or it is cut at a size ratio, about the median by
   /// mass, but never beyond 9 standard deviations.
@@ -79,7 +79,7 @@ class Distribution {
   /// \throws   InvalidArgument with its first fault, as find_fault
   [[nodiscard]] static Distribution sieve(std::span<const SievePoint> curve);
 
-  /// Mean radius by number of a sieve curve, whose sizes are absolute [m]; nothing for the others.
+  /// Mean radius by number of a sieve curve, whose sizes are absolute [m]; empty for the others.
   [[nodiscard]] std::optional<double> mean_radius() const { return mean_radius_; }
   /// Whether all grains have one radius.
   [[nodiscard]] bool is_equal() const { return smallest() == largest(); }
@@ -94,7 +94,7 @@ class Distribution {
   /// Of all grains counted x^k times, the share that is smaller than or as small as x: k = 0 by number,
   /// k = 3 by mass [1]. Accuracy  1e-13.
   [[nodiscard]] double share_below(double x, double k = 0) const;
-  /// The inverse of share_below: the x up to which grains hold a share in [0, 1].
+  /// The inverse of share_below: the x up to which grains have a given share in [0, 1].
   /// \throws   InvalidArgument for a share out of range
   /// Accuracy  relative 1e-12.
   [[nodiscard]] double quantile(double share, double k = 0) const;
@@ -150,7 +150,7 @@ struct Gradation {
 /// \throws   InvalidArgument if the radius is not positive
 /// Checked by tests/sizes/test_distribution.cpp
 [[nodiscard]] Gradation gradation(const Distribution& sizes, double mean_radius);
-/// The same of grains: the smallest diameter up to which grains hold the share of the mass.
+/// The same of grains: the smallest diameter up to which grains have the share of the mass.
 /// \param    radii   at least one, each > 0 [m]
 /// \throws   InvalidArgument for no radii, or one that is not positive
 /// Checked by tests/sizes/test_distribution.cpp

@@ -21,9 +21,8 @@ enum class Drawing {
 /// \param    count   number of grains, 0 allowed
 /// \param    seed    any number; one seed, one sample
 /// Accuracy  of moments: plain, the standard error of independent draws; stratified, far better for size
-///           ratios up to 10. Beyond, few large grains hold the mass: <x^3> of 20,000 grains of uniformity:4
-///           is 2 % off.
-///           Checked by tests/sizes/test_sampling.cpp
+///           ratios up to 10. Beyond, few large grains have most of the mass: <x^3> of 20,000 grains of
+///           uniformity:4 is 2 % off. Checked by tests/sizes/test_sampling.cpp
 [[nodiscard]] std::vector<double> sample_radii(const Distribution& sizes, std::size_t count,
                                                std::uint64_t seed, Drawing drawing = Drawing::stratified);
 

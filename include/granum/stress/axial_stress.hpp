@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Axisymmetric states of stress: what closed forms and experiments share.
+/// Axisymmetric states of stress, for closed forms and experiments.
 /// Checked by tests/stress/test_shear_path.cpp
 namespace granum::stress {
 

@@ -5,15 +5,15 @@
 
 #include <granum/stress/axial_stress.hpp>
 
-/// Stresses in level ground: the weight above, the water in the pores, and what the grains bear of both.
+/// Stresses in level ground: total, pore pressure, and effective.
 /// Checked by tests/stress/test_ground.cpp
 namespace granum::stress {
 
-/// Level ground of two weights, above and below the water table, and what lies on it.
+/// Level ground with two unit weights, above and below the water table, and a load on it.
 struct Ground {
-  double unit_weight = 0;           ///< above the water table, with the water it holds, >= 0 [N/m3]
+  double unit_weight = 0;           ///< above the water table, with its water, >= 0 [N/m3]
   double saturated_unit_weight = 0; ///< below it, of grains and water together, >= water_unit_weight [N/m3]
-  /// Depth of the water table [m]; none: the ground is dry. Negative: water stands so high above the ground.
+  /// Depth of the water table [m]; none: the ground is dry. Negative: height of water above the ground.
   std::optional<double> water_table = std::nullopt;
   double water_unit_weight = 0;      ///< > 0 [N/m3]
   double earth_pressure_at_rest = 1; ///< K_0, horizontal over vertical effective stress, > 0 [1]
@@ -24,7 +24,7 @@ struct Ground {
 struct GroundStress {
   AxialStress total;        ///< of grains and water together
   double pore_pressure = 0; ///< u
-  AxialStress effective;    ///< what the grains bear: total - u in both directions
+  AxialStress effective;    ///< carried by the grains: total - u in both directions
 };
 
 /// Stresses at a depth: sigma_v is the weight above and the surcharge, u is hydrostatic below the water table

@@ -26,7 +26,7 @@ inline constexpr std::array all_shear_paths{ShearPath::txc, ShearPath::rtxc, She
 /// Whether eta grows from 0 on this path (compression) or falls (extension).
 [[nodiscard]] bool is_compression(ShearPath path);
 
-/// The stress at which a path reaches a stress ratio. The stress that the path holds constant is `start` to
+/// The stress at which a path reaches a stress ratio. The constant stress of the path is `start` to
 /// the bit.                                                                                   [Chung2014]
 /// \param    start   mean stress > 0 where the path begins, isotropic [Pa]
 /// \param    eta     q/p', in [0, 3) in compression, in (-3/2, 0] in extension, where the lower stress is 0

@@ -11,8 +11,8 @@
 
 namespace granum::triaxial {
 
-/// Small-strain shear of a frozen copy; the cell's faces move as the name says (first index: the direction
-/// that the sheared layers are stacked in, second: the direction that they move in). z is vertical.
+/// Small-strain shear of a frozen copy; the cell's faces move according to the name (first index: the
+/// direction that the sheared layers are stacked in, second: the direction that they move in). z is vertical.
 enum class ShearMode {
   hh, ///< layers stacked along x move along y
   hv, ///< layers stacked along x move along z
@@ -27,20 +27,21 @@ struct ProbeOptions {
   /// false: no contact may slide during the probe, the response of the frozen network; true: the material's
   /// friction.
   bool sliding = false;
-  /// false: the cell only shears; true: servos hold the normal stresses at its faces where they stood.
+  /// false: the cell only shears; true: servos keep the normal stresses at its faces constant.
   bool hold_normal_stress = false;
-  /// States at rest that are kept of each quarter of the cycle, 0: none. The cycle then goes on to its first
+  /// States at rest recorded in each quarter of the cycle, 0: none. The cycle then continues to its first
   /// end once more, where a loop that repeats itself closes.
   std::size_t loop_points = 0;
   std::size_t ramp_steps = 100;
   /// Unbalanced force ratio after each leg [1]. With the settled share below, G is that of the network within
   /// 0.2 % in the mean of loose specimens of 1,000 grains, and 0.8 % where soft modes relax slowest.
   double force_tolerance = 1e-9;
-  /// A leg also ends when its stress is steady to this part of what the strain would bring about in a network
-  /// that does not relax [1]: among many grains some rattler always moves. The steady creep that this leaves
-  /// is taken off, unless contacts may slide. 0: only forces count.
+  /// A leg also ends when its stress is steady within this fraction of the stress that the strain causes in a
+  /// network that does not relax [1]: among many grains some rattler always moves. The steady creep that this
+  /// leaves is subtracted, unless contacts may slide. 0: only forces are checked.
   double settled_share = 3e-5;
-  /// Of each leg. Hundreds do in dense packings; soft modes of loose ones of unequal grains may take 20,000.
+  /// Limit for each leg. Hundreds suffice in dense packings; soft modes of loose ones of unequal grains may
+  /// need 20,000.
   std::size_t max_steps = 50000;
   StopRequest stop_requested = {};
 };
@@ -51,12 +52,12 @@ struct LoopPoint {
   double shear_stress = 0; ///< beyond that of the start [Pa]
 };
 
-/// How a probe ended, and what it measured.
+/// Status and results of a probe.
 struct [[nodiscard]] ProbeResult {
   bool converged = false; ///< every leg came to rest, or its stress settled
   double amplitude = 0;   ///< shear strain used [1]
   /// Largest after any leg [1]. Beyond the tolerance when the stress settled first, or a leg ran out of
-  /// steps: a rattler that is squeezed out of its cage keeps a specimen from rest, but bears no load.
+  /// steps: a rattler that is squeezed out of its cage keeps a specimen from rest, but carries no load.
   double unbalanced_force_ratio = 0;
   std::size_t steps = 0;
   // The last iterates of the functions below. 0, and an empty loop, where the cycle was not gone through:
@@ -68,10 +69,10 @@ struct [[nodiscard]] ProbeResult {
   /// Secant between the two ends of the cycle [Pa].
   /// \throws   NotConverged unless converged
   [[nodiscard]] double shear_modulus() const;
-  /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic answer [1].
+  /// Stress left at zero strain after the cycle / stress swing; 0 for an elastic response [1].
   /// \throws   NotConverged unless converged
   [[nodiscard]] double opening() const;
-  /// The start and 5 quarters, if options.loop_points ask for them.
+  /// The start and 5 quarters, if options.loop_points > 0.
   /// \throws   NotConverged unless converged
   [[nodiscard]] const std::vector<LoopPoint>& loop() const;
 };
@@ -86,17 +87,17 @@ inline constexpr double rest_bound = 1e-6;
 /// Unbalanced force ratio that freezing aims at [1].
 inline constexpr double usual_force_tolerance = 1e-8;
 
-/// What studies of a whole path aim at instead: beyond |eta| = 0.6 specimens creep on. Against 1e-5
+/// Tolerance in studies of a whole path: beyond |eta| = 0.6 specimens continue to creep. Against 1e-5
 /// it moves G of 1,000 spheres by 1e-7 (median) and 0.2 % at most up to |eta| = 0.6, and by 0.2 % (median),
-/// 2 % at most beyond, for a quarter of the steps; 1e-8 takes five times as many again.
+/// 2 % at most beyond, for a quarter of the steps; 1e-8 needs five times as many again.
 inline constexpr double creeping_force_tolerance = 1e-4;
 
-/// A state at rest at fixed cell with no contact sliding, not at walls either: what freezing a specimen on
-/// its path means here. Creep left over from the path ends, so that the network of the frozen state is the
+/// A state at rest at fixed cell without sliding contacts, also at walls: the result of freezing a specimen
+/// on its path means here. Creep left over from the path ends, so that the network of the frozen state is the
 /// one that a probe shears.
 struct [[nodiscard]] FrozenState {
   dem::Specimen last_state;      ///< at rest or not
-  dem::QuasistaticReport report; ///< of its rest: steps, what is unbalanced at the end
+  dem::QuasistaticReport report; ///< steps, and the unbalanced force at the end
   double force_tolerance = 0;    ///< that was aimed at [1]
 
   [[nodiscard]] bool at_rest() const {
@@ -115,7 +116,7 @@ struct [[nodiscard]] FrozenState {
 /// \param    force_tolerance  unbalanced force ratio that is aimed at > 0 [1]
 ///           1e-6 changes the moduli of 1,000 walled grains by 1e-4 (dense) to 5e-4 (loose), 1e-5 by up to
 ///           5e-3; loose ones seldom rest beyond 5e-7, for all of 40,000 steps of drag
-/// \throws   Stopped if so asked
+/// \throws   Stopped on stop_requested
 /// Checked by tests/triaxial/test_probe.cpp
 FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& material,
                             double force_tolerance = usual_force_tolerance,
@@ -123,16 +124,16 @@ FrozenState freeze_in_place(const dem::Specimen& state, const dem::Material& mat
 
 /// Shears a copy of the state to +amplitude, -amplitude and back to zero, at rest after each leg.
 /// Assumes   the state is in equilibrium (freeze_in_place); the probe first rests at zero strain as well.
-/// \throws   InvalidArgument for a negative amplitude, or a normal stress to hold that is not positive;
-///           Stopped if options.stop_requested says so
-/// Accuracy  as the amplitude goes to zero the network's answer with what forces add to it
+/// \throws   InvalidArgument for a negative amplitude, or a constant normal stress that is not positive;
+///           Stopped on options.stop_requested
+/// Accuracy  as the amplitude goes to zero, the network's response with its force terms
 /// (network::ForceTerms): 0.6 % of G in a dense specimen sheared to q/p = 1. At the chosen amplitude,
 /// contacts that barely touch are open for half of the cycle: 0.3 % of G in small, loose specimens.
-/// Checked against the network's answer by tests/triaxial/test_probe.cpp
+/// Checked against the network's response by tests/triaxial/test_probe.cpp
 ProbeResult probe(const dem::Specimen& state, const dem::Material& material, ShearMode mode,
                   const ProbeOptions& options = {});
 
-/// The same for hh, hv and vh, to the bit; the rest at zero strain, which takes longest, is shared. Its steps
+/// The same for hh, hv and vh, to the bit; the rest at zero strain, the longest part, is shared. Its steps
 /// count in each.
 /// Checked by tests/triaxial/test_probe.cpp
 std::array<ProbeResult, 3> probe_all(const dem::Specimen& state, const dem::Material& material,

@@ -21,14 +21,14 @@ struct ShearOptions {
   double strain_step = 0.0025;   ///< ... and of this axial strain [1]
   double largest_strain = 0.03;  ///< axial strain, either sense, at which the test ends [1]
   double time_step_fraction = dem::default_time_step_fraction; ///< of the stability limit, in (0, 1]
-  /// Asked now and then; true ends advance() early, and a later call goes on.
+  /// Checked regularly; true ends advance() early, and a later call continues.
   StopRequest stop_requested = {};
 };
 
 /// \throws InvalidArgument naming the option that no test can have.
 void require_valid(const ShearOptions& options);
 
-/// Where a test stands. Strains are logarithmic, from the start of the path, compression positive.
+/// Present point of a test. Strains are logarithmic, from the start of the path, compression positive.
 struct PathPoint {
   stress::AxialStress stress;   ///< at the boundaries, horizontal one the mean of x and y [Pa]
   double stress_difference = 0; ///< between x and y [Pa]
@@ -40,18 +40,18 @@ struct PathPoint {
   bool operator==(const PathPoint&) const = default;
 };
 
-/// What advance() came to.
+/// Outcome of advance().
 enum class ShearEvent {
   snapshot, ///< eta or the axial strain has passed a multiple of its step
   finished, ///< the largest strain is reached
-  stopped,  ///< stop_requested said so
+  stopped,  ///< by stop_requested
   unstable  ///< a velocity or a stress is no longer finite
 };
 
 /// One test under way. The stress that the path changes is driven by a constant inertial number: axial strain
-/// in TXC and RTXE, equal horizontal strains of half that rate in RTXC and TXE. The other stress is held by
-/// servos (proportional and integral, for a strain rate that changes slowly must not need a gap), and so is
-/// the equality of the two horizontal stresses. eta follows, past its peak as well.
+/// in TXC and RTXE, equal horizontal strains of half that rate in RTXC and TXE. The other stress is kept
+/// constant by servos (proportional and integral, for a strain rate that changes slowly must not need a gap),
+/// and so is the equality of the two horizontal stresses. eta follows, past its peak as well.
 /// Assumes   an orthogonal box along the axes, at rest under options.mean_stress.
 /// Same state, same options: same bits.            [Chung2014], checked by tests/triaxial/test_shear_test.cpp
 class ShearTest {
@@ -65,14 +65,14 @@ class ShearTest {
   [[nodiscard]] const PathPoint& now() const { return now_; }
   /// The point of the largest |eta| so far.
   [[nodiscard]] const PathPoint& peak() const { return peak_; }
-  /// Largest distance of the stress that the path holds from its value, relative to it, so far [1].
+  /// Largest relative error of the constant stress of the path so far [1].
   [[nodiscard]] double path_error() const { return path_error_; }
   [[nodiscard]] double largest_inertial_number() const { return largest_inertial_number_; }
   [[nodiscard]] const dem::Engine& engine() const { return engine_; }
 
   /// All that the rest of the test depends on, to the bit.
   void save(ByteWriter& to) const;
-  /// The test that was saved: it goes on with the same bits. stop_requested is not part of the bytes.
+  /// The saved test, which continues with the same bits. stop_requested is not part of the bytes.
   /// \throws   FileError if the bytes end too early or were written for another material
   [[nodiscard]] static ShearTest load(ByteReader& from, const dem::Material& material,
                                       StopRequest stop_requested = {});

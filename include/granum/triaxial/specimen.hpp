@@ -29,7 +29,7 @@ struct SpecimenRecipe {
   sizes::Distribution sizes = sizes::Distribution::equal(); ///< of the radii over R
   std::size_t grains = 1000;                                ///< at least least_grains(sizes)
   std::uint64_t seed = 1;
-  /// Given: six rigid walls of this friction coefficient [1] hold the specimen; else its cell is periodic.
+  /// Given: six rigid walls with this friction coefficient [1]; otherwise the cell is periodic.
   std::optional<double> wall_friction = {};
   double expansion_void_ratio =
       0.56;                     ///< of the fixed cell in which the grains grow, overlaps uncorrected [1]
@@ -41,8 +41,8 @@ struct SpecimenRecipe {
   double agitation = 0.03;
 };
 
-/// So many that the cell is wider than four diameters of the largest grain, as its pairs must meet
-/// through one face alone, at a void ratio of 0.2 as well; 40 where all are equal.
+/// Least number for which the cell is wider than four diameters of the largest grain, because its pairs must
+/// meet through one face alone, at a void ratio of 0.2 as well; 40 where all are equal.
 [[nodiscard]] std::size_t least_grains(const sizes::Distribution& sizes);
 
 /// \throws InvalidArgument naming the value that no specimen can have.
@@ -63,18 +63,18 @@ struct FrictionlessPacking {
 /// cube grow in stages, overlaps relaxed at fixed cell with a linear law after each; then the true law, and
 /// the enthalpy is minimised at 100, 10 and 1 times the first pressure, to an unbalanced force ratio of 1e-5,
 /// the tolerance of compression_options() too. After friction is switched on, G of 1,000 spheres is within
-/// 1e-3 of what 1e-6 leads to (15 of 16 specimens; the other one went on to another packing, 1.6 % softer at
+/// 1e-3 of the result with 1e-6 (15 of 16 specimens; the other one moved to another packing, 1.6 % softer at
 /// 1e-5); 1e-3 would be up to 2 % away. Thousands of grains may not come that far: they are left at 1e-3
 /// (see FrictionlessPacking::last), and come to rest once friction is on.
 /// Same recipe, same bits. The law, the seed, the sizes and their number decide; friction and density
 /// kind do not.
-/// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not arrive; Stopped if so asked
+/// \throws   InvalidArgument (recipe); NotConverged if the minimiser does not; Stopped on stop_requested
 [[nodiscard]] FrictionlessPacking frictionless_specimen(const SpecimenRecipe& recipe,
                                                         const StopRequest& stop_requested = {});
 
 /// Opens a jammed specimen by recipe.unjamming_strain, moves its grains at random by recipe.agitation, and
 /// removes overlaps: no contact carries force afterwards.
-/// \throws   InvalidArgument (recipe); NotConverged if contacts go on bearing force; Stopped if so asked
+/// \throws   InvalidArgument (recipe); NotConverged if contacts still carry force; Stopped on stop_requested
 [[nodiscard]] dem::Specimen unjam(dem::Specimen jammed, const SpecimenRecipe& recipe,
                                   const StopRequest& stop_requested = {});
 
@@ -94,9 +94,9 @@ struct Snapshot {
 };
 
 /// Compresses with friction through the pressures in turn, each a fresh start from the state before, so that
-/// a run that is taken up from any snapshot ends in the same bits.
+/// a run that is resumed from any snapshot ends with the same bits.
 /// \param    visit  called with each snapshot as it is reached; returning false ends the path
-/// \return   false if the path ended early: a stage did not converge, or visit said so
+/// \return   false if the path ended early: a stage did not converge, or visit returned false
 bool isotropic_path(dem::Specimen state, const dem::Material& material, const std::vector<double>& pressures,
                     const dem::QuasistaticOptions& options,
                     const std::function<bool(const Snapshot&)>& visit);

@@ -50,7 +50,7 @@ class ParaviewFrames {
   std::vector<io::SeriesEntry> contacts_;
 };
 
-/// Frames of one answer, all of which is in memory until it is written.
+/// Largest number of frames of one run; all results are in memory until they are written.
 constexpr std::size_t most_frames = 10'000;
 
 /// `seen` is called with each frame that is taken and its number.
@@ -78,7 +78,7 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
     } else if (choice.takes(number)) {
       if (out.size() == most_frames) {
         out.back().validity.add(fmt::format(
-            "no frame behind the {}th was read; choose others with --frames, such as {}: or 0::10",
+            "only the first {} frames were read; select others with --frames, such as {}: or 0::10",
             most_frames, number));
         break;
       }
@@ -88,11 +88,11 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
   if (kept)
     take(std::move(*kept), number - 1);
   if (out.empty())
-    throw InvalidArgument(fmt::format("--frames takes none of the {} frames of the files", number));
+    throw InvalidArgument(fmt::format("--frames selects none of the {} frames of the files", number));
   return out;
 }
 
-/// Of a table of contacts alone: directions and forces.
+/// For a table of contacts without grains: directions and forces.
 FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOptions& options) {
   const io::ContactTable table = file.kind().format->read_contacts(file.open());
   return {.measured = studies::measure_frame(table, options.given, options.wanted)};
@@ -150,7 +150,7 @@ std::string frames_text(const std::vector<std::size_t>& frames, std::size_t all)
                      frames.size() > most ? ", ..." : "");
 }
 
-/// What all frames have to say against themselves, each once, with the frame where there are several.
+/// The warnings of all frames, each once, with the frame if there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
   std::vector<std::pair<std::string, std::vector<std::size_t>>>
@@ -172,7 +172,7 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   return out;
 }
 
-/// What networks that were not solved come to, which is said.
+/// Exit code for networks that did not converge, with a message.
 ExitCode code_of_networks(const std::vector<FrameAnswer>& frames) {
   std::size_t networks = 0, unsolved = 0;
   for (const FrameAnswer& frame : frames)
@@ -226,10 +226,10 @@ bool says_what_is_missing(io::Finding finding) {
 
 Command make_analyse() {
   auto options = std::make_shared<AnalyseOptions>();
-  Command command{.name = "analyse",
-                  .meaning =
-                      "A packing that another code wrote: contacts, fabric, stress, contact law, every rung",
-                  .run = [options] { return run(*options); }};
+  Command command{
+      .name = "analyse",
+      .meaning = "Packings of other codes: contacts, fabric, stress, contact law, stiffness by every rung",
+      .run = [options] { return run(*options); }};
   add_analyse_options(command, *options);
   return command;
 }

@@ -14,7 +14,7 @@
 #include <granum/io/packing_files.hpp>
 #include <nlohmann/json.hpp>
 
-/// What granum analyse works out, and how it is put into words.
+/// Results of granum analyse, and their text.
 namespace granum::cli {
 
 using studies::find_rung;
@@ -29,7 +29,7 @@ struct AnalyseAnswer {
   std::vector<io::FileKind> kinds;
   std::vector<FrameAnswer> frames;
   std::vector<StateSeries> series;                           ///< for more than one frame
-  std::size_t skipped = 0;                                   ///< frames that stand in one file only
+  std::size_t skipped = 0;                                   ///< frames in one file only
   std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
 
@@ -41,12 +41,12 @@ inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv",
                                                  "rose.svg",    "forces.svg",    "chains.svg", "states.svg",
                                                  "report.html", "analysis.json"};
 /// Writes tables of all frames, and a report and pictures of the last one.
-/// \param    table   what the screen shows
+/// \param    table   text of the terminal
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const std::string& table, io::Existing existing);
 
-/// Whether a note of a reader says what the files could not tell, not what was found in them.
+/// Whether a note of a reader is about missing data, not about a finding.
 [[nodiscard]] bool says_what_is_missing(io::Finding finding);
 
 } // namespace granum::cli

@@ -58,7 +58,7 @@ std::string verdict(double p_value, const char* yes, const char* no) {
   return fmt::format("{}, p = {}", p_value < doubt ? no : yes, short_text(p_value, 2));
 }
 
-/// Adds a test of a fabric: what it answers on a screen, and its numbers in JSON.
+/// Adds a test of a fabric: its result for the terminal, and its numbers for JSON.
 template <class Test>
 void add_test(io::Columns<Fabric>& to, const std::string& key, std::optional<Test> Fabric::*test,
               fabric::ChiSquareTest Test::*chi_square, const char* question) {
@@ -414,7 +414,7 @@ const io::Columns<NamedMatrix>& wave_fields() {
 
 namespace {
 
-/// What a series of states shows of a rung: its title, and exponents.
+/// Columns of a rung in a series of states: its title, and exponents.
 const io::Column<RungSeries> title_of_rung{"", "", &RungSeries::title,
                                            ShownColumn{.heading = "G ~ p^s", .width = -24}};
 

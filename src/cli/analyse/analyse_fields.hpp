@@ -3,7 +3,7 @@
 
 #include "analyse.hpp"
 
-/// What is found of a frame, part by part, as lists of columns, from which JSON, the tables of CSV, the
+/// Results of a frame, part by part, as lists of columns, from which JSON, the tables of CSV, the
 /// screen and the page are written.
 namespace granum::cli {
 
@@ -12,7 +12,7 @@ namespace granum::cli {
 
 /// Sizes of the grains and the void ratio.
 [[nodiscard]] const io::Columns<analysis::Measurement>& packing_fields();
-/// What is counted without knowing the contacts, and what needs them.
+/// Counts without contacts, and counts that need them.
 [[nodiscard]] const io::Columns<analysis::Counts>& grain_count_fields();
 [[nodiscard]] const io::Columns<analysis::Counts>& contact_count_fields();
 [[nodiscard]] const io::Columns<analysis::InteriorMeasures>& window_fields();
@@ -42,7 +42,7 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 
 /// All that a frame has, of which these are parts: a frame of the JSON, a row of frames.csv, and a line of
 /// the table of frames on the screen.
-/// \param    like   has the rungs and the matrices that are asked for
+/// \param    like   has the requested rungs and matrices
 [[nodiscard]] io::Columns<FrameAnswer> frame_fields(const FrameAnswer& like);
 
 } // namespace granum::cli

@@ -123,7 +123,7 @@ void add_probes(FrameFields& to) {
   }
 }
 
-/// The network, and what is read off both of its matrices, "relaxed_E_1_Pa" and so on.
+/// The network, and quantities derived from both of its matrices, "relaxed_E_1_Pa" and so on.
 void add_network(FrameFields& to, const FrameAnswer& like) {
   io::add_part(to, network_fields(), optional_part(&Measurement::network), "network/");
   const std::vector<NamedMatrix> matrices = network_matrices(like);

@@ -22,7 +22,7 @@ namespace {
 
 [[noreturn]] void refuse_frames(const std::string& text) {
   throw InvalidArgument(
-      "--frames takes all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, numbers from 0, not \"" + text + "\"");
+      "--frames needs all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, numbers from 0, not \"" + text + "\"");
 }
 
 std::size_t frame_number(const std::string& text, const std::string& all) {
@@ -69,7 +69,7 @@ std::array<double, count> parse_list(const std::string& name, const std::string&
 }
 
 std::string formats_help() {
-  std::string text = "Formats, plain or gzip, and what they are told by, whatever the name:\n";
+  std::string text = "Formats, plain or gzip, recognised by content, not by name:\n";
   for (const io::PackingFormat* format : io::packing_formats)
     text += fmt::format("  {:<30} {}\n", format->name, format->sign);
   return text;
@@ -95,7 +95,7 @@ FrameChoice parse_frames(const std::string& text) {
   if (parts.size() == 3)
     choice.stride = frame_number(parts[2], text);
   if (choice.stride == 0 || choice.last < choice.first)
-    throw InvalidArgument("--frames " + text + " takes no frame");
+    throw InvalidArgument("--frames " + text + " selects no frame");
   return choice;
 }
 
@@ -182,7 +182,7 @@ std::optional<studies::WindowChoice> parse_window(const std::string& window, con
       throw InvalidArgument(fmt::format("--depth takes two depths, such as 1mm..3mm, not \"{}\"", depth));
     if (choice.low[2] || choice.high[2])
       throw InvalidArgument(
-          "--depth and --window both say z: leave one out, as in --window 0mm..4mm,0mm..4mm,..");
+          "--depth and --window both give z: leave one out, as in --window 0mm..4mm,0mm..4mm,..");
     choice.depth = {require_non_negative("--depth", *range[0], "m"),
                     require_positive("--depth", *range[1], "m")};
   }
@@ -275,35 +275,36 @@ void add_grain_options(Command& command, AnalyseOptions& o) {
       {{.name = "--grain-density",
         .value = number_without_default(o.grain_density),
         .group = grains_group,
-        .meaning = "rho_s of the grains' solid, 2650kg/m3; without it no wave speeds",
+        .meaning = "Density rho_s of the grain mineral, 2650kg/m3; needed for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
         .group = grains_group,
-        .meaning = "Between grains, to tell which contacts slide; by default as the forces show it",
+        .meaning = "Between grains, to find the contacts that slide; by default from the forces",
         .synonyms = {{"phi mu friction frictioncoefficient"}}},
        {.name = "--material",
         .value = texts(o.materials, "TYPE:MATERIAL"),
         .group = grains_group,
-        .meaning =
-            "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once for "
-            "each",
+        .meaning = "Moduli of a type of grains: 1:shear-modulus=30GPa,poisson-ratio=0.15; for files with "
+                   "types, once for "
+                   "each",
         .excludes =
             {{"--grain-shear-modulus --grain-poisson-ratio --grain-bulk-modulus",
-              "--material says what --grain-shear-modulus and --grain-poisson-ratio say: leave these out"}},
+              "--material replaces --grain-shear-modulus and --grain-poisson-ratio: leave these out"}},
         .belongs = {{"--contact", "sphere", "sphere", "--contact sphere"}},
         .synonyms = {{"mineral material solid"}}}});
 }
 
 void add_moment_options(Command& command, AnalyseOptions& o) {
   const auto row = [](const char* name, std::string& to, const char* what) {
-    return OptionRow{.name = name,
-                     .value = text(to, "STIFFNESS"),
-                     .group = law_group,
-                     .meaning = fmt::format(
-                         "Of all contacts against {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
-                         "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
-                         what)};
+    return OptionRow{
+        .name = name,
+        .value = text(to, "STIFFNESS"),
+        .group = law_group,
+        .meaning = fmt::format(
+            "Resistance of all contacts to {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
+            "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
+            what)};
   };
   command.add({row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
                row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
@@ -315,25 +316,25 @@ void add_file_options(Command& command, AnalyseOptions& o) {
       {{.name = "--column-map",
         .value = text(o.column_map, "MAP"),
         .group = group,
-        .meaning = "What columns of dumps hold, where their values do not tell it: "
+        .meaning = "Meaning of the columns of dumps, if their values do not show it: "
                    "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
        {.name = "--stress",
         .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
         .group = group,
         .meaning =
-            "The code's own stress to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for each "
-            "frame that is taken, or a CSV file with a row for each, columns xx_kPa or sigma_xx_Pa and so "
-            "on (states.csv of an exported deck), and step if they are to be matched by it"},
+            "Stress reported by the code, to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
+            "each selected frame, or a CSV file with a row for each: columns xx_kPa or sigma_xx_Pa and so "
+            "on (states.csv of an exported deck), and step to match frames by it"},
        {.name = "--probes",
         .value = path(o.probes),
         .group = group,
         .meaning =
-            "Moduli by the code's own probes to compare the network with: a CSV file, columns modulus (K, G, "
+            "Moduli by probes of the code, to compare the network with: a CSV file, columns modulus (K, G, "
             "G_hh, G_vh, ...), value_Pa, and step or state (moduli.csv of an exported deck)"},
        {.name = "--box",
         .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
         .group = group,
-        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files, which hold none"},
+        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files, which contain none"},
        {.name = "--frames",
         .value = text(o.frames),
         .group = group,
@@ -342,24 +343,23 @@ void add_file_options(Command& command, AnalyseOptions& o) {
         .value = choice({"name", "all"}, o.series),
         .group = group,
         .meaning =
-            "Which frames have exponents of their own: name, those of files whose names differ in numbers "
-            "alone (dense_p50, dense_p100); or all"}});
+            "Frames that share a fit of exponents: name, those of files whose names differ in numbers only "
+            "(dense_p50, dense_p100); or all"}});
 }
 
 void add_measuring_options(Command& command, AnalyseOptions& o) {
-  constexpr const char* group = "What is measured";
+  constexpr const char* group = "Measurements";
   command.add(
       {{.name = "--stiffness-from",
         .value = choice({"overlap", "force", "force-over-overlap"}, o.stiffness_from),
         .group = group,
-        .meaning = "What k_n of the network is taken from; by default the overlaps, unless rounded; "
+        .meaning = "Source of k_n of the network; by default the overlaps, unless rounded; "
                    "force-over-overlap: 1.5 f/d, Hertz without a material"},
        {.name = "--window",
         .value = text(o.window, "RANGES"),
         .group = group,
-        .meaning =
-            "The part whose e, C_n, z*, fabric and stress the closed forms take: x0..x1,y0..y1,z0..z1, "
-            "lengths, .. for a whole axis"},
+        .meaning = "Part of the packing used for e, C_n, z*, fabric and stress: x0..x1,y0..y1,z0..z1, "
+                   "lengths, .. for a whole axis"},
        {.name = "--depth",
         .value = text(o.depth, "RANGE"),
         .group = group,
@@ -368,11 +368,11 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
        {.name = "--no-network",
         .value = flag(o.no_network),
         .group = group,
-        .meaning = "Leave rung 4 and its 6x6 out, which take the time"},
+        .meaning = "Leave out rung 4 and its 6x6, which take most of the time"},
        {.name = "--threads",
         .value = count(o.threads),
         .group = group,
-        .meaning = "That solve the 6x6, by default one for each core; the results do not depend on it",
+        .meaning = "Threads for the 6x6, by default one for each core; the results do not depend on it",
         .synonyms = {{"j jobs nthreads cores"}}}});
 }
 
@@ -405,7 +405,7 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
   command.add({.name = "--paraview",
                .value = flag(o.paraview),
                .group = output_group,
-               .meaning = "Also put grains and force chains there for ParaView",
+               .meaning = "Also write grains and force chains for ParaView",
                .needs = {{"--out"}}});
 }
 

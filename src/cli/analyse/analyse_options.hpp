@@ -15,7 +15,7 @@
 #include "analyse.hpp"
 #include "cli/options/packing_options.hpp"
 
-/// What the command line of granum analyse says.
+/// The command line of granum analyse.
 namespace granum::cli {
 
 struct AnalyseOptions {
@@ -45,7 +45,7 @@ struct AnalyseOptions {
 
 void add_analyse_options(Command& command, AnalyseOptions& options);
 
-/// Which frames are asked for.
+/// The selected frames.
 struct FrameChoice {
   std::size_t first = 0;
   std::size_t last = std::numeric_limits<std::size_t>::max();

@@ -44,7 +44,7 @@ plot::Series isotropic_circle() {
       .tone = plot::Tone::grey};
 }
 
-/// On the ladder; nothing for what is not on it.
+/// Position on the ladder; empty if not on it.
 std::optional<int> rung_number(const RungResult& result) {
   for (const effective::Rung& rung : effective::rungs())
     if (result.name == rung.column)
@@ -59,13 +59,13 @@ std::string stiffness_sentence(const FrameAnswer& frame) {
     return "The network of contacts in this packing has a shear modulus G of " +
            megapascal(network->moduli->G) + " and a bulk modulus K of " + megapascal(network->moduli->K) +
            ".";
-  return "These files do not tell the stiffness of the network of contacts.";
+  return "The stiffness of the contact network does not follow from these files.";
 }
 
 std::string contacts_sentence(const FrameAnswer& frame) {
   const analysis::Measurement& m = frame.measured.packing;
   if (!frame.measured.contacts_known)
-    return fmt::format("Of its contacts nothing is known; the {} grains have a void ratio of {:.3f}.",
+    return fmt::format("Its contacts are unknown; the {} grains have a void ratio of {:.3f}.",
                        m.counts.grains, m.void_ratio);
   std::string text = fmt::format(
       "A grain has {:.2f} contacts (C_n), and {:.2f} of those that bear load (z*): {} % of {} grains are "
@@ -89,7 +89,7 @@ std::string rungs_sentence(const FrameAnswer& frame) {
                    *uniform = find_rung(frame, effective::rung(effective::RungName::isotropic).column),
                    *network = find_rung(frame, network_name());
   if (relaxed == nullptr)
-    return "The closed forms lack what they need; the table below says what.";
+    return "The closed forms lack inputs; the table below lists them.";
   std::string text = "The closed form with relaxation, rung 3, gives G = " + megapascal(relaxed->moduli->G);
   if (network == nullptr)
     return text + ".";
@@ -253,7 +253,7 @@ std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
   return out;
 }
 
-/// Every rung, and why one says nothing.
+/// Every rung, with the reason if it has no result.
 std::string rungs_table(const std::vector<RungResult>& rungs) {
   io::Columns<RungResult> fields = rung_fields();
   fields.front().shown = io::ShownColumn{.heading = "note", .width = 1};
@@ -322,7 +322,7 @@ std::vector<SeriesPicture> series_pictures(const AnalyseAnswer& answer) {
       {modulus_chart(answer, "G", &studies::Moduli::G, true),
        "Shear modulus over mean stress, with the fitted G ~ p^s."},
       {modulus_chart(answer, "K", &studies::Moduli::K, false), "Bulk modulus over mean stress."},
-      {count_chart(answer, "z*", mechanical_coordination), "Contacts of a grain that bears load."},
+      {count_chart(answer, "z*", mechanical_coordination), "Contacts of a grain that carries load."},
       {count_chart(answer, "C_n", coordination), "Contacts of a grain, rattlers counted."},
       {count_chart(answer, "e", void_ratio), "Void ratio."}};
   std::erase_if(all, [](const SeriesPicture& one) { return one.chart.series.empty(); });
@@ -438,13 +438,13 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
 
 std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) {
   const FrameAnswer& last = answer.frames.back();
-  plot::PageFigure first{.caption = "The shear modulus by each rung of closed forms, asked about this "
-                                    "packing, and of its network of contacts."};
+  plot::PageFigure first{.caption = "The shear modulus of this packing by each rung of closed forms, "
+                                    "and of its network of contacts."};
   const plot::Chart rungs = rung_chart(last);
   if (!rungs.series.empty())
     first.pictures = {{.svg = plot::svg_in_page(rungs)}};
   else
-    first.caption = "No stiffness could be found; the table below says why.";
+    first.caption = "No stiffness was found; the table below gives the reasons.";
   const std::string body =
       plot::html_first_screen("How stiff is this packing, and how near do the closed forms come?",
                               first_sentences(answer), first) +

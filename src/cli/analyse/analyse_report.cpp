@@ -27,7 +27,7 @@ std::string reading_text(const FrameAnswer& frame) {
       if (says_what_is_missing(note.finding) == missing)
         list += "    - " + note.text + "\n";
     if (!list.empty())
-      text += (missing ? "  the files do not tell\n" : "  found while reading\n") + list;
+      text += (missing ? "  not in the files\n" : "  found while reading\n") + list;
   }
   return text;
 }
@@ -37,7 +37,7 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
   std::string text = "\ngrains and contacts\n" + io::list_text(packing_fields(), a) +
                      io::list_text(grain_count_fields(), a.counts);
   if (!frame.contacts_known)
-    return text + line("C_n, z*, rattlers", "unknown", "no file holds contacts");
+    return text + line("C_n, z*, rattlers", "unknown", "no file contains contacts");
   if (a.sizes.smallest != a.sizes.largest)
     text += "  contacts of closed forms: " + means_text(a.sizes.contacts) + "\n";
   return text + io::list_text(contact_count_fields(), a.counts);
@@ -45,8 +45,8 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
 
 std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
   std::string text =
-      "\nwindow, whose state the closed forms take; the network is that of the whole, as the stiffness of a "
-      "part depends on what holds the grains at its faces\n";
+      "\nwindow, used for the closed forms; the network is that of the whole, because the stiffness of a "
+      "part depends on the support of the grains at its faces\n";
   for (int k = 0; k < 3; ++k)
     text += line(std::string(1, "xyz"[k]), pretty(window.low[k], Dimension::length) + " to " +
                                                pretty(window.high[k], Dimension::length));
@@ -90,7 +90,7 @@ std::string probes_text(const FrameAnswer& frame) {
   return text;
 }
 
-/// A matrix, each column as wide as its longest number; what the solver leaves of a zero is shown as one.
+/// A matrix, each column as wide as its longest number; zeros within the error of the solver are shown as 0.
 std::string matrix_text(const NamedMatrix& named) {
   constexpr double nothing = 1e-7;
   const elastic::Matrix6& matrix = named.matrix->stiffness.matrix;
@@ -224,7 +224,7 @@ std::string analyse_table(const AnalyseAnswer& answer) {
     text += "\nall frames; G in MPa, ratio: G of the network over that of rung 3\n" +
             io::table_text(frame_fields(answer.frames.front()), answer.frames) + series_text(answer);
   if (answer.skipped > 0)
-    text += fmt::format("\n{} frames stand in one of the files only and were passed over\n", answer.skipped);
+    text += fmt::format("\n{} frames are in one of the files only and were skipped\n", answer.skipped);
   return text;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a code itself measured, beside what follows from its contacts: stresses, and moduli by probes.
+// Stresses and probed moduli reported by a code, compared with those that follow from its contacts.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace granum::cli {
 
-/// Gives each frame its stress. `given` is what stands behind --stress: six stresses for each frame in their
+/// Assigns each frame its stress. `given` is the value of --stress: six stresses for each frame in their
 /// order, or one name of a CSV file: columns xx, yy, zz, xy, xz, yz with units in their headings, one row a
 /// frame in their order, or, where there is a column "step", the row of its time step. Nothing given: nothing
 /// is compared.
 /// \throws   InvalidArgument for other than one stress a frame; FileError for a file that is no such table,
-///           or holds no row, or several, of a frame's step
+///           or contains no row, or several, for a frame's step
 void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAnswer>& frames);
 
 /// Adds a note where the stress by contacts and the code's own differ, relative to the largest component, as

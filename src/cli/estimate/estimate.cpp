@@ -51,7 +51,7 @@ Validity slips_of(const Options& o, const State& state) {
   Validity slips = likely_mistakes(o.packing, state);
   slips.merge(likely_mistakes(o.answer.grain_density));
   if (o.tolerance.value > 1)
-    slips.add(fmt::format("--tolerance {0} is {1}; was {0}% meant?", short_text(o.tolerance.value),
+    slips.add(fmt::format("--tolerance {0} is {1}; did you mean {0}%?", short_text(o.tolerance.value),
                           percent_text(o.tolerance.value)));
   return slips;
 }

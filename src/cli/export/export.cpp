@@ -118,7 +118,7 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
   return files;
 }
 
-/// Makes the folders. The files of a deck have the same names for every specimen: a small one tells them.
+/// Makes the folders. The files of a deck have the same names for every specimen, found with a small one.
 void prepare_folders(studies::Scene scene, const ExportOptions& options) {
   const std::vector<Specimen> specimens = specimens_of(scene);
   ExportOptions small = options;
@@ -174,17 +174,18 @@ Command make_export() {
       {{.name = "--start",
         .value = choice({"packed", "scattered"}, options->start),
         .group = group,
-        .meaning = "packed: granum makes the start of each path; scattered: LAMMPS does, from grains that "
-                   "do not touch, for packings too large for one machine"},
+        .meaning =
+            "packed: granum makes the start of each path; scattered: LAMMPS makes it, from grains that "
+            "do not touch, for packings too large for one machine"},
        {.name = "--path",
         .value = choice({"none", "txc", "rtxc", "rtxe", "txe"}, options->path),
         .group = group,
-        .meaning = "Triaxial test after the isotropic path, from its last pressure; its states are probed "
+        .meaning = "Triaxial test from the last pressure of the isotropic path; its states are probed "
                    "too"},
        {.name = "--eta-step",
         .value = quantity(options->eta_step, Dimension::dimensionless),
         .group = group,
-        .meaning = "q/p between two states of --path"},
+        .meaning = "Increment of q/p between two recorded states of --path"},
        {.name = "--largest-strain",
         .value = quantity(options->largest_strain, Dimension::dimensionless),
         .group = group,

@@ -129,11 +129,11 @@ void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion
     if (std::min(row.state.stress_i, row.state.stress_j) >= least_stress)
       largest = std::max(largest, row.shear_modulus);
   if (largest > 0 && largest < softest)
-    question.remarks.add(fmt::format("{} of at most {}: no sand is so soft; was {} meant?",
+    question.remarks.add(fmt::format("{} of at most {}: no sand is so soft; did you mean {}?",
                                      question.modulus_column, pretty(largest, Dimension::pressure),
                                      pretty(1e3 * largest, Dimension::pressure)));
   else if (largest > hardest)
-    question.remarks.add(fmt::format("{} of {}: no sand is so stiff; was {} meant?", question.modulus_column,
+    question.remarks.add(fmt::format("{} of {}: no sand is so stiff; did you mean {}?", question.modulus_column,
                                      pretty(largest, Dimension::pressure),
                                      pretty(largest / 1e3, Dimension::pressure)));
 }

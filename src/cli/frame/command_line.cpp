@@ -114,7 +114,7 @@ class Reader {
     }
   }
 
-  /// A word that can be nothing but a unit which nobody knows: the message is that of the number then.
+  /// A word that can only be an unknown unit: the message is then that of the number.
   [[nodiscard]] bool must_be_unit(const Value& takes, const std::string& word) const {
     const bool needed = takes.dimension.value_or(Dimension::dimensionless) != Dimension::dimensionless;
     return needed && !positionals_ && !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
@@ -171,7 +171,7 @@ std::vector<std::string> take_arguments(const Command& program, const Command& c
   std::vector<const OptionRow*> before;
   std::exception_ptr unreadable;
   Contradictions contradictions(arguments);
-  bool of_unknown = false; // the word before is an option that nobody knows: this one may be its value
+  bool of_unknown = false; // the word before is an unknown option: this one may be its value
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     const TypedArgument& typed = arguments[k];
     const OptionRow* row = typed.option;

@@ -6,7 +6,7 @@
 
 #include "option_row.hpp"
 
-/// The parser: what people type, told apart by the rows of a command's options. It joins units to their
+/// The parser of command lines, from the rows of a command's options. It joins units to their
 /// numbers, and finds all that is wrong before any work is done. Checked by tests/cli
 namespace granum::cli {
 
@@ -18,7 +18,7 @@ struct TypedArgument {
   bool stray = false;                ///< is no option, and no argument of the command
 };
 
-/// Tells the options of a command and their values apart. A unit that stands apart goes to its number: of
+/// Separates the options of a command from their values. A separate unit is joined to its number: of
 /// --pressure 100 kPa the value is "100kPa", of --vs 280 +- 5 m/s "280+-5m/s".
 [[nodiscard]] std::vector<TypedArgument> read_arguments(const Command& command,
                                                         const std::vector<std::string>& words);
@@ -28,7 +28,7 @@ struct TypedArgument {
 /// choice that cannot be taken, and each option that contradicts one before it or lacks one that it needs; in
 /// the order in which they were typed. Then for each option that is required and not there.
 /// \param    program  with all commands, of which another may know the option
-/// \return   what is wrong; empty: every value was taken
+/// \return   the error; empty if every value was accepted
 /// \throws   FileError of a value that is read at once, where nothing else is wrong
 [[nodiscard]] std::vector<std::string> take_arguments(const Command& program, const Command& command,
                                                       const std::vector<TypedArgument>& arguments);

@@ -15,7 +15,7 @@ bool lists(std::string_view names, const OptionRow& row) {
   return std::any_of(own.begin(), own.end(), [&](const std::string& name) { return has_word(names, name); });
 }
 
-/// What the row of one option says against another one.
+/// The contradiction between two options, from the row of one.
 std::optional<std::string> said_against(const OptionRow& row, const OptionRow& other) {
   for (const Exclusion& exclusion : row.excludes)
     if (lists(exclusion.others, other))
@@ -86,7 +86,7 @@ std::string Contradictions::belonging(const TypedArgument& argument) const {
     const std::vector<std::string>* known = chosen != nullptr ? &chosen->option->value.choices : nullptr;
     const bool mistyped = known != nullptr && std::find(known->begin(), known->end(), choice) == known->end();
     if (mistyped || has_word(choices, choice))
-      continue; // a word that is no choice is said by itself
+      continue; // an invalid choice has its own message
     return reason.empty() ? belongs_to_other_contact(argument.word, first_word(choices), choice)
                           : fmt::format("{} goes with {}", argument.word, reason);
   }

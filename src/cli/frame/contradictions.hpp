@@ -10,34 +10,34 @@
 
 #include "command_line.hpp"
 
-/// Options that cannot stand on one command line, as their rows have it. Checked by tests/cli/people.cmake
+/// Options that exclude each other, according to their rows. Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// What is said where one thing is told twice, by options or by a row of a table.
+/// Messages about quantities that are given twice, by options or by a row of a table.
 namespace said_twice {
 inline constexpr const char* density =
     "the density is given more than once: give one of --void-ratio, --porosity, --solid-fraction, "
     "--relative-density";
 inline constexpr const char* stress = "--pressure sets both stresses: leave out --stress-v and --stress-h";
 inline constexpr const char* rattlers =
-    "--mechanical-coordination-number and --rattler-fraction say the same: give one";
-inline constexpr const char* size = "--radius and --d50 say the same: give one";
+    "--mechanical-coordination-number and --rattler-fraction mean the same: give one";
+inline constexpr const char* size = "--radius and --d50 mean the same: give one";
 inline constexpr const char* grain =
     "--grain-poisson-ratio and --grain-bulk-modulus are of one solid, with its shear modulus: give one";
-inline constexpr const char* sizes = "--sizes, --sieve and --uniformity say the same: give one of them, once";
+inline constexpr const char* sizes = "--sizes, --sieve and --uniformity mean the same: give one of them, once";
 } // namespace said_twice
 
 /// "--slope goes with --contact cone, not with --contact sphere".
 [[nodiscard]] std::string belongs_to_other_contact(const std::string& option, std::string_view wanted,
                                                    std::string_view chosen);
 
-/// Finds what contradicts what on one command line, option by option.
+/// Finds contradictions on one command line, option by option.
 class Contradictions {
  public:
   explicit Contradictions(const std::vector<TypedArgument>& arguments);
 
-  /// What option `index` contradicts among those before it, or needs and has not; empty where that is
-  /// nothing, or was said of another one.
+  /// The contradiction of option `index` to those before it, or a missing option that it needs; empty if
+  /// there is none, or if it was reported already.
   [[nodiscard]] std::string of(std::size_t index);
 
  private:
@@ -48,7 +48,7 @@ class Contradictions {
   [[nodiscard]] std::string belonging(const TypedArgument& argument) const;
 
   const std::vector<TypedArgument>& arguments_;
-  bool all_known_ = true; ///< no word is an option that the command lacks: what seems missing may be that one
+  bool all_known_ = true; ///< no unknown options; otherwise a missing option may be one of them
   std::set<std::string> said_;
 };
 

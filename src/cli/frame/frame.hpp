@@ -15,11 +15,11 @@
 
 #include "option_row.hpp"
 
-/// What the subcommands share: exit codes, options that all of them take, and the way results leave the
+/// Common to the subcommands: exit codes, options of all of them, and the output of results from the
 /// program.
 namespace granum::cli {
 
-/// What a table shows as an empty cell.
+/// Text of an empty cell.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Of parts that did not arrive, such as networks or samples: ok if none, fell_short if some, not_converged
@@ -48,7 +48,7 @@ struct OutputOptions {
 };
 
 void add_output_options(Command& command, OutputOptions& options);
-/// --out into a folder or file, and --force that lets it replace what is there.
+/// --out into a folder or file, and --force to replace existing ones.
 void add_output_place(Command& command, std::string& out, bool& force, std::string type, std::string out_help,
                       const std::string& replaced);
 /// --picture, to which --force speaks as well.
@@ -67,26 +67,26 @@ void require_free(const OutputOptions& output, const std::string& picture);
 /// The object that a JSON result begins with: program, version, compiler, command.
 nlohmann::ordered_json json_head(std::string_view command);
 
-/// A result as it is written, with U+FFFD for what is no UTF-8 in names and headings.
+/// A result as it is written, with U+FFFD for invalid UTF-8 in names and headings.
 /// \param    indent  of each level; -1 for one line without an end
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
-/// The warnings stand in the JSON too, so that its reader does not need standard error.
+/// JSON contains the warnings too, so that its reader does not need standard error.
 [[nodiscard]] nlohmann::ordered_json with_warnings(nlohmann::ordered_json json, const Validity& validity);
 
 /// Makes the folder that results go to, before any work is done.
 /// \param    names   of the files that will be written there
-/// \throws   FileError if it cannot be made or written to, or holds one of the files and force is not set
+/// \throws   FileError if it cannot be made or written to, or contains one of the files without force
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names, bool force);
 
-/// The folder for the results of a command: the one asked for, or, where `out` is empty, the first free
+/// The folder for the results of a command: `out`, or, if that is empty, the first free
 /// granum-COMMAND-N.
 /// \throws   FileError as prepare_folder, which makes it
 [[nodiscard]] std::filesystem::path results_folder(const std::string& out, std::string_view command,
                                                    std::span<const char* const> names, bool force);
 
-/// Delivers a result, `table` or `json` as the options ask, to standard output or the file, and the notes of
-/// its validity as warnings to standard error.
+/// Delivers a result, `table` or `json` according to the options, to standard output or the file, and the
+/// notes of its validity as warnings to standard error.
 /// \return   ok, or not_converged if there are notes and --strict
 /// is given
 /// \throws   FileError if the result cannot be written, or the file exists and --force is not given

@@ -33,7 +33,7 @@ void append_wrapped(std::string& text, std::size_t column, std::string_view word
   text += '\n';
 }
 
-/// A line of two columns: what something is called, and what it is.
+/// A line of two columns: name and meaning.
 void append_entry(std::string& text, const std::string& name, const std::string& meaning) {
   const std::string left = "  " + name;
   text += left;

@@ -14,7 +14,7 @@ namespace granum::cli {
 struct OptionText {
   std::string names;   ///< "--void-ratio", "-h, --help", "FILE"
   std::string value;   ///< "PRESSURE", "cone|sphere|flat|power-law"; empty for a flag
-  std::string meaning; ///< with the default and what it needs
+  std::string meaning; ///< with the default and required options
   const OptionRow* row = nullptr;
 };
 
@@ -23,7 +23,7 @@ struct OptionGroup {
   std::vector<OptionText> options;
 };
 
-/// What a command takes: its arguments, then its options by group.
+/// Arguments of a command, then its options by group.
 [[nodiscard]] std::vector<OptionGroup> option_groups(const Command& command);
 
 struct CommandGroup {

@@ -21,7 +21,7 @@ namespace granum::cli {
       value);
 }
 
-/// What a row has as members of an object, each at the key of its column; nothing is left out.
+/// The values of a row as members of an object, each with the key of its column; none is left out.
 template <class Row>
 void put_members(nlohmann::ordered_json& object, const io::Columns<Row>& columns, const Row& row) {
   for (const io::Column<Row>& column : columns)
@@ -47,7 +47,7 @@ template <class Row>
   return list;
 }
 
-/// What stands at the key of a column in an object that put_members made.
+/// The value at the key of a column in an object made by put_members.
 [[nodiscard]] inline io::Value value_at(const nlohmann::ordered_json& object, const std::string& key) {
   const nlohmann::ordered_json::json_pointer place("/" + key);
   if (!object.contains(place) || object.at(place).is_null())

@@ -18,7 +18,7 @@ namespace granum::cli {
 
 namespace {
 
-void (*of_broken_pipes)(int) = SIG_DFL; ///< what the program was started with
+void (*of_broken_pipes)(int) = SIG_DFL; ///< setting at the start of the program
 
 } // namespace
 

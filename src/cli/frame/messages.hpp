@@ -3,16 +3,16 @@
 
 #include <string_view>
 
-/// The one way to standard output and to standard error. A run is worth more than what it says on standard
-/// error: one that is closed, full or read by nobody any more is left alone.
+/// The only functions that write to standard output and standard error. Failures of standard error are
+/// ignored, because the run is more important than its messages.
 namespace granum::cli {
 
 /// To be called before any file is opened: gives a standard stream that the program was started without a
-/// file of its own, so that no result takes its number. What goes to standard output then is refused as by a
-/// full disk; what goes to standard error is dropped.
+/// file of its own, so that no result takes its number. Output to standard output then fails as on a full
+/// disk; output to standard error is dropped.
 void open_missing_streams() noexcept;
 
-/// To be called once: a pipe that nobody reads any more and a file at its limit (ulimit -f) give an error
+/// Call once: a pipe without reader and a file at its limit (ulimit -f) then give an error
 /// from then on, not a signal that ends the program.
 void take_writing_errors() noexcept;
 

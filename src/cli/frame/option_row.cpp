@@ -28,7 +28,7 @@ std::vector<std::string> parts_of(std::string_view text, char separator) {
   return parts;
 }
 
-/// \throws   InvalidArgument that says where several states belong
+/// \throws   InvalidArgument with a hint to commands for several states
 double quantity_in(const std::string& name, const std::string& text, Dimension dimension) {
   try {
     return parse_quantity(name, text, dimension);

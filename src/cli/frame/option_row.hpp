@@ -23,12 +23,12 @@ inline constexpr const char* output_group = "Output";
 struct Number {
   double value = 0;
   Dimension dimension = Dimension::dimensionless;
-  /// What columns of tables may call it besides its option's name, separated by blanks.
+  /// Other names of its column in tables, separated by blanks.
   std::string_view symbols = {};
   std::string name = {}; ///< of the option, "--radius"
   bool typed = false;    ///< on the command line
   bool in_table = false; ///< a row of a table gives it
-  bool preset = false;   ///< what else was told decides it, as the name of a mineral does
+  bool preset = false;   ///< set by another input, such as the name of a mineral
   bool per_cent = false; ///< its text or the column of the table has the sign
 
   [[nodiscard]] bool given() const { return typed || in_table || preset; }
@@ -37,14 +37,14 @@ struct Number {
   [[noreturn]] void refuse_share(const std::string& range, double most) const;
 };
 
-/// What an option takes, and where it goes.
+/// Kind of value of an option, and the variable that receives it.
 struct Value {
   std::string type = {};                   ///< "PRESSURE", "FILE"; empty for a flag
   std::vector<std::string> choices = {};   ///< the words that it chooses from
   std::string by_default = {};             ///< as help shows it
   std::string limits = {};                 ///< "2 to 1000000", for help
-  std::optional<Dimension> dimension = {}; ///< of its number: a unit that stands apart belongs to it
-  bool joins_units = false;                ///< also where the numbers stand behind keys or within ranges
+  std::optional<Dimension> dimension = {}; ///< of its number; a separate unit belongs to it
+  bool joins_units = false;                ///< also for numbers after keys or within ranges
   bool repeated = false;                   ///< may be typed again
   bool several = false;                    ///< takes all words up to the next option
   char delimiter = '\0';                   ///< between several in one word
@@ -56,8 +56,8 @@ struct Value {
   [[nodiscard]] bool flag() const { return type.empty(); }
 };
 
-/// Other options, with blanks between them, that cannot be typed beside an option, and what is said then;
-/// without a sentence that the one excludes the other. One of the two rows says so.
+/// Other options, separated by blanks, that exclude an option, and the message; without one, a standard
+/// message. One of the two rows lists the other.
 struct Exclusion {
   std::string_view others;
   std::string_view sentence = {};
@@ -70,7 +70,7 @@ struct Need {
   std::string_view beside = {}; ///< only where one of these is typed; empty: always
 };
 
-/// Words that another option has to choose. A table may tell them too, so that nothing is said beside one.
+/// Values that another option must have. They may be in a table too; beside a table nothing is reported.
 struct Belonging {
   std::string_view chooser;
   std::string_view choices;
@@ -78,7 +78,7 @@ struct Belonging {
   std::string reason = {};    ///< behind "--eta goes with "; empty: chooser and choice
 };
 
-/// What people call an input, with blanks between, without hyphens and in small letters unless they tell.
+/// Other names of an input, separated by blanks, without hyphens, in small letters unless case matters.
 struct Synonyms {
   std::string_view words;
   std::string_view remark = {};
@@ -155,16 +155,16 @@ struct Command {
 [[nodiscard]] Value texts(std::vector<std::string>& target, std::string type);
 
 using Take = std::function<void(const std::string& text)>;
-/// What `take` reads, or refuses with InvalidArgument that does not name the option.
+/// Text read by `take`, which rejects it with an InvalidArgument that does not name the option.
 [[nodiscard]] Value read_by(Take take, std::string type);
 /// The same where the text is one of a few words, or begins with one: "friction:NUMBER".
 [[nodiscard]] Value read_by(Take take, std::vector<std::string> choices);
 
 /// Other words for a choice, and the choice: "hertz" for sphere.
 using OtherWords = std::vector<std::pair<std::string, std::string>>;
-/// One of a few words, in large or small letters; what is near to one of them is asked back.
+/// One of a few words, in large or small letters; similar words get a suggestion.
 [[nodiscard]] Value choice(std::vector<std::string> words, Take take, OtherWords others = {});
-/// The same; what it holds is the default.
+/// The same; its present value is the default.
 [[nodiscard]] Value choice(std::vector<std::string> words, std::string& target);
 
 /// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.

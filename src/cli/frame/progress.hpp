@@ -18,7 +18,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Share done, the time left if the rest goes on as fast as all before, and what was done last.
+  /// Fraction done, the time left at the mean speed so far, and the last finished part.
   void show(const studies::Progress& progress);
   void clear();
 

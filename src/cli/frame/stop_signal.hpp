@@ -7,10 +7,10 @@
 
 namespace granum::cli {
 
-/// From now on the first signal to stop asks long work to end in order: Ctrl-C (SIGINT), SIGTERM, or the
-/// SIGHUP of a terminal that is closed, unless nohup(1) had it ignored. Another one two seconds later ends
-/// the program at once, with the same exit code. Some callers, such as timeout(1), send each signal more than
-/// once. To be called before the folder of results is made, which tells callers that signals are heard.
+/// From now on the first signal to stop ends long work in order: Ctrl-C (SIGINT), SIGTERM, or the SIGHUP of a
+/// terminal that is closed, unless nohup(1) had it ignored. Another one two seconds later ends the program at
+/// once, with the same exit code. Some callers, such as timeout(1), send each signal more than once. Call it
+/// before the folder of results is made, so that callers know from the folder that signals are handled.
 /// \return   true once the work is to end
 const std::atomic<bool>& listen_for_stop();
 

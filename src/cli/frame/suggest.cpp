@@ -23,11 +23,11 @@ struct OtherNames {
   const char* command;
 };
 
-/// What granum does not model, and what is said where somebody asks for it.
+/// Properties that granum does not model, and the messages about them.
 constexpr Synonyms not_modelled[] = {
     {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
     {"ocr overconsolidation age ageing",
-     "overconsolidation and age are not modelled; granum infer takes a measured speed of the ground"},
+     "overconsolidation and age are not modelled; granum infer uses a measured wave speed of the ground"},
 };
 
 /// Other programs' and other people's words for the commands.
@@ -91,7 +91,7 @@ Meant called_so(const Command& command, const std::string& word) {
   for (const OptionRow& row : command.options)
     for (const auto& [words, remark] : row.synonyms)
       if (has_word(words, word)) {
-        const bool first = !remark.empty() && meant.remark.empty(); // of this one something is to be said
+        const bool first = !remark.empty() && meant.remark.empty(); // this one has a message
         meant.options.insert(first ? meant.options.begin() : meant.options.end(), names_of(row).back());
         if (first)
           meant.remark = remark;
@@ -137,7 +137,7 @@ Names near_scene_keys(const Command& command, const std::string& name) {
   return near_misses(name, keys);
 }
 
-/// What an option was meant to be, as the end of a sentence; empty if nobody knows.
+/// The likely intended option, as the end of a sentence; empty if there is none.
 std::string meant_option(const Command& program, const Command& command, const std::string& typed) {
   if (const std::string small = "--" + in_small_letters(without_hyphens(typed));
       command.find(small) != nullptr)
@@ -159,8 +159,7 @@ std::string meant_option(const Command& program, const Command& command, const s
     return "; " + exactly;
   const std::string elsewhere =
       of_other_commands(program, [&](const Command& other) { return called_so(other, word).options; });
-  return elsewhere.empty() ? fmt::format("; {} --help lists what there is", command.called)
-                           : "; " + elsewhere;
+  return elsewhere.empty() ? fmt::format("; {} --help lists the options", command.called) : "; " + elsewhere;
 }
 
 /// A word that begins with a dash of a text processor, with hyphens instead; empty for other words.
@@ -188,8 +187,8 @@ std::string unknown_option(const Command& program, const Command& command, const
 
 std::string stray_word(const Command& program, const Command& command, const std::string& word) {
   if (command.takes_arguments())
-    return fmt::format("'{}' is one too many: {} takes one file", word, command.called);
-  const std::string said = fmt::format("{} does not know what '{}' is", command.called, word);
+    return fmt::format("'{}' is one too many: {} reads one file", word, command.called);
+  const std::string said = fmt::format("{} does not know '{}'", command.called, word);
   if (const std::string mended = with_hyphens(word); !mended.empty())
     return fmt::format("'{}' begins with a dash, not with hyphens: write {}", word, mended);
   const std::string key = word.substr(0, word.find('='));
@@ -201,7 +200,7 @@ std::string stray_word(const Command& program, const Command& command, const std
   }
   if (command.find("--" + word) != nullptr)
     return fmt::format("{}: write --{}", said, word);
-  return said + ": the name of an option stands before each value, as in --out FILE";
+  return said + ": each value needs the name of its option before it, as in --out FILE";
 }
 
 std::string unknown_command(const Command& program, const std::vector<std::string>& words) {

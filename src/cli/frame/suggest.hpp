@@ -6,7 +6,7 @@
 
 #include "option_row.hpp"
 
-/// What was meant by words that the program does not know. Checked by tests/cli/people.cmake
+/// Suggestions for unknown words. Checked by tests/cli/people.cmake
 namespace granum::cli {
 
 /// The sentence for an option that a command does not know.

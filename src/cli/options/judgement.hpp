@@ -12,7 +12,7 @@ namespace granum::cli {
 /// --strict of the studies that compare with a paper.
 void add_strict(Command& command, bool& strict);
 
-/// What a finished study ends with: fell_short where a check of granum failed, and, if strict, where a
+/// Exit code of a finished study: fell_short if a check of granum failed, and, if strict, if a
 /// finding differs from the paper; ok else. Says each reason on standard error.
 [[nodiscard]] ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict);
 

@@ -11,7 +11,7 @@
 /// Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// Of what was given alone, in the order of the options: the void ratio, z*, stress, size and modulus of the
+/// Checks given values only, in the order of the options: the void ratio, z*, stress, size and modulus of the
 /// grains.
 /// \throws   InvalidArgument as effective::contact_prior
 [[nodiscard]] Validity likely_mistakes(const PackingOptions& options, const effective::State& state);

@@ -65,7 +65,7 @@ bool NumberColumns::bind(Number& number) {
     const io::CsvTable::Place column = table_.column(name, number.dimension);
     if (found)
       throw FileError(table_.name(), table_.heading_line(),
-                      fmt::format("columns {} and {}, '{}' and '{}', both hold {}", found->index + 1,
+                      fmt::format("columns {} and {}, '{}' and '{}', both contain {}", found->index + 1,
                                   column.index + 1, headings[found->index], headings[column.index],
                                   heading_of(number)));
     found = column;
@@ -106,7 +106,7 @@ void NumberColumns::take(std::size_t row) const {
     double share = 1;
     if (number->dimension == Dimension::dimensionless && text.ends_with('%')) {
       text.pop_back();
-      share = number->per_cent ? 1 : 0.01; // the sign in the cell says what that of the heading says
+      share = number->per_cent ? 1 : 0.01; // the sign in the cell repeats that of the heading
     }
     auto value = parse_number(trimmed(text));
     if (value)

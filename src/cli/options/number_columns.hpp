@@ -10,10 +10,10 @@
 
 #include "packing_options.hpp"
 
-/// Columns of a table that hold what options say elsewhere.
+/// Columns of a table with values that are options elsewhere.
 namespace granum::cli {
 
-/// Numbers bound to the columns that hold them, by the names of their options (void_ratio, "void ratio") or
+/// Numbers bound to their columns, by the names of their options (void_ratio, "void ratio") or
 /// by symbol (e), with their unit: p_kPa, "p (kPa)", "p [kPa]".
 class NumberColumns {
  public:
@@ -21,7 +21,7 @@ class NumberColumns {
 
   /// Binds the number if the table has a column of it; whether it has. Where a row leaves it empty the number
   /// is not given, and has its default.
-  /// \throws   FileError for a column without its unit, or where two hold the number;
+  /// \throws   FileError for a column without its unit, or if two contain the number;
   ///           InvalidArgument where an option gives it too
   bool bind(Number& number);
   /// The column of a text with that heading; none if there is none.
@@ -33,7 +33,7 @@ class NumberColumns {
   /// Sets the bound numbers to those of a row.
   /// \throws   InvalidArgument for a field that is no number
   void take(std::size_t row) const;
-  /// Headings of the columns that nobody reads.
+  /// Headings of unused columns.
   [[nodiscard]] std::vector<std::string> unread() const;
 
  private:

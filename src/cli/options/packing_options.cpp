@@ -51,7 +51,7 @@ std::string help_of(const contact::LawRow& row, const contact::LawParameter& par
   return fmt::format("{}: {}, {}{}", shape, parameter.symbol, parameter.help, unit);
 }
 
-/// What people call the shapes: {"hertz", "sphere"}, {"rough", "cone or power-law"}.
+/// Other names of the shapes: {"hertz", "sphere"}, {"rough", "cone or power-law"}.
 OtherWords synonyms() {
   OtherWords out;
   for (const contact::LawRow& row : contact::laws())
@@ -150,7 +150,7 @@ const std::vector<NumberRow>& number_rows() {
        true,
        {.name = "--grain-shear-modulus",
         .group = grains_group,
-        .meaning = "G_g of the grain's material",
+        .meaning = "Shear modulus G_g of the grain's material",
         .synonyms = {{"Gs gs"},
                      {"G g Gg gg mug modulus grainmodulus shearmodulus"},
                      {"E Eg Es youngmodulus youngsmodulus grainyoungmodulus",
@@ -159,7 +159,7 @@ const std::vector<NumberRow>& number_rows() {
        true,
        {.name = "--grain-poisson-ratio",
         .group = grains_group,
-        .meaning = "nu_g of the grain's material",
+        .meaning = "Poisson's ratio nu_g of the grain's material",
         .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}}}},
       {&PackingOptions::grain_bulk_modulus,
        false,
@@ -172,7 +172,7 @@ const std::vector<NumberRow>& number_rows() {
        true,
        {.name = "--radius",
         .group = sizes_group,
-        .meaning = "Radius of the grains; of unequal ones their mean by number",
+        .meaning = "Radius of the grains; mean by number if they are unequal",
         .excludes = {{"--d50", said_twice::size}},
         .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"},
                      {"r R grainradius particleradius"}}}},
@@ -180,7 +180,7 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--d50",
         .group = sizes_group,
-        .meaning = "Diameter that half of the grains' mass is finer than, instead of --radius",
+        .meaning = "Median diameter by mass, instead of --radius",
         .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"}}}},
       {&PackingOptions::tangential_ratio,
        false,
@@ -198,14 +198,14 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--porosity",
         .group = state_group,
-        .meaning = "Share of voids in the volume, instead of --void-ratio",
+        .meaning = "Volume fraction of voids, instead of --void-ratio",
         .excludes = {one_density},
         .synonyms = {{"n phi"}}}},
       {&PackingOptions::solid_fraction,
        false,
        {.name = "--solid-fraction",
         .group = state_group,
-        .meaning = "Share of grains in the volume, instead of --void-ratio",
+        .meaning = "Volume fraction of grains, instead of --void-ratio",
         .excludes = {one_density},
         .synonyms = {{"packingfraction volumefraction solidsfraction nu_s nus"}}}},
       {&PackingOptions::coordination_number,
@@ -213,8 +213,8 @@ const std::vector<NumberRow>& number_rows() {
        {.name = "--coordination-number",
         .group = contacts_group,
         .meaning =
-            "C_n = 2 N_c/N, contacts per grain over all grains; by default those that packings of this "
-            "void ratio and stress have",
+            "C_n = 2 N_c/N, contacts per grain over all grains; by default estimated from void ratio and "
+            "stress",
         .synonyms = {{"z cn nc coordination contacts contactnumber"}}}},
       {&PackingOptions::mechanical_coordination_number,
        false,

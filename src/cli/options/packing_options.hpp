@@ -47,8 +47,8 @@ struct PackingOptions {
   Number radius{0.5e-3, Dimension::length};
   Number d50{0, Dimension::length};
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
-  bool graded = false;                           ///< sizes are told as those of a soil: a sieve curve or C_u
-  std::optional<double> uniformity = {};         ///< C_u where the sizes were told by it, to the bit
+  bool graded = false;                           ///< sizes are given as for a soil: a sieve curve or C_u
+  std::optional<double> uniformity = {};         ///< C_u where the sizes were given by it, to the bit
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;
@@ -77,7 +77,7 @@ void add_packing_options(Command& command, PackingOptions& options);
 /// The part of them that names the contact law: shape and material of the grains.
 /// \param    name   of the option for the shape
 void add_law_options(Command& command, PackingOptions& options, const std::string& name = "--contact");
-/// What people call the density of the grains' solid.
+/// Other names of the density of the grain mineral.
 [[nodiscard]] std::vector<Synonyms> grain_density_synonyms();
 /// The option of one number, by its name.
 void add_packing_number(Command& command, PackingOptions& options, std::string_view name);
@@ -98,7 +98,7 @@ void require_density_or_stress(const PackingOptions& options);
 [[nodiscard]] effective::State resolve_state(const PackingOptions& options,
                                              const stress::AxialStress& stress);
 
-/// What was not given of shape, grains and fabric, one sentence each.
+/// Assumptions about shape, grains and fabric that were not given, one sentence each.
 [[nodiscard]] std::vector<std::string> assumed_grains(const PackingOptions& options,
                                                       const effective::State& state);
 /// Contact, grains and packing in SI, without the stress; contacts as far as they are known.

@@ -38,11 +38,11 @@ const PackingOptions& PackingRows::packing(std::size_t row) {
   return row_;
 }
 
-/// Equal grains where the row says nothing of their sizes.
+/// Equal grains if the row has no sizes.
 void PackingRows::take_sizes(const std::vector<std::string>& fields) {
   const bool told = sizes_ && !trimmed(fields[*sizes_]).empty();
   if (told && uniformity_.in_table)
-    throw InvalidArgument("sizes and uniformity say the same: give one of them");
+    throw InvalidArgument("sizes and uniformity mean the same: give one of them");
   if (sizes_in_table_) {
     row_.graded = uniformity_.in_table;
     row_.uniformity = uniformity_.in_table ? std::optional(uniformity_.value) : std::nullopt;

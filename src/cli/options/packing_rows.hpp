@@ -11,25 +11,25 @@
 #include "number_columns.hpp"
 #include "packing_options.hpp"
 
-/// Packings that stand in the rows of a table, with the options of a command for what it does not hold.
+/// Packings in the rows of a table, completed by the options of a command.
 namespace granum::cli {
 
-/// The inputs that a table holds: numbers, contact, sizes; and the packing of each of its rows.
+/// The inputs in a table: numbers, contact, sizes; and the packing of each of its rows.
 class PackingRows {
  public:
   /// \throws   as NumberColumns::bind
   PackingRows(const io::CsvTable& table, const PackingOptions& options);
-  PackingRows(const PackingRows&) = delete; // holds places within itself
+  PackingRows(const PackingRows&) = delete; // contains pointers into itself
   PackingRows& operator=(const PackingRows&) = delete;
 
   /// The packing of a row; sets the numbers that others have bound, too.
   /// \throws   InvalidArgument
   const PackingOptions& packing(std::size_t row);
 
-  /// Whether options or columns tell a stress.
+  /// Whether options or columns give a stress.
   [[nodiscard]] bool tells_stress() const { return tells_stress_; }
 
-  /// For what else is read of the table.
+  /// For other columns of the table.
   [[nodiscard]] NumberColumns& columns() { return columns_; }
   [[nodiscard]] const NumberColumns& columns() const { return columns_; }
 

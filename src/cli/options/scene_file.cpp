@@ -32,7 +32,7 @@ std::string text_of(const toml::node& node, const std::string& path) {
     std::string joined;
     for (const toml::node& item : *list) {
       if (item.is_array() || item.is_table())
-        throw FileError(path, line, "a list may hold texts and numbers only");
+        throw FileError(path, line, "a list may contain texts and numbers only");
       joined += (joined.empty() ? "" : ",") + text_of(item, path);
     }
     return joined;

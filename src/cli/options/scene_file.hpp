@@ -15,14 +15,14 @@ class SceneInput {
   SceneInput(studies::SceneCommand command, const studies::Scene& defaults)
       : builder_(command, defaults, "--set: ") {}
 
-  /// \throws   FileError with path and line for what cannot be read, an unknown key, a value it cannot take,
+  /// \throws   FileError with path and line for unreadable text, an unknown key, an invalid value,
   ///           or a key that the command would ignore
   void read_file(const std::string& path);
   /// "key=value" of --set.
   /// \throws   InvalidArgument
   void set(const std::string& setting);
 
-  /// What is given so far, for options that set a key of their own.
+  /// The keys given so far, for options that set a key themselves.
   [[nodiscard]] studies::Scene& scene() { return builder_.scene(); }
 
   /// The scene, checked as a whole.
@@ -34,7 +34,7 @@ class SceneInput {
   std::string path_; ///< of the file
 };
 
-/// The scene that an earlier run of a command has stored, whole: it may hold keys without effect.
+/// The scene that an earlier run of a command has stored, complete: it may contain keys without effect.
 /// \throws   FileError, InvalidArgument
 [[nodiscard]] studies::Scene read_scene(const std::string& path, studies::SceneCommand command);
 

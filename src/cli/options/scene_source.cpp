@@ -49,7 +49,7 @@ void require_file_or_pipe(const OpenFile& file, const std::string& path) {
     throw FileError(path, 0, "is a device; a scene is a TOML file or comes through a pipe");
 }
 
-/// Walks over a TOML text and counts what a parser would have to keep on its stack.
+/// Reads a TOML text and counts the depth of a parser's stack.
 class FlatCheck {
  public:
   FlatCheck(std::string_view text, const std::string& path) : text_(text), path_(path) {}

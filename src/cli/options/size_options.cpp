@@ -31,7 +31,7 @@ void add_size_options(Command& command, PackingOptions& o) {
         .value = read_by([&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
                          "DISTRIBUTION"),
         .group = sizes_group,
-        .meaning = "Grains of many sizes: " + sizes::distribution_forms(),
+        .meaning = "Grain-size distribution: " + sizes::distribution_forms(),
         .excludes = {once},
         .synonyms = {{"psd gsd sievecurve sizedistribution"}}},
        {.name = "--sieve",
@@ -65,7 +65,7 @@ double resolve_radius(const PackingOptions& o) {
     throw InvalidArgument(said_twice::size);
   const std::optional<double> of_sieve = o.sizes ? o.sizes->mean_radius() : std::nullopt;
   if (of_sieve && (o.radius.given() || o.d50.given()))
-    throw InvalidArgument(fmt::format("the sieve curve says how large the grains are: leave out {}",
+    throw InvalidArgument(fmt::format("the sieve curve gives the size of the grains: leave out {}",
                                       (o.radius.given() ? o.radius : o.d50).name));
   if (of_sieve)
     return *of_sieve;

@@ -7,14 +7,14 @@
 
 #include "packing_options.hpp"
 
-/// The options that say how large the grains are.
+/// The options for the size of the grains.
 namespace granum::cli {
 
 /// --sizes, --sieve and --uniformity.
 void add_size_options(Command& command, PackingOptions& options);
 
 /// The mean radius of the grains by number [m]: that of the sieve curve, or by --d50, or --radius.
-/// \throws   InvalidArgument if the options say it twice
+/// \throws   InvalidArgument if the size is given twice
 [[nodiscard]] double resolve_radius(const PackingOptions& options);
 
 /// Means over the contacts of unequal grains, by their distribution and the share of rattlers that
@@ -23,7 +23,7 @@ void add_size_options(Command& command, PackingOptions& options);
 /// \throws   InvalidArgument for a share out of range
 [[nodiscard]] sizes::ContactMeans resolve_contact_means(const PackingOptions& options);
 
-/// What unequal grains add to the description of a packing: their distribution, its gradation and its contact
+/// Additional description of a packing of unequal grains: their distribution, its gradation and its contact
 /// means; an empty object for equal grains.
 [[nodiscard]] nlohmann::ordered_json sizes_json(const PackingOptions& options,
                                                 const sizes::ContactMeans& contacts);

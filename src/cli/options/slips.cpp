@@ -13,7 +13,7 @@ namespace {
 constexpr double kilo = 1e3, mega = 1e6, milli = 1e-3;
 
 std::string meant_text(const Typed& number, double meant) {
-  return "was " + pretty(meant, number.dimension) + " meant?";
+  return "did you mean " + pretty(meant, number.dimension) + "?";
 }
 
 std::string typed_text(const Typed& number) {
@@ -63,7 +63,7 @@ void judge_stress(const Typed& number, Validity& validity) {
     return;
   if (p < least)
     validity.add(typed_text(number) +
-                 " is less than a centimetre of sand weighs: " + meant_text(number, p * kilo));
+                 " is below the weight of a centimetre of sand; " + meant_text(number, p * kilo));
   else
     validity.add(typed_text(number) + ": grains break before that; " +
                  meant_text(number, p / (p > most * kilo ? mega : kilo)));
@@ -74,7 +74,7 @@ void judge_length(const Typed& number, Validity& validity) {
   if (number.value <= 0 || (number.value >= least && number.value <= most))
     return;
   const bool large = number.value > most;
-  validity.add(typed_text(number) + ": grains so " + (large ? "large" : "small") + " are no sand; " +
+  validity.add(typed_text(number) + ": grains so " + (large ? "large" : "small") + " are not sand; " +
                meant_text(number, number.value * (large ? milli : kilo)));
 }
 
@@ -101,7 +101,7 @@ void judge_density(const Typed& number, Validity& validity) {
   const double density = number.value;
   if (density >= lightest && density <= heaviest)
     return;
-  validity.add(typed_text(number) + ": no solid of grains has it; " +
+  validity.add(typed_text(number) + ": no mineral has it; " +
                meant_text(number, density < lightest ? density * kilo : density / kilo));
 }
 

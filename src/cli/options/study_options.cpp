@@ -35,7 +35,7 @@ void add_study_options(Command& command, StudyOptions& options, studies::SceneCo
                {.name = "--threads",
                 .value = count(options.threads),
                 .group = group,
-                .meaning = "Specimens side by side; the results do not depend on it",
+                .meaning = "Specimens computed at the same time; the results do not depend on it",
                 .synonyms = {{"j jobs nthreads cores"}}}});
   command.notes = key_help(of);
 }
@@ -60,7 +60,7 @@ void add_strict_scene(Command& command, bool& strict) {
   command.add({.name = "--strict",
                .value = flag(strict),
                .group = output_group,
-               .meaning = "Do not begin (exit code 4) where a key of the scene is likely a slip"});
+               .meaning = "Stop before the run (exit code 4) if a key of the scene is probably a mistake"});
 }
 
 void say_cost_of_sizes(const studies::Scene& scene) {

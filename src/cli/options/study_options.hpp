@@ -26,7 +26,7 @@ struct StudyOptions {
 
 void add_study_options(Command& command, StudyOptions& options, studies::SceneCommand of);
 
-/// The options by which they say where results go.
+/// The options for the output of results.
 struct ResultOptions {
   std::string out; ///< folder; empty: not given
   bool json = false;
@@ -41,7 +41,7 @@ struct ResultOptions {
 };
 
 /// \param    out_help, json_help   help of --out and --json
-/// \param    replaced              what --force replaces, for its help
+/// \param    replaced              the files that --force replaces, for its help
 void add_result_options(Command& command, ResultOptions& options, const std::string& out_help,
                         const std::string& json_help = "Print one JSON object, SI units; writes files only "
                                                        "with --out",
@@ -50,13 +50,13 @@ void add_result_options(Command& command, ResultOptions& options, const std::str
 /// --strict of a command that compares with nothing: it does not begin where a key is likely a slip.
 void add_strict_scene(Command& command, bool& strict);
 
-/// Says on standard error, as a note, what grains of widely different sizes cost (studies::cost_of_sizes).
+/// Reports on standard error, as a note, the cost of widely different grain sizes (studies::cost_of_sizes).
 void say_cost_of_sizes(const studies::Scene& scene);
 /// The JSON object with that note in "notes", where there is one.
 [[nodiscard]] nlohmann::ordered_json with_cost_of_sizes(nlohmann::ordered_json json,
                                                         const studies::Scene& scene);
 
-/// Says what in a scene is possible, but likely a slip, before any work is done.
+/// Reports values of a scene that are possible but probably mistakes, before the run.
 /// \return   true where that ends the command, with exit code not_converged: under strict
 [[nodiscard]] bool refuses(const Validity& slips, bool strict);
 

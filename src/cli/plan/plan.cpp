@@ -26,7 +26,7 @@ struct PlanOptions {
   double error = 0.01; ///< wanted, of G [1]
 };
 
-/// What is expected of one density, and what the wanted error of G would take.
+/// Expected errors of one density, and the settings for the required error of G.
 struct Rule {
   double modulus_error;
   double exponent_error;
@@ -48,7 +48,7 @@ Rule rule_of(const studies::Scene& scene, triaxial::Density density, double erro
           modulus.size.smallest, modulus.size.largest};
 }
 
-/// A line of what would run: number first.
+/// A line of the planned work: number first.
 io::ShownColumn shown(std::string label, std::string meaning = "") {
   return {.heading = std::move(label), .digits = 3, .meaning = std::move(meaning)};
 }
@@ -117,13 +117,14 @@ ExitCode run(const PlanOptions& options) {
 Command make_plan() {
   auto options = std::make_shared<PlanOptions>();
   Command command{.name = "plan",
-                  .meaning = "What verify would run, its predicted time, memory and error",
+                  .meaning = "Work of verify for a scene: predicted time, memory and error",
                   .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::plan);
-  command.add({.name = "--error",
-               .value = quantity(options->error, Dimension::dimensionless),
-               .group = "Plan",
-               .meaning = "Wanted error of G, from which grains and inertial number follow: --error 2%"});
+  command.add(
+      {.name = "--error",
+       .value = quantity(options->error, Dimension::dimensionless),
+       .group = "Plan",
+       .meaning = "Required error of G; gives the number of grains and the inertial number: --error 2%"});
   add_output_options(command, options->output);
   return command;
 }

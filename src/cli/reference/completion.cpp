@@ -9,7 +9,7 @@ namespace granum::cli {
 
 namespace {
 
-/// What may follow an option.
+/// Possible values of an option.
 enum class Kind { none, words, file, folder, other };
 
 bool is_placeholder(const std::string& word) {
@@ -17,7 +17,7 @@ bool is_placeholder(const std::string& word) {
                      [](char c) { return std::isupper(static_cast<unsigned char>(c)); });
 }
 
-/// The words that an option chooses from; of "friction:NUMBER" what comes before the number.
+/// The words that an option chooses from; of "friction:NUMBER" the part before the number.
 std::vector<std::string> words_for(const OptionRow& row) {
   std::vector<std::string> words;
   for (const std::string& choice : row.value.choices) {
@@ -82,7 +82,7 @@ void append_bash_values(std::string& script, const Command& command, const std::
     append_bash_values(script, *inner, path + " " + inner->name);
 }
 
-/// One branch of `case "$command"` for each command: what may stand where no value does.
+/// One branch of `case "$command"` for each command: the possible words outside of values.
 void append_bash_words(std::string& script, const Command& command, const std::string& path) {
   std::vector<std::string> words;
   for (const Command* inner : within(command))

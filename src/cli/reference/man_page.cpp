@@ -65,7 +65,7 @@ void append_commands(std::string& page, const Command& command) {
   }
 }
 
-/// The lines below the options as they stand in help.
+/// The lines below the options, as in help.
 void append_notes(std::string& page, const Command& command) {
   const std::string notes = command.notes;
   if (notes.empty())

@@ -14,7 +14,7 @@ namespace granum::cli {
 /// Completion for bash: commands, options, and the values of options that choose from words or take files.
 [[nodiscard]] std::string bash_completion(const Command& program);
 
-/// The same for zsh, with what each means.
+/// The same for zsh, with meanings.
 [[nodiscard]] std::string zsh_completion(const Command& program);
 
 } // namespace granum::cli

@@ -51,7 +51,7 @@ studies::Scene paper_scene() {
   return scene;
 }
 
-/// Threads are no part of what is computed. Runs of equal grains that began before scenes had
+/// The number of threads does not affect results. Runs of equal grains that began before scenes had
 /// grain.sizes go on.
 std::string identity(studies::Scene scene) {
   scene.study.threads = 0;
@@ -62,7 +62,7 @@ std::string identity(studies::Scene scene) {
   return text;
 }
 
-/// Where a run stands: its scene and its folder, which holds the scene and a folder of checkpoints.
+/// State of a run: its scene and its folder, which contains the scene and a folder of checkpoints.
 struct Place {
   studies::Scene scene;
   fs::path folder;
@@ -74,11 +74,10 @@ void suggest_resume(const ResultOptions& results) {
   const fs::path folder = results.out;
   if (!results.out.empty() && !results.force && io::is_taken(folder / scene_of_run) &&
       io::is_taken(folder / checkpoints_name) && !io::is_taken(folder / "manifest.json"))
-    throw FileError(
-        results.out, 0,
-        fmt::format("holds a run that is not finished; go on with: granum reproduce --resume {}, or "
-                    "let --force begin anew",
-                    results.out));
+    throw FileError(results.out, 0,
+                    fmt::format("contains an unfinished run; continue with: granum reproduce --resume {}, or "
+                                "let --force begin anew",
+                                results.out));
 }
 
 studies::Scene new_scene(const ReproduceOptions& options) {
@@ -158,13 +157,13 @@ Command make_reproduce() {
       {{.name = "--paper",
         .value = flag(options->paper),
         .group = "Run",
-        .meaning = "10,000 grains between six rigid walls, as in the paper; an hour or more",
-        .excludes = {{"--scene", "--paper is a scene of its own; give it or --scene"}}},
+        .meaning = "10,000 grains between six rigid walls, as in the paper; 7 to 11 minutes on two cores",
+        .excludes = {{"--scene", "--paper is itself a scene; give one of --paper and --scene"}}},
        {.name = "--resume",
         .value = path(options->resume, "DIR"),
         .group = "Run",
         .meaning =
-            "Go on with the run of this folder from its last checkpoints, to the same bits; a finished run "
+            "Continue the run of this folder from its last checkpoints, to the same bits; a finished run "
             "writes its tables and pictures again",
         .excludes = {{"--paper --scene --set --grains --seeds --out",
                       "--resume takes its scene and folder from the earlier run; only --threads may be given "

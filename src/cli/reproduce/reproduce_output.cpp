@@ -67,7 +67,7 @@ ordered_json manifest_of(const studies::Experiment& experiment, const std::vecto
   json["scene"] = json_of(experiment.scene);
   json["threads_used"] = studies::thread_count(experiment.scene);
   json["conventions"] = {
-      {"units", "SI, as the names say; friction angles in degrees"},
+      {"units", "SI, as in the names; friction angles in degrees"},
       {"signs", "compression positive; z is vertical; eta = (s_v - s_h)/p'; strains are logarithmic"},
       {"G", "of the contact network of the frozen state, every contact sticking; probes by cyclic shear"}};
   json["table_2"] = table_json(studies::table_2(experiment));

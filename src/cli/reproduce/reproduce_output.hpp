@@ -9,7 +9,7 @@
 #include "studies/reproduce/experiment_html.hpp"
 #include <nlohmann/json.hpp>
 
-/// What `granum reproduce` leaves in its folder and prints.
+/// Files and printed output of `granum reproduce`.
 namespace granum::cli {
 
 /// Files and folders that write_results makes.
@@ -25,7 +25,7 @@ void write_results(const std::filesystem::path& folder, const studies::Experimen
                    const std::vector<studies::Verdict>& verdicts, const nlohmann::ordered_json& manifest,
                    const studies::RunTime& time);
 
-/// Tables 2, 4 and 5 beside the printed ones and the verdicts, as text.
+/// Tables 2, 4 and 5 with the paper's values, and the verdicts, as text.
 [[nodiscard]] std::string report_of(const studies::Experiment& experiment,
                                     const std::vector<studies::Verdict>& verdicts,
                                     const studies::RunTime& time);

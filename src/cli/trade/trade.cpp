@@ -110,7 +110,7 @@ ExitCode draw_again(const TradeOptions& options) {
   const StudyOptions& study = options.study;
   if (options.quick || options.full || options.budget || !study.scene_file.empty() ||
       !study.settings.empty() || study.grains || study.seeds || !options.results.out.empty())
-    throw InvalidArgument("--redraw takes all from the earlier run; no scene, extent or other folder may be "
+    throw InvalidArgument("--redraw uses the earlier run; no scene, extent or other folder may be "
                           "given with it");
   const fs::path folder = options.redraw, picture = folder / file_names[2];
   io::write_file(picture, trade_picture(read_trade_rows(folder / file_names[0])), io::Existing::replace);
@@ -167,7 +167,7 @@ Command make_trade() {
                {.name = "--budget",
                 .value = quantity(options->budget, Dimension::time),
                 .group = "Extent",
-                .meaning = "As far up in grains as this wall time allows: --budget 600s"},
+                .meaning = "Largest numbers of grains within this wall time: --budget 600s"},
                {.name = "--redraw",
                 .value = path(options->redraw, "DIR"),
                 .group = "Run",

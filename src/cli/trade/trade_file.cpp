@@ -26,7 +26,7 @@ std::vector<studies::TradeRow> read_trade_rows(const std::filesystem::path& csv)
     };
     const auto refused = [&](const std::string& heading) {
       return FileError(table.name(), table.line(k),
-                       "column " + heading + " holds '" + text(heading) +
+                       "column " + heading + " contains '" + text(heading) +
                            "', which trade never writes there");
     };
     const auto number_or_nothing = [&](const std::string& heading) {

@@ -25,7 +25,7 @@ using studies::TradeSample;
 using studies::TradeScene;
 using studies::Varied;
 
-/// What a block of the table is about.
+/// Title of a block of the table.
 std::string title(const TradeScene& trade, Varied varied) {
   switch (varied) {
   case Varied::grains:
@@ -39,7 +39,7 @@ std::string title(const TradeScene& trade, Varied varied) {
     return "time step over its stability limit; cost of compression, and of shear where there is a peak";
   case Varied::probe:
     return "strain of the cyclic probe in mean overlaps over the diameter, 0 the network; G_vh; cost of one "
-           "answer";
+           "modulus";
   case Varied::boundary:
     return "N grains between walls, probed, and in the periodic cell; mean of G_hh and G_vh; cost of the "
            "specimen";
@@ -47,7 +47,7 @@ std::string title(const TradeScene& trade, Varied varied) {
   return {};
 }
 
-/// What a row is about, with a star where the others are compared with it.
+/// Label of a row, with a star if the others are compared with it.
 std::string label(const TradeRow& row) {
   const std::string value = short_text(row.value) + (row.reference ? "*" : "");
   if (row.varied != Varied::boundary)
@@ -74,7 +74,7 @@ constexpr const char* panel_title(Varied varied) {
   return "Walls";
 }
 
-/// What has an error that its setting makes, beside those of the reference.
+/// Quantities with an error due to their setting, beside those of the reference.
 bool is_drawn(const TradeRow& row) {
   const bool other_boundary = row.varied == Varied::boundary && row.boundary == Boundary::periodic;
   const bool is_reference = row.reference && row.varied != Varied::grains;
@@ -131,7 +131,7 @@ void add_deviation(io::Columns<TradeRow>& to, const std::string& name,
   to.insert(to.end() - 1, {"", "", mean, shown});
 }
 
-/// What table, JSON and screen have of a row.
+/// Columns of a row, for table, JSON and terminal.
 const io::Columns<TradeRow>& row_columns() {
   static const io::Columns<TradeRow> columns = [] {
     io::Columns<TradeRow> list = subject_columns<TradeRow>();
@@ -165,7 +165,7 @@ const io::Columns<TradeRow>& row_columns() {
   return columns;
 }
 
-/// A law, and what limits one specimen at the defaults of the study.
+/// A law, and the limiting error of one specimen at the defaults of the study.
 struct NamedLaw {
   const char* name;
   const studies::ErrorLaw& law;

@@ -15,7 +15,7 @@ namespace granum::cli {
 [[nodiscard]] std::string trade_table(const studies::TradeScene& trade,
                                       const std::vector<studies::TradeRow>& rows);
 
-/// The power laws through the rows, and what limits one specimen at the defaults of the study.
+/// The power laws through the rows, and the limiting error of one specimen at the defaults of the study.
 [[nodiscard]] std::string laws_table(const studies::TradeScene& trade, const studies::TradeLaws& laws);
 
 /// The rows of the table, and every specimen behind them.
@@ -24,7 +24,7 @@ namespace granum::cli {
                                       const std::vector<studies::TradeSample>& samples);
 
 /// The rows again from the file that trade_csv was written to.
-/// \throws   FileError if it cannot be read or holds what trade never writes
+/// \throws   FileError if it cannot be read or contains data that trade never writes
 [[nodiscard]] std::vector<studies::TradeRow> read_trade_rows(const std::filesystem::path& csv);
 
 /// Error of G against cost, one curve for each varied quantity and density, as SVG.

@@ -51,15 +51,15 @@ ExitCode report_again(const VerifyOptions& options) {
   return ExitCode::ok;
 }
 
-/// Why it is not complete, or what its verdicts are worth.
+/// The exit code of an incomplete run, or of its verdicts.
 ExitCode code_of(const StudyOutcome& outcome, bool strict) {
   if (outcome.complete())
     return judged(outcome.verdicts, strict);
   if (outcome.stopped) {
-    say("", "stopped; what was not run is not judged");
+    say("", "stopped; claims that need the rest were not checked");
     return exit_code_of_stop();
   }
-  (void)judged(outcome.verdicts, strict); // says which specimen ended early
+  (void)judged(outcome.verdicts, strict); // reports the specimen that ended early
   return ExitCode::not_converged;
 }
 
@@ -91,18 +91,18 @@ ExitCode run(const VerifyOptions& options) {
 
 Command make_verify() {
   auto options = std::make_shared<VerifyOptions>();
-  Command command{.name = "verify",
-                  .meaning = "Closed form against network and DEM, dense and loose: the exponent s",
-                  .run = [options] { return run(*options); }};
+  Command command{
+      .name = "verify",
+      .meaning = "Compare closed form, contact network and DEM, dense and loose: the exponent s of G ~ p^s",
+      .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::verify);
   command.add(
       {.name = "--report",
        .value = path(options->report, "DIR"),
        .group = "Run",
        .meaning = "Write report.html and its figures again from the finished run of this folder",
-       .excludes = {
-           {"--scene --set --grains --seeds --threads --out",
-            "--report takes all from the earlier run; no scene and no other folder may be given with it"}}});
+       .excludes = {{"--scene --set --grains --seeds --threads --out",
+                     "--report uses the earlier run; no scene and no other folder may be given with it"}}});
   add_strict(command, options->strict);
   add_result_options(command, options->results,
                      "Folder for report, CSV and manifest; by default a new granum-verify-N");

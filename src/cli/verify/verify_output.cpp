@@ -58,7 +58,7 @@ ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_f
   json["scene"] = json_of(outcome.scene);
   json["threads_used"] = studies::thread_count(outcome.scene);
   json["conventions"] = {
-      {"units", "SI, as the names say"},
+      {"units", "SI, as in the names"},
       {"signs", "compression positive; overlap is the full approach of two centres; z is vertical"},
       {"mass_scaling",
        "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},

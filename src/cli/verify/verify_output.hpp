@@ -12,10 +12,10 @@
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 
-/// What `granum verify` leaves in its folder and prints.
+/// Files and printed output of `granum verify`.
 namespace granum::cli {
 
-/// A study that was run, and what it says.
+/// A finished study with its results.
 struct StudyOutcome {
   studies::Scene scene;
   std::vector<studies::SpecimenResult> specimens;

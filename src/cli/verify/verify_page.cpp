@@ -89,8 +89,8 @@ std::string all_states(const ordered_json& manifest) {
 }
 
 std::string run_text(const studies::Scene& scene, const ordered_json& manifest) {
-  return fmt::format("granum {} verify: {} specimens of {} grains in {:.1f} s on {}{}. All numbers stand in "
-                     "states.csv and exponents.csv, all that was asked for in scene.toml and manifest.json.",
+  return fmt::format("granum {} verify: {} specimens of {} grains in {:.1f} s on {}{}. All numbers are in "
+                     "states.csv and exponents.csv, the input in scene.toml and manifest.json.",
                      manifest.at("version").get<std::string>(), manifest.at("specimens").size(),
                      scene.study.grains, manifest.at("wall_time_s").get<double>(),
                      threads_text(manifest.at("threads_used").get<std::size_t>()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src. Cube roots of positive numbers as vector code, without branches, tables or calls. Every
-// fused operation is written out: the bits do not depend on what the compiler may fuse.
+// fused operation is written out: the bits do not depend on the compiler's choice of fused operations.
 #pragma once
 
 #include <bit>

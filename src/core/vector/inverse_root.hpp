@@ -28,7 +28,7 @@ GRANUM_INLINE double nearer_inverse_root(double x, double near) {
   return fused<level>(near, rest * fused<level>(0.375, rest, 0.5), near);
 }
 
-/// x^(-1/2) of a normal positive number within 2 ulp, without root and quotient, which take longer than
+/// x^(-1/2) of a normal positive number within 2 ulp, without root and quotient, which are slower than
 /// all the rest of a contact law. For 0 a finite number.
 /// Checked by tests/core/vector/test_inverse_root.cpp
 template <VectorLevel level>

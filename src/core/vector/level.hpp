@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Loops over many numbers are compiled for some vector levels, of which the machine takes the
+// Private to src. Loops over many numbers are compiled for several vector levels; the machine uses the
 // widest that it has: over grains and pairs (dem), rows of packings (effective), contacts of a network
 // (network). None reorders sums. AVX2 with FMA and AVX-512 give the same bits. The baseline has no fused
-// multiply-adds: what asks for fused() differs there by round-off, what does not has the same bits everywhere
+// multiply-adds: code with fused() differs there by round-off, other code has the same bits everywhere
 // (tests/dem/test_vector_levels.cpp, tests/effective/test_batch.cpp, tests/network/test_vector_levels.cpp).
 #pragma once
 
@@ -47,8 +47,8 @@ template <class Body>
 #define GRANUM_HAS_VECTOR_LEVELS 0
 #endif
 
-/// Runs a body that takes an AtLevel and is marked always_inline, as all that it calls must be, compiled for
-/// the level in use; short bodies are spared to ask for it each time.
+/// Runs a body with an AtLevel argument, compiled for the level in use. The body, and all that it calls, must
+/// be marked always_inline. Short bodies need not query the level each time.
 template <class Body>
 void at_vector_level(const Body& body, VectorLevel level = vector_level()) {
 #if GRANUM_HAS_VECTOR_LEVELS

@@ -22,7 +22,7 @@ GRANUM_INLINE Four high(const Halves& row) { return row.high; }
 GRANUM_INLINE Four low(const Eight& row) { return __builtin_shufflevector(row, row, 0, 1, 2, 3); }
 GRANUM_INLINE Four high(const Eight& row) { return __builtin_shufflevector(row, row, 4, 5, 6, 7); }
 
-/// How a level holds rows: `lanes` of them become eight columns.
+/// Rows of a level: `lanes` of them become eight columns.
 template <VectorLevel of>
 struct Rows {
   static constexpr VectorLevel level = of;
@@ -90,7 +90,7 @@ GRANUM_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-/// Column c holds number c of each row.
+/// Column c contains number c of each row.
 GRANUM_INLINE void to_columns(const Halves (&rows)[4], Four (&columns)[8]) {
   for (std::size_t k = 0; k < 4; ++k) {
     columns[k] = rows[k].low;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation as in normal_forces.hpp, and s tangential force on j.
-//
-// This file is compiled without math errno and trapping (CMakeLists.txt), which lets the loops below become
-// vector code; neither changes a result.
+// Notation as in normal_forces.hpp, and s tangential force on j. Compiled without math errno and trapping
+// (CMakeLists.txt), so that the loops become vector code; results do not change.
 #include "contact_sweep.hpp"
 
 #include <algorithm>
@@ -20,17 +18,16 @@ namespace granum::dem {
 
 namespace {
 
-/// Running sums, one for each place in a vector of eight.
+/// Running sums, one for each lane of a vector of eight.
 struct SumRows {
   std::array<Eight, 9> stress{};
   Eight virial{}, normal_force{}, stiffness{}, stiffest{}, contacts{}, sliding{};
 };
 
-/// What a block adds to the centre of its grains j, by the number of the pair's image; the last one takes the
-/// padding far out of reach.
+/// Shift of the centre of grain j by the image of the pair; the last one moves padding out of reach.
 using Shifts = std::array<MotionRow, image_count + 1>;
 
-/// In the shape of rows of motion; -0 leaves velocities as they are, to the bit.
+/// As rows of motion; -0 does not change velocities, to the bit.
 Shifts shift_rows(const Mat3& cell, double diameter) {
   const std::array<Vec3, image_count> vectors = shift_vectors(cell);
   Shifts rows;
@@ -45,11 +42,11 @@ GRANUM_INLINE Eight eight(const Block& block, std::size_t k) {
   return *reinterpret_cast<const EightInMemory*>(&block[k]);
 }
 
-/// What a pair reads of its grains, by their numbers.
+/// Rows of the grains of a pair, by their numbers.
 GRANUM_INLINE const MotionRow* rows_of(const Grains& grains) { return grains.row.data(); }
 GRANUM_INLINE const PlaceRow* rows_of(const TranslatingGrains& grains) { return grains.place.data(); }
 
-/// Branches alone, for pairs without friction.
+/// Branches only, for pairs without friction.
 template <class Input>
 GRANUM_INLINE void load_branches(const Input& in, const Shifts& shifts, const ListedPair* pairs,
                                  PairBlock& p) {
@@ -92,11 +89,11 @@ GRANUM_INLINE void load_block(const SweepInput& in, const Shifts& shifts, const 
   }
 }
 
-/// Brings tangential forces down to Coulomb's limit. In loops of one kind of work each, which become vector
-/// code: while a specimen is sheared, most blocks have a contact that slides.
+/// Limits tangential forces by Coulomb's law, in simple loops that become vector code: while a specimen is
+/// sheared, most blocks have a sliding contact.
 GRANUM_INLINE void limit_block(double friction, const PairBlock& __restrict p, Eight& __restrict sliding,
                                double* __restrict mx, double* __restrict my, double* __restrict mz) {
-  Block slides_of, scale; // not a number where nothing touches, and not taken there
+  Block slides_of, scale; // NaN without contact, and unused there
   for (std::size_t k = 0; k < block_size; ++k)
     scale[k] = friction * p.force[k] / std::sqrt(p.shear_squared[k]);
   for (std::size_t k = 0; k < block_size; ++k) {
@@ -170,11 +167,11 @@ GRANUM_INLINE void frictional_forces(const SweepInput& in, const Sizes& sizes, P
   }
 }
 
-/// What a sweep is for: an engine with friction, one without, or a minimiser, which asks for fewer sums.
+/// Purpose of a sweep: an engine with friction, without, or a minimiser, which needs fewer sums.
 enum class Purpose { friction, smooth, descent };
 
-/// Sums of products of force and branch. A level takes as many lanes of the nine sums at a time as its
-/// registers hold beside forces and branches, and reads each of those once: a processor waits for reads here.
+/// Sums of products of force and branch. Each vector level handles as many lanes of the nine sums at a time
+/// as fit into its registers, and reads each force and branch once: reads limit the speed here.
 template <class Level>
 GRANUM_INLINE void add_stress(const PairBlock& p, SumRows& sums) {
   using Column = typename Level::Column;
@@ -183,7 +180,7 @@ GRANUM_INLINE void add_stress(const PairBlock& p, SumRows& sums) {
     const auto sum = [&](std::size_t n) { return Level::get_column(part(n)); };
     Column xx = sum(0), xy = sum(1), xz = sum(2), yx = sum(3), yy = sum(4), yz = sum(5), zx = sum(6),
            zy = sum(7), zz = sum(8);
-    // Unrolled, the sums of one turn would lie beside the numbers of the next ones.
+    // Not unrolled: the sums of one turn would compete with the next numbers for registers.
 #pragma GCC unroll 1
     for (std::size_t k = first; k < block_size; k += 8) {
       const Column bx = read_once<Level>(&p.bx[k]), by = read_once<Level>(&p.by[k]),
@@ -228,14 +225,14 @@ GRANUM_INLINE void add_up(const PairBlock& p, SumRows& sums) {
   sums.contacts = contacts;
 }
 
-/// The row of a grain i, held out of memory while pairs of the same i follow each other. Stored and read
-/// again with each pair it would have to wait for its own store every time. Nothing else changes that row
-/// meanwhile: forces on j go to rows of later grains or to spare ones; padding, where j is i, adds zeros.
-/// \param    Part   get and put of what is held of a row
+/// The row of a grain i, kept in registers while pairs have the same i; writing and reading it for each pair
+/// would wait for the store every time. No other code changes that row meanwhile: forces on j go to rows of
+/// later grains or to spare ones; padding, with j = i, adds zeros.
+/// \param    Part   get and put of the kept part of a row
 template <class Part, class Load>
-class HeldRow {
+class KeptRow {
  public:
-  GRANUM_INLINE HeldRow(Load* load, RowPlace grain)
+  GRANUM_INLINE KeptRow(Load* load, RowPlace grain)
       : load_(load), grain_(grain), sum_(Part::get(&row_at(load, grain))) {}
   GRANUM_INLINE typename Part::Row& of(RowPlace grain) {
     if (grain != grain_) {
@@ -264,24 +261,24 @@ struct PushOfRow {
 template <class Load>
 GRANUM_INLINE void unload_forces(const ListedPair* pairs, const PairBlock& p, Load* load) {
   using Level = Rows<VectorLevel::avx2>;
-  HeldRow<PushOfRow, Load> held(load, pairs[0].i());
+  KeptRow<PushOfRow, Load> kept(load, pairs[0].i());
   for (std::size_t k = 0; k < block_size; k += 4) {
     Four push[4] = {Level::get_column(&p.fx[k]), Level::get_column(&p.fy[k]), Level::get_column(&p.fz[k]),
                     Four{}};
     transpose(push[0], push[1], push[2], push[3]);
     for (std::size_t n = 0; n < 4; ++n) {
-      held.of(pairs[k + n].i()) -= push[n];
+      kept.of(pairs[k + n].i()) -= push[n];
       row_at(load, pairs[k + n].row()).push += push[n];
     }
   }
-  held.put_back();
+  kept.put_back();
 }
 
 template <class Level>
 GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, LoadRow* load) {
   const auto sign = Level::row(Four{1, 1, 1, 1}, Four{-1, -1, -1, 1}); // forces are opposite, torques equal
   const typename Level::Column zero{};
-  HeldRow<Level, LoadRow> held(load, pairs[0].i());
+  KeptRow<Level, LoadRow> kept(load, pairs[0].i());
   for (std::size_t k = 0; k < block_size; k += Level::lanes) {
     typename Level::Row row[Level::lanes];
     typename Level::Column column[8] = {Level::get_column(&p.ty[k]),
@@ -294,13 +291,13 @@ GRANUM_INLINE void unload_block(const ListedPair* pairs, const PairBlock& p, Loa
                                         Level::get_column(&p.tx[k])};
     to_rows(column, row);
     for (std::size_t n = 0; n < Level::lanes; ++n) {
-      typename Level::Row& on_i = held.of(pairs[k + n].i());
+      typename Level::Row& on_i = kept.of(pairs[k + n].i());
       on_i = on_i + sign * row[n];
       LoadRow& on_j = row_at(load, pairs[k + n].row());
       Level::put(&on_j, Level::get(&on_j) + row[n]);
     }
   }
-  held.put_back();
+  kept.put_back();
 }
 
 double total(const Eight& row) {

@@ -63,8 +63,8 @@ struct DescentInput {
   double unit_radius;
 };
 
-/// Forces of all pairs of a chunk, added up per row of load in the order of the list, from zero on. With
-/// memory (of all blocks) null, contacts are frictionless: torques stay zero and nothing is remembered.
+/// Sums the forces of all pairs of a chunk per row of load, in the order of the list, from zero. If memory
+/// (of all blocks) is null, contacts are frictionless: torques are zero and no history is kept.
 SweepSums contact_sweep(const contact::NormalKernel& law, const SweepInput& input, const Chunk& chunk,
                         MemoryBlock* memory, std::vector<LoadRow>& load);
 

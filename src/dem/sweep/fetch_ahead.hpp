@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Brings near what a sweep needs next, where its grains are more than the caches hold. It
-// changes no result.
+// Private to src/dem. Prefetches the next data of a sweep if its grains exceed the caches. Results do not
+// change.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace granum::dem {
 
-/// The rows of so many grains stay in the second cache, where fetching them ahead costs more than it saves.
+/// The rows of this many grains fit into the second cache; there prefetching costs more than it saves.
 inline constexpr std::size_t grains_nearby = 16384;
 
 template <class T>
@@ -33,8 +33,8 @@ GRANUM_INLINE void fetch_grain(const TranslatingGrains& grains, RowPlace g) {
   __builtin_prefetch(&row_at(grains.place.data(), g));
 }
 
-/// While the block of pairs that begins at `first` is worked off: what the next one needs, and the pairs of
-/// the one that is fetched two blocks later.
+/// Called for the block of pairs that begins at `first`: prefetches the data of the next block, and the pairs
+/// of the one after.
 /// \param    memory   null: frictionless
 template <class AnyGrains, class Load>
 GRANUM_INLINE void fetch_ahead(const ListedPair* pairs, const AnyGrains& grains, const MemoryBlock* memory,

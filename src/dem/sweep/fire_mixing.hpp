@@ -6,15 +6,15 @@
 
 namespace granum::dem {
 
-/// FIRE's rule for how far velocities are turned towards the forces in a step, as published.    [Bitzek2006]
+/// FIRE's rule for the turn of velocities towards the forces in a step, as published.    [Bitzek2006]
 struct FireMixing {
   double share = first_share;
-  std::uint64_t downhill_steps = 0; ///< no more of them are counted than patience asks for
+  std::uint64_t downhill_steps = 0; ///< counted up to the patience of the rule
 
   static constexpr double first_share = 0.1;
   static constexpr std::uint64_t patience = 5;
 
-  /// A step in which the forces do work. True once it is one of many.
+  /// A step with positive work of the forces. True after many of them.
   bool downhill() {
     if (downhill_steps < patience) {
       ++downhill_steps;
@@ -23,7 +23,7 @@ struct FireMixing {
     share *= 0.99;
     return true;
   }
-  /// A step in which they do not: all starts again.
+  /// A step without: restarts the rule.
   void uphill() { *this = {}; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sum over the contacts of a grain runs in the order of the list, whatever the chunks.
+// Every sum over the contacts of a grain runs in the order of the list, for any chunks.
 #include "frequency_bound.hpp"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ void FrequencyBound::find_springs(const contact::NormalKernel& law, const Freque
       law);
 }
 
-/// Shows each chunk the springs of earlier ones that hold its grains.
+/// Lists for each chunk the springs of earlier chunks that act on its grains.
 void FrequencyBound::hand_over(const Partition& parts) {
   for (std::size_t c = 0; c + 1 < chunks_.size(); ++c)
     for (const Spring& spring : chunks_[c].springs)
@@ -79,7 +79,7 @@ void FrequencyBound::hand_over(const Partition& parts) {
         chunks_[parts.chunk_of(spring.j)].incoming.push_back(&spring);
 }
 
-/// As what holds a grain.
+/// As the stiffness that acts on a grain.
 void FrequencyBound::guess_motion(const FrequencyInput& in, std::size_t chunk) {
   const Range& grains = in.parts.chunks[chunk].grains;
   const OfChunk& of = chunks_[chunk];
@@ -94,9 +94,8 @@ void FrequencyBound::guess_motion(const FrequencyInput& in, std::size_t chunk) {
   }
 }
 
-/// Blocks that, each on its own grain, outweigh the stiffness of all contacts: a contact pulls with
-/// k (a - b)^2, at most k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2, w how far the guess says that they move.
-/// Walls do not move.
+/// Diagonal blocks that bound the stiffness of all contacts: the energy of a contact, k (a - b)^2, is at most
+/// k (1 + w_b/w_a) a^2 + k (1 + w_a/w_b) b^2, with w the guessed amplitudes. Walls do not move.
 void FrequencyBound::fill_blocks(const FrequencyInput& in, bool smooth_walls, std::size_t chunk) {
   const Range& grains = in.parts.chunks[chunk].grains;
   OfChunk& of = chunks_[chunk];
@@ -124,7 +123,7 @@ void FrequencyBound::fill_blocks(const FrequencyInput& in, bool smooth_walls, st
   }
 }
 
-/// \param    last   no better guess is asked for, and the highest bound of a grain alone counts
+/// \param    last   compute only the highest bound of a grain, no better guess
 void FrequencyBound::improve_guess(const FrequencyInput& in, bool last, std::size_t chunk) {
   OfChunk& of = chunks_[chunk];
   const std::size_t first = in.parts.chunks[chunk].grains.begin;

@@ -26,20 +26,20 @@ struct FrequencyInput {
   double mass;             ///< likewise [kg]
 };
 
-/// Strict bound on omega^2 of the highest frequency. A contact couples two grains, so the stiffness matrix
-/// is at most a block diagonal in which each contact counts 1 + w_j/w_i times for grain i, with any w > 0,
-/// and is the closer to it the more w is like the fastest mode's amplitudes: w from the stiffness that holds
-/// each grain, and that times the bound it gives, the better of two. 1.1 to 1.3 times the highest frequency
-/// squared of packings at rest.
+/// Strict bound on omega^2 of the highest frequency. A contact couples two grains, so the stiffness matrix is
+/// at most a block diagonal in which each contact counts 1 + w_j/w_i times for grain i, with any w > 0, and
+/// the bound is closest if w equals the amplitudes of the fastest mode. Two guesses of w are tried: the
+/// stiffness of each grain's contacts, and this times the bound that it gives. Result: 1.1 to 1.3 times the
+/// highest frequency squared of packings at rest.
 /// Assumes   a rotational inertia of m R^2.
 /// Checked by tests/dem/test_frequency_bound.cpp
 class FrequencyBound {
  public:
-  /// Calls a job with the number of every chunk, one after the other or side by side.
+  /// Calls a job with the number of every chunk, in any order or at the same time.
   using EachChunk = std::function<void(const std::function<void(std::size_t)>&)>;
 
-  /// omega^2 [1/s^2]; 0 where nothing touches. The same bits in whatever order the chunks come, and what it
-  /// works in is kept for the next time.
+  /// omega^2 [1/s^2]; 0 without contacts. The same bits for any order of the chunks. Working memory is kept
+  /// for the next call.
   /// \param    walls   null: none
   [[nodiscard]] double highest_squared(const contact::NormalKernel& law, const FrequencyInput& input,
                                        const WallContacts* walls, const EachChunk& each_chunk);
@@ -58,7 +58,7 @@ class FrequencyBound {
     double stiffness;
     Vec3 branch; ///< from the grain, over its radius
   };
-  /// What belongs to the grains of one chunk.
+  /// Data of the grains of one chunk.
   struct OfChunk {
     std::vector<Spring> springs; ///< of its pairs
     std::vector<WallSpring> walls;
@@ -76,7 +76,7 @@ class FrequencyBound {
   void improve_guess(const FrequencyInput& in, bool last, std::size_t chunk);
 
   std::vector<OfChunk> chunks_;
-  std::vector<double> moved_;  ///< how far each grain moves in the fastest mode, a guess > 0
+  std::vector<double> moved_;  ///< guessed amplitude > 0 of each grain in the fastest mode
   std::vector<double> better_; ///< the next guess
 };
 

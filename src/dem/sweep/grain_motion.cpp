@@ -12,7 +12,7 @@ namespace granum::dem {
 
 namespace {
 
-/// Sum of v f + t w from its components by their places in the rows, and the part of y of w, which has none.
+/// Sum of v f + t w from components as in the rows, and the part of w_y, which is not in the rows.
 GRANUM_INLINE double sum_of(const Four& turn, const Four& push, double turn_y) {
   return push[0] + push[1] + push[2] + (push[3] + turn_y + turn[3]);
 }
@@ -152,7 +152,7 @@ GRANUM_INLINE MotionSums kick_at_level(Grains& grains, Range range, const std::v
           .speed_squared = std::max({fastest[0], fastest[1], fastest[2], fastest[3]})};
 }
 
-/// Where grains differ: R w and v change alike, each grain with its own mass.
+/// For unequal grains: R w and v change in the same way, each grain with its own mass.
 template <class Level>
 GRANUM_INLINE MotionSums kick_unequal_at_level(Grains& grains, Range range, const std::vector<LoadRow>& load,
                                                const Kick& kick) {

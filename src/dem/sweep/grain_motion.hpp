@@ -19,8 +19,8 @@ struct MotionSums {
   MotionSums& operator+=(const MotionSums& other);
 };
 
-/// What the drag of a step makes of velocities: v becomes keep v + push f, w becomes keep w + turn t. Where
-/// grains differ, both R w and v gain push/m times t/R and f, and push is in s.
+/// Change of velocities in a step with drag: v becomes keep v + push f, w becomes keep w + turn t. For
+/// unequal grains R w and v gain push/m times t/R and f, with push in s.
 struct Kick {
   double keep; ///< [1]
   double push; ///< [s/kg]
@@ -48,31 +48,28 @@ struct Glide {
 /// Velocities after a step of a minimiser.
 struct GlideSums {
   double squares = 0; ///< sum of m v^2
-  double fastest = 0; ///< the largest |v| that was asked for, cut or not
+  double fastest = 0; ///< the largest |v| before the limit
 };
 
-/// Centres follow the cell, x becomes stretch x, and move with their own velocity.
+/// Moves the centres with the cell, x becomes stretch x, and with their own velocity.
 void move_grains(Grains& grains, Range range, const Mat3& stretch, double dt);
-/// Adds the spare rows that hold loads for a chunk, then sums f v + t w over it, with the velocities before
-/// their kick [W].
+/// Adds the spare rows with loads of a chunk, then sums f v + t w over it, with the velocities before their
+/// kick [W].
 double settle_loads(const Grains& grains, const Chunk& chunk, const std::vector<Addition>& additions,
                     std::vector<LoadRow>& load);
-/// Adds the spare rows that hold loads for a chunk, which are empty then, and sums over its forces.
+/// Adds the spare rows with loads of a chunk, empties them, and sums over its forces.
 PushSums settle_pushes(const TranslatingGrains& grains, const Chunk& chunk,
                        const std::vector<Addition>& additions, std::vector<PushRow>& load);
-/// Sum of |f| over the grains of a chunk in their order, once they are settled [N].
+/// Sum of |f| over the grains of a chunk in their order, after settling [N].
 double lengths_of_forces(const Chunk& chunk, const std::vector<PushRow>& load);
-/// Velocities and centres of all grains after the step; their rows of load are empty then, for the next
-/// sweep.
+/// Velocities and centres of all grains after the step; empties their rows of load for the next sweep.
 GlideSums glide_grains(TranslatingGrains& grains, std::vector<PushRow>& load, const Glide& glide);
-/// Sum of f^2/m + t^2/I, what forces do to velocities that have their direction [N^2/kg]. Mass and inertia as
-/// below.
+/// Sum of f^2/m + t^2/I [N^2/kg]. Mass and inertia as below.
 double pull_of(const Grains& grains, Range range, const std::vector<LoadRow>& load, double mass,
                double inertia);
-/// Grains that no force acts on stop where they are.
+/// Stops grains without force.
 void hold_free_grains(Grains& grains, Range range, const std::vector<LoadRow>& load);
-/// New velocities, and the sums over them. Mass and inertia are those of every grain, and are not asked
-/// for where grains differ.
+/// New velocities, and the sums over them. Mass and inertia of equal grains; unused for unequal ones.
 MotionSums kick_grains(Grains& grains, Range range, const std::vector<LoadRow>& load, const Kick& kick,
                        double mass, double inertia);
 

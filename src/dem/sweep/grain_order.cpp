@@ -19,8 +19,8 @@ std::uint32_t spread(std::uint32_t bits) {
   return (bits | bits << 2) & 0x09249249;
 }
 
-/// Place on the Z curve through 1024^3 boxes of the cell. A grain that flew off to infinity or NaN, as
-/// one of absurd speed does, is put into the first box.
+/// Position on the Z curve through 1024^3 boxes of the cell; infinity and NaN, from absurd speeds, are in the
+/// first box.
 std::uint32_t place_on_curve(const Vec3& fraction) {
   const auto box = [](double s) {
     const double place = 1024 * (s - std::floor(s));

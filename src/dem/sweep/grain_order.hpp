@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. The order in which an engine holds its grains: neighbours near each other, so that what
-// a pair needs is in the caches. An order gives the new place of each grain.
+// Private to src/dem. Order of the grains in an engine: neighbours are near in memory, for the caches. An
+// order gives the new index of each grain.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,11 @@ namespace granum::dem {
 /// Along a space-filling curve through the cell.
 [[nodiscard]] std::vector<std::uint32_t> near_order(const Specimen& state);
 [[nodiscard]] std::vector<std::uint32_t> inverse_order(const std::vector<std::uint32_t>& order);
-/// Whether it is an order of `count` grains.
+/// Whether this is a permutation of `count` grains.
 [[nodiscard]] bool is_order(const std::vector<std::uint32_t>& order, std::size_t count);
 
-/// The same state with its grains in another order; memories turn round where their grains change sides.
+/// The same state with its grains in another order; contact memories are reversed where i and j are
+/// exchanged.
 [[nodiscard]] Specimen reordered(const Specimen& state, const std::vector<std::uint32_t>& order);
 
 } // namespace granum::dem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. What the sweep reads and writes of a grain, each in one cache line: a pair takes whole
-// rows of its two grains, and four rows at a time are turned into columns. Angular velocity and torque stand
-// at the same places of their rows, in the gaps that three numbers leave in rows of four.
+// Private to src/dem. Data of a grain that the sweep reads, and that it writes, in one cache line each. A
+// pair reads whole rows of its two grains; four rows at a time are transposed into columns. Angular velocity
+// and torque are in the same positions of their rows, which vectors of three leave free in rows of four.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct alignas(64) LoadRow {
 
 inline Vec3 three_of(const Four& row) { return {row[0], row[1], row[2]}; }
 
-/// What is a grain's own where grains differ.
+/// Data of a grain among unequal ones.
 struct OwnSize {
   double size;     ///< radius over that of a grain of size 1 [1]
   double radius;   ///< [m]
@@ -36,11 +36,10 @@ struct OwnSize {
   double per_mass; ///< [1/kg]
 };
 
-/// What grains do not share; empty where all are equal.
+/// Data of unequal grains; empty if all are equal.
 struct GrainSizes {
   std::vector<OwnSize> own;
-  std::vector<Two>
-      round; ///< radius and curvature of own, for the loops over pairs, which need no more [m, 1/m]
+  std::vector<Two> round; ///< radius and curvature of `own`, for the loops over pairs [m, 1/m]
 
   void set_sizes(std::vector<OwnSize> sizes) {
     own = std::move(sizes);
@@ -48,18 +47,17 @@ struct GrainSizes {
     for (const OwnSize& grain : own)
       round.push_back(Two{grain.radius, 1 / grain.radius});
   }
-  /// Radius of a grain, `equal` where all have the same [m].
+  /// Radius of a grain; `equal` if all have the same [m].
   [[nodiscard]] double radius_or(double equal, std::size_t g) const {
     return own.empty() ? equal : own[g].radius;
   }
 };
 
-/// The grains of an engine; y of the angular velocity has no room in the rows.
-///
-/// Where grains differ, R w stands in the place of w, and t/R in that of t: the contact point divides the
-/// branch as the radii do, so that both grains of a pair then get the same t/R, their surfaces move as the
-/// sum of both R w, and with an inertia of m R^2 they turn as they move. The loops over pairs hardly know the
-/// difference.
+/// The grains of an engine; y of the angular velocity is outside of the rows. For unequal grains the rows
+/// contain R w instead of w, and t/R instead of t. The contact point divides the branch in the ratio of the
+/// radii, so both grains of a pair get the same t/R, the surface velocity is the sum of both R w, and with an
+/// inertia of m R^2 rotation follows the same equation as translation. The loops over pairs are then almost
+/// the same for equal and unequal grains.
 struct Grains : GrainSizes {
   std::vector<MotionRow> row;
   std::vector<double> spin_y;
@@ -77,7 +75,7 @@ struct Grains : GrainSizes {
     return own.empty() ? stored : (1 / own[g].radius) * stored;
   }
 
-  /// A torque in the unit of the rows.
+  /// A torque in the units of the rows.
   [[nodiscard]] Vec3 stored_torque(std::size_t g, const Vec3& t) const {
     return own.empty() ? t : (1 / own[g].radius) * t;
   }
@@ -92,8 +90,8 @@ struct Grains : GrainSizes {
   }
 };
 
-/// Half of a row, for grains that do not turn; the last number is 0. In structs, as the compiler may keep its
-/// own vectors of four at addresses for two.
+/// Half of a row, for grains without rotation; the last number is 0. Structs, because the compiler may align
+/// its own vectors of four as vectors of two.
 struct alignas(32) PlaceRow {
   Four place; ///< x [m]
 };
@@ -104,7 +102,7 @@ struct alignas(32) PushRow {
   Four push; ///< f [N]
 };
 
-/// The grains of a minimiser, which do not turn: a sweep goes through half the memory.
+/// The grains of a minimiser, without rotation: a sweep reads half of the memory.
 struct TranslatingGrains : GrainSizes {
   std::vector<PlaceRow> place;
   std::vector<RateRow> rate;
@@ -122,11 +120,11 @@ struct TranslatingGrains : GrainSizes {
 
 inline Vec3 force(const LoadRow& load) { return three_of(load.push); }
 inline Vec3 force(const PushRow& load) { return three_of(load.push); }
-/// In the unit of the rows.
+/// In the units of the rows.
 inline Vec3 torque(const LoadRow& load) { return {load.push[3], load.turn[0], load.turn[3]}; }
 inline void add_force(LoadRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
 inline void add_force(PushRow& load, const Vec3& f) { load.push += Four{f.x, f.y, f.z, 0}; }
-/// In the unit of the rows: t, or t/R where grains differ.
+/// In the units of the rows: t, or t/R for unequal grains.
 inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;
   load.turn += Four{t.y, 0, 0, t.z};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/dem. Notation: b branch from i to j, u relative velocity of the centres j - i, w sum of both
-// angular velocities. A block holds one number of each of its pairs per array; pairs that do not touch, and
-// the padding of the last block, carry zeros through every formula.
+// angular velocities. A block has one number per pair in each array; pairs without contact, and the padding
+// of the last block, are zeros in every formula.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ GRANUM_INLINE double product(double ax, double ay, double az, double bx, double 
   return fused<level>(az, bz, fused<level>(ay, by, ax * bx));
 }
 
-/// What a law begins with, where that is most of its work.
+/// The first part of a law, if it is most of its work.
 template <VectorLevel, class Law>
 GRANUM_INLINE double first_guess(const Law& /*law*/, double /*curved*/) {
   return 0;
@@ -45,7 +45,7 @@ GRANUM_INLINE double first_guess(const contact::SphereKernel& /*law*/, double cu
 }
 
 /// \param    curved   the overlap over contact::pair_radius, in units of a grain of size 1
-/// \param    guess    what first_guess made of that
+/// \param    guess    the result of first_guess for it
 template <VectorLevel, class Law>
 GRANUM_INLINE contact::NormalResponse normal_response(const Law& law, double overlap,
                                                       [[maybe_unused]] double curved, double /*guess*/) {
@@ -68,13 +68,13 @@ GRANUM_INLINE contact::NormalResponse normal_response(const contact::GeneralKern
   return {root * overlap, (1 + law.inverse_alpha) * root};
 }
 
-/// Whether a law gives an overlap of 0 a stiffness of 0 by itself.
+/// Whether the law gives zero stiffness at zero overlap without a mask.
 template <class Law>
 inline constexpr bool starts_soft =
     std::is_same_v<Law, contact::SphereKernel> || std::is_same_v<Law, contact::ConeKernel>;
 
-/// Force and stiffness of a block of rough spheres: which cells of their table, then these as columns, then
-/// the polynomials.
+/// Force and stiffness of a block of rough spheres: find the cells of their table, load these as columns,
+/// evaluate the polynomials.
 template <VectorLevel level, class Sizes>
 GRANUM_INLINE void rough_responses(const contact::RoughSphereKernel& law, const Sizes& sizes,
                                    PairBlock& __restrict p) {
@@ -108,9 +108,9 @@ GRANUM_INLINE void rough_responses(const contact::RoughSphereKernel& law, const 
   }
 }
 
-/// From branches to forces on j, in loops of short chains of products: the instructions that a processor may
-/// hold back until their operands are there are some dozens, and with longer chains those of two or three
-/// vectors fill that room. In one loop the compiler would also branch where a pair does not touch.
+/// From branches to forces on j, in loops with short chains of products. A processor keeps some dozens of
+/// instructions waiting for their operands; longer chains fill this queue with two or three vectors. In a
+/// single loop the compiler would also branch for pairs without contact.
 template <VectorLevel level, class Law, class Sizes>
 GRANUM_INLINE void normal_forces(const Law& law, const Sizes& sizes, PairBlock& __restrict p) {
   Block guess;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. What a search for pairs and a list taken from another have in common, each time by the
-// same sums, so that both find the very same pairs: images, the way back into the cell, and what is near.
+// Private to src/dem. Shared by the search for pairs and the list made from another list, so that both find
+// exactly the same pairs: images, wrapping into the cell, and the test of distance.
 #pragma once
 
 #include <array>
@@ -14,13 +14,12 @@
 
 namespace granum::dem {
 
-/// Number of the translation by k cell vectors, each -1, 0 or 1, among shift_vectors().
+/// Index in shift_vectors() of the translation by k cell vectors, each -1, 0 or 1.
 constexpr int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }
-/// That of the shift the other way.
+/// Index of the opposite translation.
 constexpr std::uint32_t opposite(std::uint32_t image) { return 26 - image; }
 
-/// Moves every centre into the cell, and calls moved(grain, whole) for those that were `whole` cell vectors
-/// outside.
+/// Moves every centre into the cell, and calls moved(grain, whole) for those outside by `whole` cell vectors.
 template <class Moved>
 void wrap_each(const Mat3& cell, std::span<Vec3> position, const Moved& moved) {
   const Mat3 to_fraction = inverse_of(cell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. What the grains of a block's pairs have of their own.
+// Private to src/dem. Sizes of the grains of a block of pairs.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace granum::dem {
 
-/// What pairs have in common where all grains are equal.
+/// Constants of pairs of equal grains.
 struct EqualGrains {
   static constexpr bool equal = true;
   double diameter;
@@ -20,9 +20,9 @@ struct EqualGrains {
   template <class Input>
   GRANUM_INLINE void load(const Input& /*in*/, const ListedPair* /*pairs*/) {}
   GRANUM_INLINE double reach(std::size_t /*pair*/) const { return diameter; }
-  /// What the stored spins of both grains are worth in turning the branch, and its turning in torque.
+  /// Factor of the stored spins in the relative displacement, and of the force in the stored torque.
   GRANUM_INLINE static double share(std::size_t /*pair*/) { return 0.5; }
-  /// The overlap times the mean curvature of both grains, over that of a grain of size 1.
+  /// The overlap times the mean curvature of both grains, over the curvature of a grain of size 1.
   GRANUM_INLINE static double curved(double overlap, std::size_t /*pair*/) { return overlap; }
 };
 

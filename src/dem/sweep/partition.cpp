@@ -11,10 +11,10 @@ namespace granum::dem {
 
 namespace {
 
-/// Fewer grains in a chunk would have more of their pairs across its boundary.
+/// Least number of grains in a chunk: with fewer, more of their pairs cross its boundary.
 constexpr std::size_t smallest_chunk = 1024;
 
-/// Gives the pairs of one chunk their rows: spare ones where j is past the chunk.
+/// Assigns rows to the pairs of one chunk: spare ones if j is after the chunk.
 class SpareRows {
  public:
   explicit SpareRows(std::size_t grains) : row_(grains, 0) {}
@@ -35,12 +35,12 @@ class SpareRows {
   std::vector<Addition> additions_;
 };
 
-/// Where chunks of like work end: a grain takes about as long as a pair.
+/// Ends of chunks of equal work; a grain takes about as long as a pair.
 std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t grains, std::size_t count) {
   std::vector<std::size_t> ends(count, grains);
   const auto past = [](std::size_t g, const Pair& pair) { return g < pair.i; };
   for (std::size_t c = 0; c + 1 < count; ++c) {
-    // The first grain up to which there is a share of grains and their pairs.
+    // The first grain at which the share of grains and pairs is reached.
     const auto upto = [&](std::size_t g) {
       const auto before = std::upper_bound(pairs.begin(), pairs.end(), g, past) - pairs.begin();
       return count * (static_cast<std::size_t>(before) + g + 1) >= (c + 1) * (pairs.size() + grains);
@@ -58,7 +58,7 @@ std::vector<std::size_t> chunk_ends(const std::vector<Pair>& pairs, std::size_t 
   return ends;
 }
 
-/// Sorts the additions by the chunk of their grain; those of one chunk keep the order in which they came.
+/// Sorts the additions by the chunk of their grain, stably.
 void sort_additions(const std::vector<Addition>& additions, std::size_t grains, Partition& out) {
   std::vector<std::uint32_t> chunk_of(grains);
   for (std::size_t c = 0; c < out.chunks.size(); ++c)

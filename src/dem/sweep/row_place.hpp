@@ -11,9 +11,9 @@
 
 namespace granum::dem {
 
-/// Where a row stands among others: eight times its number. Rows are 1, 2, 4 or 8 numbers long, and the way
-/// from the first of them is this times 1, 2, 4 or 8 bytes: a processor's address holds such a product, where
-/// the row's number would have to be shifted first, for each row of each pair.
+/// Position of a row among others: eight times its number. Rows have 1, 2, 4 or 8 numbers, so the offset of a
+/// row is this times 1, 2, 4 or 8 bytes, which a processor computes as part of an address. The plain number
+/// would need a shift for each row of each pair.
 struct RowPlace {
   std::uint32_t eightfold;
 
@@ -24,8 +24,7 @@ struct RowPlace {
   bool operator==(const RowPlace&) const = default;
 };
 
-/// Two of them in one number, which is read at once: the loops over pairs do more reading than a processor
-/// has ports for.
+/// Two positions in one number, to save reads, which limit the loops over pairs.
 class TwoPlaces {
  public:
   constexpr TwoPlaces(RowPlace low, RowPlace high)
@@ -37,7 +36,7 @@ class TwoPlaces {
   std::uint64_t both_;
 };
 
-/// \param    first   of the rows
+/// \param    first   address of the first row
 template <class Row>
 GRANUM_INLINE Row& row_at(Row* first, RowPlace place) {
   constexpr std::size_t factor = sizeof(Row) / 8;

@@ -29,7 +29,7 @@ struct NormalSum {
     xy += factor * other.xy, xz += factor * other.xz, yz += factor * other.yz;
   }
   [[nodiscard]] double trace() const { return xx + yy + zz; }
-  /// No eigenvalue is farther from a third of the trace than this.
+  /// Largest possible distance of an eigenvalue from a third of the trace.
   [[nodiscard]] double spread() const {
     const double mean = trace() / 3, x = xx - mean, y = yy - mean, z = zz - mean;
     return std::sqrt(2.0 / 3 * (x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)));
@@ -39,16 +39,16 @@ struct NormalSum {
 /// Sums over the contacts of a grain that have tangential stiffness.
 struct StiffnessBlock {
   NormalSum sticking;
-  Vec3 couple; ///< sum of k b, which ties turning to moving
+  Vec3 couple; ///< sum of k b, which couples rotation to translation
 
   void add(double stiffness, double per_squared, const Vec3& b) {
     sticking.add(stiffness * per_squared, b);
     couple += stiffness * b;
   }
 
-  /// At least the largest eigenvalue: sum of k_n nn + k_t (1 - nn) where the grain moves, of k_t (1 - nn) at
-  /// most where it turns (lengths in radii), of k_t b x between both [N/m]. Where it cannot be above `floor`,
-  /// any number that is not.
+  /// Upper bound of the largest eigenvalue: the sum of k_n nn + k_t (1 - nn) for translation, at most of k_t
+  /// (1 - nn) for rotation (lengths in radii), and of k_t b x for their coupling [N/m]. If it cannot exceed
+  /// `floor`, any number up to `floor`.
   /// \param    smooth   contacts without tangential stiffness
   [[nodiscard]] double largest(double r, const NormalSum& smooth, double floor) const {
     const double trace = sticking.trace(), spread = sticking.spread();

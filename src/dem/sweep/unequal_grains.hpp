@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. What the sweeps know of grains of different sizes.
+// Private to src/dem. Data of unequal grains for the sweeps.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace granum::dem {
 
-/// What is each grain's own; nothing where all are equal.
-/// \param    density   of the grains [kg/m^3]; all their masses together are density times volume, and are
-///                     shared out as engine.hpp says
+/// Data of each grain; empty if all are equal.
+/// \param    density   of the grains [kg/m^3]; the total mass is density times volume, divided as described
+///           in engine.hpp
 [[nodiscard]] std::vector<OwnSize> own_sizes(const Specimen& state, double density);
 
-/// The same for a minimiser, whose masses are numbers that it may choose: the contacts of a grain, and so the
-/// stiffness that holds it, grow with its surface, so its mass is the square of its size over the mean size,
-/// and 1 where that is less. With unit masses the largest are held far more stiffly than the rest: 2,000
-/// grains of C_u = 3 were not at rest after 200,000 steps, where with these some 60,000 do.
+/// The same for a minimiser, whose masses are free. The number of contacts of a grain, and so the stiffness
+/// that acts on it, grows with its surface; its mass is therefore the square of its size over the mean size,
+/// and at least 1. With unit masses 2,000 grains of C_u = 3 were not at rest after 200,000 steps; with these
+/// masses they need some 60,000.
 /// Checked by tests/dem/test_grain_motion.cpp and tests/triaxial/test_specimen.cpp
 [[nodiscard]] std::vector<OwnSize> sizes_for_descent(const Specimen& state);
 

@@ -15,8 +15,8 @@ namespace granum::dem {
 
 namespace {
 
-/// Number of the shift to the same grain after both grains of a pair have moved by whole cell vectors; none
-/// where it is no neighbour cell's any more.
+/// Index of the shift to the same grain after both grains of a pair have moved by whole cell vectors; none if
+/// it is no longer in a neighbouring cell.
 std::optional<std::uint32_t> shifted(std::uint32_t image, const Vec3& of_i, const Vec3& of_j) {
   const auto number = static_cast<int>(image);
   const Vec3 k = Vec3{number / 9 - 1.0, number / 3 % 3 - 1.0, number % 3 - 1.0} + of_j - of_i;
@@ -27,7 +27,7 @@ std::optional<std::uint32_t> shifted(std::uint32_t image, const Vec3& of_i, cons
       image_index(static_cast<int>(k.x), static_cast<int>(k.y), static_cast<int>(k.z)));
 }
 
-/// Those pairs of a list that are within reach, in their order.
+/// The pairs of a list within the cutoff, in their order.
 template <class Reach>
 void take_within(const Reach& reach, const std::vector<Pair>& from, std::vector<Pair>& to) {
   to.resize(from.size());
@@ -91,7 +91,7 @@ bool VerletList::fits_wide(const Specimen& state) const {
   return wide_skin_ > skin_ && (state.walls || 2 * cutoff <= std::min({widths.x, widths.y, widths.z}));
 }
 
-/// The wider list follows the grains that are moved. False where it cannot.
+/// Updates the wider list after grains have been wrapped. False if this is not possible.
 bool VerletList::wrap_all(Specimen& state) {
   std::vector<Vec3> moved;
   wrap_each(state.cell, state.position, [&](std::size_t g, const Vec3& whole) {

@@ -14,10 +14,10 @@
 
 namespace granum::dem {
 
-/// Whether pairs across the faces of the cell count, by the state's boundary.
+/// Whether pairs across the faces of the cell are included, from the state's boundary.
 inline Images images(const Specimen& state) { return state.walls ? Images::none : Images::periodic; }
 
-/// How far grains have come since some moment.
+/// Displacements of grains since some time.
 struct Drift {
   double farthest = 0; ///< largest displacement beside the cell's strain [m]
   double strain = 0;   ///< of the cell, the sum of magnitudes
@@ -26,7 +26,7 @@ struct Drift {
 /// Sum of the magnitudes of a strain's components.
 [[nodiscard]] double size_of_strain(const Mat3& gradient);
 
-/// Where grains and cell were at some moment.
+/// Positions of grains and cell at some time.
 struct Reference {
   Mat3 cell, cell_inverse;
   std::vector<Vec3> position;
@@ -46,18 +46,17 @@ struct Reference {
   }
 };
 
-/// Pair list with a skin: holds every pair nearer than contact distance until `valid` says no. From the
-/// second time on it is taken from a list with a wider skin, as long as that one cannot lack a pair: the
-/// same pairs as a search finds, in a fraction of the time.
-/// Checked against searches by tests/dem/test_verlet_list.cpp
+/// Pair list with a skin: contains every pair within contact distance as long as valid() is true. From the
+/// second build on it is made from a list with a wider skin, as long as that one is complete: the same pairs
+/// as by a search, in a fraction of the time. Checked against searches by tests/dem/test_verlet_list.cpp
 class VerletList {
  public:
-  /// \param    skin, wide_skin   over the radius of a grain of size 1; no wider list where the latter is not
-  ///           larger, or where the cell is too narrow for it
+  /// \param    skin, wide_skin over the radius of a grain of size 1; no wider list unless the latter is
+  ///           larger and the cell is wide enough
   VerletList(const Specimen& state, double skin, double wide_skin = 0);
 
-  /// Wraps the centres of a periodic cell and lists the pairs anew. The grains and their order are those of
-  /// the first build.
+  /// Wraps the centres of a periodic cell and renews the list. Grains and their order must be as in the first
+  /// build.
   void build(Specimen& state);
 
   /// Since build.
@@ -66,35 +65,35 @@ class VerletList {
     return reference_.drift(cell_now, centre_now);
   }
 
-  /// False when two grains that are not listed could have come into contact since build.
+  /// False if two unlisted grains could have come into contact since build.
   [[nodiscard]] bool valid(const Drift& drift) const { return nearing(drift) < skin_; }
-  /// What the centres of a pair that the list lacks have neared each other at most since build [m].
+  /// Largest possible approach of the centres of an unlisted pair since build [m].
   [[nodiscard]] double nearing(const Drift& drift) const { return nearing(drift, skin_); }
 
-  /// Of the next list, which is to be built before anything else is asked [m].
+  /// Sets the skin of the next list, which must be built before other calls [m].
   void set_skin(double skin) { skin_ = skin; }
 
-  /// Whether valid() could say no before long, from upper bounds of the drift.
+  /// Whether valid() may soon be false, from upper bounds of the drift.
   [[nodiscard]] bool may_be_outdated(double travelled, double strained) const {
     return nearing({travelled, strained}, skin_) > 0.9 * skin_;
   }
-  /// The same of this very moment, for those who ask valid() then: bounds that add up strains are too low by
-  /// half of their square, which is below a twentieth of the skin.
+  /// The same for the present moment, before a call of valid(). Bounds that sum strains are too low by half
+  /// of the square of the sum, less than a twentieth of the skin.
   [[nodiscard]] bool may_be_invalid(double travelled, double strained) const {
     return nearing({travelled, strained}, skin_) > 0.95 * skin_;
   }
 
-  /// Takes a list as it was built elsewhere; valid() is not asked before the next build.
+  /// Uses a list from elsewhere; valid() must not be called before the next build.
   void restore(std::vector<Pair> pairs) { pairs_ = std::move(pairs); }
 
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double skin() const { return skin_; }
-  /// Searches through all grains that its lists took so far.
+  /// Number of searches through all grains so far.
   [[nodiscard]] std::size_t searches() const { return searches_; }
 
  private:
-  /// What the centres of a pair that a list with a skin lacks have neared each other at most: twice the
-  /// largest displacement plus what the cell's strain takes from the list's cutoff [m].
+  /// Largest possible approach of the centres of an unlisted pair: twice the largest displacement plus the
+  /// reduction of the cutoff by the strain of the cell [m].
   [[nodiscard]] double nearing(const Drift& drift, double skin) const {
     return 2 * drift.farthest + drift.strain * (contact_distance_ + skin);
   }
@@ -107,7 +106,7 @@ class VerletList {
   double skin_, wide_skin_;
   std::vector<double> radius_; ///< [m]; empty if all are equal
   std::vector<Pair> pairs_, wide_pairs_;
-  Reference reference_, wide_reference_; ///< the latter without grains: there is no wider list
+  Reference reference_, wide_reference_; ///< the latter is empty without a wider list
   std::size_t searches_ = 0;
 };
 

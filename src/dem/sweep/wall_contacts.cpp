@@ -13,8 +13,8 @@ namespace granum::dem {
 
 namespace {
 
-/// The tangential force after a step in which the surface moved by `slip` against the wall, within Coulomb's
-/// limit: what a contact of two grains does (contact_sweep.cpp), with the wall's normal.
+/// The tangential force after a step with the displacement `slip` of the surface along the wall, within
+/// Coulomb's limit; as for two grains (contact_sweep.cpp), with the wall's normal.
 bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, double stiffness,
                     double limit) {
   const double keep =
@@ -28,8 +28,8 @@ bool turn_and_limit(WallHistory& contact, const Vec3& normal, const Vec3& slip, 
   return slides;
 }
 
-/// The same from how grain and wall move. A rigid plate: all of it moves along itself as its centre does, and
-/// turning moves it across only.
+/// The same from the motion of grain and wall. The wall is a rigid plate: its tangential velocity is that of
+/// its centre, and its rotation is normal to itself.
 bool drag_along(WallHistory& contact, const WallPlane& plane, const SweepInput& in, const Vec3& arm,
                 const contact::NormalResponse& response, double friction) {
   const Vec3 wall = in.gradient * plane.centre;
@@ -94,7 +94,7 @@ WallForces WallContacts::sweep_all(const contact::NormalKernel& law, const Input
     add_force(load[contact.grain], force);
     forces.force[contact.wall] += force;
     ++forces.contacts;
-    // The grain bears -force on the wall, over the branch `arm`.
+    // The grain exerts -force on the wall, with the branch `arm`.
     if constexpr (std::is_same_v<Sums, SweepSums>) {
       sums.stress += outer(-force, arm);
       sums.stiffness += response.stiffness * distance * distance;

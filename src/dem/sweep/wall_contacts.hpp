@@ -14,14 +14,14 @@
 
 namespace granum::dem {
 
-/// Normal force and stiffness of a grain pressed onto a rigid plane, from the law of two equal grains.
+/// Normal force and stiffness of a grain on a rigid plane, from the law of two equal grains.
 template <class Law>
 contact::NormalResponse wall_response(const Law& law, double overlap) {
   const contact::NormalResponse pair = law(2 * overlap);
   return {pair.force, 2 * pair.stiffness};
 }
 
-/// The same of one grain among different ones.
+/// The same for one of unequal grains.
 template <class Law>
 contact::NormalResponse wall_response(const Law& law, const GrainSizes& grains, std::size_t grain,
                                       double overlap) {
@@ -41,17 +41,17 @@ class WallContacts {
  public:
   explicit WallContacts(double friction) : friction_(friction) {}
 
-  /// Lists the grains nearer to a wall than their radius and the gap; a memory moves to its contact's
-  /// new place.
-  /// \param    radius   of all grains, where they are equal [m]
+  /// Lists the grains nearer to a wall than their radius plus the gap; contact memories move to their new
+  /// positions.
+  /// \param    radius   of all grains, if they are equal [m]
   template <class AnyGrains>
   void list(const Mat3& cell, const AnyGrains& grains, double radius, double gap,
             const std::vector<WallHistory>& history);
-  /// Adds forces and torques on some grains to load and to the sums, and gives those on the walls. Tangential
-  /// ones only where `tangential` and the walls are rough.
+  /// Adds forces and torques on some grains to load and to the sums, and returns those on the walls.
+  /// Tangential forces only if `tangential`, and if the walls are rough.
   WallForces sweep(const contact::NormalKernel& law, const SweepInput& input, Range of_grains,
                    bool tangential, std::vector<LoadRow>& load, SweepSums& sums);
-  /// Forces alone, on grains that do not turn.
+  /// Forces only, on grains without rotation.
   WallForces descent_sweep(const contact::NormalKernel& law, const DescentInput& input, Range of_grains,
                            std::vector<PushRow>& load, DescentSums& sums);
   void set_forces(const WallForces& forces) { forces_ = forces; }
@@ -64,14 +64,14 @@ class WallContacts {
     contacts_ = from.get_all<WallHistory>();
     for (const WallHistory& contact : contacts_)
       if (contact.grain >= grains || contact.wall >= wall_count)
-        from.fail("holds a wall contact of a grain that it does not have");
+        from.fail("contains a wall contact of a grain that does not exist");
     forces_ = from.get<WallForces>();
   }
 
   [[nodiscard]] double friction() const { return friction_; }
   [[nodiscard]] const WallForces& forces() const { return forces_; }
   [[nodiscard]] std::vector<WallHistory> history() const;
-  /// Grains and walls listed, whether or not they touch.
+  /// Number of listed pairs of grain and wall, with or without contact.
   [[nodiscard]] const std::vector<WallHistory>& candidates() const { return contacts_; }
 
  private:

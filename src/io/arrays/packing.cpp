@@ -46,7 +46,7 @@ Number element(std::span<const Number> values, std::size_t k) {
   return values.empty() ? Number{} : values[k];
 }
 
-/// What is the same for grains and walls.
+/// Common to grains and walls.
 PairRow row_from(const PackingBuilder& builder, const ContactArrays& c, std::size_t k) {
   return {.a = builder.index(c.grains[k][0], k + 1),
           .normal_force = element(c.normal_force, k),

@@ -90,8 +90,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
       body.size() - std::min<std::uint64_t>(header.subject_size, body.size());
   if (header.subject_size > body.size() || header.scene_size > behind_subject ||
       header.state_size != behind_subject - header.scene_size)
-    reader.fail("is a checkpoint cut short or run over: " + std::to_string(body.size()) +
-                " bytes where it says " + std::to_string(header.subject_size) + ", " +
+    reader.fail("is a checkpoint of the wrong length: " + std::to_string(body.size()) +
+                " bytes in place of " + std::to_string(header.subject_size) + ", " +
                 std::to_string(header.scene_size) + " and " + std::to_string(header.state_size));
   if (header.checksum != checksum_of(header, body))
     reader.fail("is a damaged checkpoint: its checksum does not match");

@@ -29,7 +29,7 @@ class TableColumns {
     return table_.numbers(quantity, stated(quantity, dimension));
   }
 
-  /// Where a column stands, and what its numbers are multiplied by to give SI.
+  /// Index of a column, and the factor from its numbers to SI.
   [[nodiscard]] CsvTable::Place place(const char* quantity, Dimension dimension) const {
     return table_.column(quantity, stated(quantity, dimension));
   }
@@ -76,7 +76,7 @@ class TableColumns {
     return text;
   }
 
-  /// The dimension that the heading of a column tells: none where a line above stands for SI.
+  /// The dimension in the heading of a column; none if a line above declares SI.
   [[nodiscard]] Dimension stated(const char* quantity, Dimension dimension) const {
     const auto& headings = table_.headings();
     const bool bare = std::find(headings.begin(), headings.end(), quantity) != headings.end();
@@ -91,7 +91,7 @@ class TableColumns {
         const std::string_view units = trimmed(source.line().substr(mark.size()));
         if (units != "SI")
           source.fail("expected '# units: SI', found " + shown(units) +
-                      "; other units stand in the headings");
+                      "; write other units into the headings");
         return true;
       }
     return false;
@@ -163,7 +163,7 @@ PackingBuilder grains_built(const TableColumns& columns, const std::string& cont
     builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their rows");
   if (!box)
     builder.note(Finding::boundary_unknown,
-                 "a table does not tell which faces are periodic: none is taken so");
+                 "a table does not state which faces are periodic: none is assumed");
   builder.note(Finding::law_unknown, "contact law and grain material are not in a table");
   return builder;
 }
@@ -258,7 +258,7 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
     builder.expect_no_forces();
     builder.note(Finding::forces_unknown, "no columns fn or fx, fy, fz");
   } else if (table.force.empty()) {
-    builder.note(Finding::tangential_unknown, "fn and ft do not tell the direction of the tangential force");
+    builder.note(Finding::tangential_unknown, "fn and ft do not give the direction of the tangential force");
   }
   note_digits(builder, table);
   for (std::size_t k = 0; k < table.id.size(); ++k)

@@ -16,7 +16,7 @@ namespace granum::io {
 
 namespace {
 
-/// The separator of the fields that stands outside of quotes in the first record.
+/// The separator of the fields, outside of quotes in the first record.
 /// \throws   FileError if commas and semicolons do
 char separator_in(std::string_view text, const std::string& name, std::size_t line) {
   bool comma = false, semicolon = false, tab = false, quoted = false;
@@ -31,14 +31,14 @@ char separator_in(std::string_view text, const std::string& name, std::size_t li
   if (comma && semicolon)
     throw FileError(
         name, line,
-        "commas and semicolons stand between the headings: put quotes around a heading that holds "
+        "the headings are separated by commas and by semicolons: put quotes around a heading that has "
         "one of them");
   if (tab && !comma && !semicolon)
     return '\t'; // as cells that are copied from a spreadsheet
   return semicolon ? ';' : ',';
 }
 
-/// "1.500" as "1500"; nothing for what cannot be a number with a point between its thousands.
+/// "1.500" as "1500"; empty unless it can be a number with a point between thousands.
 std::optional<std::string> without_thousands_point(const std::string& field) {
   const std::size_t sign = field.starts_with('-') || field.starts_with('+') ? 1 : 0;
   const std::size_t point = field.find('.');
@@ -67,7 +67,7 @@ class DecimalCommas {
       line_ = line;
       number = field;
       number[number.find('.')] = ',';
-      doubt_ = "column '" + heading + "' holds '" + field +
+      doubt_ = "column '" + heading + "' contains '" + field +
                "', where other numbers have decimal commas: write " + number + " for " +
                short_text(*parse_number(field)) + ", or " + *whole;
     }
@@ -122,7 +122,7 @@ class Cursor {
     return false;
   }
 
-  /// What separates fields from now on, by the record here.
+  /// Sets the separator of the fields from the current record.
   char find_separator() { return separator_ = separator_in(text_, name_, line_); }
 
   /// The fields of the record here, and the cursor after its end. The apostrophe that keeps a text from being
@@ -164,7 +164,7 @@ class Cursor {
     return std::string(trimmed(content));
   }
 
-  /// The rest of a field whose opening quote has been read; "" inside stands for one quote.
+  /// The rest of a field whose opening quote has been read; "" inside means one quote.
   std::string quoted() {
     const std::size_t first_line = line_;
     std::string content;
@@ -240,7 +240,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   headings_ = cursor.record();
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
-      throw FileError(name_, heading_line_, "the heading '" + *heading + "' stands there twice");
+      throw FileError(name_, heading_line_, "the heading '" + *heading + "' occurs twice");
   DecimalCommas points;
   while (cursor.seek_record()) {
     const std::size_t line = cursor.line();
@@ -251,7 +251,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
                       "expected " + std::to_string(headings_.size()) + " fields (" + joined(headings_) +
                           "), found " + std::to_string(count) +
                           (!decimal_commas && may_hold_decimal_commas(rows_.back().fields, headings_.size())
-                               ? "; decimal commas ask for semicolons between the fields"
+                               ? "; with decimal commas, separate the fields by semicolons"
                                : ""));
     if (decimal_commas)
       for (std::size_t k = 0; k < count; ++k)
@@ -275,7 +275,7 @@ std::size_t CsvTable::find(std::string_view quantity, Dimension dimension) const
       continue;
     if (found)
       throw FileError(name_, heading_line_,
-                      "both '" + headings_[*found] + "' and '" + headings_[k] + "' hold " +
+                      "both '" + headings_[*found] + "' and '" + headings_[k] + "' contain " +
                           std::string(quantity));
     found = k;
   }

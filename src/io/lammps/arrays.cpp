@@ -12,7 +12,7 @@ namespace granum::io {
 
 namespace {
 
-/// What stands for the files of grains and contacts in messages.
+/// Names in messages, in place of the files of grains and contacts.
 constexpr const char *grains_name = "grains", *contacts_name = "contacts";
 
 DumpUnits units_in_memory(const std::string& style) {
@@ -70,8 +70,8 @@ ImportedPacking join_arrays(const LammpsArrays& arrays) {
     join(builder, *contacts, units);
   }
   if (!units.stated)
-    builder.note(Finding::units_unknown, "units lj: taken as SI");
-  note_unknown_contacts(builder, contacts ? &*contacts : nullptr, "among what LAMMPS hands over");
+    builder.note(Finding::units_unknown, "units lj: assumed to be SI");
+  note_unknown_contacts(builder, contacts ? &*contacts : nullptr, "among the data of LAMMPS");
   return builder.finish(arrays.step, std::nullopt);
 }
 

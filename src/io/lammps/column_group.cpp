@@ -9,7 +9,7 @@ namespace granum::io {
 
 namespace {
 
-/// c_name and k of a column c_name[k]; k = 1 for c_name; nothing for another prefix or malformed
+/// c_name and k of a column c_name[k]; k = 1 for c_name; empty for another prefix or malformed
 /// brackets.
 struct Indexed {
   std::string name;

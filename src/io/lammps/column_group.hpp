@@ -8,12 +8,12 @@
 
 namespace granum::io {
 
-/// Where the values of one compute or fix of LAMMPS stand in a row of a dump.
+/// Indices of the values of one compute or fix of LAMMPS in a row of a dump.
 using ColumnGroup = std::vector<std::size_t>;
 
 /// The groups of a table: columns `c_name[1]`, `c_name[2]`, ... from 1 on without a gap, or `c_name` alone.
 /// \param    prefix  "c_" for computes, "f_" for fixes
-/// \return   a group whose columns are not all there, or stand in another order, is left out
+/// \return   groups with missing columns, or columns in another order, are left out
 [[nodiscard]] std::vector<ColumnGroup> column_groups(const std::vector<std::string>& columns,
                                                      std::string_view prefix);
 

@@ -108,7 +108,7 @@ ContactLayout mapped_layout(const MappedColumns& column) {
           .whole = column.three("f")};
 }
 
-/// Columns that bear the names of the quantities themselves.
+/// Columns with the names of the quantities themselves.
 ColumnMap own_names(const std::vector<std::string>& columns) {
   ColumnMap map;
   for (const char* quantity : {"id1", "id2", "dx", "dy", "dz", "delta", "force", "fnx", "fny", "fnz", "ftx",
@@ -135,7 +135,7 @@ std::optional<ContactLayout> contact_layout(const std::vector<std::string>& colu
     return std::nullopt;
   if (computes.size() > 1 && std::any_of(computes.begin(), computes.end(), can_hold_ids))
     return std::nullopt;
-  source.fail("the columns have no known layout; say what they hold with a column map, such as " +
+  source.fail("the columns have no known layout; name them with a column map, such as " +
               example_map(columns));
 }
 

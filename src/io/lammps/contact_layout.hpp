@@ -13,7 +13,7 @@ namespace granum::io {
 
 using ColumnTriple = std::array<std::size_t, 3>;
 
-/// Where the quantities of a contact stand in its row. Forces are those on grain 1.
+/// Indices of the quantities of a contact in its row. Forces act on grain 1.
 struct ContactLayout {
   std::size_t id1 = 0, id2 = 0;
   std::optional<ColumnTriple> difference;    ///< centre of 1 minus centre of 2, nearest images
@@ -22,7 +22,7 @@ struct ContactLayout {
   std::optional<std::size_t> overlap;
   std::optional<std::size_t> force; ///< normal force, repulsion positive
   std::optional<ColumnTriple> normal, tangential, whole;
-  std::optional<std::size_t> rolling = {}, twisting = {}; ///< sizes of what resists turning
+  std::optional<std::size_t> rolling = {}, twisting = {}; ///< magnitudes of the moments
 
   [[nodiscard]] bool has_forces() const { return force || normal || whole; }
   [[nodiscard]] bool has_tangential() const { return tangential || whole; }
@@ -30,10 +30,10 @@ struct ContactLayout {
   bool operator==(const ContactLayout&) const = default;
 };
 
-/// The layout that a map gives, or, for an empty map, the one that the names of the columns stand for:
+/// The layout of a map, or, for an empty map, the layout from the names of the columns:
 /// the quantities' own names; `compute property/local patom1 patom2 ...` beside a `compute pair/local` of 17
 /// values (dist force fx fy fz p1 ... p12); LIGGGHTS' 28 values of `compute pair/gran/local`.
-/// \return   nothing for other columns of computes: the values have to tell (layout_by_values)
+/// \return   empty for other columns of computes, which need layout_by_values
 /// \throws   FileError at the line of `source` for a column of the map that is not there, or unknown columns
 [[nodiscard]] std::optional<ContactLayout> contact_layout(const std::vector<std::string>& columns,
                                                           const ColumnMap& map, const TextSource& source);

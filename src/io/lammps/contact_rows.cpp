@@ -85,8 +85,8 @@ void add_unnamed(UnnamedTable& table, const TextRow& row, std::size_t line) {
   table.lines.push_back(line);
 }
 
-/// How far two vectors of every row are from being the normal force: the first where they stand as the layout
-/// says, the second where they are swapped; and the sum of forces to compare with.
+/// Distance of two vectors of every row from being the normal force: in the order of the layout, and swapped;
+/// and the sum of forces to compare with.
 struct NormalMisfit {
   double stated = 0, swapped = 0, stated_sum = 0, swapped_sum = 0;
   static constexpr double tolerance = 1e-2; ///< six-digit positions in a box of a thousand grain diameters
@@ -137,7 +137,7 @@ class LocalJoin {
     return {.a = builder_.index(row.id1, row.line), .b = builder_.index(row.id2, row.line), .line = row.line};
   }
 
-  /// Of the centres, where the row tells it.
+  /// Distance of the centres, if in the row.
   std::optional<double> distance(const PairRow& pair, const LocalRow& row) const {
     if (!locals_.layout->overlap)
       return std::nullopt;
@@ -154,7 +154,7 @@ class LocalJoin {
     for (const LocalRow& row : locals_.rows) {
       const PairRow ends = grains_of(row);
       if (!layout.difference && ends.a != ends.b && builder_.ambiguous(ends.a, ends.b))
-        continue; // the vectors tell which image is meant, once it is known which of them is which
+        continue; // the vectors determine the image, once normal and tangential force are identified
       const PairRow pair = geometry(row, false);
       if (norm(pair.branch) > 0)
         misfit.add(direction(pair), row.normal, row.tangential,
@@ -166,7 +166,7 @@ class LocalJoin {
       builder_.fail_contact(
           locals_.rows.front().line,
           "neither force vector of this frame lies along the lines of centres as a force on "
-          "grain 1 does; say what the columns hold with a column map");
+          "grain 1 does; name the columns with a column map");
     builder_.note(Finding::forces_swapped,
                   "the first force vector is the tangential one, the second the normal");
     return true;
@@ -190,12 +190,12 @@ class LocalJoin {
   const LocalFrame& locals_;
 };
 
-/// The layout that the values of the frame tell.
+/// The layout found from the values of the frame.
 void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
   const ToldLayout told = layout_by_values(locals.unnamed, builder, units.length);
   locals.layout = told.layout;
   if (!told.words.empty())
-    builder.note(Finding::columns_told, "the values tell what no heading says: " + told.words);
+    builder.note(Finding::columns_told, "columns identified by their values: " + told.words);
   if (told.swapped)
     builder.note(Finding::forces_swapped,
                  "the first force vector is the tangential one, the second the normal");

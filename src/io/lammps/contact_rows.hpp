@@ -20,7 +20,7 @@ struct LocalRow {
   std::size_t line = 0;
   Vec3 difference{}; ///< x1 - x2
   bool through = false;
-  bool turns = false; ///< bears a rolling or twisting moment
+  bool turns = false; ///< carries a rolling or twisting moment
   double overlap = 0, force = 0;
   Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
 };
@@ -28,22 +28,22 @@ struct LocalRow {
 /// The contacts of one frame.
 struct LocalFrame {
   DumpFrame frame;
-  std::optional<ContactLayout> layout; ///< nothing until the values have told it
+  std::optional<ContactLayout> layout; ///< empty until identified by the values
   std::vector<LocalRow> rows;
-  UnnamedTable unnamed; ///< rows of which nobody knows yet what they hold, or that are numbers already
+  UnnamedTable unnamed; ///< rows without identified columns, or as numbers already
   DigitWatch digits, force_digits;
 };
 
-/// Reads the next frame; nothing at the end of the file.
+/// Reads the next frame; empty at the end of the file.
 /// \throws   FileError as DumpFile::next, contact_layout, or for text where a number should be
 [[nodiscard]] std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map);
 
-/// Adds the contacts of a frame to the packing, with a note on what they were taken for: its rows, or its
+/// Adds the contacts of a frame to the packing, with a note on the interpretation: its rows, or its
 /// unnamed table, of which it makes rows. Empties the rows.
 /// \throws   FileError as layout_by_values and PackingBuilder::add
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units);
 
-/// Notes what a state of LAMMPS does not tell of its contacts, of which there may be none.
+/// Notes the data of contacts that a state of LAMMPS does not contain; the state may have no contacts.
 /// Assumes   the contacts were joined
 /// \param    where   "in a dump"
 void note_unknown_contacts(PackingBuilder& builder, const LocalFrame* contacts, const std::string& where);

@@ -36,9 +36,9 @@ class DataFile {
     builder.set_cell(cell(), {true, true, true}, 0);
     builder.set_grains(read_atoms());
     builder.note_digits(digits_, "coordinates");
-    builder.note(Finding::contacts_unknown, "a data file holds no contacts");
+    builder.note(Finding::contacts_unknown, "a data file contains no contacts");
     builder.note(Finding::boundary_unknown,
-                 "a data file does not tell which faces are periodic: all are taken so");
+                 "a data file does not state which faces are periodic: all are assumed");
     builder.note(Finding::units_unknown, "a data file has no units: taken as SI");
     builder.note(Finding::law_unknown, "contact law and grain material are not in a data file");
     return builder.finish(step, std::nullopt);
@@ -178,7 +178,7 @@ const PackingFormat lammps_data_format{
     .grains = "a LAMMPS data file",
     .contacts = "",
     .recognise = [](TextSource& source) -> std::optional<Holds> {
-      for (int k = 0; k < lines_looked_at && source.next(); ++k) // the first line may hold anything
+      for (int k = 0; k < lines_looked_at && source.next(); ++k) // the first line is arbitrary
         if (const auto count = leading_number(trimmed(source.line()));
             count && trimmed(count->rest) == "atoms")
           return Holds::grains;

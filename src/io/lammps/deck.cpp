@@ -86,7 +86,7 @@ std::string names_of(const std::vector<double>& pressures) {
 }
 
 /// Of sqrt(m/k_n) of a grain of the mean radius. LAMMPS has the true masses of grains: that of a
-/// smaller one goes as R^3, and its stiffness as R where all bear one stress.
+/// smaller one is proportional to R^3, and its stiffness to R at equal stress.
 constexpr double usual_time_step_share = 0.1;
 
 std::string sizes_text(double smallest, double largest) {
@@ -95,7 +95,7 @@ std::string sizes_text(double smallest, double largest) {
 
 using Numbers = std::map<std::string, std::string, std::less<>>;
 
-/// Where no triaxial test was asked for, the deck still holds the numbers of one, under the name "none".
+/// Without a triaxial test the deck still contains the numbers of one, under the name "none".
 void add_path(Numbers& numbers, const LammpsExperiment& e) {
   const LammpsPath path = e.path.value_or(LammpsPath{.name = "none"});
   numbers.insert({{"path", path.name},
@@ -108,7 +108,7 @@ void add_path(Numbers& numbers, const LammpsExperiment& e) {
                   {"shear_inertial_number", exact_text(path.inertial_number)}});
 }
 
-/// What stands in scene.lmp for each of its placeholders; it says there what they are, with their units.
+/// Values of the placeholders of scene.lmp; their meaning and units are described there.
 Numbers numbers_of(const packing::Assembly& start, const LammpsExperiment& e) {
   const contact::GrainMaterial& grain = e.law.grain();
   const auto [smallest, largest] = std::minmax_element(start.radius.begin(), start.radius.end());
@@ -116,7 +116,7 @@ Numbers numbers_of(const packing::Assembly& start, const LammpsExperiment& e) {
   const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(e.radius, 3);
   const double solid_fraction = equal ? volume * static_cast<double>(start.grain_count()) / start.volume()
                                       : packing::solid_fraction(start);
-  // k_n = 2 G a/(1 - nu) with a the radius of the contact; LAMMPS takes k_t/a.
+  // k_n = 2 G a/(1 - nu) with a the radius of the contact; LAMMPS needs k_t/a.
   const double tangential = e.tangential_ratio * 2 * grain.shear_modulus / (1 - grain.poisson_ratio);
   Numbers numbers{
       {"start", e.start == LammpsStart::packed ? "packed" : "scattered"},

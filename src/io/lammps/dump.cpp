@@ -15,7 +15,7 @@ namespace granum::io {
 
 namespace {
 
-/// Where the quantities of a grain stand in its row.
+/// Indices of the quantities of a grain in its row.
 struct GrainLayout {
   std::size_t id = 0, radius = 0;
   double radius_factor = 1; ///< 1/2 for a diameter
@@ -128,7 +128,7 @@ void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox&
   note_unknown_contacts(builder, locals, "in a dump");
 }
 
-/// The packing of one frame; units that one of the two files states hold for both.
+/// The packing of one frame; units stated in one of the two files apply to both.
 ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFile* local_file,
                         LocalFrame* locals) {
   PackingBuilder builder(atom_file.source().name(), local_file ? local_file->source().name() : "");
@@ -201,7 +201,7 @@ struct LammpsDump::Impl {
     if (grains || pairs)
       ++skipped;
     if (matched == 0)
-      contacts->source().fail("no time step of " + atoms.source().name() + " stands in this file");
+      contacts->source().fail("contains no time step of " + atoms.source().name());
     return std::nullopt;
   }
 };
@@ -222,7 +222,7 @@ std::optional<ImportedPacking> LammpsDump::next() {
   auto grains = impl_->next_atoms();
   if (!grains) {
     if (impl_->matched == 0)
-      impl_->atoms.source().fail("holds no frame; expected ITEM: TIMESTEP");
+      impl_->atoms.source().fail("contains no frame; expected ITEM: TIMESTEP");
     return std::nullopt;
   }
   ++impl_->matched;

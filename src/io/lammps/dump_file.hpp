@@ -29,12 +29,12 @@ struct DumpUnits {
   bool stated = false;
 };
 
-/// Factors of a unit style of LAMMPS; nothing for one whose units are not those of SI but for powers of ten.
+/// Factors of a unit style of LAMMPS; empty unless its units are SI units times powers of ten.
 [[nodiscard]] std::optional<DumpUnits> dump_units(std::string_view style);
 /// The styles that have them, for messages.
 inline constexpr const char* known_dump_units = "si, cgs, micro or nano";
 
-/// What the sections of one frame say, apart from the table.
+/// The sections of one frame, except the table.
 struct DumpFrame {
   std::optional<long> step;
   std::optional<double> time; ///< in the dump's unit
@@ -56,8 +56,8 @@ class DumpFile {
   explicit DumpFile(TextSource source) : source_(std::move(source)) {}
 
   /// The next frame; the sink receives its rows one by one. Nothing at the end of the file.
-  /// \throws   FileError for what is no dump, a frame cut off, or a table of another number of rows than
-  ///           stated
+  /// \throws   FileError for a file that is not a dump, a truncated frame, or a table of another number of
+  ///           rows than stated
   [[nodiscard]] std::optional<DumpFrame> next(const TableSink& sink);
 
   [[nodiscard]] const DumpUnits& units() const { return units_; }

@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-2;
 /// Rows that are looked at.
 constexpr std::size_t enough_rows = 5000;
 
-/// What may stand among the values of a pair, in this order.
+/// Possible values of a pair, in this order.
 struct Terms {
   bool dist = false, difference = false, energy = false, force = false, vector = false;
   std::size_t extra = 0; ///< p1 to p<extra>
@@ -45,10 +45,11 @@ struct Terms {
   }
 };
 
-/// How many of the p1 p2 ... of a granular pair style one may ask for without cutting a vector in two.
+/// Numbers of p1 p2 ... of a granular pair style that do not cut a vector in two.
 constexpr std::array<std::size_t, 8> extra_counts{0, 3, 4, 7, 8, 9, 10, 12};
 
-/// Every order of so many values that begins with what geometry can tell: a distance or a force.
+/// Every order of so many values that begins with a quantity that geometry can identify: a distance or a
+/// force.
 std::vector<Terms> orders_of(std::size_t count) {
   std::vector<Terms> out;
   const auto add = [&](const Terms& terms) {
@@ -73,7 +74,7 @@ std::vector<Terms> orders_of(std::size_t count) {
   return out;
 }
 
-/// Where the values of an order stand.
+/// Indices of the values of an order.
 ContactLayout layout_of(const Terms& terms, std::size_t id1, std::size_t id2, const ColumnGroup& values) {
   ContactLayout layout;
   layout.id1 = id1;
@@ -87,7 +88,7 @@ ContactLayout layout_of(const Terms& terms, std::size_t id1, std::size_t id2, co
   if (terms.dist)
     one();
   if (terms.difference)
-    three(); // its sign depends on the version of LAMMPS; the positions tell as much
+    three(); // its sign depends on the version of LAMMPS; the positions give the same
   if (terms.energy)
     one();
   if (terms.force)
@@ -110,7 +111,7 @@ ContactLayout layout_of(const Terms& terms, std::size_t id1, std::size_t id2, co
   return layout;
 }
 
-/// How far the sizes of some quantity are from what they should be, summed over rows.
+/// Deviation of a quantity from its expected magnitude, summed over rows.
 class Misfit {
  public:
   void add(double off, double size) {
@@ -129,7 +130,7 @@ class Pairs {
  public:
   Pairs(const UnnamedTable& table, double length) : table_(table), length_(length) {}
 
-  /// Whether two columns hold ids of pairs of grains.
+  /// Whether two columns contain ids of pairs of grains.
   bool take_ids(std::size_t id1, std::size_t id2, const PackingBuilder& grains) {
     const std::size_t step = std::max<std::size_t>(1, table_.rows() / enough_rows);
     for (std::size_t row = 0; row < table_.rows(); row += step) {
@@ -191,7 +192,7 @@ class Pairs {
   }
   [[nodiscard]] Vec3 direction(std::size_t k) const { return (1 / norm(branch_[k])) * branch_[k]; }
 
-  /// The grain whose id stands there; nothing if the number is no such id.
+  /// The grain with this id; empty if there is none.
   [[nodiscard]] std::optional<std::uint32_t> grain(std::size_t row, std::size_t column,
                                                    const PackingBuilder& grains) const {
     constexpr double largest = 1e15;
@@ -281,7 +282,7 @@ ColumnGroup others(const std::vector<ColumnGroup>& computes, std::size_t left_ou
   return out;
 }
 
-/// The column map that says the same as a layout.
+/// The column map of a layout.
 std::string map_of(const ContactLayout& layout, const std::vector<std::string>& columns) {
   std::string text = "id1=" + columns[layout.id1] + ",id2=" + columns[layout.id2];
   if (layout.force)
@@ -332,13 +333,13 @@ ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& gra
     return fits.front();
   if (fits.empty())
     grains.fail_contact(table.lines.front(),
-                        "the columns hold no values that the positions of the grains bear out" +
+                        "no columns agree with the positions of the grains" +
                             (tried.empty() ? std::string(": no column has ids of pairs of grains")
                                            : " (tried: " + tried + ")") +
-                            "; say what they hold with a column map, such as " + example_map(table.columns));
+                            "; name the columns with a column map, such as " + example_map(table.columns));
   grains.fail_contact(table.lines.front(),
                       "the columns can be read in " + std::to_string(fits.size()) +
-                          " ways that give other forces; say which by a column map: " + maps);
+                          " ways that give different forces; choose one by a column map: " + maps);
 }
 
 } // namespace granum::io

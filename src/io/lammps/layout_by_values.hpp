@@ -11,7 +11,7 @@ namespace granum::io {
 
 class PackingBuilder;
 
-/// A table of contacts as numbers, before anybody knows what its columns hold.
+/// A table of contacts as numbers, with unidentified columns.
 struct UnnamedTable {
   std::vector<std::string> columns;
   std::vector<ColumnGroup> computes;
@@ -24,21 +24,21 @@ struct UnnamedTable {
   }
 };
 
-/// A layout that the values bear out, and the words for it.
+/// A layout confirmed by the values, and its description.
 struct ToldLayout {
   ContactLayout layout;
   std::string words;    ///< "c_cp[1] to c_cp[5] as dist force fx fy fz"
-  bool swapped = false; ///< p1 p2 p3 stand before fx fy fz
+  bool swapped = false; ///< p1 p2 p3 precede fx fy fz
 };
 
-/// What the values of `compute property/local patom1 patom2 ...` beside those of `compute pair/local` are:
+/// Identifies the values of `compute property/local patom1 patom2 ...` next to those of `compute pair/local`:
 /// some of dist, dx dy dz, eng, force, fx fy fz and p1 p2 ..., in this order, and at least the distance or a
-/// force. An order is taken if the grains bear it out: dist is the distance of the centres, fx fy fz lies
+/// force. An order is accepted if the grains confirm it: dist is the distance of the centres, fx fy fz lies
 /// along the line of centres as repulsion on patom1 and is as long as force, p1 p2 p3 lies across it and is
 /// as long as p4, p10 p11 p12 is x1 - x2; all in the sum over the rows, within 1 %.
 /// \param    length   unit of the table's lengths [m]
-/// \throws   FileError at the first row if no order is borne out, or if several are that give other forces;
-///           the message lists them and the column maps that would decide
+/// \throws   FileError at the first row if no order is confirmed, or if several are that give different
+///           forces; the message lists them and the column maps that would decide
 /// Checked by tests/io/lammps/test_layouts.cpp
 [[nodiscard]] ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains,
                                           double length);

@@ -35,7 +35,7 @@ class Values {
     return table_.columns[columns_[first]] + " to " + table_.columns[columns_[last]];
   }
 
-  /// Whether two ids and the flag of a periodic face stand there; takes the pairs if so.
+  /// Whether the columns are two ids and the flag of a periodic face; stores the pairs if so.
   bool take_pairs(std::size_t first) {
     pairs_.clear();
     const std::size_t step = std::max<std::size_t>(1, table_.rows() / rows_asked);
@@ -89,7 +89,7 @@ class Values {
     }
     return off <= within * size;
   }
-  /// The column behind `first` that holds the overlaps.
+  /// The column after `first` with the overlaps.
   [[nodiscard]] std::optional<std::size_t> overlap_from(std::size_t first) const {
     for (std::size_t value = first; value < size(); ++value) {
       double off = 0, sum = 0;
@@ -121,8 +121,8 @@ class Values {
   std::vector<Pair> pairs_;
 };
 
-/// Sets the forces that stand from `first` on.
-/// \return   in words what stands there; empty if no force does
+/// Sets the forces in the columns from `first` on.
+/// \return   their description; empty if there are none
 std::string take_forces(const Values& values, std::size_t first, ContactLayout& layout) {
   const std::size_t second = first + 3, third = first + 6;
   const auto there = [&](std::size_t at) { return at + 3 <= values.size(); };
@@ -176,9 +176,9 @@ ToldLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& g
   }
   grains.fail_contact(
       table.lines.front(),
-      "the columns hold no ids and forces that the positions of the grains bear out as LIGGGHTS' "
-      "compute pair/gran/local has them (pos vel id force force_normal force_tangential ...); say "
-      "what they hold with a column map, such as " +
+      "no columns of ids and forces as in LIGGGHTS' compute pair/gran/local (pos vel id force "
+      "force_normal force_tangential ...) agree with the positions of the grains; name the columns "
+      "with a column map, such as " +
           example_map(table.columns));
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t width = 8;
 
-/// Whether a row is what a wall says of its grain; a hundredth is for radii and points of six digits.
+/// Whether a row belongs to the contact of a wall with its grain, within 0.01 for radii and points of six
+/// digits.
 bool is_of_wall(const WallRow& row, const PackingBuilder& builder, double unit) {
   constexpr double few_digits = 1e-2;
   const auto grain = builder.find(row.id);

@@ -24,7 +24,7 @@ struct WallRow {
 /// Groups of columns f_name[1] ... f_name[8] or more, which fixes of walls write.
 [[nodiscard]] std::vector<ColumnGroup> wall_columns(const std::vector<std::string>& columns);
 
-/// What the columns of walls say of the grain of a row, appended for each wall that it touches.
+/// Appends the contact with each wall that the grain of a row touches, from the columns of walls.
 /// \throws   FileError for text where a number should be
 void read_walls(const TextRow& row, long id, std::size_t line, const std::vector<ColumnGroup>& walls,
                 std::vector<WallRow>& out);

@@ -177,7 +177,7 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
   builder.set_grains(std::move(grains.grains));
   builder.note_digits(grains.digits, "coordinates");
   builder.note(Finding::boundary_unknown,
-               "MercuryDPM's files do not tell which faces are periodic: all are taken so");
+               "MercuryDPM's files do not state which faces are periodic: all are assumed");
   builder.note(Finding::units_unknown, "no units in the files: taken as SI");
   builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
   if (!stat) {
@@ -234,7 +234,7 @@ std::optional<ImportedPacking> MercuryOutput::next() {
   auto grains = impl_->next_data();
   if (!impl_->fstat) {
     if (!grains && impl_->matched == 0)
-      impl_->data.fail("holds no frame; expected N time xmin ymin zmin xmax ymax zmax");
+      impl_->data.fail("contains no frame; expected N time xmin ymin zmin xmax ymax zmax");
     ++impl_->matched;
     if (!grains)
       return std::nullopt;
@@ -253,7 +253,7 @@ std::optional<ImportedPacking> MercuryOutput::next() {
     return packing(impl_->data, std::move(*grains), &*impl_->fstat, &*stat);
   }
   if (impl_->matched == 0)
-    impl_->fstat->fail("no time of " + impl_->data.name() + " stands in this file");
+    impl_->fstat->fail("contains no time of " + impl_->data.name());
   if (grains || stat)
     ++impl_->skipped;
   return std::nullopt;

@@ -12,7 +12,7 @@
 
 namespace granum::io {
 
-/// A file that zlib opens; it hands plain text through as it is.
+/// A file opened by zlib, which passes plain text unchanged.
 struct TextSource::Stream {
   gzFile file = nullptr;
   bool seekable = false; ///< else a pipe
@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
 
 gzFile opened(const std::filesystem::path& path) {
-  std::error_code unknown; // a name that cannot be is told by opening
+  std::error_code unknown; // impossible names are reported on opening
   if (std::filesystem::is_directory(path, unknown))
     throw FileError(path.string(), 0, "cannot be read: it is a folder");
   errno = 0;
@@ -66,7 +66,7 @@ TextSource::TextSource(TextSource&&) noexcept = default;
 TextSource& TextSource::operator=(TextSource&&) noexcept = default;
 TextSource::~TextSource() = default;
 
-/// More text behind what is not yet read; false at the end of the file.
+/// Reads more text into the buffer; false at the end of the file.
 bool TextSource::fill() {
   if (!stream_ || stream_->ended)
     return false;
@@ -96,7 +96,7 @@ bool TextSource::fill() {
   return count > 0;
 }
 
-/// Makes [begin_, end) the line here; reading goes on at `next`.
+/// Makes [begin_, end) the current line; reading continues at `next`.
 void TextSource::take(std::size_t end, std::size_t next) {
   line_ = std::string_view(buffer_.data() + begin_, end - begin_);
   if (line_.ends_with('\r'))
@@ -111,7 +111,7 @@ bool TextSource::next() {
     held_ = false;
     return true;
   }
-  std::size_t searched = 0; // bytes from begin_ that hold no line end
+  std::size_t searched = 0; // bytes from begin_ without line end
   for (;;) {
     const char* from = buffer_.data() + begin_ + searched;
     const std::size_t length = end_ - begin_ - searched;

@@ -16,7 +16,7 @@ class CentreIndex {
  public:
   explicit CentreIndex(const std::vector<Vec3>& centres);
 
-  /// \return   nothing if no centre is there
+  /// \return   empty if there is no centre
   /// \throws   FileError if several are
   [[nodiscard]] std::optional<std::uint32_t> look_up(const Vec3& point, const PackingBuilder& builder,
                                                      std::size_t line) const;

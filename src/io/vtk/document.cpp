@@ -34,7 +34,7 @@ std::string value_of(const Attributes& attributes, std::string_view name, std::s
   return found == attributes.end() ? std::move(otherwise) : found->second;
 }
 
-/// A count that an attribute states; nothing if it is none.
+/// A count in an attribute; empty if it is not a count.
 std::optional<std::size_t> counted(const std::string& text) {
   const auto number = parse_number(text);
   if (!number || *number < 0 || *number > 9e15 ||
@@ -81,7 +81,7 @@ constexpr NumberType number_types[] = {
 
 bool white_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// YADE's points hold NaN in place of bodies that are gone.
+/// YADE's points contain NaN in place of removed bodies.
 bool is_nan(std::string_view word) {
   return word.size() <= 4 && (lower(std::string(word)) == "nan" || lower(std::string(word)) == "-nan");
 }
@@ -175,7 +175,7 @@ struct VtkDocument::Parser {
       document->appended_base64_ = encoding == "base64";
       appended_from = static_cast<std::size_t>(XML_GetCurrentByteIndex(expat.get())) +
                       static_cast<std::size_t>(XML_GetCurrentByteCount(expat.get()));
-      XML_StopParser(expat.get(), XML_FALSE); // what follows need not be XML
+      XML_StopParser(expat.get(), XML_FALSE); // the rest need not be XML
       return;
     }
     open.push_back(element);

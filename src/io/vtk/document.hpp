@@ -30,13 +30,13 @@ struct VtkNumbers {
 /// The arrays of an XML file of VTK with one piece, as text, as base64 or behind the elements.
 class VtkDocument {
  public:
-  /// \throws   FileError for what is no such file
+  /// \throws   FileError for other files
   explicit VtkDocument(TextSource source);
 
   /// "UnstructuredGrid", "PolyData", ...
   [[nodiscard]] const std::string& type() const { return type_; }
   [[nodiscard]] const std::string& name() const { return source_.name(); }
-  /// NumberOfPoints, NumberOfLines, ...; 0 where the piece does not say.
+  /// NumberOfPoints, NumberOfLines, ...; 0 if not in the piece.
   [[nodiscard]] std::size_t count(const std::string& what) const;
   /// The array of a name in "Points", "PointData", "CellData", "Lines" or "FieldData"; nothing if there is
   /// none. Case does not matter in names; an empty name is that of any array.
@@ -67,7 +67,7 @@ class VtkDocument {
   VtkEncoding encoding_;
   std::optional<std::map<std::string, std::size_t>> piece_; ///< its numbers of points, lines and so on
   std::map<std::pair<std::string, std::string>, Array> arrays_;
-  std::string appended_; ///< all that stands behind the elements, after the '_'
+  std::string appended_; ///< the text after the elements and the '_'
   bool appended_base64_ = false;
 };
 

@@ -64,7 +64,7 @@ class ByteStream {
   }
 
   std::string_view rest_;
-  std::string decoded_; ///< of base64, not yet taken
+  std::string decoded_; ///< decoded base64, not yet used
   bool base64_;
 };
 

@@ -36,7 +36,7 @@ void set_cell(const VtkDocument& file, PackingBuilder& builder) {
   const auto edges = file.numbers("FieldData", "cell", 1, 9);
   if (!edges) {
     builder.note(Finding::boundary_unknown,
-                 "a VTK file does not tell which faces are periodic: none is taken so");
+                 "a VTK file does not state which faces are periodic: none is assumed");
     return;
   }
   Mat3 cell;
@@ -44,7 +44,7 @@ void set_cell(const VtkDocument& file, PackingBuilder& builder) {
     cell(k % 3, k / 3) = edges->values[static_cast<std::size_t>(k)];
   builder.set_cell(cell, {true, true, true}, edges->line);
   builder.note(Finding::boundary_unknown,
-               "a VTK file does not tell which faces are periodic: all are taken so");
+               "a VTK file does not state which faces are periodic: all are assumed");
 }
 
 /// Numbers of materials, as LIGGGHTS, YADE and others call them.
@@ -95,7 +95,7 @@ std::optional<double> time_of(const VtkDocument& file) {
   return time && std::isfinite(time->values[0]) ? std::optional(time->values[0]) : std::nullopt;
 }
 
-/// The lines of a file and what they carry.
+/// The lines of a file and their data.
 class ContactLines {
  public:
   explicit ContactLines(const VtkDocument& file)
@@ -210,7 +210,7 @@ class ContactLines {
   std::vector<std::size_t> ends_;
 };
 
-/// What the attribute of an element says, on the line where both stand.
+/// The attribute of an element, with its line.
 std::string_view attribute(std::string_view line, std::string_view name) {
   const std::size_t at = line.find(name);
   if (at == std::string_view::npos)

@@ -34,7 +34,7 @@ std::size_t needed(const TextSource& source, const std::vector<std::string>& col
   return *column;
 }
 
-/// What stands above the rows of grains, and the rows.
+/// The text above the rows of grains, and the rows.
 class GrainFile {
  public:
   explicit GrainFile(TextSource source) : source_(std::move(source)), row_(source_) {}
@@ -53,7 +53,7 @@ class GrainFile {
     }
   }
 
-  /// A builder that holds the grains; errors of contacts will name `contact_file`.
+  /// A builder with the grains; errors of contacts name `contact_file`.
   PackingBuilder builder(const std::string& contact_file) {
     PackingBuilder result(source_.name(), contact_file);
     if (cell_)
@@ -162,7 +162,7 @@ class ContactFile {
         read_contact();
     }
     if (columns_.empty())
-      source_.fail("holds no contacts; expected a heading '# id1 id2 ...'");
+      source_.fail("contains no contacts; expected a heading '# id1 id2 ...'");
     builder_.note_overlap_digits(digits_, "overlaps");
     builder_.note_force_digits(force_digits_);
     if (left_out_ > 0)

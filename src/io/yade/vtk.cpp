@@ -36,7 +36,7 @@ class LegacyVtk {
   [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
   [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& lines() const { return lines_; }
   [[nodiscard]] const DigitWatch& digits() const { return digits_; }
-  /// Line of the file on which point k, or line k, stands.
+  /// Line of the file with point k, or line k.
   [[nodiscard]] std::size_t place_of_point(std::size_t k) const { return point_place_[k]; }
   [[nodiscard]] std::size_t place_of_line(std::size_t k) const { return line_place_[k]; }
   /// An attribute of so many values; none if it is not there.
@@ -141,7 +141,7 @@ class LegacyVtk {
     at_ = row_.size();
   }
 
-  /// Numbers that say nothing of the grains: that each point is a vertex.
+  /// Numbers without information: each point is a vertex.
   void skip(std::size_t count) {
     at_ = row_.size();
     for (std::size_t k = 0; k < count; ++k)
@@ -225,14 +225,14 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
   if (!id)
     builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their points");
   builder.note(Finding::boundary_unknown,
-               "a VTK file does not tell which faces are periodic: none is taken so");
+               "a VTK file does not state which faces are periodic: none is assumed");
   builder.note(Finding::units_unknown, "a VTK file has no units: taken as SI");
   builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
   return builder;
 }
 
 /// A contact with a wall across an axis: the line ends at the wall's centre, anywhere in its plane.
-/// \param    force   on the wall; its direction tells the axis, else the plane that the grain reaches
+/// \param    force   on the wall; its direction gives the axis, otherwise the plane that the grain reaches
 /// \return   whether there is such a wall
 bool add_wall(PackingBuilder& builder, std::uint32_t grain, const Vec3& centre, const Vec3& force,
               const double* size, std::size_t line) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A grain g moves by u = sum over the nodes k of s_gk v_k and R w = sum of s_gk R w_k, with the shift v_k and
-// the turn w_k of node k and the share s_gk that it has in g. Shares are linear in the place of the grain, so
-// that a wave much longer than a box, whose strain is nearly the same all over it, costs hardly more energy
-// than it should. Rigid motions of aggregates have all strain between them, at some eight times its energy.
+// the rotation w_k of node k, and shares s_gk that are linear in the position of the grain. A wave much
+// longer than a box then has nearly its true energy. With rigid motions of aggregates all strain is
+// concentrated between them, which takes some eight times the energy.
 #include "correction.hpp"
 
 #include <algorithm>
@@ -18,15 +18,15 @@ namespace granum::network {
 
 namespace {
 
-// The factor of P^T H P grows as the 4/3rd power of their number.
+// Largest number of nodes: the factor of P^T H P grows as its power 4/3.
 constexpr double most_nodes = 2048;
-// Smaller networks gain less by it than it takes.
+// Least number of grains: below, making the coarse space takes longer than it saves.
 constexpr std::size_t fewest_grains = 20000;
 
 using Corners = CoarseGrid::Corners;
 using Shares = CoarseGrid::Shares;
 
-/// Asks for rows that come soon, as those of a box are scattered over memory.
+/// Prefetches the rows of later grains, because those of a box are scattered over memory.
 template <int Dof>
 GRANUM_INLINE void fetch(std::span<const std::uint32_t> grains, std::size_t k, const Field<Dof>& x) {
   constexpr std::size_t ahead = 4;
@@ -56,7 +56,7 @@ GRANUM_INLINE void add_motion(const Shares& share, double radius, const Rows<6>*
   }
 }
 
-/// A load.
+/// The load r.
 template <int Dof>
 struct Whole {
   const Field<Dof>& r;
@@ -66,7 +66,7 @@ struct Whole {
   }
 };
 
-/// A load less what answers it already.
+/// The load less H z, the forces that are already in balance with it.
 template <int Dof>
 struct Rest {
   const Field<Dof>& r;
@@ -100,7 +100,7 @@ bool CoarseCorrection<Dof>::pays(const Backbone& backbone) {
 /// u += P (P^T H P)^+ P^T f
 template <int Dof>
 template <class Force>
-void CoarseCorrection<Dof>::add_answer(const Force& force, Field<Dof>& u) const {
+void CoarseCorrection<Dof>::add_coarse_motion(const Force& force, Field<Dof>& u) const {
   std::vector<std::array<Rows<6>, 8>> of_box(grid_.size());
   workers_.each(grid_.size(), [&](std::size_t box) {
     at_vector_level([&](auto) __attribute__((always_inline)) {
@@ -139,12 +139,12 @@ void CoarseCorrection<Dof>::add_answer(const Force& force, Field<Dof>& u) const 
 template <int Dof>
 void CoarseCorrection<Dof>::correct(const Field<Dof>& r, Field<Dof>& z) const {
   apply_stiffness<Dof>(backbone_, workers_, 0, z, force_);
-  add_answer(Rest<Dof>{r, force_}, z);
+  add_coarse_motion(Rest<Dof>{r, force_}, z);
 }
 
 template <int Dof>
 void CoarseCorrection<Dof>::add_lifted(const Field<Dof>& r, Field<Dof>& q) const {
-  add_answer(Whole<Dof>{r}, q);
+  add_coarse_motion(Whole<Dof>{r}, q);
 }
 
 template class CoarseCorrection<3>;

@@ -10,9 +10,9 @@
 
 namespace granum::network {
 
-/// Motions P of the nodes of a coarse grid, a shift and a turn each, between which those of the grains are
-/// linear along each axis, and the stiffness P^T H P among them. They take out of a residual the long waves
-/// [Nicolaides1987], for which the incomplete factor alone takes the more iterations the larger the network.
+/// Coarse space: motions P of the nodes of a grid, a shift and a rotation each, interpolated linearly to the
+/// grains, with the stiffness P^T H P. It removes long waves from a residual [Nicolaides1987], for which the
+/// iterations with the incomplete factor alone grow with the network.
 template <int Dof>
 class CoarseCorrection {
  public:
@@ -20,7 +20,7 @@ class CoarseCorrection {
   CoarseCorrection(const Backbone& backbone, const Workers& workers,
                    double grains_a_node = default_grains_a_node);
 
-  /// Whether the network is large enough to gain by it.
+  /// Whether the network is large enough to gain time.
   [[nodiscard]] static bool pays(const Backbone& backbone);
 
   /// z += P (P^T H P)^+ P^T (r - H z). Not from two threads at once.
@@ -28,14 +28,14 @@ class CoarseCorrection {
   /// q += P (P^T H P)^+ P^T r
   void add_lifted(const Field<Dof>& r, Field<Dof>& q) const;
 
-  /// Numbers that the factor of P^T H P holds.
+  /// Numbers in the factor of P^T H P.
   [[nodiscard]] std::size_t nonzeros() const { return factor_.nonzeros(); }
 
  private:
   static constexpr double default_grains_a_node = 200;
 
   template <class Force>
-  void add_answer(const Force& force, Field<Dof>& u) const;
+  void add_coarse_motion(const Force& force, Field<Dof>& u) const;
 
   const Backbone& backbone_;
   const Workers& workers_;

@@ -19,11 +19,11 @@ namespace granum::network {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
-// Directions of a pivot below this part of what its diagonal was before the elimination count as free: where
-// soft clusters hang together rounding reaches 1e-7.
+// Directions of a pivot below this fraction of its diagonal before the elimination are free: in soft clusters
+// rounding reaches 1e-7.
 constexpr double free_direction = 1e-6;
 
-// Blocks to be taken off a column, from which on threads share them, and the parts that they share.
+// Blocks subtracted from a column from which on threads share the work, and the number of parts.
 constexpr std::size_t worth_sharing = 2000;
 constexpr std::size_t parts_shared = 8;
 
@@ -37,7 +37,7 @@ Block<6> stored(const Matrix6& m) {
   return b;
 }
 
-/// Generalised inverse of a pivot; `size` is the diagonal that it had before the elimination.
+/// Generalised inverse of a pivot; `size` is its diagonal before the elimination.
 Block<6> pivot_inverse(const Block<6>& pivot, const std::array<double, 6>& size) {
   using SixNumbers = Eigen::Matrix<double, 6, 1>;
   SixNumbers scale;
@@ -52,7 +52,7 @@ Block<6> pivot_inverse(const Block<6>& pivot, const std::array<double, 6>& size)
   return stored(turned * inverse.asDiagonal() * turned.transpose());
 }
 
-/// The part of a finished column k that is taken off column row[e]: target -= U D^+ U_e^T for the blocks
+/// Subtracts the part of a finished column k from column row[e]: target -= U D^+ U_e^T for the blocks
 /// U = L D of column k from `first` to `last`. Rows of the target are vectors of six numbers.
 GRANUM_INLINE void subtract_column(std::uint32_t e, std::uint32_t first, std::uint32_t last,
                                    const std::uint32_t* row, const Block<6>* upper,
@@ -125,7 +125,7 @@ CoarseFactor::CoarseFactor(std::size_t size, const std::vector<Coupling>& coupli
   find_pattern(size, couplings);
 }
 
-/// By minimum degree, which keeps L sparse.
+/// Minimum degree, which keeps L sparse.
 void CoarseFactor::find_order(std::size_t size, const std::vector<Coupling>& couplings) {
   std::vector<Eigen::Triplet<double>> ones;
   ones.reserve(2 * couplings.size());
@@ -178,7 +178,7 @@ void CoarseFactor::add(std::uint32_t row, std::uint32_t column, const Matrix6& b
   add_to(lower_[static_cast<std::size_t>(found - row_.data())], below ? block : Matrix6(block.transpose()));
 }
 
-/// Takes finished columns off the column j that is in `work`, each from its entry in row j on. Threads share
+/// Subtracts finished columns, each from its entry in row j on, from the column j in `work`. Threads share
 /// the rows.
 void CoarseFactor::subtract_columns(std::uint32_t j, const std::vector<Reaching>& columns,
                                     const Workers& workers, std::vector<Rows<6>>& work) const {
@@ -208,7 +208,7 @@ void CoarseFactor::subtract_columns(std::uint32_t j, const std::vector<Reaching>
   });
 }
 
-/// Column after column; a finished column waits in the list of the row that it reaches next.
+/// Column by column; a finished column is in the list of the row that it affects next.
 void CoarseFactor::factorise(const Workers& workers) {
   const auto n = static_cast<std::uint32_t>(place_.size());
   std::vector<Rows<6>> work(n); // of one column

@@ -16,18 +16,18 @@ namespace granum::network {
 [[nodiscard]] elastic::Matrix6 dense(const Block<6>& b);
 
 /// Complete factorisation A = L D L^T of a sparse, symmetric, positive semidefinite matrix of 6 x 6 blocks.
-/// Directions without stiffness are left out: D^+ stands in place of D^-1.
+/// Directions without stiffness are left out: D^+ in place of D^-1.
 class CoarseFactor {
  public:
   using Coupling = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// A = 0, with places for the diagonal and these blocks beside it.
-  /// \param    couplings   in any order, each as often as one likes
+  /// A = 0, with storage for the diagonal and these off-diagonal blocks.
+  /// \param    couplings   in any order, may repeat
   CoarseFactor(std::size_t size, const std::vector<Coupling>& couplings);
 
-  /// Adds to a block of A, and what symmetry demands.
+  /// Adds to a block of A and to its transpose.
   void add(std::uint32_t row, std::uint32_t column, const elastic::Matrix6& block);
-  /// Once, when all has been added.
+  /// Call once, after all blocks have been added.
   void factorise(const Workers& workers);
 
   /// x = (L D L^T)^+ x
@@ -35,7 +35,7 @@ class CoarseFactor {
   [[nodiscard]] std::size_t nonzeros() const { return (lower_.size() + inverse_pivot_.size()) * 36; }
 
  private:
-  /// A finished column, and its entry in the row that it reaches.
+  /// A finished column, and its first entry that has not been used yet.
   struct Reaching {
     std::uint32_t column, entry;
   };

@@ -33,7 +33,7 @@ class CoarseGrid {
   [[nodiscard]] Corners nodes_of(std::size_t box) const { return neighbours(box, 1); }
   /// The boxes that have a node as their corner 0, 1, ...
   [[nodiscard]] Corners boxes_around(std::size_t node) const { return neighbours(node, -1); }
-  /// What each corner of its box has in a grain: linear along each edge, 1 in all.
+  /// Weights of the corners of its box for a grain: linear along each edge, with the sum 1.
   [[nodiscard]] GRANUM_INLINE Shares shares_of(std::size_t grain) const {
     const Vec3& far = part_[grain];
     const Vec3 near{1 - far.x, 1 - far.y, 1 - far.z};
@@ -48,7 +48,7 @@ class CoarseGrid {
   [[nodiscard]] Corners neighbours(std::size_t number, int direction) const;
 
   std::array<std::size_t, 3> along_{}; ///< boxes
-  std::vector<Vec3> part_;             ///< place of each grain in its box, each number in [0, 1]
+  std::vector<Vec3> part_;             ///< position of each grain in its box, components in [0, 1]
   std::vector<std::uint32_t> box_;     ///< of each grain
   std::vector<std::uint32_t> grains_;  ///< box after box
   std::vector<std::uint32_t> grains_start_;

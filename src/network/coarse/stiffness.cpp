@@ -17,7 +17,7 @@ using Corners = CoarseGrid::Corners;
 using Shares = CoarseGrid::Shares;
 using NodeBlock = Block<6>;
 
-/// The same in terms of u and w, which stand in place of u and R w.
+/// The same in terms of u and w instead of u and R w.
 template <int Dof>
 NodeBlock turned(const Block<Dof>& b, double radius_of_row, double radius_of_column) {
   NodeBlock m;
@@ -27,7 +27,7 @@ NodeBlock turned(const Block<Dof>& b, double radius_of_row, double radius_of_col
   return m;
 }
 
-/// What links between the grains of two boxes add to P^T H P: blocks of corners of the one, and of the other.
+/// Contribution to P^T H P of the links between grains of two boxes: blocks of corners of either box.
 struct Couplings {
   NodeBlock at[8][8] = {};
 };
@@ -61,7 +61,7 @@ void add_box(const Couplings& sum, const Corners& nodes, CoarseFactor& factor) {
         factor.add(nodes[i], nodes[j], dense(sum.at[i][j]));
 }
 
-/// Blocks of the corners of one box (rows) and those of another, and what symmetry demands.
+/// Blocks of the corners of one box (rows) and of another (columns), and their transposes.
 void add_between(const Couplings& sum, const Corners& rows, const Corners& columns, CoarseFactor& factor) {
   for (unsigned i = 0; i < rows.size(); ++i)
     for (unsigned j = 0; j < columns.size(); ++j) {
@@ -88,7 +88,7 @@ std::vector<Placed> by_boxes(const std::vector<Link>& links, const CoarseGrid& g
   return placed;
 }
 
-/// Places in P^T H P, each once.
+/// Blocks of P^T H P, each once.
 std::vector<CoarseFactor::Coupling> coupled_nodes(const std::vector<Placed>& links, const CoarseGrid& grid) {
   std::vector<CoarseFactor::Coupling> couplings;
   const auto couple = [&](std::uint32_t box, std::uint32_t other) {

@@ -8,7 +8,7 @@
 
 namespace granum::network {
 
-/// P^T H P of the motions P of the nodes of a grid (coarse_correction.cpp), factorised.
+/// Factor of P^T H P for the motions P of the nodes of a grid (coarse/correction.cpp).
 template <int Dof>
 [[nodiscard]] CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid,
                                             const Workers& workers);

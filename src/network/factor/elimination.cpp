@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Incomplete block factorisation R^T H R ~ L L^T. Symbols:
+//   H        stiffness matrix, blocks H_ij of Dof x Dof for grains i, j in the order of elimination
+//   h        mean diagonal entry of H, the unit of the constants below
+//   P_i      pivot: H_ii less what the elimination of grains before i subtracts
+//   R_i      root of the inverse pivot, R_i R_i^T = P_i^-1
+//   L        lower triangle with unit diagonal blocks; while rows are made, R^-T L is stored in its place
+//   d, l     direction and eigenvalue of a pivot: P_i d = l d, |d| = 1
+//   v, e     motion of a direction, v = L^-T d: grain i moves by d, grains before i follow, later ones rest;
+//            its energy e = v^T H v. e = l in a complete factor; in an incomplete one l may be wrong.
+// A direction is soft if l is small, lost if l is far below e, free if e is rounding error, very soft if e is
+// small. A deferred direction is rigid during the elimination and gets e afterwards.
 #include "elimination.hpp"
 
 #include <algorithm>
@@ -18,33 +29,31 @@ namespace granum::network {
 
 namespace {
 
-// Where lost pivots are held, one is when an eigenvalue may be below this part of the shift.
+// "Measured": chosen by iterations on loose packings and diluted lattices (bench/README.md, The network).
+// SoftPivots::deferred: a pivot below this part of the shift is looked at. Pivots of a complete factor are
+// not below the shift, because H is not negative; so this is an order of magnitude of error by dropped terms.
 constexpr double safe_pivot = 0.1;
-// Of a pivot that is held, directions are lost whose eigenvalue is below this part of the mean diagonal: what
-// was dropped from the factor has made a stiff direction negative, and its stiffness is not known.
+// l / h below which directions of such a pivot are deferred: softer than a mean one by an order of magnitude.
 constexpr double lost_stiffness = 0.1;
-// Least eigenvalue over that mean of a pivot that is stiffened: more stops some floppy networks from
-// arriving.
+// SoftPivots::stiffened: least l / h. Larger values stop some floppy networks from converging. Measured.
 constexpr double least_stiffened = 1e-4;
-// Where pivots are judged: directions whose eigenvalue is below this part of that mean are.
+// l / h of a soft direction. 1e-3: a packing of 1e6 grains fails; 1e-1: 2.6 times the time. Measured.
 constexpr double soft = 1e-2;
-// Their motions leave out displacements below this part of the eigenvalue over that mean.
+// Displacements below this part of l / h move no further grains; a larger limit makes e too large. Measured.
 constexpr double negligible_soft = 0.3;
-// Directions are lost where the energy of the motion is more than so many times the eigenvalue.
+// e / l from which on a soft direction is lost: an order of magnitude of error.
 constexpr double far_off = 10;
-// Motions are very soft whose energy is below this part of the mean diagonal. A larger one makes the grains
-// that they move so many that some pivots are still lost with all of them first.
+// e / h of a very soft motion. 1e-2 selects so many grains that some of these lose pivots. Measured.
 constexpr double very_soft = 1e-3;
-// Of such a motion, and of one whose pivot was lost, grains count that move at least this part of the way of
-// the one that moves farthest.
+// Grains of a very soft (or lost) motion are selected if their displacement is at least this fraction of the
+// largest. Measured.
 constexpr double moving = 0.03;
 constexpr double moving_where_lost = 0.003;
-// In these two limits, smaller eigenvalues, and negative ones, count as this part of that mean.
+// Smaller, and negative, l / h count as this with negligible_soft and far_off. Measured.
 constexpr double least_compared = 1e-8;
-// Displacements that the motion of a held direction leaves out.
-constexpr double negligible_held = 1e-6;
-// A motion is free where its energy is below this part of that mean times the sum of the squares of all its
-// displacements: so much is left when terms of that size cancel.
+// As negligible_soft for deferred directions, absolute: the default shift, the least stiffness that they get.
+constexpr double negligible_deferred = 1e-6;
+// e / (h v^T v) of a free motion: a few units of rounding (2.2e-16), which is what the terms of e cancel to.
 constexpr double rounding = 1e-15;
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
@@ -120,12 +129,12 @@ class Elimination {
                     [&](std::size_t k) { eliminate_piece(stage[k], works[k], made_.lower[first + k]); });
       for (const Work& of_piece : works) {
         made_.mended_pivots += of_piece.mended_pivots;
-        append(of_piece.held, held_);
+        append(of_piece.deferred, deferred_);
         append(of_piece.lost_grains, made_.lost_grains);
         append(of_piece.soft_grains, made_.soft_grains);
       }
     }
-    release_held();
+    set_deferred();
     std::size_t first = 0;
     for (const std::vector<Piece>& stage : backbone_.stages) {
       workers_.each(stage.size(), [&](std::size_t k) { scale(stage[k], made_.lower[first + k]); });
@@ -139,40 +148,37 @@ class Elimination {
   using Vector = Eigen::Matrix<double, Dof, 1>;
   static constexpr std::uint32_t absent = LocalMotion<Dof>::absent;
 
-  /// A direction d in which a pivot was not safely positive, and in which it is rigid at first.
-  struct HeldDirection {
+  struct DeferredDirection {
     std::uint32_t row;
-    int column; ///< of R, which is zero at first
+    int column; ///< of R_i; zero until set_deferred
     Vector direction;
   };
-  /// What a grain after a soft pivot feels of the motions of its soft directions.
+  /// Forces H v / sqrt(e) of the motions of a soft pivot on a later grain.
   struct Coupling {
     std::uint32_t grain;
-    Rows<Dof> force; ///< one motion in each lane, of energy 1; 0 where it is free
+    Rows<Dof> force; ///< one motion in each lane; 0 if it is free
   };
-  /// A pivot with soft directions, whose motions couple it with later grains: what the elimination leaves of
-  /// that goes with the stiffness that it leaves, which may be far from that of the motions.
   struct SoftPivot {
-    int directions = 0; ///< that are soft: the first columns of R
+    int directions = 0; ///< number of soft ones: the first columns of R_i
     std::vector<Coupling> couplings;
   };
   /// A finished block of a column.
   struct Entry {
     std::uint32_t row;
-    std::uint32_t place; ///< in its row
+    std::uint32_t place; ///< index within its row
   };
-  /// What one piece needs and leaves.
+  /// Working memory and results of one piece.
   struct Work {
-    std::vector<std::uint32_t> slot; ///< place in `row` of each column, or `absent`; all are, between rows
-    std::vector<Link>::const_iterator link; ///< first of the links that the next rows hold
-    std::vector<Block<Dof>> row;            ///< of H less what is eliminated, transposed
-    std::vector<HeldDirection> held;
+    std::vector<std::uint32_t> slot; ///< index in `row` of each column, or `absent`; all absent between rows
+    std::vector<Link>::const_iterator link; ///< first link of the next row
+    std::vector<Block<Dof>> row;            ///< blocks of H less what is eliminated, transposed
+    std::vector<DeferredDirection> deferred;
     std::size_t mended_pivots = 0;
     std::vector<std::uint32_t> lost_grains, soft_grains;
   };
 
   [[nodiscard]] bool couples() const { return rule_.soft_pivots == SoftPivots::coupled; }
-  [[nodiscard]] bool judges() const { return network::judges(rule_.soft_pivots); }
+  [[nodiscard]] bool by_motion() const { return uses_motions(rule_.soft_pivots); }
 
   void eliminate_piece(Piece piece, Work& work, std::vector<Block<Dof>>& lower) {
     work.slot.assign(backbone_.grain_count, absent);
@@ -183,7 +189,7 @@ class Elimination {
     for (std::uint32_t i = piece.first; i < piece.last; ++i) {
       Block<Dof>* const row = lower.data() + (start[i] - start[piece.first]);
       row_[i] = row;
-      for (int r = 0; r < Dof && !judges(); ++r)
+      for (int r = 0; r < Dof && !by_motion(); ++r)
         made_.root[i].at[r][r] += rule_.shift * mean_;
       begin_row(i, work);
       at_vector_level([&](auto) __attribute__((always_inline)) { finish_row(i, work, row, made_.root[i]); });
@@ -197,7 +203,7 @@ class Elimination {
     std::vector<std::uint32_t>().swap(work.slot);
   }
 
-  /// Row i of H, with places for its fill.
+  /// Row i of H, with zero blocks for its fill.
   void begin_row(std::uint32_t i, Work& work) const {
     const std::uint32_t first = pattern_.row_start[i], last = pattern_.row_start[i + 1];
     work.row.assign(last - first, {});
@@ -208,7 +214,7 @@ class Elimination {
           work.row[work.slot[work.link->a]]);
   }
 
-  /// Row i of R^-T L, and pivot i, from the finished rows.
+  /// Row i of R^-T L, and P_i, from the finished rows.
   GRANUM_INLINE void finish_row(std::uint32_t i, Work& work, Block<Dof>* row, Block<Dof>& pivot) const {
     const std::uint32_t* const column = pattern_.column.data() + pattern_.row_start[i];
     for (std::size_t e = 0; e < work.row.size(); ++e) {
@@ -224,7 +230,7 @@ class Elimination {
     }
   }
 
-  /// Replaces what soft directions of an earlier pivot leave in a block of row i.
+  /// Replaces the columns of soft directions of an earlier pivot in a block of row i.
   static void take_couplings(const SoftPivot& pivot, std::uint32_t i, Block<Dof>& finished) {
     Rows<Dof> force = {};
     for (const Coupling& c : pivot.couplings)
@@ -235,12 +241,12 @@ class Elimination {
         finished.at[k][c] = force.row[c][k];
   }
 
-  /// Replaces pivot i by the root of its inverse; returns whether it had to be mended first.
+  /// Replaces P_i by R_i; returns whether the pivot had to be modified.
   bool take_root(std::uint32_t i, Work& work) {
     using Square = Eigen::Matrix<double, Dof, Dof, Eigen::RowMajor>;
     Eigen::Map<Square> map(&made_.root[i].at[0][0]);
     const Square symmetric = (map + map.transpose()) / 2;
-    const double safe = judges() ? 2 * soft : safe_pivot * rule_.shift;
+    const double safe = by_motion() ? 2 * soft : safe_pivot * rule_.shift;
     const Eigen::LLT<Eigen::Matrix<double, Dof, Dof>> cholesky(symmetric);
     if (cholesky.info() == Eigen::Success &&
         cholesky.matrixLLT().diagonal().cwiseAbs2().minCoeff() >= safe * mean_) {
@@ -253,46 +259,45 @@ class Elimination {
     bool mended = true;
     if (rule_.soft_pivots == SoftPivots::stiffened)
       values = found.unaryExpr([&](double v) { return std::max(std::abs(v), least_stiffened * mean_); });
-    else if (judges())
-      mended = judge(i, pivot, work, values);
+    else if (by_motion())
+      mended = set_soft(i, pivot, work, values);
     else
       for (int k = 0; k < Dof && found[k] < lost_stiffness * mean_; ++k)
-        hold(i, pivot, k, work, values);
+        defer(i, pivot, k, work, values);
     map = pivot.eigenvectors() * values.cwiseSqrt().cwiseInverse().asDiagonal();
     return mended;
   }
 
-  /// Gives soft directions of a pivot the stiffness of their motions. Free motions bear no load, and rounding
-  /// would drive them: there the pivot is rigid. Where directions are lost, they are held, and with
-  /// SoftPivots::judged the others of the pivot as well; returns whether there are any.
-  bool judge(std::uint32_t i, const PivotSystem& pivot, Work& work, Vector& values) {
+  /// SoftPivots::by_motion and coupled: soft directions get the energy of their motions. Free ones stay
+  /// rigid: they carry no load, and rounding would drive them. Lost ones are deferred, and with by_motion all
+  /// other directions of that pivot below lost_stiffness as well. Returns whether any was lost.
+  bool set_soft(std::uint32_t i, const PivotSystem& pivot, Work& work, Vector& values) {
     const Vector found = pivot.eigenvalues();
-    double softest = 1; // at most, over the mean diagonal
+    double softest = 1; // least l / h
     Rows<Dof> directions = {};
-    SoftPivot judged;
-    for (int k = 0; k < Dof && found[k] < soft * mean_; ++k, ++judged.directions) {
-      softest = std::min(softest, std::max(std::abs(found[k]) / mean_, least_compared));
+    SoftPivot soft_pivot;
+    int& count = soft_pivot.directions;
+    for (; count < Dof && found[count] < soft * mean_; ++count) {
+      softest = std::min(softest, std::max(std::abs(found[count]) / mean_, least_compared));
       for (int r = 0; r < Dof; ++r)
-        directions.row[r][k] = pivot.eigenvectors()(r, k);
+        directions.row[r][count] = pivot.eigenvectors()(r, count);
     }
-    if (judged.directions == 0)
+    if (count == 0)
       return false;
     LocalMotion<Dof> motion(work.slot);
-    give_way(i, directions, negligible_soft * softest, motion);
+    find_motion(i, directions, negligible_soft * softest, motion);
     const PerCase energy = energies_of(motion);
-    for (int k = 0; k < judged.directions; ++k) {
-      const double of_motion = energy[static_cast<std::size_t>(k)];
-      values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
-    }
     const auto is_lost = [&](int k) {
       return values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_);
     };
     bool lost = false, is_very_soft = false;
-    for (int k = 0; k < judged.directions; ++k) {
+    for (int k = 0; k < count; ++k) {
+      const double e = energy[static_cast<std::size_t>(k)];
+      values[k] = e < rule_.shift * mean_ ? rigid : e;
       lost = lost || is_lost(k);
       is_very_soft = is_very_soft || values[k] < very_soft * mean_;
     }
-    for (int k = 0; k < judged.directions; ++k) {
+    for (int k = 0; k < count; ++k) {
       if (lost)
         motion.add_movers(k, moving_where_lost, work.lost_grains);
       if (is_very_soft)
@@ -300,15 +305,15 @@ class Elimination {
     }
     for (int k = 0; k < Dof && lost && found[k] < lost_stiffness * mean_; ++k)
       if (values[k] < rigid && (!couples() || is_lost(k)))
-        hold(i, pivot, k, work, values);
+        defer(i, pivot, k, work, values);
     if (couples()) {
-      judged.couplings = couplings_of(i, motion, values);
-      soft_[i] = std::make_unique<SoftPivot>(std::move(judged));
+      soft_pivot.couplings = couplings_of(i, motion, values);
+      soft_[i] = std::make_unique<SoftPivot>(std::move(soft_pivot));
     }
     return lost;
   }
 
-  /// Forces of motions on the later grains that the pattern couples with grain i.
+  /// Forces of the motions of grain i on the later grains that the pattern couples with it.
   [[nodiscard]] std::vector<Coupling> couplings_of(std::uint32_t i, const LocalMotion<Dof>& motion,
                                                    const Vector& stiffness) const {
     std::vector<Coupling> couplings;
@@ -331,18 +336,18 @@ class Elimination {
     return couplings;
   }
 
-  /// Whether row `later` has a place for column `earlier`.
+  /// Whether the pattern keeps the block of row `later` and column `earlier`.
   [[nodiscard]] bool is_coupled(std::uint32_t later, std::uint32_t earlier) const {
     const std::uint32_t* const column = pattern_.column.data();
     return std::binary_search(column + pattern_.row_start[later], column + pattern_.row_start[later + 1],
                               earlier);
   }
 
-  /// The motions that directions of grain i stand for, one in each lane: grains before i give way, those
-  /// behind it stand still. Leaves out what displacements below `negligible` would move.
-  void give_way(std::uint32_t i, const Rows<Dof>& directions, double negligible,
-                LocalMotion<Dof>& motion) const {
-    const auto bears = [negligible](const Rows<Dof>& x) {
+  /// Motions v of directions of grain i, one in each lane. Grains whose displacements are all below
+  /// `negligible` move no others.
+  void find_motion(std::uint32_t i, const Rows<Dof>& directions, double negligible,
+                   LocalMotion<Dof>& motion) const {
+    const auto matters = [negligible](const Rows<Dof>& x) {
       for (const Lanes& row : x.row)
         for (int k = 0; k < Dof; ++k)
           if (std::abs(row[k]) >= negligible)
@@ -355,12 +360,12 @@ class Elimination {
         motion.of(g) = product(made_.root[g], motion.of(g));
       const Rows<Dof> here = motion.of(g);
       const std::uint32_t first = pattern_.row_start[g], last = pattern_.row_start[g + 1];
-      for (std::uint32_t e = first; e < last && bears(here); ++e)
+      for (std::uint32_t e = first; e < last && matters(here); ++e)
         subtract(row_[g][e - first], here, motion.of(pattern_.column[e]));
     }
   }
 
-  /// Energies of motions; 0 for free ones.
+  /// Energies e of motions; 0 for free ones.
   [[nodiscard]] PerCase energies_of(const LocalMotion<Dof>& motion) const {
     PerCase energy = motion.energy(backbone_, links_);
     const PerCase squares = motion.squares();
@@ -370,33 +375,34 @@ class Elimination {
     return energy;
   }
 
-  /// Makes a pivot rigid along its eigenvector k, for the time being.
-  static void hold(std::uint32_t i, const PivotSystem& pivot, int k, Work& work, Vector& values) {
-    work.held.push_back({i, k, pivot.eigenvectors().col(k)});
+  /// Makes a pivot rigid along its eigenvector k until set_deferred.
+  static void defer(std::uint32_t i, const PivotSystem& pivot, int k, Work& work, Vector& values) {
+    work.deferred.push_back({i, k, pivot.eigenvectors().col(k)});
     values[k] = rigid;
   }
 
-  /// Gives each direction d that was held the stiffness v^T H v of the motion v that it stands for. Free
-  /// ones get the shift of the diagonal, as others did, or stay rigid where pivots are judged.
-  void release_held() {
+  /// Gives each deferred direction the energy of its motion, the shift at least. With motions of soft pivots
+  /// free ones stay rigid instead.
+  void set_deferred() {
     const double least = rule_.shift * mean_;
-    std::vector<double> stiffness(held_.size());
-    workers_.each(held_.size(), [&](std::size_t k) {
+    std::vector<double> stiffness(deferred_.size());
+    workers_.each(deferred_.size(), [&](std::size_t k) {
       std::vector<std::uint32_t> slot(backbone_.grain_count, absent);
       Rows<Dof> direction = {};
       for (int r = 0; r < Dof; ++r)
-        direction.row[r][0] = held_[k].direction[r];
+        direction.row[r][0] = deferred_[k].direction[r];
       LocalMotion<Dof> motion(slot);
-      give_way(held_[k].row, direction, negligible_held, motion);
+      find_motion(deferred_[k].row, direction, negligible_deferred, motion);
       const double energy = energies_of(motion)[0];
-      stiffness[k] = judges() && energy < least ? rigid : std::max(energy, least);
+      stiffness[k] = by_motion() && energy < least ? rigid : std::max(energy, least);
     });
-    for (std::size_t k = 0; k < held_.size(); ++k)
+    for (std::size_t k = 0; k < deferred_.size(); ++k)
       for (int r = 0; r < Dof; ++r)
-        made_.root[held_[k].row].at[r][held_[k].column] = held_[k].direction[r] / std::sqrt(stiffness[k]);
+        made_.root[deferred_[k].row].at[r][deferred_[k].column] =
+            deferred_[k].direction[r] / std::sqrt(stiffness[k]);
   }
 
-  /// L from R^-T L, in the rows of a piece.
+  /// Makes L of R^-T L in the rows of a piece.
   void scale(Piece piece, std::vector<Block<Dof>>& lower) const {
     auto block = lower.begin();
     for (std::uint32_t i = piece.first; i < piece.last; ++i)
@@ -411,10 +417,10 @@ class Elimination {
   LinksOfGrains links_;
   std::vector<std::vector<Entry>> below_; ///< finished blocks of each column
   std::vector<const Block<Dof>*> row_;    ///< first block of each finished row
-  std::vector<HeldDirection> held_;
-  std::vector<std::unique_ptr<SoftPivot>> soft_; ///< of each row that has one, with SoftPivots::coupled
-  Eliminated<Dof> made_; ///< `root` holds pivots that are not finished, too, and `lower` R^-T L
-  double mean_;          ///< diagonal of H
+  std::vector<DeferredDirection> deferred_;
+  std::vector<std::unique_ptr<SoftPivot>> soft_; ///< by rows; only with SoftPivots::coupled
+  Eliminated<Dof> made_;                         ///< `root`: P_i until take_root; `lower`: R^-T L until scale
+  double mean_;                                  ///< h
 };
 
 } // namespace

@@ -13,21 +13,19 @@
 
 namespace granum::network {
 
-/// An incomplete factor R^T H R ~ L L^T with the roots R of the inverse pivots, R R^T = pivot^-1, and with L
-/// that has unit blocks on its diagonal.
+/// An incomplete factor R^T H R ~ L L^T; symbols in elimination.cpp.
 template <int Dof>
 struct Eliminated {
   std::vector<Block<Dof>> root = {}; ///< R of each grain
-  /// Strictly lower blocks of each piece, pieces counted through all stages; each is transposed.
+  /// Strictly lower blocks of L, each transposed, by pieces; pieces are numbered through all stages.
   std::vector<std::vector<Block<Dof>>> lower = {};
-  std::size_t mended_pivots = 0;
-  /// Where pivots are judged: the grains that take part in motions whose pivots were lost, and in very soft
-  /// ones. Some more than once.
+  std::size_t mended_pivots = 0; ///< pivots that were modified
+  /// With SoftPivots::by_motion or coupled: grains of lost motions, and of very soft ones; may repeat.
   std::vector<std::uint32_t> lost_grains = {}, soft_grains = {};
 };
 
-/// Eliminates grain after grain, in double precision: where grains are barely held, the coupling of a soft
-/// motion with its neighbours is what is left of terms that cancel to 1e-6.
+/// Eliminates grain after grain, in double precision: the terms that couple a soft motion with its
+/// neighbours cancel to 1e-6.
 /// \param    pattern   of the blocks that are kept
 template <int Dof>
 [[nodiscard]] Eliminated<Dof> eliminate(const Backbone& backbone, const Workers& workers,

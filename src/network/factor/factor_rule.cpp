@@ -7,25 +7,25 @@ namespace granum::network {
 
 namespace {
 
-// Springs over unknowns, below which a network is hardly rigid: 1.1 in loose packings, 1.5 in dense ones.
-// There level 1 loses the sign of pivots, 28 in 400,000 loose grains, which take 102 iterations with level 3
-// and more than 1400 with level 1; dense ones gain no time by it.
+// Springs per unknown below which a network is hardly rigid (loose packings 1.1, dense 1.5). With level 1 it
+// loses the sign of pivots: 400,000 loose grains take more than 1400 iterations, with level 3 102. Dense ones
+// gain no time by level 3.
 constexpr double hardly_rigid = 1.3;
-// And below which it is floppy. A factor with more fill nearly holds its free modes, and 1 over their pivots
-// blows rounding up: with level 3, 16 of 368 random networks do not arrive, with level 1 only 2.
+// Springs per unknown below which a network is treated as floppy: more fill makes pivots of free modes nearly
+// zero, and their inverses amplify rounding. With level 3, 16 of 368 random networks fail, with level 1 two.
 constexpr double floppy = 1.08;
-// Grains from which on a hardly rigid network gains time by pivots that are judged: soft motions of a few
-// grains, which the shift stiffens, and lost pivots grow in number with it.
+// Least number of grains for which a hardly rigid network gains time by SoftPivots::by_motion: soft motions
+// and lost pivots grow in number with it.
 constexpr std::size_t many_grains = 20000;
 
-/// Springs over unknowns. A contact is three springs, or one where none has tangential stiffness.
+/// Springs per unknown. A contact is three springs, or one in networks without tangential stiffness.
 double rigidity(const Backbone& backbone) {
   const auto contacts = static_cast<double>(backbone.links.size() + backbone.wall_links.size());
   return contacts * (backbone.rotations ? 3 : 1) /
          (static_cast<double>(backbone.grain_count) * (backbone.rotations ? 6 : 3));
 }
 
-std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
+std::vector<FactorRule> chosen_rules(const Backbone& backbone) {
   const double springs = rigidity(backbone);
   if (springs < floppy)
     return {{.fill_level = 1, .soft_pivots = SoftPivots::stiffened}};
@@ -33,7 +33,7 @@ std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
     return {{.fill_level = 1}};
   if (backbone.grain_count < many_grains)
     return {{.fill_level = 3}};
-  return {{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::judged},
+  return {{.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::by_motion},
           {.fill_level = 3, .shift = 1e-12, .soft_pivots = SoftPivots::coupled},
           {.fill_level = 3}};
 }
@@ -41,7 +41,7 @@ std::vector<FactorRule> suitable_rules(const Backbone& backbone) {
 } // namespace
 
 std::vector<FactorRule> factor_rules(const Backbone& backbone) {
-  std::vector<FactorRule> rules = suitable_rules(backbone);
+  std::vector<FactorRule> rules = chosen_rules(backbone);
   for (const FactorRule& other :
        {FactorRule{.fill_level = 2}, FactorRule{.fill_level = 3, .shift = 1e-4}, FactorRule{.fill_level = 1}})
     if (std::find(rules.begin(), rules.end(), other) == rules.end())

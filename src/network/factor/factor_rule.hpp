@@ -8,39 +8,38 @@
 
 namespace granum::network {
 
-/// What becomes of a direction d in which a pivot is soft or negative. Some motions of a packing are soft; of
-/// others the stiffness was lost with what the factor drops.
+/// How a soft or negative pivot direction is treated: it may be a genuinely soft motion, or an artefact of
+/// dropped fill. Energies and motions of directions: elimination.cpp.
 enum class SoftPivots {
-  /// It gets a small stiffness at once.
-  stiffened,
-  /// Where it is not positive, it is held while the others are eliminated, so that it cannot spoil those
-  /// behind it, and gets the stiffness v^T H v of the motion v that it stands for afterwards.
-  held,
-  /// It gets v^T H v at once. Where that is far from the pivot's own stiffness, it is held; where it is
-  /// nothing, it stays rigid. Takes longer.
-  judged,
-  /// The same, but the forces H v on later grains couple it with them, not what the elimination leaves, and
-  /// only directions whose stiffness is far off are held, not the others of their pivot.
+  stiffened, ///< gets a small stiffness at once
+  /// If it is not safely positive, it is rigid during the elimination, so that it cannot spoil later pivots,
+  /// and gets the energy of its motion afterwards.
+  deferred,
+  /// Gets the energy of its motion at once. If this differs much from the pivot's stiffness, it is deferred;
+  /// if it is zero, the direction stays rigid. Takes longer.
+  by_motion,
+  /// As by_motion, but its coupling with later grains consists of the forces of the motion, not of what the
+  /// elimination leaves; and only directions with a wrong stiffness are deferred, not others of that pivot.
   coupled
 };
 
-[[nodiscard]] constexpr bool judges(SoftPivots soft) {
-  return soft == SoftPivots::judged || soft == SoftPivots::coupled;
+[[nodiscard]] constexpr bool uses_motions(SoftPivots soft) {
+  return soft == SoftPivots::by_motion || soft == SoftPivots::coupled;
 }
 
 /// How an incomplete factor is made.
 struct FactorRule {
   int fill_level = 1;
-  /// Over the mean diagonal. Added to the diagonal, for motions that nothing resists, as a grain with two
-  /// contacts turns freely about them; where pivots are judged, motions that are softer are free.
+  /// Over the mean diagonal. Added to the diagonal, for motions without resistance, such as the rotation of a
+  /// grain about the line through its two contacts. With uses_motions, energies below it count as zero.
   double shift = 1e-6;
-  SoftPivots soft_pivots = SoftPivots::held;
+  SoftPivots soft_pivots = SoftPivots::deferred;
 
   bool operator==(const FactorRule&) const = default;
 };
 
-/// The rule that suits the network, and behind it others, to be tried in turn where it fails. Pivots are lost
-/// by what the factor drops, and no rule loses few in every network.
+/// Factor rules in the order to try: the one chosen for this network, then fallbacks. Dropped fill makes any
+/// rule fail in some networks.
 [[nodiscard]] std::vector<FactorRule> factor_rules(const Backbone& backbone);
 
 } // namespace granum::network

@@ -8,7 +8,7 @@ namespace granum::network {
 
 namespace {
 
-// A level more makes some 1.8 times as many blocks; one that would surely be too large is not tried.
+// A further level has about 1.8 times as many blocks; a level that is certainly too large is not tried.
 constexpr double least_growth = 1.6;
 
 /// A grain eliminated later, and the level of its coupling.
@@ -17,7 +17,7 @@ struct Later {
   int level;
 };
 
-/// Leaves each grain once, at its least level.
+/// Keeps each grain once, with its least level.
 void keep_least(std::vector<Later>& list) {
   std::sort(list.begin(), list.end(), [](const Later& x, const Later& y) {
     return std::pair(x.grain, x.level) < std::pair(y.grain, y.level);

@@ -11,7 +11,8 @@ namespace granum::network {
 
 namespace {
 
-// Numbers that the factor may hold a grain, besides its pivots: 16 blocks with spins; loose packings have 11
+// Limit of memory: numbers of the factor per grain, without pivots. 16 blocks of 6 x 6; loose packings have
+// 11.
 constexpr int most_numbers = 16 * 36;
 
 } // namespace
@@ -45,7 +46,7 @@ void IncompleteFactor<Dof>::round(Lower<double>& lower) {
   lower_ = std::move(rounded);
 }
 
-/// body(PieceOfL) of one piece; pieces are counted through all stages.
+/// body(PieceOfL) of one piece; pieces are numbered through all stages.
 template <int Dof>
 template <class Body>
 void IncompleteFactor<Dof>::for_piece(std::size_t piece_number, Piece piece, const Body& body) const {

@@ -16,10 +16,9 @@
 
 namespace granum::network {
 
-/// Incomplete block factorisation with some fill, R^T H R ~ L L^T (see Eliminated): the preconditioner of all
-/// six load cases. Blocks are those of whole grains; what becomes of soft pivots, the rule says. L is kept in
-/// single precision, but in double for floppy networks, whose pivots are stiffened: there rounding drives
-/// modes without stiffness.
+/// Incomplete block factorisation with some fill, R^T H R ~ L L^T (symbols: elimination.cpp): the
+/// preconditioner of all six load cases. One block is one grain. L is in single precision; for floppy
+/// networks (SoftPivots::stiffened) in double, because there rounding drives modes without stiffness.
 template <int Dof>
 class IncompleteFactor {
  public:

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "network/link_answer.hpp"
+#include "network/link_forces.hpp"
 
 namespace granum::network {
 
 namespace {
 
-/// Where the links of each grain start, of links sorted by `end`.
+/// First link of each grain, for links sorted by `end`.
 std::vector<std::uint32_t> starts(const Backbone& backbone, std::uint32_t Link::*end) {
   std::vector<std::uint32_t> start(backbone.grain_count + 1);
   for (const Link& l : backbone.links)
@@ -89,7 +89,7 @@ PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& 
   Lanes sum = {};
   const auto add = [&](const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb) {
     Rows<Dof> ya = {}, yb = {};
-    answer<Dof>(link, backbone.joint_of(link), xa, xb, ya, yb);
+    add_link_forces<Dof>(link, backbone.joint_of(link), xa, xb, ya, yb);
     add_work<Dof>(xa, ya, sum);
     add_work<Dof>(xb, yb, sum);
   };
@@ -97,7 +97,7 @@ PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& 
     links.with_earlier(grains_[k],
                        [&](const Link& l) { add(l, moves(l.a) ? rows_[place_[l.a]] : still, rows_[k]); });
     links.with_later(grains_[k], [&](const Link& l) {
-      if (!moves(l.b)) // else it was added above, or will be
+      if (!moves(l.b)) // otherwise it is added as an earlier link of l.b
         add(l, rows_[k], still);
     });
   }
@@ -107,7 +107,7 @@ PerCase LocalMotion<Dof>::energy(const Backbone& backbone, const LinksOfGrains& 
                                 [](const Link& link, std::uint32_t g) { return link.a < g; });
       for (; l != backbone.wall_links.end() && l->a == grains_[k]; ++l) {
         Rows<Dof> y = {};
-        answer_to_wall<Dof>(*l, backbone.wall_joint_of(*l), rows_[k], y);
+        add_wall_forces<Dof>(*l, backbone.wall_joint_of(*l), rows_[k], y);
         add_work<Dof>(rows_[k], y, sum);
       }
     }

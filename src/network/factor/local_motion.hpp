@@ -8,27 +8,27 @@
 
 #include "network/backbone.hpp"
 #include "network/lanes.hpp"
-#include "network/link_answer.hpp"
+#include "network/link_forces.hpp"
 
 namespace granum::network {
 
-/// The contacts of each grain: Backbone::links are sorted by the later of their two grains, and this also
-/// finds those of the earlier one.
+/// The contacts of each grain. Backbone::links are sorted by the later of their two grains; this also finds
+/// the links of the earlier one.
 class LinksOfGrains {
  public:
   explicit LinksOfGrains(const Backbone& backbone);
 
-  /// answer(link) for each contact of grain g with an earlier grain.
-  template <class Answer>
-  void with_earlier(std::uint32_t g, const Answer& answer) const {
+  /// visit(link) for each contact of grain g with an earlier grain.
+  template <class Visit>
+  void with_earlier(std::uint32_t g, const Visit& visit) const {
     for (std::uint32_t k = later_start_[g]; k < later_start_[g + 1]; ++k)
-      answer(links_[k]);
+      visit(links_[k]);
   }
-  /// And with a later one.
-  template <class Answer>
-  void with_later(std::uint32_t g, const Answer& answer) const {
+  /// visit(link) for each contact of grain g with a later grain.
+  template <class Visit>
+  void with_later(std::uint32_t g, const Visit& visit) const {
     for (std::uint32_t k = earlier_start_[g]; k < earlier_start_[g + 1]; ++k)
-      answer(links_[earlier_[k]]);
+      visit(links_[earlier_[k]]);
   }
 
   [[nodiscard]] const Joint* joint_of(const Link& link) const { return backbone_.joint_of(link); }
@@ -40,13 +40,13 @@ class LinksOfGrains {
   std::vector<std::uint32_t> earlier_; ///< links, sorted by their earlier grain
 };
 
-/// Displacements of a few grains, one motion in each lane; the other grains stand still.
+/// Displacements of a few grains, one motion in each lane; the other grains rest.
 template <int Dof>
 class LocalMotion {
  public:
   static constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
-  /// \param    place   scratch, `absent` for every grain of the network; left so
+  /// \param    place   working memory, `absent` for every grain of the network, also afterwards
   explicit LocalMotion(std::vector<std::uint32_t>& place) : place_(place) {}
   LocalMotion(const LocalMotion&) = delete;
   LocalMotion& operator=(const LocalMotion&) = delete;
@@ -55,12 +55,12 @@ class LocalMotion {
       place_[g] = absent;
   }
 
-  /// Of a grain, which may have stood still so far. Another call may move it in memory.
+  /// Displacement of a grain; zero if it was at rest so far. The next call may invalidate the reference.
   Rows<Dof>& of(std::uint32_t grain);
-  /// Takes the latest of the grains that have not been taken yet; false where none is left.
+  /// Returns each moving grain once, the latest first; false if none is left.
   bool take_latest(std::uint32_t& grain);
-  /// add(grain, force) for each contact between a grain that moves and one after `last`, where all stand
-  /// still: what the contact does to the latter in each motion, H x in its rows.
+  /// add(grain, force) for each contact between a moving grain and one after `last`, which all rest: the
+  /// force H x of the contact on the latter in each motion.
   template <class Add>
   void forces_after(std::uint32_t last, const LinksOfGrains& links, const Add& add) const {
     const Rows<Dof> still = {};
@@ -69,7 +69,7 @@ class LocalMotion {
         if (l.b <= last)
           return;
         Rows<Dof> on_earlier = {}, on_later = {};
-        answer<Dof>(l, links.joint_of(l), rows_[k], still, on_earlier, on_later);
+        add_link_forces<Dof>(l, links.joint_of(l), rows_[k], still, on_earlier, on_later);
         add(l.b, on_later);
       });
   }
@@ -77,8 +77,7 @@ class LocalMotion {
   [[nodiscard]] PerCase energy(const Backbone& backbone, const LinksOfGrains& links) const;
   /// Sum of the squares of all displacements of each motion.
   [[nodiscard]] PerCase squares() const;
-  /// Adds the grains that move at least so large a part of the way of the one that moves farthest in the
-  /// motion of a lane.
+  /// Appends the grains whose displacement in the motion of a lane is at least this part of the largest.
   void add_movers(int lane, double part, std::vector<std::uint32_t>& grains) const;
 
  private:

@@ -13,11 +13,12 @@ namespace granum::network {
 
 namespace {
 
-// Of the factor that shows soft motions, which depend little on it. It takes a fifth of the time of level 3.
+// Level of fill of the factor that finds soft motions. They depend little on it, and 1 takes a fifth of the
+// time of 3.
 constexpr int level_of_search = 1;
-// Times that the grains of lost pivots are put first: packings of a million grains need one or two.
+// Renumberings with grains of lost pivots first: packings of a million grains need one or two.
 constexpr int most_tries = 3;
-// Pivots that may be lost: one or two have cost hardly an iteration, with thirty a packing was not solved.
+// Lost pivots that are accepted: one or two cost hardly an iteration, with 30 a packing was not solved.
 constexpr std::size_t few = 5;
 
 template <int Dof>
@@ -50,7 +51,7 @@ IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,
       const bool good = factor.mended_pivots() <= few || rule.soft_pivots == SoftPivots::coupled;
       if ((!more && good) || is_stopped(options.stop_requested))
         return factor;
-    } // and gives its memory back
+    } // frees the memory of the factor
     if (more) {
       backbone = load_bearing_network(assembly, options, first);
     } else {

@@ -12,13 +12,12 @@
 
 namespace granum::network {
 
-/// The incomplete factor of a rule that judges pivots, and before it a numbering in which it loses none, as
-/// far as a few tries go. A motion of a few grains that hardly anything resists comes out wrong when terms
-/// are dropped from its grains, and what its pivot passes on spoils those behind it. So a factor with little
-/// fill shows the grains of very soft motions, and these count as barely held: eliminated first, they lose
-/// nothing. Then the factor itself shows those of pivots that it still loses. Where it goes on to lose many,
-/// soft pivots are coupled as their motions say.
-/// \param    options    stop_requested is asked after a factor that is not good enough; then it is the answer
+/// Incomplete factor of a rule with uses_motions, made after a numbering that loses few pivots. Dropped terms
+/// falsify the stiffness of soft motions, and their pivots spoil later ones. A factor with little fill finds
+/// the grains of very soft motions; numbered first, as weakly supported ones, their elimination drops
+/// nothing. Then the grains of pivots that the factor itself loses are numbered first as well, a few times.
+/// If it still loses many, the rule is changed to SoftPivots::coupled.
+/// \param    options    a stop request ends the search; the last factor is returned
 /// \param    backbone   of the assembly and the options; numbered anew
 template <int Dof>
 [[nodiscard]] IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,

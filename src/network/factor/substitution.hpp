@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/network: what is done with the blocks of L and R, for all load cases at once.
+// Private to src/network: products with blocks of L and R, for all load cases at once.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace granum::network {
 
-/// The same numbers, rounded where `To` is shorter.
+/// Converts the numbers, with rounding if `To` is shorter.
 template <class To, int Dof, class From>
 GRANUM_INLINE Block<Dof, To> as(const Block<Dof, From>& b) {
   Block<Dof, To> other;
@@ -80,13 +80,13 @@ GRANUM_INLINE void substitute_forward(const PieceOfL<Dof, Number>& l, const Rows
   }
 }
 
-/// z = R L^-T z, as far as the rows of the piece go.
+/// z = R L^-T z, the part of the rows of the piece.
 template <int Dof, class Number>
 GRANUM_INLINE void substitute_back(const PieceOfL<Dof, Number>& l, Rows<Dof>* z) {
   std::uint32_t e = l.row_start[l.piece.last];
   for (std::uint32_t i = l.piece.last; i-- > l.piece.first;) {
     const Rows<Dof> zi = z[i];
-    while (e > l.row_start[i]) { // backwards through memory all the way, as processors read ahead best
+    while (e > l.row_start[i]) { // strictly backwards through memory, which processors prefetch best
       --e;
       subtract(l.block(e), zi, z[l.column[e]]);
     }

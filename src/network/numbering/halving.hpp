@@ -10,8 +10,8 @@
 
 namespace granum::network {
 
-/// Sorts points into two halves across the longest side of the box that holds them; returns how many are in
-/// the first.
+/// Sorts points into two halves along the longest side of their bounding box; returns the number in the
+/// first.
 /// \param    points   numbers of points, at least 1
 std::size_t halve(const std::vector<Vec3>& position, std::span<std::uint32_t> points);
 

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "barely_held.hpp"
 #include "halving.hpp"
+#include "weakly_supported.hpp"
 
 namespace granum::network {
 
@@ -32,7 +32,7 @@ Neighbours adjacency(const packing::Assembly& assembly, const std::vector<bool>&
 class Counter {
  public:
   Counter(const Neighbours& neighbours, const std::vector<Vec3>& position, const std::vector<bool>& soft)
-      : neighbours_(neighbours), position_(position), barely_held_(neighbours, soft),
+      : neighbours_(neighbours), position_(position), weakly_supported_(neighbours, soft),
         group_(neighbours.size(), 0) {
     numbering_.number.assign(neighbours.size(), Numbering::unset);
   }
@@ -57,17 +57,17 @@ class Counter {
     count(layer, halvings);
   }
 
-  /// Clusters of grains that are barely held stay whole.
+  /// Clusters of weakly supported grains are not divided.
   std::array<std::vector<std::uint32_t>, 2> halves_of(std::span<std::uint32_t> grains) {
     const std::uint32_t beyond = new_group(grains.subspan(halve(position_, grains)));
     std::array<std::vector<std::uint32_t>, 2> halves;
     for (const std::uint32_t g : grains)
-      halves[group_[barely_held_.first_of_cluster(g)] == beyond ? 1 : 0].push_back(g);
+      halves[group_[weakly_supported_.first_of_cluster(g)] == beyond ? 1 : 0].push_back(g);
     return halves;
   }
 
-  /// Takes out the grains of the first half that touch the second; but one that is barely held stays, and
-  /// those of the second half that it touches go.
+  /// Removes the grains of the first half that touch the second. A weakly supported one stays; the grains of
+  /// the second half that it touches are removed instead.
   std::vector<std::uint32_t> take_layer(std::vector<std::uint32_t>& first,
                                         std::vector<std::uint32_t>& second) {
     const std::uint32_t here = new_group(first), there = new_group(second);
@@ -75,11 +75,11 @@ class Counter {
       return std::any_of(neighbours_[g].begin(), neighbours_[g].end(), which);
     };
     const auto parts = [&](std::uint32_t g) {
-      if (barely_held_.contains(g))
+      if (weakly_supported_.contains(g))
         return false;
       if (group_[g] == here)
         return touches(g, [&](std::uint32_t h) { return group_[h] == there; });
-      return touches(g, [&](std::uint32_t h) { return group_[h] == here && barely_held_.contains(h); });
+      return touches(g, [&](std::uint32_t h) { return group_[h] == here && weakly_supported_.contains(h); });
     };
     std::vector<std::uint32_t> layer;
     for (auto* half : {&first, &second}) {
@@ -102,7 +102,7 @@ class Counter {
     return std::tuple(neighbours_[g].size(), g) < std::tuple(neighbours_[h].size(), h);
   }
 
-  /// Grains that are barely held, then the others, each in the order of a reverse Cuthill-McKee of the piece.
+  /// Weakly supported grains, then the others, each in the order of a reverse Cuthill-McKee of the piece.
   void count(std::vector<std::uint32_t> grains, std::size_t stage) {
     const auto by_contacts = [this](std::uint32_t g, std::uint32_t h) { return fewer_contacts(g, h); };
     const std::uint32_t waiting = new_group(grains);
@@ -125,8 +125,8 @@ class Counter {
           visit(g);
       }
     }
-    std::stable_partition(order.begin(), order.end(), // which is reversed below
-                          [this](std::uint32_t g) { return !barely_held_.contains(g); });
+    std::stable_partition(order.begin(), order.end(), // `order` is reversed below
+                          [this](std::uint32_t g) { return !weakly_supported_.contains(g); });
     const std::uint32_t first = counted_;
     counted_ += static_cast<std::uint32_t>(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -136,8 +136,8 @@ class Counter {
 
   const Neighbours& neighbours_;
   const std::vector<Vec3>& position_;
-  BarelyHeld barely_held_;
-  std::vector<std::uint32_t> group_; ///< that a grain is in at present; 0: none
+  WeaklySupported weakly_supported_;
+  std::vector<std::uint32_t> group_; ///< current group of each grain; 0: none
   std::uint32_t groups_ = 0;
   std::uint32_t counted_ = 0;
   Numbering numbering_;

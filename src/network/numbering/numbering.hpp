@@ -14,12 +14,12 @@ struct Piece {
   std::uint32_t first = 0, last = 0;
 };
 
-/// New numbers of the grains that bear load. Large networks are halved again and again, by a layer of grains
-/// that goes between the halves and comes after both: pieces of one stage have no contact with each other and
-/// no neighbour in common but in later stages, so that threads can work on them side by side. Inside of a
-/// piece, neighbours are close in memory (reverse Cuthill-McKee), but grains that are barely held come first
-/// and never go between halves: eliminated before their neighbours, they lose nothing by what an incomplete
-/// factor drops.
+/// Order of elimination of the grains that carry load. Large networks are halved repeatedly (nested
+/// dissection); the layer of grains between two halves comes after both. Pieces of one stage have no contact
+/// with each other, and share neighbours in later stages only, so threads can process them at the same time.
+/// Within a piece, neighbours are close in memory (reverse Cuthill-McKee). Weakly supported grains come first
+/// in their piece and are never in a layer: when they are eliminated before their neighbours, an incomplete
+/// factor drops none of their terms.
 struct Numbering {
   std::vector<std::uint32_t> number; ///< of each grain; `unset` for rattlers
   std::vector<std::vector<Piece>> stages;
@@ -28,7 +28,7 @@ struct Numbering {
 };
 
 /// \param    position   inside the cell [m]
-/// \param    soft       of each grain that bears load, whether it counts as barely held in any case; or empty
+/// \param    soft       for each grain: treat it as weakly supported; or empty
 [[nodiscard]] Numbering number_grains(const packing::Assembly& assembly, const std::vector<bool>& rattler,
                                       const std::vector<Vec3>& position, const std::vector<bool>& soft);
 

@@ -14,7 +14,7 @@ namespace granum::studies {
 namespace {
 
 constexpr double longer_side = 420; // of the longer side
-constexpr double edge_width = 12;   // around what is drawn
+constexpr double edge_width = 12;   // around the drawing
 constexpr double slice_radii = 4;   // thickness in mean radii
 constexpr double mean_width = 2.2;  // of the line of a mean force
 constexpr double most_width = 9;
@@ -26,7 +26,7 @@ double average(const std::vector<double>& values) {
              : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// What of a packing is seen: along y, x to the right and z up.
+/// View of a packing: along y, x to the right and z up.
 class Slice {
  public:
   explicit Slice(const packing::Assembly& packing) : packing_(packing) {
@@ -136,7 +136,7 @@ std::optional<ForceChains> force_chains(const packing::Assembly& packing) {
     }
   const std::string finding =
       "Force chains in a slice of " + std::to_string(forces.size()) + " contacts: " + std::to_string(count) +
-      " of them are above the mean force and bear " +
+      " of them are above the mean force and carry " +
       short_text(100 * above / (mean_force * static_cast<double>(forces.size())), 2) + " % of all force.";
   const plot::SvgPicture picture{.width = slice.width(),
                                  .height = slice.height(),

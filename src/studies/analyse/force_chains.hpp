@@ -16,8 +16,8 @@ struct ForceChains {
 };
 
 /// Lines as wide as the normal force, those above the mean in colour; grains of the slice pale behind them.
-/// The slice is four mean radii thick, and holds the contacts whose middle lies in it.
-/// \return   nothing if no contact of the slice presses
+/// The slice is four mean radii thick, and contains the contacts with their middle in it.
+/// \return   empty if no contact of the slice carries force
 /// Checked by tests/studies/test_force_chains.cpp
 [[nodiscard]] std::optional<ForceChains> force_chains(const packing::Assembly& packing);
 

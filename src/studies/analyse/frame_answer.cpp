@@ -14,12 +14,12 @@ namespace granum::studies {
 
 namespace {
 
-/// Why rung 3 has no answer for a packing that is not rigid.
+/// Why rung 3 is not evaluated for a packing that is not rigid.
 std::string declined(const analysis::Measurement& packing) {
-  return "declines: z* = " + short_text(packing.microstructure().mechanical_coordination_number) +
-         " is not above " +
+  return "not evaluated: z* = " + short_text(packing.microstructure().mechanical_coordination_number) +
+         " is not above the isostatic value " +
          short_text(effective::isostatic_coordination_number(packing.state->tangential_ratio)) +
-         ", the isostatic point; nothing holds such a network";
+         " (network not rigid)";
 }
 
 void add_closed_forms(FrameAnswer& frame) {
@@ -62,7 +62,7 @@ void set_ratios(FrameAnswer& frame) {
     }
 }
 
-/// What was chosen, and what it is of.
+/// The window, and the quantities that refer to it.
 std::string window_text(const analysis::Window& window, const std::array<bool, 3>& periodic) {
   std::string ranges;
   for (int axis = 0; axis < 3; ++axis)
@@ -71,10 +71,10 @@ std::string window_text(const analysis::Window& window, const std::array<bool, 3
                                            : pretty(window.low[axis], Dimension::length) + ".." +
                                                  pretty(window.high[axis], Dimension::length));
   ranges.erase(std::remove(ranges.begin(), ranges.end(), ' '), ranges.end());
-  return "the closed forms are those of the interior, --window " + ranges +
-         ", two to three grains from walls and free surfaces (--window none: of the whole); the network and "
+  return "the closed forms are for the interior, --window " + ranges +
+         ", two to three grains from walls and free surfaces (--window none: for the whole); the network and "
          "its "
-         "6x6 are those of the whole with its walls";
+         "6x6 are for the whole with its walls";
 }
 
 } // namespace

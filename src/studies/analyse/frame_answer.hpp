@@ -40,7 +40,7 @@ struct Moduli {
 /// Of the nearest stiffness that is symmetric about axis 3.
 [[nodiscard]] Moduli moduli_of(const elastic::VoigtStiffness& stiffness);
 
-/// What one rung says of a frame, or why it cannot.
+/// Result of one rung for a frame, or the reason why there is none.
 struct RungResult {
   std::string name;  ///< in JSON and headings
   std::string title; ///< in tables
@@ -65,7 +65,7 @@ inline constexpr NamedModulus modulus_names[] = {
     {"K", &Moduli::K},     {"G", &Moduli::G},     {"G_hh", &Moduli::G_hh}, {"G_vh", &Moduli::G_vh},
     {"C11", &Moduli::C11}, {"C33", &Moduli::C33}, {"C12", &Moduli::C12},   {"C13", &Moduli::C13}};
 
-/// What is measured: the frozen network, every grain in equilibrium.
+/// The measured stiffness: the frozen network, every grain in equilibrium.
 [[nodiscard]] std::string network_name();
 /// Rung 3 in the list of a frame's rungs.
 [[nodiscard]] std::string relaxed_name();
@@ -73,7 +73,7 @@ inline constexpr NamedModulus modulus_names[] = {
 struct FrameAnswer {
   std::size_t number = 0;                ///< of the frame in the files, from 0
   std::string file = {};                 ///< of its grains
-  std::vector<io::ImportNote> read = {}; ///< what the reader noted
+  std::vector<io::ImportNote> read = {}; ///< notes of the reader
   MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
   std::optional<PrintedStress> code_stress = std::nullopt;
@@ -83,28 +83,28 @@ struct FrameAnswer {
   double seconds = 0;                                    ///< reading left out
 };
 
-/// What is given of the packings, and what is to be measured.
+/// Given properties of the packings, and the requested measurements.
 struct MeasureOptions {
   analysis::Given given;
   analysis::Wanted wanted;
   MaterialsByType materials = {};
   std::optional<WindowChoice> window = {};
-  bool choose_window = true; ///< interior_window, where there is one and no other was asked for
+  bool choose_window = true; ///< use interior_window, if there is one and no other is given
 };
 
-/// Measures a frame and asks every rung about it.
+/// Measures a frame and evaluates every rung for it.
 /// \throws   InvalidArgument as measure_frame, materials_of and window_in
 [[nodiscard]] FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOptions& options);
 
-/// What a rung says of a frame; null if it says nothing.
+/// Result of a rung for a frame; null if there is none.
 [[nodiscard]] const RungResult* find_rung(const FrameAnswer& frame, const std::string& name);
 
-/// The mean stress of the state that the closed forms are asked about [Pa]; nothing without forces.
+/// The mean stress of the state of the closed forms [Pa]; empty without forces.
 [[nodiscard]] std::optional<double> mean_stress(const FrameAnswer& frame);
 /// The mean of the stress that the code printed [Pa].
 [[nodiscard]] std::optional<double> mean_code_stress(const FrameAnswer& frame);
 
-/// The stress by contacts over the code's own, less 1, by component; nothing where that is 0.
+/// The stress by contacts over the code's own, less 1, by component; empty if the latter is 0.
 [[nodiscard]] std::array<std::optional<double>, 6> stress_differences(const FrameAnswer& frame);
 /// The largest difference of a component over the largest component of the code's own stress; nothing unless
 /// both stresses are known.

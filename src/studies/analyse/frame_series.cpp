@@ -14,7 +14,7 @@ namespace {
 using FitFunction = hardin::FitReport (*)(std::span<const hardin::MeasuredModulus>,
                                           const hardin::FitOptions&);
 
-/// A fit, or nothing and a remark.
+/// A fit, or a remark.
 std::optional<hardin::Fit> try_fit(FitFunction function, std::span<const hardin::MeasuredModulus> states,
                                    const hardin::FitOptions& options, std::string& remark) {
   try {
@@ -39,7 +39,7 @@ double stress_range(std::span<const hardin::MeasuredModulus> states) {
   return low > 0 ? high / low : 0;
 }
 
-/// Whether both exponents are known well enough to be told from one another.
+/// Whether both exponents are accurate enough to be separated.
 bool tells_apart(const hardin::Fit& fit) {
   constexpr double too_vague = 0.3;
   const auto vague = [&](const std::optional<Measured>& m) {
@@ -69,7 +69,7 @@ SeriesFit fit_series(std::span<const hardin::MeasuredModulus> states, double atm
   out.separate = try_fit(hardin::fit, states, options, out.separate_remark);
   if (out.separate && !tells_apart(*out.separate)) {
     out.separate.reset();
-    out.separate_remark = "the two stresses go with one another: m and n cannot be told apart";
+    out.separate_remark = "the two stresses change together: m and n cannot be separated";
   }
   options.void_ratio_function = hardin::VoidRatioFunction::hardin_richart_round;
   out.sum_with_void_ratio = try_fit(hardin::fit_exponent_sum, states, options, ignored);

@@ -17,7 +17,7 @@ namespace {
 
 using io::Finding;
 
-/// What the reader found that ruins a comparison.
+/// Notes of the reader that invalidate a comparison.
 void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   for (const io::ImportNote& note : packing.notes)
     switch (note.finding) {
@@ -59,10 +59,10 @@ void judge_contacts(const io::ImportedPacking& packing, const MeasuredFrame& fra
                     std::vector<std::string>& out) {
   if (!frame.contacts_known)
     out.emplace_back(
-        "the files hold no contacts, and no spheres overlap: C_n, z*, fabric, stress and stiffness are "
+        "the files contain no contacts, and no spheres overlap: C_n, z*, fabric, stress and stiffness are "
         "unknown (positions or radii of few digits, or grains that do not touch)");
   else if (packing.has(Finding::contacts_from_overlaps))
-    out.push_back("the files hold no contacts: overlapping spheres count as such, " +
+    out.push_back("the files contain no contacts: overlapping spheres are used instead, " +
                   std::string(packing.has(Finding::forces_unknown)
                                   ? "and forces are unknown"
                                   : "with the normal forces of the given material and no tangential ones"));
@@ -89,7 +89,7 @@ std::size_t largest_plane(const packing::Assembly& assembly, int axis) {
   return largest;
 }
 
-/// Walls that stand among the grains: they count in N, and their contacts in N_c.
+/// Walls listed as grains: they count in N, and their contacts in N_c.
 void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& out) {
   constexpr double large = 10;       // times the median radius
   constexpr std::size_t fewest = 16; // grains of a glued wall
@@ -139,7 +139,7 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
   if (forces.weight) {
     left *= forces.weight->left_over;
     const double size = norm(forces.weight->per_volume);
-    out.push_back("the grains bear weight: what the contacts leave on them is one common force of " +
+    out.push_back("the grains have weight: the contact forces leave one common force on each, " +
                   short_text(size / 1e3, 4) + " kN per m3 of solid along " +
                   vector_text(forces.weight->per_volume) +
                   "; stress and stiffness grow with depth, and the numbers are means over it");
@@ -155,17 +155,17 @@ void judge_moments(const analysis::Measurement& measured, std::vector<std::strin
   if (!measured.forces || !measured.forces->unbalance)
     return;
   const packing::Unbalance& left = *measured.forces->unbalance;
-  if (!measured.moments.starts_with("contacts bear") ||
+  if (!measured.moments.starts_with("contacts carry") ||
       left.moment_ratio <= std::max(least, times_force * left.force_ratio))
     return;
   out.push_back(
       "forces balance to " + percent(left.force_ratio) + " but moments to " + percent(left.moment_ratio) +
-      " only: contacts bear moments (rolling resistance, bonds), or the grains are parts of clumps. "
+      " only: contacts carry moments (rolling resistance, bonds), or the grains are parts of clumps. "
       "Rung 3 is withheld, and the network is this material's only with --rolling-stiffness, "
       "--twisting-stiffness, or the ids of the clumps");
 }
 
-/// What an exponent of the forces says where they fit no law.
+/// The exponent of forces that fit no law.
 std::string cause_of_misfit(const analysis::LawCheck& check, bool several_types) {
   constexpr double near = 0.03;
   const auto is = [&](double exponent) {
@@ -196,7 +196,7 @@ void judge_law(const analysis::LawCheck& check, double rounded, bool law_known, 
   if (check.contacts == 0)
     return;
   if (rounded > too_rough) {
-    out.emplace_back("forces against overlaps say little: the overlaps are rounded");
+    out.emplace_back("forces and overlaps do not give the contact law: the overlaps are rounded");
     return;
   }
   if (check.misfit_90 > scatter)
@@ -239,11 +239,11 @@ void judge_free_strains(const analysis::Network& network, std::vector<std::strin
     }
   if (count == 6)
     out.emplace_back(
-        "the network has no stiffness: nothing holds the grains, whatever the strain (a pile, a gas, or "
+        "the network has no stiffness for any strain: the grains can move freely (a pile, a gas, or "
         "contacts that are missing); its moduli are zero but for rounding");
   else if (count > 0)
     out.push_back("the network does not resist " + std::to_string(count) + " of six strains (" + free +
-                  "): nothing holds the grains against them, and such moduli are zero but for rounding");
+                  "): the grains can follow these freely, and such moduli are zero apart from rounding");
 }
 
 void judge_network(const network::Response::Report& report, std::vector<std::string>& out) {
@@ -253,7 +253,8 @@ void judge_network(const network::Response::Report& report, std::vector<std::str
     out.emplace_back("the network is unstable: it has no moduli");
 }
 
-/// Forces that matter beside the stiffness of the contacts, by the shear modulus that they change most.
+/// Contact forces that are not small beside the stiffness of the contacts, by the shear modulus that they
+/// change most.
 void judge_force_terms(const network::Response& response, std::vector<std::string>& out) {
   constexpr double matters = 0.02, resists = 1e-6; // of the modulus; of that under uniform strain
   if (!response.converged() || !response.force_terms())
@@ -266,7 +267,7 @@ void judge_force_terms(const network::Response& response, std::vector<std::strin
       most = share;
   }
   if (std::abs(most) > matters)
-    out.push_back("the forces that the contacts bear change a shear modulus by " + percent(most) +
+    out.push_back("the contact forces change a shear modulus by " + percent(most) +
                   " to first order, which the network leaves out: overlaps are large, or a motion is so soft "
                   "that forces hold it");
 }
@@ -316,7 +317,7 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.network) {
     judge_network(measured.network->response.report(), out);
     judge_free_strains(*measured.network, out);
-    if (measured.moments.empty()) // else they stand for what the network does not know
+    if (measured.moments.empty()) // otherwise the moments explain the difference
       judge_force_terms(measured.network->response, out);
   }
 }

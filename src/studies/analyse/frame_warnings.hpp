@@ -8,13 +8,13 @@
 
 namespace granum::studies {
 
-/// Adds to a measured frame what ruins comparisons with it.
+/// Adds warnings about anything that invalidates comparisons with a measured frame.
 void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame);
 
-/// What a fabric says against the closed forms.
+/// Warnings about a fabric that the closed forms do not describe.
 void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out);
 
-/// What digits alone may leave on a grain of some contacts, over the mean force: their own, and those of the
+/// Unbalanced force on a grain due to few digits alone, over the mean force: digits of the forces, and of the
 /// directions.
 [[nodiscard]] double unbalance_by_rounding(const io::ImportedPacking& packing);
 

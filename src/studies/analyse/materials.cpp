@@ -13,7 +13,7 @@ std::vector<contact::GrainMaterial> materials_of(const io::ImportedPacking& pack
   if (materials.empty())
     return out;
   if (packing.type.size() != packing.assembly.grain_count())
-    throw InvalidArgument("--material goes by the types of grains, which these files do not tell");
+    throw InvalidArgument("--material needs the types of grains, which these files do not contain");
   for (const long type : packing.type) {
     const auto found = materials.find(type);
     if (found == materials.end())

@@ -9,12 +9,12 @@
 
 namespace granum::studies {
 
-/// What grains are made of, by the type that the files give them.
+/// Materials of grains by their type in the files.
 using MaterialsByType = std::map<long, contact::GrainMaterial>;
 
 /// The material of each grain.
 /// \return   none for no materials
-/// \throws   InvalidArgument if the files tell no types, or for a type without material
+/// \throws   InvalidArgument if the files contain no types, or for a type without material
 /// Checked by tests/studies/test_materials.cpp
 [[nodiscard]] std::vector<contact::GrainMaterial> materials_of(const io::ImportedPacking& packing,
                                                                const MaterialsByType& materials);

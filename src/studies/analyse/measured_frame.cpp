@@ -16,7 +16,7 @@ Vec3 across(const Vec3& unit, double length) {
   return (length / norm(perpendicular)) * perpendicular;
 }
 
-/// The contacts of a table as if all were between the same two grains: for what asks for forces alone.
+/// The contacts of a table as if all were between the same two grains: for functions that use only forces.
 packing::Assembly contacts_of(const io::ContactTable& table) {
   packing::Assembly assembly{
       .cell = Mat3::identity(), .position = {{}, {1, 0, 0}}, .radius = {1, 1}, .contacts = {}};

@@ -9,7 +9,7 @@
 #include <granum/io/csv/packing.hpp>
 #include <granum/io/imported_packing.hpp>
 
-/// One frame of another code's output, measured: what `granum analyse` prints.
+/// One measured frame of another code's output, as printed by `granum analyse`.
 /// Checked by tests/studies/test_measured_frame.cpp
 namespace granum::studies {
 
@@ -17,15 +17,15 @@ struct MeasuredFrame {
   long step = 0;
   std::optional<double> time = {}; ///< [s]
   bool materials_given = false;    ///< of each grain
-  bool contacts_known = true;      ///< else C_n, z* and rattlers of `packing` mean nothing
+  bool contacts_known = true;      ///< otherwise C_n, z* and rattlers of `packing` are invalid
   analysis::Measurement packing = {};
-  std::vector<std::string> warnings = {}; ///< what ruins comparisons, a sentence each
+  std::vector<std::string> warnings = {}; ///< one sentence each
 };
 
 /// Measures an imported packing.
 /// Assumes   axis 3 is vertical, the axis of symmetry of the closed forms.
-/// \param    given   what files do not hold and a user may know; what the reader found out about forces and
-///                   digits replaces what stands there
+/// \param    given   properties that files do not contain and a user may know; those of forces and digits
+///           that the reader found take precedence
 /// \throws   InvalidArgument for values given or wanted that are out of their ranges
 [[nodiscard]] MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given = {},
                                           const analysis::Wanted& wanted = analysis::everything());

@@ -31,7 +31,7 @@ double median_distance(const packing::Assembly& assembly) {
   return distances.empty() ? 1 : median(std::move(distances));
 }
 
-/// The void ratio that radii times a factor would give.
+/// The void ratio with all radii times a factor.
 double rescaled(double void_ratio, double factor) {
   return (1 + void_ratio) / (factor * factor * factor) - 1;
 }
@@ -43,10 +43,10 @@ void judge_void_ratio(const packing::Assembly& assembly, double e, std::vector<s
   const double distance = median_distance(assembly);
   const std::string start = "the void ratio is " + short_text(e, 3) + ": ";
   if (e < least_void_ratio && distance < half_way)
-    out.push_back(
-        start + "the centres of grains in contact are " + percent(distance) +
-        " of the sum of their radii apart: does the column of radii hold diameters? Half of them make e = " +
-        short_text(rescaled(e, 0.5), 3));
+    out.push_back(start + "the centres of grains in contact are " + percent(distance) +
+                  " of the sum of their radii apart: does the column of radii contain diameters? Halved, "
+                  "they give e = " +
+                  short_text(rescaled(e, 0.5), 3));
   else if (e < least_void_ratio)
     out.push_back(
         start +
@@ -73,7 +73,7 @@ void judge_open_contacts(const packing::Assembly& assembly, std::vector<std::str
                 " times the sum of the radii apart (median); " + cause);
 }
 
-/// Pairs that overlap by more than a tenth of what contacts do, and have no row.
+/// Pairs without a row that overlap by more than a tenth of the usual overlap.
 void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFrame& frame,
                             std::vector<std::string>& out) {
   constexpr double clear = 0.1, share = 0.05;
@@ -85,7 +85,7 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
   for (const Contact& c : assembly.contacts)
     overlaps.push_back(c.overlap);
   const double deep = clear * median(std::move(overlaps));
-  if (!(deep > 2 * packing.rounding.length)) // positions of few digits do not tell
+  if (!(deep > 2 * packing.rounding.length)) // too few digits of the positions
     return;
   const std::vector<Contact> found = overlapping_pairs(assembly, packing.periodic);
   const auto listed = [&](const Contact& pair) {
@@ -105,7 +105,7 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
       forces && forces->unbalance && !forces->weight && forces->unbalance->force_ratio > large;
   out.push_back(
       std::to_string(missing) + " of " + std::to_string(there + missing) +
-      " pairs of overlapping spheres stand in no row of the contacts" +
+      " pairs of overlapping spheres are in no row of the contacts" +
       (unbalanced ? ", and forces of " + percent(forces->unbalance->force_ratio) +
                         " of the mean contact force are left on the grains"
                   : "") +
@@ -126,11 +126,11 @@ void judge_places(const io::ImportedPacking& packing, std::vector<std::string>& 
     if (place[order[k]] == place[order[k - 1]] && ++twice == 1)
       first = std::to_string(packing.id[order[k - 1]]) + " and " + std::to_string(packing.id[order[k]]);
   if (twice > 0)
-    out.push_back(std::to_string(twice) + " grains stand where another does (" + first +
+    out.push_back(std::to_string(twice) + " grains are at the position of another (" + first +
                   "): they count in e and C_n, but no contact joins them; was a file read twice?");
 }
 
-/// Moduli of grains, by what they are made of.
+/// Moduli of grains, by material.
 void judge_modulus(const MeasuredFrame& frame, std::vector<std::string>& out) {
   constexpr double softest = 1e6, hardest = 1e12;
   constexpr double millimetres = 1e6; // G as lengths in mm show it, times this, is G

@@ -58,7 +58,7 @@ class OverlapSearch {
   }
 
  private:
-  /// Along open axes grains may stand outside of the box.
+  /// Along open axes grains may be outside of the box.
   void wrap_along(const std::array<bool, 3>& periodic) {
     const Mat3 to_parts = inverse_of(assembly_.cell);
     for (Vec3& x : place_) {
@@ -157,16 +157,15 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   packing.assembly.contacts = std::move(found);
   packing.notes.push_back(
       {Finding::contacts_from_overlaps, std::to_string(packing.assembly.contacts.size()) +
-                                            " pairs of spheres overlap: they are taken for the contacts"});
+                                            " pairs of spheres overlap: they are used as contacts"});
   if (given.grain_shear_modulus || !given.materials.empty()) {
     set_forces(packing.assembly, given);
     packing.notes.push_back({Finding::tangential_unknown,
                              "no tangential forces: normal ones are those of the given "
                              "material at the overlaps"});
   } else {
-    packing.notes.push_back({Finding::forces_unknown,
-                             "no forces; with --grain-shear-modulus the overlaps tell the "
-                             "normal ones"});
+    packing.notes.push_back({Finding::forces_unknown, "no forces; with --grain-shear-modulus the normal ones "
+                                                      "follow from the overlaps"});
   }
   return packing;
 }

@@ -12,7 +12,7 @@
 namespace granum::studies {
 
 /// All pairs of overlapping spheres as contacts without forces, sorted by (i, j); in cells narrower than two
-/// diameters a pair may stand there through several images.
+/// diameters a pair may occur with several images.
 /// \param    periodic  which pairs of faces a pair may reach through
 /// \throws   InvalidArgument for an assembly that require_valid rejects
 /// Cost      O(N)
@@ -20,7 +20,7 @@ namespace granum::studies {
                                                               const std::array<bool, 3>& periodic);
 
 /// A packing of grains alone with the contacts of overlapping spheres, and notes on them; any other as it is.
-/// Normal forces are those of the given law and material, where there is one; tangential ones depend on the
+/// Normal forces follow from the given law and material, if any; tangential ones depend on the
 /// history and stay unknown.
 /// \throws   InvalidArgument for a material that the law refuses
 [[nodiscard]] io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing,

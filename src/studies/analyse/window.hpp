@@ -8,7 +8,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/io/imported_packing.hpp>
 
-/// A part of a packing to look at, as a user says it.
+/// A part of a packing to measure, as given by a user.
 /// Checked by tests/studies/test_window.cpp
 namespace granum::studies {
 
@@ -19,7 +19,7 @@ struct WindowChoice {
 };
 
 /// The window in the packing. The whole along a periodic axis is one edge of the cell, along others the
-/// extent of the grains; the top is that of the highest grain with a contact.
+/// extent of the grains; the top is the top of the highest grain with a contact.
 /// \throws   InvalidArgument if it is not within the packing along an axis that is not periodic, or has no
 /// volume
 [[nodiscard]] analysis::Window window_in(const io::ImportedPacking& packing, const WindowChoice& choice);
@@ -27,7 +27,7 @@ struct WindowChoice {
 /// The interior of a packing between walls or under a free surface: along axes that are not periodic, two and
 /// a half mean grain diameters away from where the grains end, or two where that leaves less than five; the
 /// whole along the others.
-/// \return   nothing where all axes are periodic, or where less than three diameters or a hundred contacts
+/// \return   empty if all axes are periodic, or if less than three diameters or a hundred contacts
 ///           would be left
 /// Checked by tests/studies/test_window.cpp
 [[nodiscard]] std::optional<WindowChoice> interior_window(const io::ImportedPacking& packing);

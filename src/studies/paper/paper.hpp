@@ -12,13 +12,13 @@ namespace granum::studies {
 
 /// A row of the paper's Table 5: G_ij = C p_a f(e) (s_i/p_a)^m (s_j/p_a)^n fitted over -0.6 <= eta <= 0.6.
 struct PrintedFit {
-  std::optional<double> m; ///< nothing for G_hh, which has one stress
+  std::optional<double> m; ///< none for G_hh, which depends on one stress
   std::optional<double> n;
   double s = 0;
-  double C = 0; ///< with p_a in MPa taken into it: see validation/paper_constants
+  double C = 0; ///< for p_a in MPa: see validation/paper_constants
 };
 
-/// What the paper prints of one of its six specimens.                            [Chung2014, Tables 2, 4, 5]
+/// Values of the paper for one of its six specimens.                            [Chung2014, Tables 2, 4, 5]
 struct PrintedSpecimen {
   double coordination_number = 0;         ///< at 10 kPa
   double void_ratio = 0;                  ///< at 10 kPa
@@ -26,7 +26,7 @@ struct PrintedSpecimen {
   PrintedFit hh, hv, vh;
 };
 
-/// \return   nothing for a contact shape that the paper does not have
+/// \return   empty for a contact shape that is not in the paper
 /// Checked by tests/studies/test_paper.cpp
 [[nodiscard]] std::optional<PrintedSpecimen> printed(contact::Shape contact, triaxial::Density density);
 

@@ -13,7 +13,7 @@ namespace granum::studies {
 
 namespace {
 
-// Steps for 1,000 grains, in the mean of 32 seeds of the default study; those of probes, by four of them.
+// Steps for 1,000 grains, mean of 32 seeds of the default study; steps of probes, mean of four of them.
 
 /// Of the first stage of loose specimens beyond the later ones: most of the network is built there.
 double loose_first_stage_steps(contact::Shape shape) {
@@ -33,7 +33,7 @@ constexpr double dense_probe_steps = 800; ///< of one of the three directions
 constexpr double loose_probe_steps = 2600;
 /// 27,000 of the minimiser, each of which costs about half of one with friction.
 constexpr double preparation_steps = 14000;
-/// So many times as long it takes with unequal grains: 1.8 with 500 and 2.4 with 1,000, in the mean of six
+/// Factor of the time with unequal grains: 1.8 with 500 and 2.4 with 1,000, mean of six
 /// distributions and three seeds each (bench_sizes).
 constexpr double unequal_preparation = 2.1;
 /// The network's solution, in steps of the engine.

@@ -9,15 +9,15 @@ namespace granum::studies {
 
 /// Predicted work of the parts of a study, in grain-steps of the frictional engine. The numbers of steps are
 /// those of 1,000 grains, three seeds, averaged (validation/verify_default/), and grow as N^(1/3) like the
-/// time that sound takes through a specimen.
+/// travel time of sound through a specimen.
 [[nodiscard]] double preparation_work(const Scene& scene);
-/// Compression to the pressure of that index, rest, network and, where asked, probes.
+/// Compression to the pressure of that index, rest, network and, if requested, probes.
 [[nodiscard]] double stage_work(const Scene& scene, triaxial::Density density, contact::Shape shape,
                                 std::size_t stage);
 [[nodiscard]] double specimen_work(const Scene& scene, triaxial::Density density, contact::Shape shape);
 [[nodiscard]] double total_work(const Scene& scene);
 
-/// What a study would run and what it would take here.
+/// Work of a study, and its predicted cost on this machine.
 struct Plan {
   std::size_t packings = 0;
   std::size_t specimens = 0;
@@ -30,7 +30,7 @@ struct Plan {
 };
 
 /// Measures the engine for about a tenth of a second, with the scene's law: seconds a grain and step [s]. The
-/// one number here that depends on the machine and on what else it does.
+/// one number here that depends on the machine and its other load.
 /// \throws   InvalidArgument for an impossible scene
 [[nodiscard]] double measured_speed(const Scene& scene);
 

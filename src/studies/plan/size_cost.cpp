@@ -15,7 +15,7 @@ std::string cost_of_sizes(const Scene& scene) {
          ": a step costs about as much as with equal grains, but a packing takes 2 to 5 times as long to "
          "make; its cell, wider than four of the largest grains, needs " +
          std::to_string(triaxial::least_grains(sizes)) +
-         " grains or more; and many of the small ones bear no load";
+         " grains or more; and many of the small ones carry no load";
 }
 
 } // namespace granum::studies

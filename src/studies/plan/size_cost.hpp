@@ -7,8 +7,8 @@
 
 namespace granum::studies {
 
-/// What grains of the scene's sizes cost beyond equal ones, in a sentence or two; empty where the largest
-/// radius is 5 times the smallest, or less. As measured in bench/README.md.
+/// Additional cost of the scene's grain sizes compared with equal ones, in a sentence or two; empty if the
+/// largest radius is 5 times the smallest, or less. As measured in bench/README.md.
 /// Checked by tests/studies/test_size_cost.cpp
 [[nodiscard]] std::string cost_of_sizes(const Scene& scene);
 

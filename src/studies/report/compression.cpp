@@ -300,17 +300,16 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
       "and s is the slope of its line in the picture."};
   if (const std::string dense = exponents_text(all, Density::dense, true); !dense.empty())
     answer.push_back(
-        "In dense packings s is nearly that of a single contact, 1/(1+\u03b1), which the shape of "
-        "the grains decides (in brackets): " +
-        dense + "; pressure stiffens every contact and hardly makes new ones, a grain has " +
+        "In dense packings s is nearly that of a single contact, 1/(1+\u03b1), which depends on the "
+        "shape of the contact (in brackets): " +
+        dense + "; pressure makes every contact stiffer and hardly adds new ones: a grain has " +
         from_to(mean_range(all, Density::dense, z_star)) + " of them.");
   if (const std::string loose = exponents_text(all, Density::loose, false); !loose.empty())
-    answer.push_back("In loose packings s is larger, " + loose +
-                     ", because pressure also makes new contacts, " +
+    answer.push_back("In loose packings s is larger, " + loose + ", because pressure also adds contacts, " +
                      from_to(mean_range(all, Density::loose, z_star)) +
-                     " a grain, and every new one keeps grains from giving way: the modulus rises " +
+                     " a grain, and each new one limits the motion of the grains: the modulus rises " +
                      from_to(mean_range(all, Density::loose, softening)) +
-                     " of what it would be if all grains moved with the mean strain.");
+                     " of its value for grains that all move with the mean strain.");
   return answer;
 }
 
@@ -385,19 +384,19 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
       plot::html_element(
           "div",
           why_figure(law,
-                     "1. A contact gets stiffer with its force, by a power that the shape of the grains "
-                     "decides. Were "
-                     "contacts neither lost nor made, the packing would have the same power of p.",
+                     "1. The stiffness of a contact is a power of its force that depends on its shape. "
+                     "With a constant set "
+                     "of contacts the packing would have the same power of p.",
                      figures) +
               why_figure(contacts,
-                         "2. Contacts of the grains that bear load. A dense packing keeps its contacts; a "
-                         "loose one is "
-                         "pressed together and gains some.",
+                         "2. Contacts per grain that carries load. Compression hardly changes them in a "
+                         "dense packing; "
+                         "a loose one gains contacts.",
                          figures) +
               why_figure(relaxation,
-                         "3. Grains do not move with the mean strain: they give way, the more the fewer "
-                         "contacts they have. Gained "
-                         "contacts so stiffen a loose packing beyond what each contact does.",
+                         "3. Grains do not move exactly with the mean strain; the deviation is larger with "
+                         "fewer contacts. New "
+                         "contacts therefore make a loose packing stiffer, in addition to 1.",
                          figures),
           "trio"));
   story.panels.insert(story.panels.end(), {law, contacts, relaxation});

@@ -11,11 +11,11 @@
 #include <granum/core/measured.hpp>
 #include <granum/plot/page.hpp>
 
-/// Isotropic compression told to a reader who asks why G grows as p^s: what the reports of verify and
-/// reproduce begin with.  Checked by tests/studies/test_compression_report.cpp
+/// Isotropic compression, explained for readers who ask why G grows as p^s: common to the reports of verify
+/// and reproduce begin with.  Checked by tests/studies/test_compression_report.cpp
 namespace granum::studies {
 
-/// The three shear moduli in the order of their names [Pa]; nothing where one was not found.
+/// The three shear moduli in the order of their names [Pa]; empty if not found.
 using ShearModuli = std::array<std::optional<double>, 3>;
 inline constexpr std::array shear_modulus_names{"G_hv", "G_vh", "G_hh"};
 
@@ -26,7 +26,7 @@ struct RouteState {
   ShearModuli network = {};
   ShearModuli relaxed = {};             ///< closed form, rung 3
   ShearModuli probe = {};               ///< cyclic shear by DEM
-  std::optional<double> softening = {}; ///< isotropic G of the network over that of uniform strain [1]
+  std::optional<double> softening = {}; ///< isotropic G of the network over uniform strain [1]
 };
 
 /// A specimen on its way.
@@ -39,17 +39,18 @@ struct Compression {
   std::vector<RouteState> states = {};       ///< of the first seed
 };
 
-/// The question that the answer is to.
+/// The question at the top of the report.
 inline constexpr const char* compression_question =
     "Why does the stiffness of a packing of grains grow as p\u02e2, and what is s?";
 
-/// What s is, what it is for dense packings and why, and for loose ones: a sentence each, numbers of the run.
+/// Meaning of s, its value for dense packings and the reason, the same for loose ones: a sentence each, with
+/// numbers of the run.
 [[nodiscard]] std::vector<std::string> compression_answer(const std::vector<Compression>& all);
 
-/// log G against log p by every route, of one of the three moduli (a place in shear_modulus_names).
+/// log G against log p by every method, for one of the three moduli (an index of shear_modulus_names).
 [[nodiscard]] Panel modulus_panel(const std::vector<Compression>& all, std::size_t modulus);
 
-/// What a report shows of the compression, and the files of its pictures.
+/// The part of a report about compression, and the files of its pictures.
 struct CompressionStory {
   std::string first_screen; ///< question, answer, and the moduli
   std::string why;          ///< contact law, contacts, and relaxation, as a section
@@ -70,7 +71,7 @@ struct CompressionStory {
 /// "spheres", "flat contacts".
 [[nodiscard]] std::string plural(contact::Shape shape);
 
-/// Colour of a shape in all pictures of a report: its own, else that of power laws.
+/// Colour of a shape in all pictures of a report: its own, otherwise the colour of power laws.
 [[nodiscard]] plot::Colour colour_of(contact::Shape shape);
 
 } // namespace granum::studies

@@ -25,7 +25,7 @@ struct Quantity {
   plot::Axis axis;
 };
 
-/// A chart without series, small enough to stand beside others.
+/// A small chart without series, to be placed beside others.
 [[nodiscard]] Panel panel(std::string stem, std::string title, const Quantity& x, const Quantity& y);
 
 /// Adds a series, unless it has no points.

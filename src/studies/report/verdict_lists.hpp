@@ -8,7 +8,7 @@
 
 namespace granum::studies {
 
-/// HTML of what agrees with the paper, what differs, and of the checks of granum itself, in words.
+/// HTML lists of agreements with the paper, differences from it, and checks of granum itself.
 /// Checked by tests/studies/test_experiment_html.cpp
 [[nodiscard]] std::string verdict_lists(const std::vector<Verdict>& verdicts);
 

@@ -32,7 +32,7 @@ bool skip(std::string_view& text, std::string_view beginning) {
   return true;
 }
 
-/// "<number>-<what>", what being one of those given.
+/// "<number>-<kind>", with one of the given kinds.
 bool is_numbered(std::string_view text, const std::vector<std::string>& what) {
   const std::size_t dash = text.find('-');
   return dash != std::string_view::npos && all_digits(text.substr(0, dash)) &&

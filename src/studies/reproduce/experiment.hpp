@@ -25,7 +25,7 @@ namespace granum::studies {
 inline constexpr std::size_t polar_bins = 18; ///< of gamma in [0, pi/2]
 inline constexpr std::size_t force_bins = 32; ///< of f_n/<f_n> in [0, 8)
 
-/// What the closed forms say of a frozen state.
+/// Results of the closed forms for a frozen state.
 struct ClosedForms {
   elastic::TransverselyIsotropic uniform_strain; ///< rung 2
   elastic::TransverselyIsotropic uniform_stress;
@@ -37,14 +37,14 @@ struct ClosedForms {
 };
 
 /// One frozen state: the part of its analysis::Measurement that the tables and figures are made of, in plain
-/// numbers, so that checkpoints hold it to the bit.
+/// numbers, so that checkpoints store it to the bit.
 struct StateRecord {
-  triaxial::PathPoint at;         ///< where the specimen was taken from its path
+  triaxial::PathPoint at;         ///< point of the path at which the state was taken
   stress::AxialStress stress;     ///< of the frozen state [Pa]
-  double void_ratio = 0;          ///< cell volume over that of the grains, minus 1
+  double void_ratio = 0;          ///< cell volume over grain volume, minus 1
   double interior_void_ratio = 0; ///< between walls: two diameters inside; in a periodic cell the same
   analysis::Microstructure micro; ///< of the frozen state, but sliding_fraction while it was still sheared;
-                                  ///< between walls of what lies two diameters inside
+                                  ///< between walls: of the part two diameters inside
   double coordination_number_all = 0; ///< C_n of all grains, near walls as well: the paper's
   double coordination_error = 0; ///< its standard error, by the scatter of the grains' numbers of contacts
   Mat3 fabric;                   ///< F_ij of all contacts
@@ -53,8 +53,8 @@ struct StateRecord {
   std::uint32_t contacts = 0;
   std::array<double, 36> network{};  ///< relaxed stiffness, rows of the Voigt matrix [Pa]
   std::array<double, 36> affine{};   ///< under uniform strain [Pa]
-  std::optional<ClosedForms> closed; ///< nothing where a state has no static force field (near failure)
-  std::optional<Probes> probes;      ///< cyclic shear, where asked
+  std::optional<ClosedForms> closed; ///< none if a state has no static force field (near failure)
+  std::optional<Probes> probes;      ///< cyclic shear, if requested
   double unbalanced_force_ratio = 0;
   std::size_t rest_steps = 0; ///< to freeze it
 
@@ -64,7 +64,7 @@ struct StateRecord {
   bool operator==(const StateRecord&) const = default;
 };
 
-/// A cycle of horizontal shear (G_hh) with friction, all normal stresses held: the start and 5 quarters.
+/// A cycle of horizontal shear (G_hh) with friction at constant normal stresses: the start and 5 quarters.
 struct ShearLoop {
   double eta = 0;       ///< where the specimen was frozen
   double amplitude = 0; ///< shear strain [1]
@@ -73,12 +73,12 @@ struct ShearLoop {
 
 /// One path of one specimen.
 struct PathRun {
-  std::optional<stress::ShearPath> path; ///< nothing: isotropic compression
+  std::optional<stress::ShearPath> path; ///< none: isotropic compression
   std::vector<StateRecord> points;
   std::vector<triaxial::PathPoint> curve; ///< finer than the points; empty for isotropic compression
   std::vector<ShearLoop> loops;           ///< TXC of the first contact shape, dense: at eta = 0, 0.5, 1
   triaxial::PathPoint peak;               ///< of the largest |eta|
-  double path_error = 0;                  ///< of the stress that the path holds, largest, relative to it
+  double path_error = 0;                  ///< largest relative error of the constant stress of the path
   double largest_inertial_number = 0;
   std::size_t steps = 0;
   std::vector<std::string> notes; ///< of states that could not be frozen and are left out
@@ -103,13 +103,13 @@ struct Experiment {
   [[nodiscard]] bool complete() const;
 };
 
-/// Where a run keeps what it needs to go on.
+/// Folder of the checkpoints of a run.
 struct CheckpointFolder {
   std::filesystem::path folder; ///< exists and can be written to; empty: no checkpoints
-  std::string scene_text;       ///< tells one scene from another: a checkpoint of another one is refused
+  std::string scene_text;       ///< identifies the scene: checkpoints of another one are refused
 };
 
-/// Removes the checkpoints of earlier runs, whatever their scene, and what killed writers left of theirs.
+/// Removes the checkpoints of earlier runs of any scene, and temporary files of killed runs.
 /// Files of other names, and folders, stay.
 /// \param    folder  need not exist
 /// \throws   FileError naming a checkpoint that cannot be removed
@@ -118,9 +118,9 @@ void remove_checkpoints(const std::filesystem::path& folder);
 
 /// Runs the experiment: packings, isotropic compression of each specimen, then all paths from its end, each
 /// the work of one thread, so that results do not depend on the number of threads. After each frozen state
-/// the path is written to a checkpoint; a run that finds checkpoints of its scene goes on from them and ends
-/// with the same bits, whenever it was stopped before.
-/// \return   all specimens; paths that failed or were stopped say so
+/// the path is written to a checkpoint; a run that finds checkpoints of its scene continues from them and
+/// ends with the same bits, whenever it was stopped before.
+/// \return   all specimens; paths that failed or were stopped contain a message
 /// \throws   InvalidArgument for an impossible scene; FileError if a checkpoint cannot be written (nothing
 ///           that was written before is lost), is damaged, or belongs to another scene
 /// Checked by tests/studies/test_experiment.cpp

@@ -13,7 +13,7 @@ const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<
 }
 
 std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen) {
-  // A snapshot at a multiple of eta is taken just behind it.
+  // A snapshot at a multiple of eta is taken just after it.
   constexpr double margin = 0.01;
   std::vector<const StateRecord*> out;
   for (const PathRun& run : specimen.runs)

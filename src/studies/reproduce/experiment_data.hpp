@@ -18,14 +18,14 @@ inline constexpr double early_eta = 0.6;
 
 /// Frozen states of the shear paths with |eta| <= early_eta, not counting those past the peak.
 [[nodiscard]] std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen);
-/// The same and those of isotropic compression: what Eq. (1) is fitted to.
+/// The same with those of isotropic compression, for the fit of Eq. (1).
 [[nodiscard]] std::vector<const StateRecord*> fit_points(const ExperimentSpecimen& specimen);
 
 /// Cells of further_exponents that a claim needs.
 inline constexpr const char* exponent_h_of_G_hh = "exponent of sigma_h in G_hh";
 inline constexpr const char* exponent_v_of_G_hh = "exponent of sigma_v in G_hh";
 
-/// A modulus of a frozen state [Pa]; nothing where it was not measured.
+/// A modulus of a frozen state [Pa]; empty if not measured.
 using ModulusOf = std::optional<double> (*)(const StateRecord&);
 [[nodiscard]] std::optional<double> network_G_hh(const StateRecord& point);
 [[nodiscard]] std::optional<double> network_G_vh(const StateRecord& point);

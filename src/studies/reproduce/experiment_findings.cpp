@@ -19,10 +19,10 @@ namespace {
 
 using triaxial::Density;
 
-/// A quantity of one specimen; nothing where it was not measured.
+/// A quantity of one specimen; empty if not measured.
 using Reading = std::function<std::optional<TableValue>(const ExperimentSpecimen&)>;
 
-/// One column of a table: how it is measured, what the paper prints, and how near it should come.
+/// One column of a table: the measured quantity, the paper's value, and the limit of their difference.
 struct Column {
   std::string quantity;
   Reading measure;

@@ -9,24 +9,24 @@
 #include "studies/verify/findings.hpp"
 #include "studies/verify/seed_mean.hpp"
 
-/// The paper's tables and claims, measured on an experiment and set beside the printed ones.
+/// The paper's tables and claims, measured on an experiment and compared with the printed ones.
 /// Checked by tests/studies/test_experiment_findings.cpp
 namespace granum::studies {
 
-/// Whether ours is as near to the paper's as is asked for.
+/// Whether the difference from the paper is within its limit.
 enum class Agreement {
-  not_asked, ///< nothing is printed, or no reach is set
+  not_asked, ///< no printed value, or no limit
   within,
   beyond,
   undecided, ///< the standard error of ours is larger than the reach
 };
 
-/// One cell of a table, ours beside the paper's.
+/// One cell of a table, with the paper's value.
 struct Cell {
   std::string quantity; ///< "C_n", "e", "friction angle TXC [deg]", "s of G_hv", ...
   TableValue ours;
   std::optional<double> printed;
-  std::optional<double> reach; ///< |ours - printed| that is asked for
+  std::optional<double> reach; ///< limit of |ours - printed|
 
   [[nodiscard]] Agreement agreement() const;
 };
@@ -50,11 +50,11 @@ struct TableRow {
 /// G_hv, C with p_a = 100 kPa. G_vh is the same number as G_hv in a network, with m and n exchanged.
 [[nodiscard]] std::vector<TableRow> table_5(const Experiment& experiment);
 
-/// The same exponents from the cyclic shear of the probed states, where at least 4 were probed, and that of
+/// The same exponents from the cyclic shear of the probed states, if at least 4 were probed, and that of
 /// sigma_v in G_hh ~ sigma_h^m sigma_v^n.
 [[nodiscard]] std::vector<TableRow> further_exponents(const Experiment& experiment);
 
-/// What the experiment says of each claim of the paper for which it has the data.
+/// Verdict on each claim of the paper for which the experiment has data.
 [[nodiscard]] std::vector<Verdict> experiment_verdicts(const Experiment& experiment);
 
 } // namespace granum::studies

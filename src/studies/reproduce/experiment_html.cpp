@@ -113,7 +113,7 @@ std::string all_figures(const std::vector<Figure>& figures, const std::optional<
             {.caption = assembly->caption, .pictures = {{.svg = assembly->in_page}}, .files = {}}));
   for (const Figure& figure : figures)
     out += folded_figure(figure);
-  return out.empty() ? plot::html_paragraph("There is nothing to draw.") : out;
+  return out.empty() ? plot::html_paragraph("No figures.") : out;
 }
 
 std::string how_to_read() {
@@ -122,26 +122,26 @@ std::string how_to_read() {
        "ones. \u03b7 = q/p' with q = \u03c3_v - \u03c3_h and p' = (\u03c3_v + 2 \u03c3_h)/3: above zero in "
        "compression (TXC, "
        "RTXC), below in extension (RTXE, TXE). Strains are logarithmic, from the start of each path.",
-       "Frozen states: a copy of the specimen is brought to rest in place, every contact kept from sliding. "
+       "Frozen states: a copy of the specimen is brought to rest with sliding prevented at all contacts. "
        "All "
-       "that is measured on a state belongs to that copy.",
-       "G of the network: linear answer of the frozen contacts, every grain in equilibrium. Cyclic shear: a "
-       "small "
-       "shear strain there and back on the frozen specimen, by the discrete element method. G_hh shears the "
+       "measurements of a state are made on this copy.",
+       "G of the network: linear response of the frozen contacts, every grain in equilibrium. Cyclic shear: "
+       "a small "
+       "shear strain forth and back on the frozen specimen, by the discrete element method. G_hh shears the "
        "horizontal plane, G_hv and G_vh a vertical one.",
-       "Uniform strain: what G would be if every grain followed the mean strain; always stiffer. Relaxed, "
+       "Uniform strain: G if every grain followed the mean strain; always stiffer. Relaxed, "
        "closed "
-       "form: the same made softer by what the number of contacts says.",
+       "form: the same with a reduction factor that depends on the number of contacts.",
        "Exponents: G = C p_a f(e) (\u03c3_i/p_a)^m (\u03c3_j/p_a)^n with f(e) = (2.17 - e)^2/(1 + e) and "
        "p_a = 100 kPa, "
-       "s = m + n. The paper's C holds p_a in MPa and is not set beside ours.",
+       "s = m + n. The paper's C is for p_a in MPa and is not compared.",
        "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each, over "
        "the root of "
-       "the number of seeds. With one seed it does not hold what another specimen would differ by. Within: "
+       "the number of seeds. With one seed it lacks the scatter between specimens. Within: "
        "whether "
-       "ours is as near to the paper's as is asked for; it cannot tell where the standard error is larger.",
-       "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables beside this page; the "
-       "figures' own in the folder figures. Figures 1, 2 and 5 of the paper are sketches."});
+       "the difference from the paper is within the limit; undecided if the standard error is larger.",
+       "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables next to this page; the "
+       "data of figures in the folder figures. Figures 1, 2 and 5 of the paper are sketches."});
 }
 
 std::string left_out(const Experiment& experiment) {

@@ -31,9 +31,9 @@ struct ExperimentReport {
   std::vector<Panel> panels; ///< of its first pictures, which experiment_figures does not have
 };
 
-/// One HTML page that needs nothing from outside: first what s is and why, then what agrees with the paper
-/// and what differs; folded away tables 2, 4 and 5 and further exponents beside the paper's, the figures
-/// with their captions, what was run, how to read it, and what is left out.
+/// One self-contained HTML page: first s and its explanation, then agreements with and differences from the
+/// paper. Folded: tables 2, 4 and 5 and further exponents beside the paper's, the figures with captions, the
+/// run, how to read the page, and omissions.
 /// Checked by tests/studies/test_experiment_html.cpp
 [[nodiscard]] ExperimentReport experiment_report(const Experiment& experiment,
                                                  const std::vector<Verdict>& verdicts,

@@ -10,7 +10,7 @@ namespace granum::studies {
 
 namespace {
 
-/// A table with a row for each of what `items_of` finds in a run, headed by where it is from.
+/// A table with a row for each item that `items_of` returns for a run; the first columns give the run.
 template <class Item, class ItemsOf>
 std::string csv_of(const Experiment& experiment, const io::Columns<Item>& columns, const ItemsOf& items_of) {
   struct Row {
@@ -49,7 +49,7 @@ const char* answer(Agreement agreement) {
   }
 }
 
-/// Null where nothing is asked or nothing can be told.
+/// Null without a limit, or if undecided.
 io::Value within(const CellRow& row) {
   const Agreement agreement = row.cell->agreement();
   if (agreement == Agreement::within || agreement == Agreement::beyond)
@@ -238,7 +238,7 @@ std::string table_csv(const std::vector<TableRow>& rows) {
 
 std::string table_text(const std::string& title, const std::vector<TableRow>& rows) {
   const std::vector<CellRow> cells = cell_rows(rows);
-  return title + "\n" + (cells.empty() ? "  nothing was measured\n" : io::table_text(cell_columns(), cells));
+  return title + "\n" + (cells.empty() ? "  no measurements\n" : io::table_text(cell_columns(), cells));
 }
 
 } // namespace granum::studies

@@ -147,7 +147,7 @@ void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
                    detail::formatted("changes by %.2g", change)});
 }
 
-/// The paper takes G_hh to follow sigma_h alone.
+/// In the paper G_hh depends on sigma_h only.
 void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experiment) {
   for (const TableRow& row : further_exponents(experiment)) {
     if (row.density != Density::dense)

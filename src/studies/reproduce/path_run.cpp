@@ -81,7 +81,7 @@ std::string get_text(ByteReader& from) {
   return {text.begin(), text.end()};
 }
 
-/// All but the failure: a run that is taken up tries again.
+/// All except the failure: a resumed run tries again.
 void save_run(ByteWriter& to, const PathRun& run) {
   to.put_all(run.points);
   to.put_all(run.curve);
@@ -212,7 +212,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing) {
     first_cell = from.get<Mat3>();
     iso.run = load_run(from, std::nullopt);
     if (iso.run.points.size() > scene.study.pressures.size())
-      from.fail("holds more states than the scene has pressures");
+      from.fail("contains more states than the scene has pressures");
     piece.meter.found(work * static_cast<double>(iso.run.points.size()), title(piece, std::nullopt));
   } else {
     iso.state = triaxial::start_of_compression(packing, piece.density, specimen, piece.meter.stop_request());
@@ -326,8 +326,8 @@ class ShearRecord {
     run_.steps = test_->now().step;
   }
 
-  /// A state that does not come to rest is left out with a note, and the path goes on. A run that is stopped
-  /// here resumes from the checkpoint before.
+  /// A state that does not come to rest is left out with a note, and the path continues. A run that is
+  /// stopped here resumes from the checkpoint before.
   void freeze(bool probed) {
     const std::string failure = failure_of([&] {
       run_.points.push_back(state_record(test_->engine().state(), material_, test_->now(), probed, run_.notes,
@@ -388,7 +388,7 @@ class ShearRecord {
   double reported_ = 0;
   PathRun run_;
   Schedule schedule_;
-  std::optional<triaxial::ShearTest> test_; ///< nothing once the path is finished
+  std::optional<triaxial::ShearTest> test_; ///< empty when the path is finished
 };
 
 } // namespace

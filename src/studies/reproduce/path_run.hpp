@@ -12,7 +12,7 @@
 /// one.
 namespace granum::studies {
 
-/// What every piece needs beside its own state.
+/// Data that every piece needs in addition to its own state.
 struct Piece {
   const Scene& scene;
   const CheckpointFolder& checkpoints;
@@ -35,7 +35,7 @@ struct IsoRun {
 /// A stress path from the end of isotropic compression.
 [[nodiscard]] PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path);
 
-/// What the file of a checkpoint calls a path: "txc"; nothing is isotropic compression, "iso".
+/// Name of a path in checkpoint files: "txc"; "iso" without a path, for isotropic compression.
 [[nodiscard]] std::string path_in_file_names(const std::optional<stress::ShearPath>& path);
 
 /// Predicted work of the pieces and of all of them, in steps of the engine with friction.

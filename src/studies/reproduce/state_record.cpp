@@ -53,7 +53,7 @@ std::optional<ClosedForms> closed_forms_of(const analysis::Measurement& measured
                      .G_vh_error = errors.G_vh};
 }
 
-/// The part of a measurement that checkpoints hold.
+/// The part of a measurement that checkpoints store.
 void record(const analysis::Measurement& measured, StateRecord& out) {
   out.void_ratio = measured.void_ratio;
   out.interior_void_ratio = measured.interior_void_ratio();

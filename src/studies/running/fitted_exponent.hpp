@@ -10,7 +10,7 @@
 namespace granum::studies {
 
 /// s of one specimen's path: G ~ p^s by Levenberg-Marquardt on G itself, as in the paper.
-/// \return   nothing with fewer than three states, or if the fit does not converge
+/// \return   empty with fewer than three states, or if the fit does not converge
 /// \throws   InvalidArgument if a modulus or a stress is not positive
 [[nodiscard]] std::optional<Measured>
 fitted_exponent(const std::vector<hardin::MeasuredModulus>& states,

@@ -9,7 +9,7 @@
 /// How the parts of a study end, in words.
 namespace granum::studies {
 
-inline constexpr const char* stopped_on_request = "stopped on request"; ///< as Stopped says it
+inline constexpr const char* stopped_on_request = "stopped on request"; ///< the text of Stopped
 
 [[nodiscard]] std::string words(dem::Outcome outcome);
 

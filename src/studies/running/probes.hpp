@@ -5,7 +5,7 @@
 #include <granum/core/stop_request.hpp>
 #include <granum/dem/specimen.hpp>
 
-/// What studies measure by DEM on a specimen that granum made.
+/// Measurements by DEM on specimens of granum.
 namespace granum::studies {
 
 /// Shear moduli of the three probes of one frozen state [Pa].
@@ -18,11 +18,11 @@ struct Probes {
   bool operator==(const Probes&) const = default;
 };
 
-/// What analysis::measure needs beside the contacts of a specimen: their law, and the void ratio.
+/// Input of analysis::measure in addition to the contacts of a specimen: their law, and the void ratio.
 [[nodiscard]] analysis::Given known_of(const dem::Specimen& state, const dem::Material& material);
 
 /// Shear moduli of a frozen state by DEM.
-/// \throws   NotConverged if a probe does not come to rest; Stopped if stop_requested says so
+/// \throws   NotConverged if a probe does not come to rest; Stopped on stop_requested
 [[nodiscard]] Probes run_probes(const dem::Specimen& state, const dem::Material& material,
                                 const StopRequest& stop_requested);
 

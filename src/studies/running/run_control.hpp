@@ -11,12 +11,12 @@ namespace granum::studies {
 struct Progress {
   double done = 0; ///< share of the predicted work, 0..1
   std::string what;
-  double done_before = 0; ///< share that checkpoints of an earlier run held
+  double done_before = 0; ///< fraction of the work in checkpoints of an earlier run
 };
 
 struct RunControl {
   std::function<void(const Progress&)> report = {}; ///< called from worker threads, one at a time
-  const std::atomic<bool>* stop = nullptr; ///< set it to end the study early; what is finished is kept
+  const std::atomic<bool>* stop = nullptr; ///< set it to end the study early; finished results are kept
 };
 
 } // namespace granum::studies

@@ -65,7 +65,7 @@ class Queue {
   }
 
  private:
-  /// The head of the costliest chain, as soon as a job may begin; nothing when none is left.
+  /// Waits until a job may begin and returns the head of the costliest chain; empty if none is left.
   std::optional<std::size_t> take() {
     std::unique_lock lock(mutex_);
     while (!error_ && waiting_ > 0) {
@@ -93,7 +93,7 @@ class Queue {
   std::vector<double> chain_; ///< cost of a job and of the costliest chain of jobs that wait for it
   std::vector<std::vector<std::size_t>> followers_;
   std::set<std::pair<double, std::size_t>> may_begin_; ///< less the cost of its chain, and a job
-  std::size_t waiting_;                                ///< jobs that no thread has taken
+  std::size_t waiting_;                                ///< jobs that no thread has started
   std::exception_ptr error_;                           ///< the first
   std::mutex mutex_;
   std::condition_variable finished_;

@@ -51,9 +51,9 @@ struct Job {
   std::optional<std::size_t> after; ///< an earlier job of the list, which has to be done before this one
 };
 
-/// Does all jobs, each once, on several threads. Of those that may begin, a free thread takes the one at the
-/// head of the costliest chain, so that no thread ends up alone with a long one; of equal ones the first.
-/// After the first error no more work is begun; when all threads are through, that error is thrown.
+/// Does all jobs, each once, on several threads. Among the jobs that may begin, a free thread takes the one
+/// at the head of the costliest chain, so that no thread ends up alone with a long one; of equal ones the
+/// first. After the first error no more work is begun; when all threads are through, that error is thrown.
 /// Checked by tests/studies/test_work_sharing.cpp
 void side_by_side(const std::vector<Job>& jobs, std::size_t threads);
 /// The same for work(0) .. work(count - 1), begun in that order.

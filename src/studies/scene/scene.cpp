@@ -110,7 +110,7 @@ void require_lists(const StudySection& study) {
   require_distinct("study.densities", study.densities);
 }
 
-/// What lies within a grain is no larger than it.
+/// A length within a grain must not exceed its size.
 void require_within_grain(const Scene& scene, contact::Shape shape) {
   for (const contact::LawParameter& parameter : contact::row_of(shape).parameters) {
     const double value = value_of(parameter, scene.contact.numbers);
@@ -130,12 +130,12 @@ void require_overlap(const Scene& scene, contact::Shape shape, double pressure) 
       " of a diameter, which is outside [" + short_text(least_predicted_overlap) + ", " +
       short_text(largest_predicted_overlap) + "]: " +
       (overlap < least_predicted_overlap ? "the rounding of positions would be felt in the forces"
-                                         : "the contact law holds for small overlaps, and the voids would "
+                                         : "the contact law is valid for small overlaps, and the voids would "
                                            "close"));
 }
 
-/// What is measured between walls lies two diameters inside: as many grains as leave a diameter there, packed
-/// as densely as they can be.
+/// Measurements between walls are made two diameters inside: the number of grains that leaves one diameter
+/// there, packed as densely as they can be.
 void require_inside(const Scene& scene) {
   constexpr double edge = 2 * 4 + 2, densest = 0.55; // in radii
   const double volume = 4 * std::numbers::pi / 3 * scene.grain.sizes.moment(3) * (1 + densest);

@@ -13,11 +13,10 @@
 #include <granum/stress/shear_path.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-/// What `granum verify`, `reproduce`, `trade`, `plan` and `export` work on. The defaults are the paper's
-/// grains (Table 1) with the two lengths that the paper does not print: the cone's slope and the punch radius
-/// that agree with its Table 5 (contact/laws.hpp). What each value means, its range and which commands take
-/// it: scene_keys.hpp.
-///                                                                                              [Chung2014]
+/// Input of `granum verify`, `reproduce`, `trade`, `plan` and `export`. The defaults are the paper's grains
+/// (Table 1) with the two lengths that the paper does not print: the cone's slope and the punch radius that
+/// agree with its Table 5 (contact/laws.hpp). The meaning of each value, its range and the commands that use
+/// it: scene_keys.hpp. [Chung2014]
 namespace granum::studies {
 
 [[nodiscard]] std::string_view name(triaxial::Density density);
@@ -44,14 +43,14 @@ struct StudySection {
   std::vector<triaxial::Density> densities{triaxial::Density::dense, triaxial::Density::loose};
   std::size_t grains = 1000;
   std::size_t seeds = 1;        ///< specimens of each kind
-  std::uint64_t first_seed = 1; ///< they take first_seed, first_seed + 1, ...
+  std::uint64_t first_seed = 1; ///< seeds are first_seed, first_seed + 1, ...
   /// Specimens that run side by side; 0: as many as the machine has cores. The results do not depend on it.
   std::size_t threads = 0;
   std::vector<double> pressures{10e3, 20e3, 30e3, 40e3, 50e3, 60e3, 70e3, 80e3, 90e3, 100e3}; ///< rising [Pa]
   std::vector<double> probe_pressures{10e3, 30e3, 100e3}; ///< some of the pressures [Pa]
 };
 
-/// How a specimen is held and made.
+/// Boundaries and preparation of a specimen.
 struct SpecimenSection {
   bool walls = false;       ///< six rigid walls in place of the periodic cell
   double wall_friction = 0; ///< mu >= 0 between grains and walls [1]
@@ -60,7 +59,7 @@ struct SpecimenSection {
   double agitation = 0.03;
 };
 
-/// What the paper's experiment adds to isotropic compression.
+/// Shear along paths, for the paper's experiment.
 struct ShearSection {
   std::vector<stress::ShearPath> paths{stress::all_shear_paths.begin(), stress::all_shear_paths.end()};
   double inertial_number = 2e-4; ///< of shearing [1]
@@ -90,12 +89,12 @@ void require_valid(const Scene& scene);
 ///           the periodic cell alone
 void require_periodic_cell(const Scene& scene);
 
-/// So many threads as asked for, or as the machine has cores where that is 0.
+/// Number of threads: as given, or one per core if 0.
 [[nodiscard]] std::size_t thread_count(std::size_t asked);
 /// The same of scene.study.threads.
 [[nodiscard]] std::size_t thread_count(const Scene& scene);
 
-/// k_t/k_n as the scene says, or Mindlin's of its grains [1].
+/// k_t/k_n of the scene, or Mindlin's value for its grains [1].
 [[nodiscard]] double tangential_ratio(const Scene& scene);
 [[nodiscard]] contact::NormalLaw law(const Scene& scene, contact::Shape shape);
 [[nodiscard]] triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::uint64_t seed);
@@ -105,7 +104,7 @@ void require_periodic_cell(const Scene& scene);
 /// Accuracy  a factor of two: for judging whether a scene can be run, before it is.
 [[nodiscard]] double predicted_overlap(const Scene& scene, contact::Shape shape, double pressure);
 
-/// b = d ln k_n/d ln f of a shape's contacts: of a law whose b changes with the force, at the mean force of
+/// b = d ln k_n/d ln f of a shape's contacts: if b changes with the force, at the mean force of
 /// such a packing half-way between the lowest and the highest pressure of the scene, on a logarithmic scale.
 [[nodiscard]] double contact_exponent(const Scene& scene, contact::Shape shape);
 

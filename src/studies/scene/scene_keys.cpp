@@ -25,7 +25,7 @@ const Commands all_but_trade{SceneCommand::verify, SceneCommand::plan, SceneComm
                              SceneCommand::export_lammps};
 const Commands reproduce_alone{SceneCommand::reproduce};
 
-/// What JSON adds to the name of a quantity: "_Pa".
+/// Suffix of the name of a quantity in JSON: "_Pa".
 std::string unit_suffix(Dimension dimension) {
   switch (dimension) {
   case Dimension::dimensionless:
@@ -37,7 +37,7 @@ std::string unit_suffix(Dimension dimension) {
   }
 }
 
-// ---- what a key needs of the other keys
+// ---- conditions of a key on other keys
 
 std::string always(const Scene& /*scene*/) { return {}; }
 
@@ -66,7 +66,7 @@ std::string needs_path(const Scene& scene) {
 
 // ---- makers of keys
 
-/// What all kinds of keys have; `member` gives the value within a scene, which may be const.
+/// Common part of all kinds of keys; `member` gives the value within a scene, which may be const.
 struct Head {
   std::string name;
   std::string meaning;
@@ -282,18 +282,18 @@ std::vector<SceneKey> study_keys() {
       whole_number({"study.grains", "of each specimen"}, GRANUM_MEMBER(study.grains),
                    {.low = 40,
                     .high = 1e7,
-                    .reason = "the cell is wider than four diameters, and its grains "
-                              "fit into memory"}),
+                    .reason = "the cell must be wider than four diameters, and its "
+                              "grains must fit into memory"}),
       whole_number({"study.seeds", "specimens of each contact and density"}, GRANUM_MEMBER(study.seeds),
-                   {.low = 1, .high = 1000, .reason = "all specimens are kept"}),
-      whole_number({"study.first_seed", "they take first_seed, first_seed + 1, ..."},
+                   {.low = 1, .high = 1000, .reason = "memory"}),
+      whole_number({"study.first_seed", "seeds are first_seed, first_seed + 1, ..."},
                    GRANUM_MEMBER(study.first_seed),
                    {.low = 0, .high = 9e15, .reason = "whole numbers of a double"}),
       whole_number(
           {"study.threads", "specimens side by side; 0: one for each core. Results do not depend on it"},
           GRANUM_MEMBER(study.threads), {.low = 0, .high = 1024, .reason = "threads of a machine"}),
       pressures({"study.pressures", "rising, at least 3"}, GRANUM_MEMBER(study.pressures), stresses),
-      pressures({"study.probe_pressures", "those at which the specimen is sheared as well; [] for nowhere",
+      pressures({"study.probe_pressures", "pressures at which the specimen is also sheared; [] for none",
                  all_but_trade},
                 GRANUM_MEMBER(study.probe_pressures), stresses)};
 }
@@ -304,8 +304,8 @@ std::vector<SceneKey> specimen_keys() {
           quantity({"specimen.wall_friction", "coefficient between grains and walls", reproduce_alone,
                     needs_walls},
                    GRANUM_MEMBER(specimen.wall_friction), dimensionless,
-                   {.low = 0, .high = 1e6, .reason = "beyond, nothing slides"}),
-          quantity({"specimen.expansion_void_ratio", "of the cell in which the grains grow to their size"},
+                   {.low = 0, .high = 1e6, .reason = "no contact slides beyond"}),
+          quantity({"specimen.expansion_void_ratio", "void ratio of the cell in which the grains grow"},
                    GRANUM_MEMBER(specimen.expansion_void_ratio), dimensionless,
                    {.low = 0.4,
                     .high = 1,
@@ -320,12 +320,13 @@ std::vector<SceneKey> specimen_keys() {
                     .high = 0.1,
                     .low_open = true,
                     .high_open = true,
-                    .reason = "it opens the packing and "
-                              "leaves it one"}),
-          quantity({"specimen.agitation", "... and random move of each grain then, as a share of its radius",
-                    all_commands, needs_loose},
+                    .reason = "must open contacts without "
+                              "dispersing the packing"}),
+          quantity({"specimen.agitation",
+                    "... and random move of each grain after it, as a fraction of its radius", all_commands,
+                    needs_loose},
                    GRANUM_MEMBER(specimen.agitation), dimensionless,
-                   {.low = 0, .high = 0.5, .reason = "neighbours stay neighbours"})};
+                   {.low = 0, .high = 0.5, .reason = "neighbours must stay neighbours"})};
 }
 
 std::vector<SceneKey> shear_keys() {
@@ -342,25 +343,26 @@ std::vector<SceneKey> shear_keys() {
                {.low = 1e-9,
                 .high = 0.1,
                 .high_open = true,
-                .reason = "slower runs do not end; faster are no "
-                          "statics"}),
+                .reason = "lower does not finish; higher is not "
+                          "quasi-static"}),
       quantity(
           steps("shear.eta_step",
                 "the specimen is frozen, measured and solved as a network at multiples of this q/p' ..."),
           GRANUM_MEMBER(shear.eta_step), dimensionless,
-          {.low = 1e-5, .high = 10, .reason = "multiples are counted"}),
+          {.low = 1e-5, .high = 10, .reason = "range of the count of multiples"}),
       quantity(steps("shear.strain_step", "... and of this axial strain"), GRANUM_MEMBER(shear.strain_step),
-               dimensionless, {.low = 1e-8, .high = 1, .reason = "multiples are counted"}),
+               dimensionless, {.low = 1e-8, .high = 1, .reason = "range of the count of multiples"}),
       quantity(steps("shear.largest_strain", "axial, where a path ends"), GRANUM_MEMBER(shear.largest_strain),
                dimensionless,
-               {.low = 1e-8, .high = 1, .high_open = true, .reason = "the specimen keeps a height"}),
-      quantity(steps("shear.probe_eta_step", "cyclic shear at multiples of this q/p'; 0: nowhere"),
+               {.low = 1e-8, .high = 1, .high_open = true, .reason = "the height must stay positive"}),
+      quantity(steps("shear.probe_eta_step", "cyclic shear at multiples of this q/p'; 0: none"),
                GRANUM_MEMBER(shear.probe_eta_step), dimensionless,
                {.low = 0, .high = 3, .reason = "q/p' of compression stays below 3"}),
-      quantity(steps("shear.loop_strain",
-                     "of cycles of shear with friction (Fig. 8): TXC of the first contact, dense; 0: none"),
-               GRANUM_MEMBER(shear.loop_strain), dimensionless,
-               {.low = 0, .high = 0.01, .reason = "small strains"})};
+      quantity(
+          steps("shear.loop_strain",
+                "amplitude of cyclic shear with friction (Fig. 8): TXC of the first contact, dense; 0: none"),
+          GRANUM_MEMBER(shear.loop_strain), dimensionless,
+          {.low = 0, .high = 0.01, .reason = "small strains"})};
 }
 
 #undef GRANUM_MEMBER
@@ -402,7 +404,7 @@ std::string_view name(SceneCommand command) {
   case SceneCommand::export_lammps:
     return "export lammps";
   }
-  throw InvalidArgument("command is not one of those that take a scene");
+  throw InvalidArgument("command does not use a scene");
 }
 
 std::string text(const KeyRange& range, Dimension dimension) {

@@ -30,7 +30,7 @@ inline constexpr std::array all_scene_commands{SceneCommand::verify, SceneComman
 using KeyValue =
     std::variant<double, std::uint64_t, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// Numbers that a key can take, and why no others.
+/// Allowed numbers of a key, with the reason.
 struct KeyRange {
   double low = 0;
   double high = 0;
@@ -47,16 +47,16 @@ struct SceneKey {
   std::string meaning; ///< for help and for the comment in a scene file
   Dimension dimension = Dimension::dimensionless;
   std::string json_name; ///< within its section, with the unit: "radius_m"
-  KeyRange range;        ///< of numbers, each one of a list; 0, 0 for names
+  KeyRange range;        ///< of numbers, or of each number of a list; 0, 0 for names
   std::vector<SceneCommand> commands;
-  /// Where the other keys of a scene leave this one without effect, what it would take: "a cone in
+  /// If this key has no effect with the other keys of a scene, the condition that it needs: "a cone in
   /// study.contacts"; empty where it has an effect.
   std::function<std::string(const Scene&)> missing;
-  /// Sets it from the text that --set takes.  \throws   InvalidArgument naming the key
+  /// Sets it from the text of --set.  \throws   InvalidArgument naming the key
   std::function<void(Scene&, const std::string& text)> set;
-  /// As it stands in scene files: "mindlin" for a tangential ratio that is not given.
+  /// Value as in scene files: "mindlin" for a tangential ratio that is not given.
   std::function<KeyValue(const Scene&)> get;
-  /// What is computed with; differs from get() for the tangential ratio alone.
+  /// Value used in calculations; differs from get() for the tangential ratio only.
   std::function<KeyValue(const Scene&)> resolved;
 
   [[nodiscard]] std::string section() const { return name.substr(0, name.find('.')); }
@@ -66,7 +66,7 @@ struct SceneKey {
   [[nodiscard]] std::string description() const;
 };
 
-/// All keys, those of a section together, in the order of scene files.
+/// All keys by section, in the order of scene files.
 [[nodiscard]] std::span<const SceneKey> scene_keys();
 /// \throws   InvalidArgument for an unknown name, with the known ones
 [[nodiscard]] const SceneKey& scene_key(const std::string& name);
@@ -75,13 +75,13 @@ struct SceneKey {
 /// \throws   InvalidArgument naming key, value, unit, range and its reason
 void require_in_range(const SceneKey& key, const Scene& scene);
 
-/// A value as scene files have it: "0.5mm", 1000, ["cone", "sphere"]. Reading it gives the same bits.
+/// A value as in scene files: "0.5mm", 1000, ["cone", "sphere"]. Reading it gives the same bits.
 /// \param    short_units   prefixes where they change no bit; else SI units
 [[nodiscard]] std::string toml_text(const KeyValue& value, Dimension dimension, bool short_units = false);
 
 /// A scene as TOML with every key, for programs: reading it gives the same scene, to the bit.
 [[nodiscard]] std::string toml_of(const Scene& scene);
-/// The default scene as TOML with what each key means: examples/scene.toml.
+/// The default scene as TOML with the meaning of each key: examples/scene.toml.
 [[nodiscard]] std::string commented_default_toml();
 
 } // namespace granum::studies

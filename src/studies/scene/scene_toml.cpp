@@ -10,7 +10,7 @@ namespace {
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-/// "0.5mm" where that gives the same bits, else "0.0005m".
+/// "0.5mm" if that gives the same bits, otherwise "0.0005m".
 std::string quantity_text(double value, Dimension dimension, bool short_units) {
   if (dimension == Dimension::dimensionless)
     return exact_text(value);
@@ -39,7 +39,7 @@ constexpr Section sections[] = {
     {"grain", "spheres, quartz-like grains, Table 1 of Chung et al. (2014)"},
     {"contact", "between two grains; a shape reads its own numbers alone"},
     {"study", "which specimens, and where they are measured"},
-    {"specimen", "how they are held and made"},
+    {"specimen", "boundaries and preparation"},
     {"shear", "stress paths after isotropic compression"},
 };
 
@@ -56,7 +56,7 @@ constexpr const char* introduction =
 # refused.
 )";
 
-/// What stands above a key of the example: its meaning, its range, and which commands take it if not all do.
+/// Comment above a key of the example: its meaning, its range, and the commands that use it, unless all do.
 std::string comment_of(const SceneKey& key) {
   const std::string comment = key.description();
   if (key.commands.size() == all_scene_commands.size())

@@ -13,11 +13,11 @@
 #include "studies/scene/scene.hpp"
 #include <granum/dem/engine.hpp>
 
-/// Speed against accuracy: the same specimens with one setting varied at a time, what each choice does to
-/// their moduli, exponents and peaks, and what it costs.
+/// Speed against accuracy: the same specimens with one setting varied at a time, the effect on moduli,
+/// exponents and peaks, and the cost.
 namespace granum::studies {
 
-/// What a study varies.
+/// The quantity that is varied.
 enum class Varied {
   grains,      ///< N, periodic cell; many specimens of each size
   compression, ///< inertial number of isotropic compression
@@ -32,12 +32,12 @@ inline constexpr std::array all_varied{Varied::grains,    Varied::compression, V
 
 [[nodiscard]] std::string_view name(Varied varied);
 
-/// What holds a specimen.
+/// Boundary of a specimen.
 enum class Boundary { periodic, smooth_walls, rough_walls };
 
 [[nodiscard]] std::string_view name(Boundary boundary);
 
-/// The values that each varied quantity takes while the others stand at their defaults.
+/// The values of each varied quantity, with the others at their defaults.
 struct TradeScene {
   /// Grains, pressures, first seed and threads of the study, and its contact shape; scene.study.grains is the
   /// default of N, scene.study.seeds the number of specimens that have it.
@@ -55,7 +55,7 @@ struct TradeScene {
   std::vector<std::size_t> walls{250};
 };
 
-/// What `granum trade` runs without options: spheres at 10, 20, 50 and 100 kPa, four seeds of 500 grains.
+/// The study of `granum trade` without options: spheres at 10, 20, 50 and 100 kPa, four seeds of 500 grains.
 [[nodiscard]] TradeScene default_trade();
 /// A minute's worth of it, and the whole of it, with up to 16,000 grains.
 [[nodiscard]] TradeScene quick_trade();
@@ -76,7 +76,7 @@ void require_valid(const TradeScene& trade);
 struct TradeSample {
   Varied varied = Varied::grains;
   Boundary boundary = Boundary::periodic;
-  double value = 0; ///< of what is varied; N for grains and boundary
+  double value = 0; ///< of the varied quantity; N for grains and boundary
   triaxial::Density density = triaxial::Density::dense;
   std::uint64_t seed = 0;
   /// At each pressure of the scene. Grains, compression, time step: isotropic projection of the network.
@@ -89,14 +89,14 @@ struct TradeSample {
   std::string failure;              ///< why values are missing; empty where none are
 };
 
-/// The scene without the largest of its grains, as many as it takes to bring the predicted wall time of the
+/// The scene without the largest of its grains, until the predicted wall time of the
 /// study within a budget [s]; two sizes stay.
 /// \param    seconds_per_grain_step  of the engine: measured_speed() of plan.hpp [s]
-/// \throws   InvalidArgument naming the budget that the smallest two sizes would take
+/// \throws   InvalidArgument with the budget that the smallest two sizes need
 [[nodiscard]] TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_grain_step);
 
 /// Predicted processor time of a study, from the engine's speed [s].
-/// \param    seconds_per_grain_step  as within_budget() takes it [s]
+/// \param    seconds_per_grain_step  as for within_budget() [s]
 [[nodiscard]] double predicted_seconds(const TradeScene& trade, double seconds_per_grain_step);
 
 /// Runs all studies. Samples that need the same run share it. Specimens run side by side; the numbers, but

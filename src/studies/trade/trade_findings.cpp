@@ -14,7 +14,7 @@ namespace granum::studies {
 
 namespace {
 
-/// One number of a sample: what is compared.
+/// One number of a sample, to be compared.
 using Figure = std::optional<double> (*)(const TradeSample&);
 
 std::optional<double> log_modulus(const TradeSample& sample) {

@@ -8,7 +8,7 @@
 
 #include "studies/trade/trade.hpp"
 
-/// What a study of speed against accuracy says.
+/// Results of a study of speed against accuracy.
 /// Checked by tests/studies/test_trade_findings.cpp
 namespace granum::studies {
 
@@ -26,7 +26,7 @@ struct TradeRow {
   double value = 0;
   triaxial::Density density = triaxial::Density::dense;
   std::size_t specimens = 0;
-  bool reference = false;                 ///< what the others of this quantity and density are compared with
+  bool reference = false;                 ///< the others of its quantity are compared with it
   std::optional<Deviation> shear_modulus; ///< of the geometric mean over the pressures
   std::optional<Deviation> exponent;
   std::optional<Deviation> peak_ratio;
@@ -37,9 +37,9 @@ struct TradeRow {
 /// The reference is the finest value: the most grains, the smallest rate or time step, the network for
 /// probes, the largest periodic cell for walls. Where both have the same packings (all but grains and
 /// boundary) specimens are compared each with itself, so that their scatter drops out of the bias and
-/// `scatter` is that of the differences; else the means are compared, with the standard deviation c N^(-1/2)
-/// that all sizes of one boundary agree on. Fewer than two specimens on either side give no deviation.
-/// Samples that failed do not count.
+/// `scatter` is that of the differences; otherwise the means are compared, with the standard deviation c
+/// N^(-1/2) that all sizes of one boundary agree on. Fewer than two specimens on either side give no
+/// deviation. Samples that failed do not count.
 [[nodiscard]] std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples);
 
 /// Root mean square error of one specimen: bias and scatter; of settings that leave the packing as it is,

@@ -58,7 +58,7 @@ struct Probing : Part {
   std::vector<double> shear_modulus;
 };
 
-/// The parts that a study takes.
+/// The parts of a study.
 struct Work {
   std::vector<Packing> packings;
   std::vector<Compression> compressions;

@@ -12,7 +12,7 @@
 namespace granum::studies {
 
 /// Error of one specimen of N grains: a standard deviation c N^(-1/2) between seeds, and a bias b/N of its
-/// mean. Errors of G and of the peak are parts of them, those of s its own.
+/// mean. Errors of G and of the peak are relative, those of s absolute.
 struct SizeLaw {
   double scatter = 0;    ///< c
   double bias = 0;       ///< b
@@ -39,16 +39,17 @@ struct TradeLaws {
   ErrorLaw dense_peak;
 };
 
-/// Least squares through the rows. c is that of all sizes, weighted by their numbers of specimens; b and k,
+/// Least squares through the rows. c is fitted to all sizes, weighted by their numbers of specimens; b and k,
 /// weighted by the standard errors, are slopes of the bias against 1/N and I, with the reference where its
 /// own N and I put it.
-/// Assumes   rows of trade_rows; what they do not hold is left at 0.
+/// Assumes   rows of trade_rows; missing quantities stay 0.
 [[nodiscard]] TradeLaws laws_of(const std::vector<TradeRow>& rows);
 
 /// The laws of validation/trade/, for spheres between 10 and 100 kPa.
 [[nodiscard]] const TradeLaws& recorded_laws();
 
-/// What the laws make of one specimen: standard deviation between seeds, bias of its size, bias of its rate.
+/// Errors of one specimen according to the laws: standard deviation between seeds, bias by size, bias by
+/// rate.
 /// \param    grains   >= 1
 [[nodiscard]] double scatter_of(const ErrorLaw& law, double grains);
 [[nodiscard]] double size_bias_of(const ErrorLaw& law, double grains);
@@ -60,15 +61,15 @@ struct TradeLaws {
 [[nodiscard]] double expected_error(const ErrorLaw& law, std::size_t grains, std::size_t specimens,
                                     double inertial_number);
 
-/// What it takes for a wanted error of the mean over some specimens.
+/// Settings for a required error of the mean over some specimens.
 struct Recipe {
   std::size_t grains = 0;     ///< two significant digits, rounded up
-  double inertial_number = 0; ///< largest whose bias stays within a third of the error
+  double inertial_number = 0; ///< largest with a bias within a third of the error
 };
 
 /// \param    error       > 0 [1]
 /// \param    specimens   >= 1
-/// \return   the inertial number is 0.01 at most, beyond which nothing was measured
+/// \return   the inertial number is 0.01 at most, the largest measured
 /// \throws   InvalidArgument for an error that is not positive, or no specimens
 [[nodiscard]] Recipe recipe_for(const ErrorLaw& law, double error, std::size_t specimens);
 

@@ -23,7 +23,7 @@ namespace trade {
 
 namespace {
 
-/// Processor time of this thread since it was made: on a shared machine wall time says little.
+/// Processor time of this thread since its start; on a shared machine wall time is unreliable.
 class ThreadClock {
  public:
   [[nodiscard]] double seconds() const { return now() - start_; }
@@ -124,7 +124,7 @@ void compress(const TradeScene& trade, const Packing& packing, const Meter& mete
   out.network_seconds /= static_cast<double>(trade.scene.study.pressures.size());
 }
 
-/// Where along the test G_vh is taken: within the reach of the dense plateau, well before the peak.
+/// Point of the test at which G_vh is measured: within the reach of the dense plateau, well before the peak.
 constexpr double measured_ratio = 0.8;
 
 void shear(const TradeScene& trade, const Compression& start, const dem::Material& material,
@@ -279,7 +279,7 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
       sample.shear_modulus = {*part.vertical};
   }
   if (sample.varied == Varied::probe) {
-    // One state and one answer: the cost of one modulus.
+    // One state and one modulus.
     sample.cpu_seconds = compression->network_seconds;
     sample.steps = 0;
     if (source.probing != none) {

@@ -23,7 +23,7 @@ std::size_t place_of(std::vector<Kind>& parts, const Kind& wanted, const Same& s
   return parts.size() - 1;
 }
 
-/// What one specimen is made with; the defaults unless the varied quantity says otherwise.
+/// Settings of one specimen; the defaults except for the varied quantity.
 struct Specimen {
   Boundary boundary = Boundary::periodic;
   std::size_t grains = 0;
@@ -105,7 +105,7 @@ class Planner {
     });
   }
 
-  /// Where a sample is read from; `none` for what it does without.
+  /// Sources of a sample; `none` for parts that it does not need.
   struct Places {
     std::size_t compression = none;
     std::size_t shear = none;

@@ -19,7 +19,7 @@ Deviations deviations(contact::Shape contact, triaxial::Density density) {
     return loose ? Deviations{0.0021, 0.0083, 0.0137} : Deviations{0.0007, 0.0023, 0.0029};
   if (contact == contact::Shape::sphere)
     return loose ? Deviations{0.0045, 0.0198, 0.0218} : Deviations{0.0008, 0.0017, 0.0026};
-  // Flat contacts, which scatter most; others are taken to scatter no more.
+  // Flat contacts, which scatter most; others are assumed to scatter no more.
   return loose ? Deviations{0.0066, 0.0299, 0.0253} : Deviations{0.0014, 0.0030, 0.0034};
 }
 

@@ -91,23 +91,23 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// What forces add to a shear modulus of the network, as a part of it; the larger of the two [1].
+/// Contribution of the contact forces to a shear modulus of the network, relative; the larger of two [1].
 double largest_force_share(const CompressedState& s) {
   return std::max(std::abs(G_hh_by_forces(s) / G_hh_network(s)),
                   std::abs(G_vh_by_forces(s) / G_vh_network(s)));
 }
 
-/// How far the probes are from the network with what its forces add.
+/// Relative difference between probes and network, contact forces included.
 double probe_error(const CompressedState& s) {
   return std::max(relative_difference(s.probes->G_hh, G_hh_network(s) + G_hh_by_forces(s)),
                   relative_difference(s.probes->G_hv, G_vh_network(s) + G_vh_by_forces(s)));
 }
 
-/// Forces count to their first order. Contacts that barely touch part, and in loose packings soft modes relax
-/// slowly: a few contacts' share of all, which is larger where grains are few. Of 37 seeds of the default
-/// scene the worst are 0.16 % (dense) and 0.78 % (loose).
-/// States in which that first order is beyond the loose limit have a motion so soft that forces hold it, not
-/// stiffness, and are not judged: 3 of some 330 loose ones.
+/// Forces are included to first order. The rest of the difference: contacts with very small forces open, and
+/// in loose packings soft modes relax slowly. These are a few contacts, a larger share in small specimens. Of
+/// 37 seeds of the default scene the worst differences are 0.16 % (dense) and 0.78 % (loose). States whose
+/// first order exceeds the loose limit have a motion that is stable by forces and not by stiffness; they are
+/// left out: 3 of some 330 loose ones.
 void judge_probes(std::vector<Verdict>& out, const Scene& scene,
                   const std::vector<SpecimenResult>& specimens) {
   constexpr double dense_limit = 3e-3, loose_limit = 1e-2;
@@ -127,17 +127,17 @@ void judge_probes(std::vector<Verdict>& out, const Scene& scene,
     judge_worst(
         out,
         std::string(name(density)) + ": " +
-            detail::formatted("the probe's moduli are the network's, with what its forces add, within "
+            detail::formatted("the moduli of probe and network (with its contact forces) agree within "
                               "%.2g %%",
                               100 * limit),
         worst, limit, "worst %.2g");
     if (by_forces > 0 && worst.states > 0)
-      out.back().measured += "; " + std::to_string(by_forces) + " held by forces left out";
+      out.back().measured += "; " + std::to_string(by_forces) + " stable by forces only, left out";
   }
 }
 
-/// Loose specimens that hold by their forces alone may creep for ever: at the first pressure 4 of 30 of flat
-/// contacts do. An engine that no longer comes to rest would leave out many.
+/// Loose specimens that are stable by their forces only may creep for ever: at the first pressure 4 of 30 of
+/// flat contacts do. An engine that no longer comes to rest would leave out many.
 void judge_rests(std::vector<Verdict>& out, const std::vector<SpecimenResult>& specimens) {
   constexpr double least = 0.75;
   std::size_t asked = 0, left_out = 0;
@@ -156,7 +156,7 @@ void judge_rests(std::vector<Verdict>& out, const std::vector<SpecimenResult>& s
                    std::to_string(asked - left_out) + " of " + std::to_string(asked) + which});
 }
 
-/// A law with a scale of force has no exponent but that of the pressures, which the closed form knows.
+/// The exponent of a law with a scale of force depends on the pressures; the closed form gives it.
 Verdict dense_verdict(const ExponentRow& row) {
   const double expected = row.local ? row.closed_form->value : row.contact_law;
   const double excess = row.network->value - expected;
@@ -252,12 +252,11 @@ std::vector<Verdict> differing_findings(const std::vector<Verdict>& verdicts) {
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   std::vector<Verdict> out;
-  std::vector<SpecimenResult> whole; // a part of a path has no s that could be judged
+  std::vector<SpecimenResult> whole; // a part of a path gives no s to compare
   std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(whole),
                [](const SpecimenResult& specimen) { return specimen.failure.empty(); });
   judge_exponents(out, exponents(scene, whole));
-  std::vector<SpecimenResult>
-      of_one_exponent; // h depends on b: that of a law whose b changes has no one curve
+  std::vector<SpecimenResult> of_one_exponent; // h depends on b: no single curve if b changes with the force
   std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(of_one_exponent),
                [&](const SpecimenResult& specimen) {
                  return law(scene, specimen.contact).constant_exponent().has_value();

@@ -25,15 +25,15 @@ struct ExponentRow {
 };
 
 /// Exponents of the specimens that have at least three states, by Levenberg-Marquardt on G itself, as in the
-/// paper: the mean over the seeds. Its standard error is the larger of the scatter between specimens, what
-/// is known of it (exponent_scatter.hpp) pooled with that of these seeds, and the mean regression error,
-/// over the root of their number. Fewer than three states, or a fit that does not converge, give none.
-/// Order: contacts, then densities, as in the scene.
+/// paper: the mean over the seeds. Its standard error is, over the root of their number, the larger of two:
+/// the scatter between specimens, pooled from earlier studies (exponent_scatter.hpp) and these seeds, and the
+/// mean regression error. Empty with fewer than three states, or if the fit does not converge. Order:
+/// contacts, then densities, as in the scene.
 /// Checked by tests/studies/test_findings.cpp
 [[nodiscard]] std::vector<ExponentRow> exponents(const Scene& scene,
                                                  const std::vector<SpecimenResult>& specimens);
 
-/// A claim, and whether the study bears it out.
+/// A claim, and whether the study confirms it.
 struct Verdict {
   std::string claim;
   bool holds = false;
@@ -41,12 +41,12 @@ struct Verdict {
   bool finding = false; ///< about packings, which the paper may see otherwise; else a check of granum itself
 };
 
-/// Verdicts on granum itself that do not hold.
+/// Failed verdicts on granum itself.
 [[nodiscard]] std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts);
-/// Findings that differ from those of the paper.
+/// Verdicts that differ from the paper.
 [[nodiscard]] std::vector<Verdict> differing_findings(const std::vector<Verdict>& verdicts);
 
-/// What the study says of each claim for which it has the data.
+/// Verdict on each claim for which the study has data.
 [[nodiscard]] std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens);
 
 /// A cubic through G / G_uniform-strain against z* of all states.
@@ -54,7 +54,7 @@ struct RelaxationCurve {
   std::size_t states = 0;
   double rms = 0; ///< distance of the states from the curve [1]
 };
-/// \return   nothing with fewer than 8 states
+/// \return   empty with fewer than 8 states
 [[nodiscard]] std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult>& specimens);
 
 } // namespace granum::studies

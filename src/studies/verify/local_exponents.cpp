@@ -11,7 +11,7 @@ namespace granum::studies {
 
 namespace {
 
-/// What the routes say of one state, and what its contacts are.
+/// Moduli of one state by every method, and its contacts.
 struct StateModuli {
   double pressure, exponent, uniform_strain;
   std::optional<double> transition, relaxed, network, probe;

@@ -13,13 +13,13 @@ struct TableValue {
   std::optional<double> standard_error;
 };
 
-/// What is known beforehand of the scatter between specimens of one kind.
+/// Prior knowledge of the scatter between specimens of one kind.
 struct KnownScatter {
   double deviation = 0; ///< standard deviation of one specimen
-  double degrees = 0;   ///< of freedom that it was measured with; 0: nothing is known
+  double degrees = 0;   ///< degrees of freedom of its measurement; 0: unknown
 };
 
-/// Mean of what several specimens gave. Its error is the larger of their scatter, pooled with what is known
+/// Mean over several specimens. Its error is the larger of their scatter, pooled with what is known
 /// of it, and their mean own error, over the root of their number; one specimen without an error of its own,
 /// of which no scatter is known, has none. Nothing from none.
 [[nodiscard]] std::optional<TableValue> mean_over_seeds(const std::vector<TableValue>& each,

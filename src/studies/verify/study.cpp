@@ -18,7 +18,7 @@ namespace granum::studies {
 
 namespace {
 
-/// Rung 2 from the counts of the frozen packing, under the pressure that was asked for.
+/// Rung 2 from the counts of the frozen packing, at the requested pressure.
 void estimate_closed_form(const dem::Material& material, CompressedState& out) {
   const effective::State state{.law = out.packing.law.value(),
                                .tangential_ratio = material.tangential_ratio,
@@ -68,7 +68,7 @@ void measure(const triaxial::Snapshot& snapshot, const triaxial::SpecimenRecipe&
       .steps = snapshot.report.steps + frozen.report.steps,
       .unbalanced_force_ratio = frozen.report.unbalanced_force_ratio,
       .largest_inertial_number = snapshot.report.largest_inertial_number};
-  (void)out.packing.solved_network().response.relaxed(); // its moduli are what the study is about
+  (void)out.packing.solved_network().response.relaxed(); // throws unless the network converged
   estimate_closed_form(material, out);
   if (probed)
     try {

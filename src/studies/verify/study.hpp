@@ -16,11 +16,11 @@ namespace granum::studies {
 
 /// One state of isotropic compression.
 struct CompressedState {
-  double pressure = 0;           ///< asked for [Pa]
+  double pressure = 0;           ///< requested [Pa]
   double contact_pressure = 0;   ///< mean contact stress at the end of the stage [Pa]
   double sliding_fraction = 0;   ///< contacts at the Coulomb limit when the stage ended
   analysis::Measurement packing; ///< of the frozen state: network, bounds and the pressure by work as well
-  double G_closed = 0; ///< uniform strain in closed form from C_n, e and the pressure asked for [Pa]
+  double G_closed = 0; ///< uniform strain in closed form from C_n, e and the requested pressure [Pa]
   double K_closed = 0;
   std::optional<Probes> probes;
 
@@ -38,7 +38,7 @@ struct CompressedState {
 /// Shear moduli of the network in the planes that the probes shear, 12 and 13 [Pa].
 [[nodiscard]] double G_hh_network(const CompressedState& state);
 [[nodiscard]] double G_vh_network(const CompressedState& state);
-/// What the contacts' forces add to them, as a probe finds (network::ForceTerms) [Pa].
+/// Contribution of the contact forces to them, as measured by a probe (network::ForceTerms) [Pa].
 [[nodiscard]] double G_hh_by_forces(const CompressedState& state);
 [[nodiscard]] double G_vh_by_forces(const CompressedState& state);
 
@@ -57,9 +57,10 @@ struct SpecimenResult {
 
 /// Runs the study: a frictionless packing for each contact and seed, from it a dense and a loose specimen,
 /// each compressed through the pressures, frozen at each, analysed, solved as a network, and probed where
-/// asked. Specimens run side by side on as many threads as the scene says; each is one thread's work from
-/// start to end, so the results are the same bits for any number of threads.
-/// \return   specimens in the order contact, density, seed; those that failed or were stopped say so
+/// asked. Specimens run at the same time on the scene's number of threads; each is the work of one thread
+/// from start to end, so the results are the same bits for any number of threads.
+/// \return   specimens in the order contact, density, seed; those that failed or were stopped contain a
+///           message
 /// \throws   InvalidArgument for an impossible scene
 /// Checked by tests/studies/test_study.cpp
 [[nodiscard]] std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& control = {});

@@ -81,10 +81,10 @@ TEST_CASE("a checkpoint that cannot be read says why, by path") {
   CHECK(says(complaint(path), "cut short within its header"));
   for (std::size_t length = 48; length < whole.size(); ++length) {
     overwrite(path, whole.substr(0, length));
-    CHECK(says(complaint(path), "cut short or run over"));
+    CHECK(says(complaint(path), "of the wrong length"));
   }
   overwrite(path, whole + "x");
-  CHECK(says(complaint(path), "cut short or run over"));
+  CHECK(says(complaint(path), "of the wrong length"));
   std::string newer = whole;
   newer[8] = static_cast<char>(checkpoint_version + 1);
   overwrite(path, newer);

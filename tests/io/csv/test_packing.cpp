@@ -95,7 +95,7 @@ TEST_CASE("CSV: each field that is wrong is refused with path and line") {
   CHECK(grain("radius_mm", "size_mm").starts_with("g:1: expected a column 'radius_m'"));
   CHECK(grain("1,1,2", "1,nan,2") == "g:2: expected a finite number in column 'x_mm', found 'nan'");
   CHECK(grain("1,1,2", "1.5,1,2") == "g:2: expected an integer as id, found 1.5");
-  CHECK(grain("1,1,2", "2,1,2") == "g:3: the grain 2 stands on line 2 too");
+  CHECK(grain("1,1,2", "2,1,2") == "g:3: the grain 2 is also on line 2");
   CHECK(grain("2,2,0.5\n2", "2,2,0\n2") == "g:2: expected a positive radius of grain 1, found 0");
   CHECK(row("# units: SI", "# units: cgs").starts_with("c:1: expected '# units: SI', found 'cgs'"));
   CHECK(row("nx,ny,nz", "nx,b,c").find("ny") != std::string::npos); // all three of a normal, or none

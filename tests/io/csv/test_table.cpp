@@ -75,8 +75,8 @@ TEST_CASE("a bad file is refused with path, line and what was expected") {
   CHECK(refusal("G,e\n1,2\n") == "a.csv:1: column 'G' has no unit; name it G_Pa, G_kPa, G_MPa, G_GPa");
   CHECK(refusal("G_mm,e\n1,2\n").starts_with("a.csv:1: column 'G_mm' has the unit of something else"));
   CHECK(refusal("p_kPa,e\n1,2\n") == "a.csv:1: expected a column 'G_Pa' (or another unit), found p_kPa, e");
-  CHECK(refusal("G_Pa,G_kPa\n1,2\n") == "a.csv:1: both 'G_Pa' and 'G_kPa' hold G");
-  CHECK(refusal("G_Pa,G_Pa\n1,2\n") == "a.csv:1: the heading 'G_Pa' stands there twice");
+  CHECK(refusal("G_Pa,G_kPa\n1,2\n") == "a.csv:1: both 'G_Pa' and 'G_kPa' contain G");
+  CHECK(refusal("G_Pa,G_Pa\n1,2\n") == "a.csv:1: the heading 'G_Pa' occurs twice");
   CHECK(refusal(std::string_view("G_Pa\n\0\n", 7)).starts_with("a.csv: is not a text file"));
 }
 
@@ -149,12 +149,12 @@ TEST_CASE("a table is written in the manner of another one, and read back to the
 TEST_CASE("commas that could be either are refused with path and line") {
   CHECK_THROWS_WITH_AS(
       io::CsvTable("a.csv", "# note\ne,x;p_kPa\n1;2\n"),
-      "a.csv:2: commas and semicolons stand between the headings: put quotes around a heading "
-      "that holds one of them",
+      "a.csv:2: the headings are separated by commas and by semicolons: put quotes around a heading "
+      "that has one of them",
       FileError);
   CHECK_THROWS_WITH_AS(
       io::CsvTable("a.csv", "e,p_kPa\n0,65,100,5\n"),
-      "a.csv:2: expected 2 fields (e, p_kPa), found 4; decimal commas ask for semicolons between "
+      "a.csv:2: expected 2 fields (e, p_kPa), found 4; with decimal commas, separate the fields by "
       "the fields",
       FileError);
   CHECK_THROWS_WITH_AS(io::CsvTable("a.csv", "e;p_kPa\n\"1\" 2;3\n"),

@@ -72,7 +72,7 @@ TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line")
   CHECK(changed("ylo yhi", "ylo").find("expected lines xlo xhi, ylo yhi and zlo zhi") != std::string::npos);
   CHECK(changed("0 0.004 ylo", "0 x ylo") == "d:7: expected a finite number as yhi, found 'x'");
   CHECK(changed("0 0.004 ylo", "0 -1 ylo").find("expected a box of positive volume") != std::string::npos);
-  CHECK(changed("2 1 0.001", "1 1 0.001") == "d:13: the grain 1 stands on line 12 too");
+  CHECK(changed("2 1 0.001", "1 1 0.001") == "d:13: the grain 1 is also on line 12");
   CHECK(changed("2 1 0.001", "2 1 0") == "d:13: expected a positive radius of grain 2, found 0");
   CHECK(changed("2 1 0.001", "2 1 nan") == "d:13: expected a finite number as diameter, found 'nan'");
   CHECK(changed("2 1 0.001", "2 0.001").starts_with("d:13: expected id type diameter"));

@@ -87,7 +87,7 @@ TEST_CASE("LAMMPS: frames of both files are joined by their time step, others ar
   CHECK(later.skipped() == 2);
 
   CHECK(refused(atoms, with(with(contacts, "\n0\n", "\n1\n"), "\n20\n", "\n21\n")) ==
-        "c:22: no time step of a stands in this file");
+        "c:22: contains no time step of a");
   const std::string back = with(atoms, "TIMESTEP\n0\n", "TIMESTEP\n30\n");
   CHECK(refusal([&] {
           LammpsDump reader(text_source("a", back));
@@ -219,7 +219,7 @@ TEST_CASE("LAMMPS: normal and tangential force in the other order are told apart
   CHECK(second->has(Finding::forces_swapped));
   // on grain 2 instead of grain 1: refused rather than turned round
   CHECK(refused(atoms, head + ab + "0.0235294118 0 0 " + t1 + "\n" + bc + "0 0 0.0665512265 " + t2 + "\n")
-            .starts_with("c:10: the columns hold no values that the positions of the grains bear out"));
+            .starts_with("c:10: no columns agree with the positions of the grains"));
 }
 
 TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector are split") {
@@ -247,7 +247,7 @@ TEST_CASE("LAMMPS: rows out of order, twice, and neighbours without contact") {
   CHECK(packing->has(Finding::unsorted));
   CHECK(refused(atoms, with(first, "ENTRIES\n2\n", "ENTRIES\n3\n") +
                            with(row1, "0.0235294118 -0.0235294118", "0.0235 -0.0235"))
-            .starts_with("c:12: the pair 1, 2 stands on line 10 too"));
+            .starts_with("c:12: the pair 1, 2 is also on line 10"));
 
   const std::string apart = with(with(atoms, "0.0019999 0.002 0.002 ", "0.002001 0.002 0.002 "), "", "");
   LammpsDump open = dump(
@@ -269,7 +269,7 @@ TEST_CASE("LAMMPS: each field of the grains that is wrong is refused with path a
   CHECK(atom(" x y z ", " x y q ").starts_with("a:9: expected columns x y z"));
   CHECK(atom("1 1 0.0005", "1.5 1 0.0005") == "a:10: expected an integer as id, found '1.5'");
   CHECK(atom("1 1 0.0005", "1.23457e+06 1 0.0005").starts_with("a:10: id '1.23457e+06' has lost digits"));
-  CHECK(atom("1 1 0.0005", "2 1 0.0005") == "a:11: the grain 2 stands on line 10 too");
+  CHECK(atom("1 1 0.0005", "2 1 0.0005") == "a:11: the grain 2 is also on line 10");
   CHECK(atom("1 1 0.0005", "1 1 0") == "a:10: expected a positive radius of grain 1, found 0");
   CHECK(atom("1 1 0.0005", "1 1 -0.0005").starts_with("a:10: expected a positive radius"));
   CHECK(atom("1 1 0.0005", "1 1 nan") == "a:10: expected a finite number as radius, found 'nan'");
@@ -300,7 +300,7 @@ TEST_CASE("LAMMPS: each field of the contacts that is wrong is refused with path
   const auto contact = [](const std::string& from, const std::string& to) {
     return refused(atoms, with(contacts, from, to));
   };
-  CHECK(contact("c_pl[2]", "c_pl[7]").starts_with("c:10: the columns hold no ids"));
+  CHECK(contact("c_pl[2]", "c_pl[7]").starts_with("c:10: no columns of ids"));
   CHECK(contact("1 1 2 1 1", "1 1 4 1 1") == "c:10: the grain 4 is not among the 3 grains (ids 1 to 3)");
   CHECK(contact("1 1 2 1 1", "1 1 -2 1 1").starts_with("c:10: the grain -2 is not among"));
   CHECK(contact("1 1 2 1 1", "1 x 2 1 1") == "c:10: expected a finite number as id of grain 1, found 'x'");

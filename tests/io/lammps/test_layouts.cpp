@@ -124,7 +124,7 @@ TEST_CASE("LAMMPS layouts: without tangential values they are unknown, without f
 
 TEST_CASE("LAMMPS layouts: what was told is said, by the columns' names") {
   CHECK(told(read(contacts_with("dist force"))) ==
-        "the values tell what no heading says: c_p[1] to c_p[2] as dist force of compute pair/local");
+        "columns identified by their values: c_p[1] to c_p[2] as dist force of compute pair/local");
   CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
         std::string::npos);
 }
@@ -145,12 +145,11 @@ TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values")
 TEST_CASE("LAMMPS layouts: values that are no order are refused, and how to say it") {
   // the scalar last, a distance that is none, a vector turned round its axes
   std::string message = refused(contacts_with("p1 p2 p3 p4 force"));
-  CHECK(message.starts_with(
-      "c:10: the columns hold no values that the positions of the grains bear out (tried: "));
+  CHECK(message.starts_with("c:10: no columns agree with the positions of the grains (tried: "));
   CHECK(message.find("force p1 to p4") != std::string::npos);
   CHECK(message.find("column map, such as id1=") != std::string::npos);
-  CHECK(refused(contacts_with("p4 force fx fy fz")).find("bear out") != std::string::npos);
-  CHECK(refused(contacts_with("fy fz fx")).find("bear out") != std::string::npos);
+  CHECK(refused(contacts_with("p4 force fx fy fz")).find("agree with the positions") != std::string::npos);
+  CHECK(refused(contacts_with("fy fz fx")).find("agree with the positions") != std::string::npos);
   CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 200 ")).find("no column has ids") !=
         std::string::npos);
   CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1.5 2 ")).find("no column has ids") !=
@@ -175,7 +174,7 @@ TEST_CASE(
     LammpsDump dump(text_source("a", two), text_source("c", one));
     static_cast<void>(dump.next());
   });
-  CHECK(message.find("in 2 ways that give other forces") != std::string::npos);
+  CHECK(message.find("in 2 ways that give different forces") != std::string::npos);
   CHECK(message.find("dist force p1 to p4 with id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]") !=
         std::string::npos);
   CHECK(message.find("fx fy fz p1 p2 p3 with id1=c_i[1],id2=c_i[2],fnx=c_p[1]") != std::string::npos);

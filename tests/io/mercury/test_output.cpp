@@ -53,11 +53,11 @@ TEST_CASE("MercuryDPM: the tangential force has its side, and mirror rows are ch
   check_vector(packing->assembly.contacts[0].tangential_force, {0, 0.0114329834, 0}, 1e-15);
   check_vector(residuals(packing->assembly)[1].force, {force_ab, 0.0114329834, -force_bc}, 1e-15);
   CHECK(refused(data, with(fstat, plain_ab, with(sheared_ab, "-0 -1 -0", "0 1 0")))
-            .starts_with("f:5: the pair 0, 1 stands on line 4 too, with another line of centres or force"));
+            .starts_with("f:5: the pair 0, 1 is also on line 4, with another line of centres or force"));
   CHECK(refused(data, with(fstat, plain_ab,
                            with(plain_ab, "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0235294118",
                                 "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0245294118")))
-            .starts_with("f:5: the pair 0, 1 stands on line 4 too"));
+            .starts_with("f:5: the pair 0, 1 is also on line 4"));
 }
 
 TEST_CASE("MercuryDPM: a pair from one side only, and one from the same side twice, are told") {
@@ -116,7 +116,7 @@ TEST_CASE("MercuryDPM: frames are joined by their time") {
   CHECK(second->time == 0.2);
   CHECK_FALSE(reader.next());
   CHECK(reader.skipped() == 1);
-  CHECK(refused(data, at(fstat, "# 0 1", "# 7 1")).ends_with("no time of d stands in this file"));
+  CHECK(refused(data, at(fstat, "# 0 1", "# 7 1")).ends_with("contains no time of d"));
   MercuryOutput grains(text_source("d", data2));
   CHECK(grains.next()->has(Finding::contacts_unknown));
   CHECK(grains.next());
@@ -156,5 +156,5 @@ TEST_CASE("MercuryDPM: each field that is wrong is refused with path and line") 
             .starts_with("f:4: the pair 1, 0 has a line of centres that does not fit"));
   CHECK(row(" 1 0 0 0 0 0", " 1 0 0 0 0").starts_with("f:4: expected 16 numbers"));
   CHECK(refused(data, fstat.substr(0, 6)).find("within the three lines") != std::string::npos);
-  CHECK(refused("") == "f:7: no time of d stands in this file");
+  CHECK(refused("") == "f:7: contains no time of d");
 }

@@ -213,7 +213,7 @@ TEST_CASE("VTK XML: each field of the grains that is wrong is refused with path 
   CHECK(grain("NumberOfPoints=\"3\"", "NumberOfPoints=\"0\"").find("expected 0 numbers") !=
         std::string::npos);
   const std::string own = own_grains();
-  CHECK(refused(with(own, "\n7\n11\n", "\n7\n7\n")).find("the grain 7 stands on line") != std::string::npos);
+  CHECK(refused(with(own, "\n7\n11\n", "\n7\n7\n")).find("the grain 7 is also on line") != std::string::npos);
   CHECK(refused(with(own, "\n7\n11\n", "\n7\n1.5\n")).find("expected an integer as id 1") !=
         std::string::npos);
   CHECK(refused(with(own,

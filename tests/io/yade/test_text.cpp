@@ -127,11 +127,11 @@ TEST_CASE("YADE: each field that is wrong is refused with path and line") {
   const auto row = [](const std::string& from, const std::string& to) {
     return refused(grains, with(contacts, from, to));
   };
-  CHECK(refused("") == "g: holds no grains");
+  CHECK(refused("") == "g: contains no grains");
   CHECK(grain("# id x y z r", "# rows").starts_with("g:6: expected a heading"));
   CHECK(grain("x y z r", "x y z radius") == "g:6: expected a column 'r' in the heading");
   CHECK(grain("x y z r", "x y r") == "g:6: expected 4 fields, as many as the heading names, found 5");
-  CHECK(grain("0 0.001", "1 0.001") == "g:7: the grain 1 stands on line 6 too");
+  CHECK(grain("0 0.001", "1 0.001") == "g:7: the grain 1 is also on line 6");
   CHECK(grain("0 0.001", "0 nan") == "g:6: expected a finite number as coordinate, found 'nan'");
   CHECK(grain("0.002 0.0005", "0.002 -0.0005").starts_with("g:6: expected a positive radius of grain 0"));
   CHECK(grain("# cell 0.004", "# cell") ==
@@ -139,7 +139,7 @@ TEST_CASE("YADE: each field that is wrong is refused with path and line") {
   CHECK(grain("# cell 0.004", "# cell 0").starts_with("g:4: expected a box of positive volume"));
   CHECK(grain("# step 20", "# step x") == "g:2: expected a finite number as step, found 'x'");
   CHECK(grain("# time 2.5e-07", "# time") == "g:3: expected time as field 3, found 2 fields");
-  CHECK(refused(grains, "") == "c: holds no contacts; expected a heading '# id1 id2 ...'");
+  CHECK(refused(grains, "") == "c: contains no contacts; expected a heading '# id1 id2 ...'");
   CHECK(refused(grains, "0 1\n") == "c:1: expected a heading '# id1 id2 ...' above the rows");
   CHECK(row("id2", "second") == "c:1: expected a column 'id2' in the heading");
   CHECK(row(" pd ", " overlap ") == "c:1: expected a column 'pd' in the heading");

@@ -70,7 +70,7 @@ def compare(in_memory, of_files):
         np.testing.assert_array_equal(
             getattr(in_memory.contacts, name), getattr(of_files.contacts, name), name
         )
-    told = [{note for note in packing.notes if "values tell" in note} for packing in (in_memory, of_files)]
+    told = [{note for note in packing.notes if "by their values" in note} for packing in (in_memory, of_files)]
     assert told[0] == told[1]
 
 

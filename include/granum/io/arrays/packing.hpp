@@ -7,7 +7,7 @@
 
 #include <granum/io/imported_packing.hpp>
 
-/// Packings out of the arrays of a program in memory, as a code that is coupled or a script hands them over.
+/// Packings from arrays in memory, from a coupled code or a script.
 /// Checked by tests/io/arrays/test_packing.cpp
 namespace granum::io {
 
@@ -28,7 +28,7 @@ struct ContactArrays {
   std::span<const double> twisting_stiffness = {};   ///< [N m]
 };
 
-/// Grains, the cell that holds them, and contacts where they are known.
+/// Grains, their cell, and contacts if known.
 struct PackingArrays {
   std::span<const Vec3> position;                 ///< centres [m]
   std::span<const double> radius;                 ///< > 0, one for each centre [m]
@@ -38,8 +38,8 @@ struct PackingArrays {
   std::optional<ContactArrays> contacts = {};
 };
 
-/// The packing, checked and sorted as one out of files: each contact once with i < j, notes on what was found
-/// and what is not there. Without a cell the smallest upright box stands for it, and nothing is periodic.
+/// The packing, checked and sorted as from files: each contact once with i < j, notes on findings and missing
+/// data. Without a cell the smallest upright box is used, and nothing is periodic.
 /// \throws   InvalidArgument naming the array and its element: lengths that differ, a radius that is not
 ///           positive, a cell without volume, an unknown grain, a grain in contact with itself or across a
 ///           gap, one pair with two forces, numbers that are not finite; or for a force in whole and in parts

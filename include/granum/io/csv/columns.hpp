@@ -11,7 +11,7 @@
 #include <granum/io/csv/value.hpp>
 
 /// A result as one list of columns: CSV, JSON, a table on a screen, a list on a screen and a table of a page
-/// are prints of it. What is new in a result is one more entry.
+/// are prints of it. An additional result is one more entry.
 /// Checked by tests/io/csv/test_columns.cpp
 namespace granum::io {
 
@@ -20,7 +20,7 @@ struct Column {
   std::string heading;                 ///< in CSV, with its unit; empty: not there
   std::string key;                     ///< in JSON, "probes/G_hh_Pa" within an object; empty: not there
   std::function<Value(const Row&)> of; ///< in SI
-  std::optional<ShownColumn> shown;    ///< nothing: neither on a screen nor in a page
+  std::optional<ShownColumn> shown;    ///< empty: neither in the terminal nor in a page
   bool has_error = false;              ///< Measured: CSV has a second column, heading_error
 
   /// \param    get   a member, or a function of a row: a number, a count, a truth, a text, a Measured,
@@ -46,7 +46,7 @@ void add_item(Items& to, std::string key, const T& value, std::optional<ShownCol
 }
 
 /// Adds the columns of a part of a row, which `part_of` finds; null where a row has none.
-/// \param    key, heading   stand before each key and each heading that is not empty
+/// \param    key, heading   prefixes of each key and of each heading that is not empty
 template <class Row, class Part, class PartOf>
 void add_part(Columns<Row>& to, const Columns<Part>& columns, PartOf part_of, const std::string& key = "",
               const std::string& heading = "") {
@@ -122,7 +122,7 @@ template <class Row>
   return text;
 }
 
-/// What a row has, a line each, on a screen.
+/// The values of a row, one line each, for the terminal.
 template <class Row>
 [[nodiscard]] std::string list_text(const Columns<Row>& columns, const Row& row) {
   std::string text;

@@ -11,7 +11,7 @@
 /// Packings out of comma-separated values: spreadsheets, tomography, exports of codes without a reader of
 /// their own.
 ///
-/// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them stands for SI throughout.
+/// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them means SI throughout.
 /// Contacts:  nx, ny, nz              needed; from grain 1 to grain 2, of any length
 ///            id1, id2                numbers of the grains
 ///            fn, ft                  normal force (compression positive) and size of the tangential force
@@ -25,7 +25,7 @@
 /// Checked by tests/io/csv/test_packing.cpp
 namespace granum::io {
 
-/// A list of contacts; what a file lacks is empty.
+/// A list of contacts; missing columns are empty.
 struct ContactTable {
   std::vector<Vec3> normal; ///< unit vectors
   std::vector<std::array<long, 2>> id;
@@ -41,13 +41,13 @@ struct ContactTable {
 ///           a normal of length 0, one coordinate of a vector without the others
 [[nodiscard]] ContactTable read_contact_csv(TextSource source);
 
-/// The box of a packing that a table does not tell.
+/// The box of a packing, which a table does not contain.
 struct CsvBox {
   Mat3 cell; ///< columns are its edges [m]
   std::array<bool, 3> periodic{true, true, true};
 };
 
-/// Grains, and contacts if there are any. Without a box the smallest upright one stands for it, with a note.
+/// Grains, and contacts if there are any. Without a box the smallest upright one is used, with a note.
 /// Of contacts id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
 /// positions; overlaps are delta, or come from the radii.
 /// \throws   FileError also for ids twice, a radius that is not positive, a box without volume, an unknown

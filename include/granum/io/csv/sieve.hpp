@@ -9,7 +9,7 @@
 
 namespace granum::io {
 
-/// The sieve curve in a table: a column d with its unit (d_mm) and one of what passes, by mass, as passing_%
+/// The sieve curve in a table: a column d with its unit (d_mm) and one of the passing mass, as passing_%
 /// or, from 0 to 1, as passing. Rows ascend in d or descend, from or to 0 % and 100 %. Further columns are
 /// left alone.
 /// \return   points of ascending d, without a fault of sizes::find_fault

@@ -14,14 +14,14 @@
 
 /// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
 /// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
-/// decimal comma; so do tabs where no commas and semicolons stand between the headings. A text that a
-/// spreadsheet would take for a formula, as it begins with = + - or @ and is no number, is written behind an
-/// apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#' and blank
-/// lines are skipped.
+/// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
+/// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
+/// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
+/// and blank lines are skipped.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
-/// How a table is written: what separates its fields, and the decimal sign of its numbers.
+/// Separator of the fields and decimal sign of the numbers.
 struct CsvManner {
   char separator = ',';
   char decimal_sign = '.'; ///< a comma only where semicolons or tabs separate the fields
@@ -30,18 +30,18 @@ struct CsvManner {
 /// A table that was read. Every row has one field for each heading.
 class CsvTable {
  public:
-  /// Takes the text of a file; `name` stands for the path in errors.
+  /// Reads the text of a file; `name` is the path in errors.
   /// \throws   FileError naming the line: no heading, no rows, a row with another number of fields, an
   /// unclosed quote,
   ///           two equal headings, commas and semicolons between them, bytes that are no text, a number
-  ///           such as 1.500 where others have decimal commas: its point may stand between thousands
+  ///           such as 1.500 where others have decimal commas: its point may separate thousands
   CsvTable(std::string name, std::string_view text);
 
-  /// What stands for the path in errors.
+  /// The path in errors.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }
-  /// Line of the file on which the headings stand, from 1.
+  /// Line of the headings in the file, from 1.
   [[nodiscard]] std::size_t heading_line() const { return heading_line_; }
   /// Line of the file on which a row begins, from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return rows_.at(row).line; }
@@ -50,18 +50,18 @@ class CsvTable {
   /// number has one.
   [[nodiscard]] CsvManner manner() const { return manner_; }
 
-  /// The fields of a row as they stand in the file, one for each heading; a decimal comma is a point.
+  /// The fields of a row as in the file, one for each heading; with points for decimal commas.
   [[nodiscard]] const std::vector<std::string>& fields(std::size_t row) const { return rows_.at(row).fields; }
 
-  /// Whether a column holds `quantity`, with any unit.
+  /// Whether a column contains `quantity`, with any unit.
   [[nodiscard]] bool has(std::string_view quantity) const;
-  /// Place of a quantity in every row, and what its numbers are multiplied by to give SI.
+  /// Column index of a quantity, and the factor from its numbers to SI.
   struct Place {
     std::size_t index = 0;
     double factor = 1;
   };
-  /// \throws   FileError if no column or more than one holds the quantity, or if its heading lacks a unit of
-  ///           `dimension`
+  /// \throws   FileError if no column or more than one contains the quantity, or if its heading lacks a unit
+  ///           of `dimension`
   [[nodiscard]] Place column(std::string_view quantity, Dimension dimension) const;
   /// The column of a quantity in SI: for sigma_v the column sigma_v_kPa, say, times 1000.
   /// \throws   FileError as column, or, naming the line, if a field is not a finite number
@@ -91,7 +91,7 @@ using CsvCell = std::variant<double, std::string>;
 /// The number that makes an empty field.
 inline constexpr double empty_cell = std::numeric_limits<double>::quiet_NaN();
 
-/// What a CSV file is to hold.
+/// Content of a CSV file.
 struct CsvContent {
   std::vector<std::pair<std::string, std::string>> notes; ///< "# key: value" lines above the heading
   std::vector<std::string> headings;

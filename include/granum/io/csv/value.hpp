@@ -16,17 +16,17 @@
 #include <granum/core/measured.hpp>
 #include <granum/core/units.hpp>
 
-/// What results hold, and how it looks to people: the cells of columns.hpp.
+/// Values in results, and their format for people: the cells of columns.hpp.
 /// Checked by tests/io/csv/test_columns.cpp
 namespace granum::io {
 
-/// What a row has in a column. The first two: nothing, an empty cell; JSON leaves the first out and has the
+/// Value of a row in a column. The first two mean an empty cell; JSON leaves the first out and has the
 /// second as null.
 using Value =
     std::variant<std::monostate, std::nullptr_t, double, std::uint64_t, std::int64_t, bool, std::string,
                  Measured, std::vector<double>, std::vector<std::string>, std::vector<std::vector<double>>>;
 [[nodiscard]] inline bool is_nothing(const Value& value) { return value.index() < 2; }
-/// A number, a count, or the value of a Measured; nothing for what is none.
+/// A number, a count, or the value of a Measured; empty for others.
 [[nodiscard]] std::optional<double> number_of(const Value& value);
 
 /// How a column looks on a screen and in a page.
@@ -36,7 +36,7 @@ struct ShownColumn {
   int digits = 4;          ///< significant ones, or behind the point
   bool fixed = false;      ///< digits behind the point
   double unit = 1;         ///< that numbers are shown in [SI]
-  std::string absent = ""; ///< what a row of a table shows for nothing; a list leaves nothing out
+  std::string absent = ""; ///< text of an empty cell in a table; a list leaves it out
   std::string symbol = ""; ///< behind a number: " %"
   std::optional<Dimension> dimension = {}; ///< numbers are shown in the unit that suits, "66.95 mN"
   std::string meaning = "";                ///< in a list, behind the number
@@ -44,7 +44,7 @@ struct ShownColumn {
   bool sign = false;                       ///< numbers above 0 have a + in front
 };
 
-/// A value of what a getter returns.
+/// The value of a getter's result.
 template <class T>
 [[nodiscard]] Value value_of(T&& of) {
   using Plain = std::remove_cvref_t<T>;
@@ -65,7 +65,7 @@ template <class T>
     return Value(std::forward<T>(of));
 }
 
-/// A getter with null for nothing.
+/// A getter that returns null for empty.
 template <class Get>
 struct OrNull {
   Get get;
@@ -81,7 +81,7 @@ template <class Get>
   return {std::move(get)};
 }
 
-/// Whether a getter gives a value with its error, or nothing.
+/// Whether a getter returns a value with its error, or empty.
 template <class Get, class Row>
 inline constexpr bool gives_measured =
     std::convertible_to<std::invoke_result_t<Get, const Row&>, std::optional<Measured>> &&
@@ -89,11 +89,11 @@ inline constexpr bool gives_measured =
 template <class Get, class Row>
 inline constexpr bool gives_measured<OrNull<Get>, Row> = gives_measured<Get, Row>;
 
-/// What stands between a value and its standard error.
+/// Text between a value and its standard error.
 inline constexpr const char* screen_sign = "+-";
 inline constexpr const char* page_sign = " \u00b1 ";
 
-/// A value as text in the unit and with the digits that are shown; what is shown for nothing.
+/// A value as text, with unit and digits of the column; `absent` if empty.
 [[nodiscard]] std::string shown_text(const ShownColumn& column, const Value& value, const char* sign);
 /// A heading or a value in its column. A value that fills its column has a blank in front, so that it never
 /// runs into the one before.

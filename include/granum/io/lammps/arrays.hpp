@@ -10,7 +10,7 @@
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/lammps/column_map.hpp>
 
-/// Packings out of the memory of LAMMPS, as a program that is linked with it or a script hands them over.
+/// Packings from the memory of LAMMPS, from a linked program or a script.
 /// Checked by tests/io/lammps/test_arrays.cpp and, with LAMMPS itself, by tests/peer/lammps/hand_over.py
 namespace granum::io {
 
@@ -18,7 +18,7 @@ namespace granum::io {
 struct LammpsLocals {
   std::vector<std::string> columns; ///< "c_ids[1]", "c_ids[2]", "c_forces[1]", ...
   std::span<const double> values;   ///< row after row
-  ColumnMap map = {};               ///< what the columns hold, where their values do not tell it
+  ColumnMap map = {};               ///< meaning of the columns, if their values do not show it
 };
 
 /// Grains of one process, in any order, in the units that LAMMPS works in.
@@ -29,7 +29,7 @@ struct LammpsArrays {
   std::span<const long> type = {}; ///< one for each id, or none
   Mat3 cell;                       ///< columns are the edges of the box
   std::array<bool, 3> periodic{true, true, true};
-  std::string units = "si"; ///< si, cgs, micro, nano; lj: numbers are taken as SI, and a note says so
+  std::string units = "si"; ///< si, cgs, micro, nano; lj: numbers are assumed to be SI, with a note
   long step = 0;
   std::optional<LammpsLocals> contacts = {};
 };

@@ -8,7 +8,7 @@
 
 namespace granum::io {
 
-/// Which column of a dump holds a quantity: quantity -> name of the column. Quantities of grains:
+/// Columns of quantities in a dump: quantity -> name of the column. Quantities of grains:
 ///   id, radius or diameter, x y z (wrapped or not), xs ys zs (fractions of the box)
 /// of contacts between grain 1 and grain 2, forces those on grain 1:
 ///   id1 id2            required

@@ -11,7 +11,7 @@ namespace granum::io {
 
 /// The grains of a LAMMPS data file (write_data), atom style sphere: diameters, upright or tilted box. The
 /// step is the one that the first line names. Not in such a file, and so noted: contacts, which faces are
-/// periodic (all are taken so), units, contact law.
+/// periodic (all are assumed to be), units, contact law.
 /// \throws   FileError with path and line for text that is no data file, another atom style, a box or count
 ///           that is missing, rows too few or too many, fields that are not numbers, repeated ids, a
 ///           diameter that is not positive

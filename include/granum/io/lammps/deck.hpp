@@ -12,13 +12,14 @@
 /// Checked by tests/io/lammps/test_deck.cpp; against LAMMPS itself by tests/peer/lammps
 namespace granum::io {
 
-/// In what state the grains of a deck are.
+/// State of the grains of a deck.
 enum class LammpsStart {
   packed,   ///< jammed, or just below jamming: friction and servo start at once
   scattered ///< far from each other: the box is first made smaller
 };
 
-/// A triaxial test from the last pressure on: one stress is driven at constant inertial number, one is held.
+/// A triaxial test from the last pressure on: one stress is driven at constant inertial number, one is
+/// constant.
 struct LammpsPath {
   std::string name;              ///< of its states, letters and digits: TXC
   bool drives_vertical = true;   ///< else both horizontal stresses
@@ -30,10 +31,10 @@ struct LammpsPath {
 
 /// One specimen: spheres, isotropic compression with snapshots, a stress path, small-strain probes.
 struct LammpsExperiment {
-  contact::NormalLaw law;      ///< of spheres of `radius`
-  double radius = 0;           ///< R > 0 [m], of all grains or of those that the law is of, their mean
-  double density = 2650;       ///< of the grains [kg/m^3]; sets the time scale, not the quasi-static answer
-  double tangential_ratio = 0; ///< k_t/k_n >= 0 [1]
+  contact::NormalLaw law;          ///< of spheres of `radius`
+  double radius = 0;               ///< R > 0 [m], of all grains or of those that the law is of, their mean
+  double density = 2650;           ///< of the grains [kg/m^3]; sets the time scale, no quasi-static result
+  double tangential_ratio = 0;     ///< k_t/k_n >= 0 [1]
   double friction_coefficient = 0; ///< mu >= 0 [1]
   LammpsStart start = LammpsStart::packed;
   bool friction_while_prepared = false;  ///< false: switched on at the first pressure, for dense specimens
@@ -50,15 +51,15 @@ struct DeckFile {
 
 /// Everything that LAMMPS (2021 or later, package GRANULAR) needs, on any number of processors: grains.data,
 /// the numbers of the scene with their units, in.prepare, in.iso, in.probe, in.path and in.path-probe, in.all
-/// that runs the five, and README.txt. What it writes is read back by LammpsDump.
+/// that runs the five, and README.txt. LammpsDump reads its output.
 ///
 /// Contacts: pair_style granular, hertz/material with tangential mindlin/force. That variant adds k_t du to
 /// the force carried so far; mindlin without /force rescales the whole force with k_t, so that a frozen state
-/// answers with another k_t than a contact network has. Time step, drag and servo follow from the pressure.
+/// has another k_t than a contact network. Time step, drag and servo follow from the pressure.
 /// Assumes   `start` is periodic on all faces.
-/// Grains of unequal radii have their diameters in grains.data; LAMMPS takes R* of each pair itself.
+/// Grains of unequal radii have their diameters in grains.data; LAMMPS computes R* of each pair.
 /// Its time step then follows the smallest grain.
-/// \param    start   grains; contacts and forces are not taken over
+/// \param    start   grains; contacts and forces are not used
 /// \throws   InvalidArgument as lammps_data; for a law that is not that of spheres of the radius (LAMMPS
 ///           has no other of this family), a ratio, friction,
 ///           pressure or number of the path out of range

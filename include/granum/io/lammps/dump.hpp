@@ -19,14 +19,14 @@ namespace granum::io {
 /// Contacts, without a column map:
 ///   LAMMPS    property/local patom1 patom2 ... beside pair/local dist force fx fy fz p1 ... p12 (17 values),
 ///             or beside any usual part of dist dx dy dz eng force fx fy fz p1 p2 ... in this order: the
-///             values are held against the positions of the grains, and a note says what they were taken
+///             values are compared with the positions of the grains, and a note lists what they were taken
 ///             for. Forces are those on patom1, p10-p12 is x1 - x2.
 ///   LIGGGHTS  pair/gran/local pos id force force_normal force_tangential torque history contactPoint delta
 ///             (28 values). Forces are those on the first id; positions lie in the box, a flag tells pairs
 ///             that reach through a face.
 /// Contacts with walls, among the grains' columns: the f_name[1] to f_name[8] of fix wall/gran ... contacts.
 /// Which of two force vectors is the normal one is checked against the lines of centres, frame by frame;
-/// where they stand the other way round they are swapped, with a note.
+/// if they are in the reverse order they are swapped, with a note.
 ///
 /// Not in such files, and so noted: contact law, grain material, stiffnesses, loading history, and how much
 /// of the force is viscous. SI is assumed unless there is ITEM: UNITS (si, cgs, micro, nano).
@@ -34,14 +34,14 @@ namespace granum::io {
 /// tests/io/liggghts/test_dump.cpp
 class LammpsDump {
  public:
-  /// Grains, and contacts if there are any; frames of equal time step belong together. `columns` names what
-  /// the headings do not tell (see ColumnMap).
+  /// Grains, and contacts if there are any; frames of equal time step belong together. `columns` names
+  /// columns without clear headings (see ColumnMap).
   explicit LammpsDump(TextSource atoms, std::optional<TextSource> contacts = {}, ColumnMap columns = {});
   LammpsDump(LammpsDump&&) noexcept;
   LammpsDump& operator=(LammpsDump&&) noexcept;
   ~LammpsDump();
 
-  /// The next state that stands in all files; nothing at their end.
+  /// The next state that is in all files; empty at their end.
   /// \throws   FileError with path and line for text that is not such a dump, fields that are not
   ///           numbers, a frame cut off, a row of other length than the heading, ids that are missing or
   ///           occur twice, a radius that is not positive, a grain in contact with itself, one pair with

@@ -12,12 +12,11 @@ namespace granum::io {
 
 /// Packings out of MercuryDPM's .data (three dimensions, format 14) and .fstat, frame by frame; frames of
 /// equal time (to six digits) belong together.
-///
-/// A row of .fstat holds the force on the first grain, normal pointing from the second to the first; each
+/// A row of .fstat contains the force on the first grain, normal pointing from the second to the first; each
 /// pair occurs twice, and the two rows must be mirror images. Rows that the code leaves out (fixed
 /// grains, ghosts behind periodic faces) make a pair one-sided, which is noted. A second index below 0 is a
 /// wall; its normal points from the grain to the wall, as the code prints it,
-/// and is turned if the contact point says otherwise. `step` counts the frames of the .data file from 0.
+/// and is reversed according to the contact point. `step` counts the frames of the .data file from 0.
 ///
 /// The last column of .data, "info", which is the species unless a driver writes something else there,
 /// becomes the type of the grain where it is an integer.
@@ -31,7 +30,7 @@ class MercuryOutput {
   MercuryOutput& operator=(MercuryOutput&&) noexcept;
   ~MercuryOutput();
 
-  /// The next state that stands in all files; nothing at their end.
+  /// The next state that is in all files; empty at their end.
   /// \throws   FileError with path and line for text that is no such output, frames cut off, fields that are
   ///           not numbers, a radius that is not positive, an unknown grain, a grain in contact with
   ///           itself, two rows of a pair that are no mirror images, a normal that is no unit vector or

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// What names of files say about the states of a series.
+/// States of a series from the names of files.
 /// Checked by tests/io/text/test_file_names.cpp
 namespace granum::io {
 
@@ -14,7 +14,7 @@ namespace granum::io {
 
 /// Which of some files belong together: those whose names, folders included, differ in numbers alone, as
 /// dense_p50 and dense_p100 do, or dense/state.10 and dense/state.20.
-/// \return   for each file the name of its series, what distinguishes it from those of the others: "dense",
+/// \return   for each file the name of its series, the part that distinguishes it from others: "dense",
 ///           "loose"; where there is one series, the name of the first file without its folder
 [[nodiscard]] std::vector<std::string> series_by_name(const std::vector<std::string>& files);
 

@@ -10,17 +10,17 @@
 
 namespace granum::io {
 
-/// The lines of a text file, plain or gzip (told apart by content), one after the other. Holds one buffer and
+/// The lines of a text file, plain or gzip (recognised by content), one after the other. Uses one buffer and
 /// the longest line, never the file.
 /// Checked by tests/io/text/test_source.cpp
 class TextSource {
  public:
-  /// The longest line that is still taken for text [bytes]: what a file without line ends may cost.
+  /// The longest line of a text [bytes], which limits the memory for a file without line ends.
   static constexpr std::size_t longest_line = std::size_t{1} << 26;
 
   /// \throws   FileError if the file cannot be opened or is a folder
   explicit TextSource(const std::filesystem::path& path);
-  /// A text in memory, plain; `name` stands for the path in errors.
+  /// A text in memory, plain; `name` is the path in errors.
   [[nodiscard]] static TextSource of_text(std::string name, std::string_view text);
   TextSource(TextSource&&) noexcept;
   TextSource& operator=(TextSource&&) noexcept;
@@ -34,18 +34,18 @@ class TextSource {
   [[nodiscard]] std::string_view line() const { return line_; }
   /// Makes the next call of next() stay on the line here.
   void hold() { held_ = true; }
-  /// The bytes behind the line here, as many as are at hand, for files that do not consist of lines; none at
+  /// The bytes in the buffer after the current line, for files that do not consist of lines; none at
   /// the end. Valid until the next call.
   /// \throws   FileError as next
   [[nodiscard]] std::string_view next_bytes();
 
   /// From here on all that is read of a pipe stays in memory, so that even a pipe can be read anew: for a
-  /// look at what a file holds. To be called before anything is read.
+  /// look at the content of a file. Call it before reading.
   void keep_from_start();
   /// Before the first line again, from behind keep_from_start().
   /// \throws   FileError if the file cannot be read a second time
   void back_to_start();
-  /// What is read from here on is not kept.
+  /// Text read from here on is not kept.
   void stop_keeping() { keeping_ = false; }
 
   /// Number of the line here, from 1; after the end that of the last line.
@@ -64,7 +64,7 @@ class TextSource {
   std::string name_;
   std::unique_ptr<Stream> stream_; ///< none for a text in memory
   std::vector<char> buffer_;
-  std::size_t begin_ = 0; ///< of what is not yet read, in the buffer
+  std::size_t begin_ = 0; ///< of unread text in the buffer
   std::size_t end_ = 0;
   std::string_view line_;
   std::size_t line_number_ = 0;

@@ -13,12 +13,11 @@
 /// Checked by tests/io/vtk/test_paraview.cpp
 namespace granum::io {
 
-/// Grains as an unstructured grid (.vtu) of one vertex each. Point data: radius [m]; id, the index or what
-/// `id` says; contacts with other grains [1]; rattler, 1 for a grain that carries nothing, as
-/// mechanical_coordination of frictional contacts tells; pressure [Pa], a third of the trace of the sum of
-/// f (x) its part of the line of centres over the grain's volume, walls included, compression positive. Field
-/// data: cell, its three edges one after the other [m]; TimeValue. Show them as spheres by a glyph scaled
-/// with the radius.
+/// Grains as an unstructured grid (.vtu) of one vertex each. Point data: radius [m]; id, the index or the
+/// value of `id`; contacts with other grains [1]; rattler, 1 for a grain that carries no load according to
+/// mechanical_coordination with friction; pressure [Pa], a third of the trace of the sum of f (x) its part of
+/// the line of centres over the grain's volume, walls included, compression positive. Field data: cell, its
+/// three edges one after the other [m]; TimeValue. Show them as spheres by a glyph scaled with the radius.
 /// \param    id   empty, or one number for each grain
 /// \param    time   of the state, if it is known [s]
 /// \throws   InvalidArgument as require_valid(Assembly), or for another number of ids
@@ -29,7 +28,7 @@ namespace granum::io {
 /// and behind them those with walls, from the centre to the wall. Cell data: normal_force and
 /// tangential_force [N], the latter the vector exerted by grain i on j or the wall; overlap [m];
 /// normal_stiffness and tangential_stiffness [N/m], 0 where they are not known; sliding, 0 or 1;
-/// through_face, 1 where the line leaves the periodic cell; grains, the two indices or what `id` says, twice
+/// through_face, 1 if the line leaves the periodic cell; grains, the two indices or values of `id`, twice
 /// that of i at a wall; wall, its number, or -1 between grains. A tube of a radius by normal_force shows the
 /// force chains. read_vtk_xml (vtk_xml.hpp) reads both files back.
 /// \throws   as grains_vtu

@@ -7,18 +7,18 @@
 #include <granum/io/text/source.hpp>
 
 /// Packings out of VTK's XML files (.vtu, .vtp), as granum writes them itself (paraview.hpp), YADE's
-/// VTKRecorder and many programs. Arrays may stand there as text, as base64 or appended, compressed by zlib
-/// or not, in either byte order; names are taken in any case; what is not named here is skipped.
+/// VTKRecorder and many programs. Arrays may be text, base64 or appended, compressed by zlib
+/// or not, in either byte order; names may be in small or capital letters; others are skipped.
 /// Checked by tests/io/vtk/test_xml.cpp, with files that VTK 9.1 wrote
 namespace granum::io {
 
 /// The grains: Points; point data "radius" or "radii"; their ids from point data "id", else they are
 /// numbered from 0; their types from point data "type", "materialId" or "material"; the cell from field data
-/// "cell", its three edges one after the other, else the smallest upright box stands for it; the time from
-/// field data "TimeValue". Not in such files, and so noted: which faces are periodic (all are taken so if
+/// "cell", its three edges one after the other, otherwise the smallest upright box is used; the time from
+/// field data "TimeValue". Not in such files, with a note: which faces are periodic (all are assumed so if
 /// there is a cell, else none), units, contact law. Points of single precision, which YADE writes, are good
 /// for the geometry, not for overlaps.
-/// \throws   FileError with path and line for what is no such file or no XML; more than one piece; arrays
+/// \throws   FileError with path and line for files of another kind, or not XML; more than one piece; arrays
 ///           that are missing, too short or too long, damaged, compressed otherwise; a radius that is not
 ///           positive, an id that is not an integer or occurs twice
 ///
@@ -28,7 +28,7 @@ namespace granum::io {
 ///            "tangential_stiffness"; each where it is there. The line is the line of centres, or goes from
 ///            the centre to the wall.
 ///   YADE     VTKRecorder's "intr": lines from centre to centre, matched with those of the grains by their
-///            digits, and cell data "forceN", the normal force; of tangential forces it holds no direction.
+///            digits, and cell data "forceN", the normal force; tangential forces have no direction there.
 ///            Contacts with walls and through periodic faces cannot be matched and are refused: use
 ///            share/yade/granum_export.py.
 /// \throws   FileError also for a line of other than two points, a line that ends at no grain, an unknown

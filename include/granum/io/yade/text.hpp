@@ -14,7 +14,7 @@ namespace granum::io {
 ///                                 numbers from 0 unless a column `id` is there, so bodies that are no
 ///                                 spheres shift them
 /// A column `material` (the script's), `mat`, `materialId` or `type` becomes the type.
-/// Without a cell the smallest upright box stands for it, with a note.
+/// Without a cell the smallest upright box is used, with a note.
 /// \throws   FileError with path and line for text that is none of these, rows of other length than the
 ///           heading, fields that are not numbers, repeated ids, a radius that is not positive, no grains
 ///

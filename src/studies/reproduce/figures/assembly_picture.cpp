@@ -19,7 +19,7 @@ namespace granum::studies {
 namespace {
 
 constexpr double size = 520;  // of the picture's longer side
-constexpr double margin = 14; // around what is drawn
+constexpr double margin = 14; // around the drawing
 constexpr int shades = 6;     // from the nearest grains to the farthest
 constexpr double hidden = 8;  // radii behind the seen faces
 constexpr double azimuth = 30 * std::numbers::pi / 180;
@@ -39,7 +39,7 @@ Seen seen(const Vec3& p) {
           along * std::cos(elevation) + p.z * std::sin(elevation)};
 }
 
-/// The frame of what is drawn, and its scale.
+/// Frame and scale of the drawing.
 class View {
  public:
   View(const Mat3& cell, double radius) {
@@ -151,12 +151,12 @@ std::string edges(const View& view, const Mat3& cell, bool far) {
 
 plot::SvgPicture assembly_drawing(const dem::Specimen& state) {
   if (state.position.empty())
-    throw InvalidArgument("a picture of a specimen without grains was asked for");
+    throw InvalidArgument("no picture: the specimen has no grains");
   const View view(state.cell, state.radius * largest_size(state));
   std::string svg = gradients() + edges(view, state.cell, true);
   const std::vector<Drawn> grains = drawn_grains(state);
   if (grains.empty())
-    throw InvalidArgument("a picture was asked for of a specimen with no grain near the faces that are seen");
+    throw InvalidArgument("no picture: the specimen has no grain near its visible faces");
   const double far = grains.front().centre.depth, near = grains.back().centre.depth;
   std::string painted, same_shade;
   int shade = shades - 1;

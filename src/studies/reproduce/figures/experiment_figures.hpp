@@ -14,17 +14,16 @@
 namespace granum::studies {
 
 struct Figure {
-  std::string name; ///< "Fig. 9"; "Beyond the paper" for what the paper does not have
+  std::string name; ///< "Fig. 9"; "Beyond the paper" for additional ones
   std::string title;
   std::string caption; ///< in plain words
   std::vector<Panel> panels;
 };
 
 /// All figures but the assembly, in the paper's order: 4 (paths), 6 to 8 (stress ratio, volumetric strain,
-/// cycles of shear),
-/// 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19 (microstructure), and the
-/// relaxation of all frozen states. What has no data is left out: a panel without series, a figure without
-/// panels. Numbers are in SI, as the headings say.                                            [Chung2014]
+/// cycles of shear), 9 to 14 (moduli), 15 (exponents), 16 (directions of contacts), 17 to 19
+/// (microstructure), and the relaxation of all frozen states. Panels and figures without data are left out.
+/// Numbers are in SI. [Chung2014]
 [[nodiscard]] std::vector<Figure> experiment_figures(const Experiment& experiment);
 
 /// Fig. 3: a specimen at the end of isotropic compression.
@@ -36,12 +35,12 @@ struct AssemblyPicture {
 };
 
 /// The first dense specimen of spheres, or else the first specimen that was compressed.
-/// \return   nothing if there is none
+/// \return   empty if there is none
 [[nodiscard]] std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment);
 
 /// The grains of a state seen from above and aside, nearest in front, and the edges of its cell. Grains that
 /// lie deeper than four diameters behind the faces that are seen are left out, as others hide them.
-/// \param    state   with grains; those of a periodic cell are moved into it
+/// \param    state   with grains; in a periodic cell they are moved into it
 /// \throws   InvalidArgument for a state without grains
 [[nodiscard]] plot::SvgPicture assembly_drawing(const dem::Specimen& state);
 

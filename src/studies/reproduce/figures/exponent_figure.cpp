@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// s of one modulus: the table's cell of ours, or what the paper prints of it.
+/// s of one modulus: our cell of the table, or the paper's value.
 struct ShownExponent {
   const char* quantity; ///< of table_5
   const char* legend;
@@ -74,8 +74,8 @@ void add_exponent_figure(std::vector<Figure>& to, const Experiment& experiment) 
       .title = "Exponents s by contact geometry and density",
       .caption =
           "s of G ~ p^s, from the fit of Eq. (1) to all states with |\u03b7| \u2264 0.6, with its standard "
-          "error; hollow markers: printed by the paper. The line is the exponent of the single contact. "
-          "Markers of G_hh stand slightly to the left of their place, those of G_hv to the right.",
+          "error; hollow markers: values of the paper. The line is the exponent of the single contact. "
+          "Markers of G_hh are drawn slightly to the left, those of G_hv to the right.",
       .panels = {}};
   const std::vector<TableRow> table = table_5(experiment);
   for (const triaxial::Density density : experiment.scene.study.densities)

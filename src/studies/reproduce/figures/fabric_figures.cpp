@@ -26,7 +26,7 @@ plot::Series histogram(const StateRecord& point) {
   return out;
 }
 
-/// E(gamma; a) with a of the same contacts; empty where a is beyond what E can describe.
+/// E(gamma; a) with a of the same contacts; empty if a is outside of the range of E.
 plot::Series fitted(const StateRecord& point) {
   constexpr int steps = 60;
   plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}};
@@ -134,7 +134,7 @@ void add_microstructure_figures(std::vector<Figure>& to, const Experiment& exper
         .name = printed ? "Fig. " + std::to_string(number) : "Beyond the paper",
         .title = "Contacts and their directions: " + std::string(name(contact)),
         .caption =
-            "C_n is the mean number of contacts of a grain, z* that of the grains that bear load, a the "
+            "C_n is the mean number of contacts of a grain, z* that of grains which carry load, a the "
             "anisotropy of the contacts' directions (positive: more near the vertical). Lines up to the "
             "peak, small dots past it; error bars on every fifth state: the scatter of the grains' "
             "numbers of contacts, and that of directions drawn independently." +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the figures of an experiment share.
+// Common parts of the figures of an experiment.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ struct Kind {
 /// In the order of the paper's panels: contacts, dense before loose.
 [[nodiscard]] std::vector<Kind> kinds(const Experiment& experiment);
 
-/// " (first of 3 specimens of a kind)"; nothing with one seed.
+/// " (first of 3 specimens of a kind)"; empty with one seed.
 [[nodiscard]] std::string seeds_note(const Experiment& experiment);
 
 /// Each path keeps its dashes and marker, and its colour, in all figures; isotropic compression too.
@@ -50,12 +50,12 @@ struct Kind {
 [[nodiscard]] std::vector<const StateRecord*> from_start(const ExperimentSpecimen& specimen,
                                                          const PathRun& run);
 
-/// What is drawn over or up a frozen state; nothing where it was not measured.
+/// Coordinate of a frozen state in a figure; empty if not measured.
 using Coordinate = std::function<std::optional<double>(const StateRecord&)>;
 [[nodiscard]] std::optional<double> eta_of(const StateRecord& point);
 [[nodiscard]] std::optional<double> mean_stress_of(const StateRecord& point); ///< [Pa]
 
-/// Isotropic part of G of the network over that of uniform strain in closed form; nothing for a network that
+/// Isotropic part of G of the network over that of uniform strain in closed form; empty for a network that
 /// does not resist, or without closed forms.
 [[nodiscard]] std::optional<double> network_over_uniform_strain(const StateRecord& point);
 

@@ -25,7 +25,7 @@ constexpr Modulus moduli[] = {
     {"G_vh", network_G_vh, probe_G_vh, &TransverselyIsotropic::G_vh},
 };
 
-/// Number of the paper's figure; nothing for a contact that it does not have.
+/// Number of the paper's figure; empty for a contact that is not in it.
 std::optional<int> figure_number(const Kind& kind) {
   const int first = kind.density == triaxial::Density::dense ? 9 : 12;
   using contact::Shape;
@@ -57,7 +57,7 @@ void add_closed_form(Panel& to, const ExperimentSpecimen& specimen, const PathRu
   add(to, std::move(line), std::string(name(run.path)) + " " + legend);
 }
 
-/// One modulus of a specimen on all paths; isotropic compression only where x tells its states apart.
+/// One modulus of a specimen on all paths; isotropic compression only if x differs between its states.
 Panel modulus_panel(const Kind& kind, const std::string& stem, const Modulus& modulus, const Quantity& x,
                     const Coordinate& across, bool with_iso) {
   const std::string symbol = modulus.symbol;
@@ -104,8 +104,8 @@ Figure modulus_figure(const Kind& kind, const std::string& stem, const std::stri
           "Lines: the relaxed contact network of each frozen state, up to the peak; small dots: the same "
           "past the peak. Markers: cyclic shear of the frozen specimen. Grey: closed forms from C_n, "
           "void ratio, fabric and stress, full line under uniform strain, dashed line relaxed with z*. A "
-          "network has one modulus G_hv = G_vh; cyclic shear measures both, in one of the two vertical "
-          "planes whose mean the network has." +
+          "network has one modulus G_hv = G_vh, the mean over both vertical planes; cyclic shear measures "
+          "both, in one of the planes." +
           seeds,
       .panels = {}};
   for (const Modulus& modulus : moduli) {

@@ -30,7 +30,7 @@ Panel curves(const Kind& kind, const std::string& stem, const Quantity& y, doubl
   return out;
 }
 
-/// Fig. 4, of the specimen that stands first in the tables' order of contacts and densities.
+/// Fig. 4, of the first specimen in the tables' order of contacts and densities.
 Figure stress_paths(const Experiment& experiment) {
   Figure out{
       .name = "Fig. 4",
@@ -68,9 +68,9 @@ Figure shear_loops(const Experiment& experiment) {
   Figure out{.name = "Fig. 8",
              .title = "Cycles of horizontal shear with friction",
              .caption =
-                 "Frozen states of TXC, sheared to one side, the other, and the first again while all "
-                 "normal stresses are held, at rest at every point. Contacts may slide: where the loop "
-                 "is open, or does not close, friction eats energy. G_hh is the slope at its start." +
+                 "Frozen states of TXC, sheared to one side, the other, and the first again at constant "
+                 "normal stresses, at rest at every point. Contacts may slide: an open loop, or one that "
+                 "does not close, dissipates energy by friction. G_hh is the slope at its start." +
                  seeds_note(experiment),
              .panels = {}};
   for (const Kind& kind : kinds(experiment))
@@ -111,8 +111,8 @@ void add_path_figures(std::vector<Figure>& to, const Experiment& experiment) {
                .panels = {}};
   Figure volume{.name = "Fig. 7",
                 .title = "Volumetric strain against axial strain",
-                .caption =
-                    "Compression is positive: a specimen that dilates goes down." + seeds_note(experiment),
+                .caption = "Compression is positive: the curve of a specimen that dilates goes down." +
+                           seeds_note(experiment),
                 .panels = {}};
   for (const Kind& kind : kinds(experiment)) {
     add(ratio, curves(kind, "fig06", stress_ratio(), [](const PathPoint& p) { return p.stress.ratio(); }));

@@ -11,7 +11,7 @@ namespace granum::studies {
 
 namespace {
 
-/// G of the isotropic material that is nearest; nothing for a network that does not resist.
+/// G of the nearest isotropic material; empty for a network without stiffness.
 std::optional<double> isotropic_G(const elastic::VoigtStiffness& stiffness) {
   try {
     return elastic::isotropic_projection(stiffness).shear_modulus();
@@ -97,9 +97,9 @@ void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment
       .title = "How much softer than uniform strain",
       .caption =
           "The shear modulus of the network over that of uniform strain in closed form, isotropic parts "
-          "of both, for every frozen state of every path and seed, past the peak as well. The number of "
-          "contacts of the grains that bear load decides nearly alone. Lines: the closed form that was "
-          "calibrated on other specimens (validation/relaxation).",
+          "of both, for every frozen state of every path and seed, also past the peak. It depends almost "
+          "only on the number of contacts of grains that carry load. Lines: the closed form calibrated "
+          "on other specimens (validation/relaxation).",
       .panels = {}};
   add(figure, std::move(all));
   to.push_back(std::move(figure));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/numbering/barely_held.hpp"
+#include "network/numbering/weakly_supported.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -49,11 +49,11 @@ TEST_CASE("a grain is barely held by two contacts, or by three of which one is w
   join(neighbours, 1, {5, 6});
   join(neighbours, 2, {4, 5}); // apart from these two
   join(neighbours, 3, {6, 7, 8});
-  const network::BarelyHeld barely_held(neighbours);
+  const network::WeaklySupported weakly_supported(neighbours);
   for (std::uint32_t g = 0; g < neighbours.size(); ++g) {
     CAPTURE(g);
-    CHECK(barely_held.contains(g) == (g <= 2));
-    CHECK(barely_held.first_of_cluster(g) == (g == 1 ? 0 : g));
+    CHECK(weakly_supported.contains(g) == (g <= 2));
+    CHECK(weakly_supported.first_of_cluster(g) == (g == 1 ? 0 : g));
   }
 }
 
@@ -63,16 +63,16 @@ TEST_CASE("four contacts hold a grain barely if three are with grains of two, an
   join(neighbours, 1, {5});
   join(neighbours, 2, {6});
   join(neighbours, 3, {7});
-  CHECK(network::BarelyHeld(neighbours).contains(0));
-  CHECK(network::BarelyHeld(neighbours).first_of_cluster(3) == 0);
+  CHECK(network::WeaklySupported(neighbours).contains(0));
+  CHECK(network::WeaklySupported(neighbours).first_of_cluster(3) == 0);
   join(neighbours, 3, {8});
-  CHECK_FALSE(network::BarelyHeld(neighbours).contains(0));
+  CHECK_FALSE(network::WeaklySupported(neighbours).contains(0));
 }
 
 TEST_CASE("barely held grains come first in pieces of the first stage, whole clusters in one") {
   const network::Backbone backbone = network::load_bearing_network(samples::large_network(29, 0.26), {});
   REQUIRE(backbone.stages.size() == 3);
-  const network::BarelyHeld barely_held(neighbours_of(backbone));
+  const network::WeaklySupported weakly_supported(neighbours_of(backbone));
   std::vector<std::size_t> piece(backbone.grain_count, 0); // 0: of a later stage
   std::size_t pieces = 0, out_of_order = 0;
   for (const network::Piece& p : backbone.stages.front()) {
@@ -80,17 +80,17 @@ TEST_CASE("barely held grains come first in pieces of the first stage, whole clu
     bool before = true;
     for (std::uint32_t g = p.first; g < p.last; ++g) {
       piece[g] = pieces;
-      out_of_order += !before && barely_held.contains(g) ? 1U : 0U;
-      before = barely_held.contains(g);
+      out_of_order += !before && weakly_supported.contains(g) ? 1U : 0U;
+      before = weakly_supported.contains(g);
     }
   }
   CHECK(out_of_order == 0);
   std::size_t barely = 0, elsewhere = 0, split = 0;
   for (std::uint32_t g = 0; g < backbone.grain_count; ++g)
-    if (barely_held.contains(g)) {
+    if (weakly_supported.contains(g)) {
       ++barely;
       elsewhere += piece[g] == 0 ? 1U : 0U;
-      split += piece[g] != piece[barely_held.first_of_cluster(g)] ? 1U : 0U;
+      split += piece[g] != piece[weakly_supported.first_of_cluster(g)] ? 1U : 0U;
     }
   CHECK(barely > 1000);
   CHECK(elsewhere == 0);
@@ -103,7 +103,7 @@ TEST_CASE("grains that count as barely held come first in pieces of the first st
   for (std::uint32_t g = 0; g < a.grain_count(); g += 40)
     soft[g] = true;
   const network::Backbone backbone = network::load_bearing_network(a, {}, soft);
-  const network::BarelyHeld by_contacts(neighbours_of(backbone));
+  const network::WeaklySupported by_contacts(neighbours_of(backbone));
   const auto is_first = [&](std::uint32_t g) { return by_contacts.contains(g) || soft[backbone.grain[g]]; };
   std::size_t out_of_order = 0, in_first_stage = 0;
   for (const network::Piece& p : backbone.stages.front()) {

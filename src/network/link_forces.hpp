@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/network. What one contact answers, for all load cases; notation as in contact_operator.cpp.
+// Private to src/network. Forces of one contact, for all load cases; notation as in contact_operator.cpp.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ GRANUM_INLINE Vec anisotropic(double along, double across, const Vec3& n, const 
   return {across * d[0] + n.x * excess, across * d[1] + n.y * excess, across * d[2] + n.z * excess};
 }
 
-/// Adds what a contact answers to the displacements of its two sides.
+/// Adds the forces of a contact, y += H x, for the displacements of its two sides.
 template <int Dof>
-GRANUM_INLINE void answer(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb, Rows<Dof>& ya,
-                          Rows<Dof>& yb) {
+GRANUM_INLINE void add_link_forces(const Link& link, const Rows<Dof>& xa, const Rows<Dof>& xb, Rows<Dof>& ya,
+                                   Rows<Dof>& yb) {
   const Vec v{xb.row[0] - xa.row[0], xb.row[1] - xa.row[1], xb.row[2] - xa.row[2]};
   Vec delta = v;
   if constexpr (Dof == 6) {
@@ -58,10 +58,10 @@ GRANUM_INLINE Vec spin_of(const Vec3& arm, const Vec& t) {
   return {-turn[0], -turn[1], -turn[2]};
 }
 
-/// The same where the contact has a joint.
+/// The same for a contact with a joint.
 template <int Dof>
-GRANUM_INLINE void answer(const Link& link, const Joint& joint, const Rows<Dof>& xa, const Rows<Dof>& xb,
-                          Rows<Dof>& ya, Rows<Dof>& yb) {
+GRANUM_INLINE void add_link_forces(const Link& link, const Joint& joint, const Rows<Dof>& xa,
+                                   const Rows<Dof>& xb, Rows<Dof>& ya, Rows<Dof>& yb) {
   if constexpr (Dof == 6) {
     const Vec ta{xa.row[3], xa.row[4], xa.row[5]}, tb{xb.row[3], xb.row[4], xb.row[5]};
     const Vec moved_a = spin_of(joint.arm_a, ta), moved_b = spin_of(joint.arm_b, tb);
@@ -89,27 +89,27 @@ GRANUM_INLINE void answer(const Link& link, const Joint& joint, const Rows<Dof>&
       }
     }
   } else {
-    answer<Dof>(link, xa, xb, ya, yb); // joints are asked for with spins alone
+    add_link_forces<Dof>(link, xa, xb, ya, yb); // without spins a joint has no effect
   }
 }
 
-/// With its joint, where it has one.
+/// With its joint, if it has one.
 template <int Dof>
-GRANUM_INLINE void answer(const Link& link, const Joint* joint, const Rows<Dof>& xa, const Rows<Dof>& xb,
-                          Rows<Dof>& ya, Rows<Dof>& yb) {
+GRANUM_INLINE void add_link_forces(const Link& link, const Joint* joint, const Rows<Dof>& xa,
+                                   const Rows<Dof>& xb, Rows<Dof>& ya, Rows<Dof>& yb) {
   if (joint != nullptr)
-    answer<Dof>(link, *joint, xa, xb, ya, yb);
+    add_link_forces<Dof>(link, *joint, xa, xb, ya, yb);
   else
-    answer<Dof>(link, xa, xb, ya, yb);
+    add_link_forces<Dof>(link, xa, xb, ya, yb);
 }
 
-/// Adds what a contact with a wall answers to its grain.
+/// Adds the forces of a contact with a wall on its grain.
 template <int Dof>
-GRANUM_INLINE void answer_to_wall(Link link, const Joint* joint, const Rows<Dof>& x, Rows<Dof>& y) {
+GRANUM_INLINE void add_wall_forces(Link link, const Joint* joint, const Rows<Dof>& x, Rows<Dof>& y) {
   link.prestress = 0; // no part in (u, u): see contact_operator.cpp
   const Rows<Dof> at_rest = {};
   Rows<Dof> reaction = {};
-  answer<Dof>(link, joint, x, at_rest, y, reaction);
+  add_link_forces<Dof>(link, joint, x, at_rest, y, reaction);
 }
 
 } // namespace granum::network

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "barely_held.hpp"
+#include "weakly_supported.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace {
 
 bool is_bar(const std::vector<std::uint32_t>& neighbours) { return neighbours.size() <= 2; }
 
-bool is_barely_held(const Neighbours& neighbours, std::uint32_t g) {
+bool is_weakly_supported(const Neighbours& neighbours, std::uint32_t g) {
   if (is_bar(neighbours[g]))
     return true;
   const auto bars = std::count_if(neighbours[g].begin(), neighbours[g].end(),
@@ -20,11 +20,11 @@ bool is_barely_held(const Neighbours& neighbours, std::uint32_t g) {
 
 } // namespace
 
-BarelyHeld::BarelyHeld(const Neighbours& neighbours, const std::vector<bool>& soft)
+WeaklySupported::WeaklySupported(const Neighbours& neighbours, const std::vector<bool>& soft)
     : first_(neighbours.size(), none) {
   std::vector<bool> waits(neighbours.size());
   for (std::uint32_t g = 0; g < neighbours.size(); ++g)
-    waits[g] = is_barely_held(neighbours, g) || (!soft.empty() && soft[g]);
+    waits[g] = is_weakly_supported(neighbours, g) || (!soft.empty() && soft[g]);
   std::vector<std::uint32_t> reached;
   const auto reach = [&](std::uint32_t g, std::uint32_t first) {
     if (!waits[g])
