@@ -39,8 +39,8 @@ inline constexpr double largest_slip_loss = 0.05;
 /// 1 - G/G0 of shear cycles of that amplitude, to first order in the loss: amplification x tangential_share x
 /// the mean over contacts of what one of them sheds. Forces are spread by x^2 exp(-3 x), x = f/<f>, whose
 /// variance of 1/3 lies between dense (0.12) and loose packings (0.41), squares of displacements
-/// exponentially. With partial slip the loss grows as the strain. With sliding it stays below 0.1 % up to half
-/// of the reference strain, and then grows steeply.
+/// exponentially. With partial slip the loss grows as the strain. With sliding it stays below 0.1 % up to
+/// half of the reference strain, and then grows steeply.
 /// Assumes   an isotropic packing, well above the isostatic point, whose contacts are not at their limit
 ///           before it is sheared, or no longer so after some cycles.
 /// \param    strain   amplitude of the shear strain >= 0 [1]

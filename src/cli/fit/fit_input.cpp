@@ -133,8 +133,8 @@ void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion
                                      question.modulus_column, pretty(largest, Dimension::pressure),
                                      pretty(1e3 * largest, Dimension::pressure)));
   else if (largest > hardest)
-    question.remarks.add(fmt::format("{} of {}: no sand is so stiff; did you mean {}?", question.modulus_column,
-                                     pretty(largest, Dimension::pressure),
+    question.remarks.add(fmt::format("{} of {}: no sand is so stiff; did you mean {}?",
+                                     question.modulus_column, pretty(largest, Dimension::pressure),
                                      pretty(largest / 1e3, Dimension::pressure)));
 }
 

@@ -24,7 +24,8 @@ inline constexpr const char* rattlers =
 inline constexpr const char* size = "--radius and --d50 mean the same: give one";
 inline constexpr const char* grain =
     "--grain-poisson-ratio and --grain-bulk-modulus are of one solid, with its shear modulus: give one";
-inline constexpr const char* sizes = "--sizes, --sieve and --uniformity mean the same: give one of them, once";
+inline constexpr const char* sizes =
+    "--sizes, --sieve and --uniformity mean the same: give one of them, once";
 } // namespace said_twice
 
 /// "--slope goes with --contact cone, not with --contact sphere".

@@ -62,8 +62,8 @@ void judge_stress(const Typed& number, Validity& validity) {
   if (p <= 0 || (p >= least && p <= most))
     return;
   if (p < least)
-    validity.add(typed_text(number) +
-                 " is below the weight of a centimetre of sand; " + meant_text(number, p * kilo));
+    validity.add(typed_text(number) + " is below the weight of a centimetre of sand; " +
+                 meant_text(number, p * kilo));
   else
     validity.add(typed_text(number) + ": grains break before that; " +
                  meant_text(number, p / (p > most * kilo ? mega : kilo)));
