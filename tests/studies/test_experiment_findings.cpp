@@ -166,7 +166,7 @@ TEST_CASE("tables as text and CSV show ours, the error, the printed number, and 
                            "sphere,dense,e,0.56,,0.558,0.0020000000000000018,0.02,yes\n");
   const auto loose = table_2(synthetic_experiment(one_kind(Shape::sphere, Density::loose)));
   CHECK(table_text("", loose).find("    3.5          no\n") != std::string::npos);
-  CHECK(table_text("x", {}) == "x\n  nothing was measured\n");
+  CHECK(table_text("x", {}) == "x\n  no measurements\n");
 }
 
 TEST_CASE("a cell whose standard error is larger than the reach decides nothing, near or far") {
