@@ -284,28 +284,39 @@ class Elimination {
       const double of_motion = energy[static_cast<std::size_t>(k)];
       values[k] = of_motion < rule_.shift * mean_ ? rigid : of_motion;
     }
-    const auto is_lost = [&](int k) {
-      return values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_);
-    };
-    bool lost = false, is_very_soft = false;
-    for (int k = 0; k < judged.directions; ++k) {
-      lost = lost || is_lost(k);
-      is_very_soft = is_very_soft || values[k] < very_soft * mean_;
-    }
-    for (int k = 0; k < judged.directions; ++k) {
-      if (lost)
-        motion.add_movers(k, moving_where_lost, work.lost_grains);
-      if (is_very_soft)
-        motion.add_movers(k, moving, work.soft_grains);
-    }
+    const bool lost = has_lost(judged.directions, found, values);
+    note_movers(judged.directions, lost, values, motion, work);
     for (int k = 0; k < Dof && lost && found[k] < lost_stiffness * mean_; ++k)
-      if (values[k] < rigid && (!couples() || is_lost(k)))
+      if (values[k] < rigid && (!couples() || is_lost(found[k], values[k])))
         hold(i, pivot, k, work, values);
     if (couples()) {
       judged.couplings = couplings_of(i, motion, values);
       soft_[i] = std::make_unique<SoftPivot>(std::move(judged));
     }
     return lost;
+  }
+
+  /// Whether the energy of a motion is far from the eigenvalue that was found for it.
+  [[nodiscard]] bool is_lost(double found, double energy) const {
+    return energy < rigid && energy > far_off * std::max(found, least_compared * mean_);
+  }
+  [[nodiscard]] bool has_lost(int directions, const Vector& found, const Vector& values) const {
+    for (int k = 0; k < directions; ++k)
+      if (is_lost(found[k], values[k]))
+        return true;
+    return false;
+  }
+
+  /// Adds the grains of lost and of very soft motions to those of the piece.
+  void note_movers(int directions, bool lost, const Vector& values, const LocalMotion<Dof>& motion,
+                   Work& work) const {
+    const bool is_very_soft = values.head(directions).minCoeff() < very_soft * mean_;
+    for (int k = 0; k < directions; ++k) {
+      if (lost)
+        motion.add_movers(k, moving_where_lost, work.lost_grains);
+      if (is_very_soft)
+        motion.add_movers(k, moving, work.soft_grains);
+    }
   }
 
   /// Forces of motions on the later grains that the pattern couples with grain i.
